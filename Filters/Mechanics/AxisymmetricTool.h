@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_AxisymmetricTool_h
+#define palpate_AxisymmetricTool_h
+
+#include <string>
+
+namespace palpate
+{
+/// Displacement of a point of the body's surface, mm: radial (> 0 away from the axis of the tool)
+/// and normal (> 0 into the body).
+struct SurfaceDisplacement
+{
+  double radial;
+  double normal;
+};
+
+/**
+ * A rigid, frictionless tool of revolution, and what it feels pressed into an elastic half-space.
+ *
+ * The tool has the profile z = f(r), f(0) = 0, and is pressed δ deep. By the method of
+ * dimensionality reduction (Galin; Sneddon 1965; Popov and Hess 2015) with
+ *   g(x) = x ∫_0^{π/2} f'(x sin θ) dθ,
+ * the contact radius a solves g(a) = δ, the force is F = 2E* ∫_0^a (δ - g) dx, and for every
+ * profile dF/dδ = 2E* a. Pressure and displacements follow from g as well
+ * (DimensionalityReduction.h); shapes with closed forms override them.
+ *
+ * Units mm, N, MPa. δ <= 0 means no contact: every result is 0. A NaN argument gives NaN. Reduced
+ * modulus E* = E/(1-ν²), see ReducedModulus.h. Linear elasticity at small strain: see
+ * depthAtStrain. Immutable and safe to call from any number of threads.
+ */
+class AxisymmetricTool
+{
+public:
+  virtual ~AxisymmetricTool() = default;
+
+  /// The tool as on a command line, "sphere:6.35": lossless, parsed by parseTool.
+  virtual std::string specification() const = 0;
+
+  /// f(r), mm: height of the tool's surface above its tip. +inf beyond its outer wall.
+  virtual double profile(double r) const = 0;
+
+  /// Leading exponent m of F ∝ δ^m at small depth.
+  virtual double forceExponent() const = 0;
+
+  /// Depth (mm) from which the strain measure a/R exceeds `ratio`; a/R is the contact radius over
+  /// the tip radius. Tools without a tip radius use δ/a, which equals a/R for a paraboloid. 0 when
+  /// it does at first touch, +inf when it never does.
+  virtual double depthAtStrain(double ratio) const = 0;
+
+  /// Depth (mm) at which the contact radius reaches a: g(a), or 0 (+inf) when the contact radius is
+  /// larger (smaller) than a at every depth.
+  virtual double depthAtContactRadius(double a) const = 0;
+
+  double contactRadius(double deflection) const;
+  double force(double deflection, double reducedModulus) const;
+  /// dF/dδ, N/mm.
+  double stiffness(double deflection, double reducedModulus) const;
+  /// Contact pressure at distance r from the axis, MPa; 0 outside the contact, +inf at a sharp rim
+  /// or apex.
+  double pressure(double r, double deflection, double reducedModulus) const;
+  /// Displacement of the surface point that lay at distance r from the axis.
+  SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonsRatio) const;
+
+protected:
+  // What a shape provides, called with δ > 0 and finite; `a` is contactRadius(δ).
+  virtual double radiusAt(double deflection) const = 0;
+  virtual double forcePerModulus(double deflection) const = 0;
+  /// p/E* at 0 <= r <= a.
+  virtual double pressurePerModulus(double r, double a, double deflection) const;
+  /// u_z at r > a.
+  virtual double normalDisplacementOutside(double r, double a, double deflection) const;
+  /// Load carried inside r over E*, mm², at 0 < r < a.
+  virtual double loadInside(double r, double a, double deflection) const;
+
+  /// g(x) and g'(x), mm, for the general path; 0 <= x < the largest contact radius.
+  virtual double reducedProfile(double x) const = 0;
+  virtual double reducedSlope(double x) const = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SeriesCompliance_h
+#define palpate_SeriesCompliance_h
+
+#include "AxisymmetricTool.h"
+
+namespace palpate
+{
+/// One point of a curve F(δ): force (N), dF/dδ (N/mm), the local part of the deflection (mm).
+struct SeriesPoint
+{
+  double force = 0.0;
+  double stiffness = 0.0;
+  double localDeflection = 0.0;
+  /// False where no stable point exists: a negative compliance has folded the curve.
+  bool stable = true;
+};
+
+/**
+ * Local and global deformation in series: δ = δ_local(F; tool) + C F.
+ *
+ * The body as a whole yields by its structural compliance C (mm/N), whatever the tool
+ * (St. Venant, Castigliano); the neighbourhood of the contact by the half-space law of the tool.
+ * Negative C (a near rigid base) is allowed until 1 + C dF/dδ_local = 0, where the curve folds.
+ * Solved by Newton's method, monotone because F(δ_local) is convex. Cost: about five evaluations of
+ * the half-space law.
+ */
+SeriesPoint seriesResponse(
+  const AxisymmetricTool& tool, double reducedModulus, double compliance, double deflection);
+} // namespace palpate
+
+#endif

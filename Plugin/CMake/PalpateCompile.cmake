@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# How every target is compiled: the language, the output folders, warnings and sanitizers.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+file(RELATIVE_PATH palpate_bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${palpate_bin_to_lib}")
+
+# The same formula must give the same bits in every kernel: no fused multiply-add behind our back.
+add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+
+if(PALPATE_SANITIZE)
+  add_compile_options(-fsanitize=${PALPATE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${PALPATE_SANITIZE})
+endif()
+
+# Call on every target of our own; never on generated wrapper code.
+function(palpate_warnings target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual
+    -Wformat=2 -Wdouble-promotion -Wduplicated-cond -Wlogical-op -Wnull-dereference -Wimplicit-fallthrough
+    $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
+endfunction()
+
+# A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each NAME.
+function(palpate_add_kernel name)
+  cmake_parse_arguments(arg "" "" "CLASSES;HEADERS;LINK" ${ARGN})
+  set(headers ${arg_HEADERS})
+  foreach(class IN LISTS arg_CLASSES)
+    list(APPEND headers ${class}.h)
+    list(APPEND sources ${class}.cxx)
+  endforeach()
+  add_library(palpate${name} ${sources} ${headers})
+  add_library(Palpate::${name} ALIAS palpate${name})
+  target_include_directories(palpate${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>)
+  target_link_libraries(palpate${name} PUBLIC Eigen3::Eigen ${arg_LINK})
+  target_compile_features(palpate${name} PUBLIC cxx_std_17)
+  set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON)
+  palpate_warnings(palpate${name})
+endfunction()
