@@ -22,7 +22,7 @@ endif()
 # Call on every target of our own; never on generated wrapper code.
 function(palpate_warnings target)
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual
+    -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual
     -Wformat=2 -Wdouble-promotion -Wduplicated-cond -Wlogical-op -Wnull-dereference -Wimplicit-fallthrough
     $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
 endfunction()
@@ -38,9 +38,13 @@ function(palpate_add_kernel name)
   add_library(palpate${name} ${sources} ${headers})
   add_library(Palpate::${name} ALIAS palpate${name})
   target_include_directories(palpate${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
   target_link_libraries(palpate${name} PUBLIC Eigen3::Eigen ${arg_LINK})
   target_compile_features(palpate${name} PUBLIC cxx_std_17)
   set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON)
   palpate_warnings(palpate${name})
+  target_compile_options(palpate${name} PRIVATE -Wpedantic) # VTK's macros are not pedantic
+  install(TARGETS palpate${name} EXPORT Palpate)
+  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate")
 endfunction()

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkContactDeflection.h"
+
+#include "AxisymmetricTool.h"
+#include "BodyConversion.h"
+#include "ReducedModulus.h"
+#include "SurfacePatch.h"
+#include "vtkContactTool.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// The contact of one tip, read back from the probe's arrays.
+struct TipContact
+{
+  vtkIdType cell = -1;
+  double deflection = 0.0;
+  palpate::Vector3 point;
+  palpate::Vector3 normal;
+};
+
+/// Returns an error that names what is missing, or "".
+std::string readTip(vtkPolyData* tips, vtkIdType index, TipContact& contact)
+{
+  vtkPointData* data = tips->GetPointData();
+  vtkDataArray* cells = data->GetArray("ContactCell");
+  vtkDataArray* deflections = data->GetArray("Deflection");
+  vtkDataArray* points = data->GetArray("ContactPoint");
+  vtkDataArray* normals = data->GetArray("Normal");
+  if (!cells || !deflections || !points || !normals || points->GetNumberOfComponents() != 3 ||
+    normals->GetNumberOfComponents() != 3)
+  {
+    return "port 1 must be the output of vtkToolContactProbe: ContactCell, Deflection, "
+           "ContactPoint(3) or Normal(3) is missing";
+  }
+  contact.cell = static_cast<vtkIdType>(cells->GetTuple1(index));
+  contact.deflection = deflections->GetTuple1(index);
+  points->GetTuple(index, contact.point.data());
+  normals->GetTuple(index, contact.normal.data());
+  return {};
+}
+} // namespace
+
+vtkStandardNewMacro(vtkContactDeflection);
+
+vtkContactDeflection::vtkContactDeflection()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkContactDeflection::~vtkContactDeflection() = default;
+
+void vtkContactDeflection::SetTool(vtkContactTool* tool)
+{
+  if (this->Tool != tool)
+  {
+    this->Tool = tool;
+    this->Modified();
+  }
+}
+
+vtkContactTool* vtkContactDeflection::GetTool()
+{
+  return this->Tool;
+}
+
+vtkMTimeType vtkContactDeflection::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
+}
+
+int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+vtkSmartPointer<vtkContactTool> vtkContactDeflection::FindTool(vtkPolyData* body)
+{
+  if (this->Tool)
+  {
+    return this->Tool;
+  }
+  const std::string specification = palpate::responseText(body, this->ResponseName, "Tool");
+  auto named = vtkSmartPointer<vtkContactTool>::New();
+  if (specification.empty() || !named->SetSpecification(specification))
+  {
+    vtkErrorMacro(<< "No Tool is set, and the field array '" << this->ResponseName
+                  << "Tool' names none.");
+    return nullptr;
+  }
+  return named;
+}
+
+const palpate::BodyMesh& vtkContactDeflection::PrepareMesh(vtkPolyData* body)
+{
+  // Modification times are unique, so the newer of the two names this pair.
+  const vtkMTimeType time = std::max(body->GetPoints()->GetMTime(), body->GetPolys()->GetMTime());
+  if (!this->Mesh || this->MeshTime != time)
+  {
+    this->Mesh = std::make_unique<palpate::BodyMesh>(palpate::makeBodyMesh(body));
+    this->MeshTime = time;
+  }
+  return *this->Mesh;
+}
+
+int vtkContactDeflection::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* tips = vtkPolyData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!body || body->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const std::string fault = palpate::checkTriangles(body);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong body: " << fault << ".");
+    return 0;
+  }
+  if (!palpate::isPoissonsRatio(this->PoissonRatio))
+  {
+    vtkErrorMacro(<< "PoissonRatio must lie between 0 and 0.5, but is " << this->PoissonRatio
+                  << ".");
+    return 0;
+  }
+  const vtkSmartPointer<vtkContactTool> tool = this->FindTool(body);
+  const palpate::AxisymmetricTool* law = tool ? tool->GetKernel() : nullptr;
+  if (!law)
+  {
+    return 0;
+  }
+
+  vtkNew<vtkFloatArray> displacement;
+  displacement->SetName("ContactDisplacement");
+  displacement->SetNumberOfComponents(3);
+  displacement->SetNumberOfTuples(body->GetNumberOfPoints());
+  displacement->Fill(0.0);
+  TipContact contact;
+  if (tips && tips->GetNumberOfPoints() > 0)
+  {
+    const vtkIdType tip = this->TipIndex < 0 ? tips->GetNumberOfPoints() - 1 : this->TipIndex;
+    const std::string missing =
+      tip < tips->GetNumberOfPoints() ? readTip(tips, tip, contact) : std::string();
+    if (tip >= tips->GetNumberOfPoints() || !missing.empty())
+    {
+      vtkErrorMacro(<< (missing.empty()
+                           ? "TipIndex " + std::to_string(tip) + " is beyond the last of " +
+                             std::to_string(tips->GetNumberOfPoints()) + " tips"
+                           : missing)
+                    << ".");
+      return 0;
+    }
+  }
+  const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
+  if (contact.cell >= firstPoly + body->GetNumberOfPolys() ||
+    (contact.cell >= 0 && contact.cell < firstPoly))
+  {
+    vtkErrorMacro(<< "ContactCell " << contact.cell
+                  << " is not a triangle of the body: were the tips probed on another body?");
+    return 0;
+  }
+  if (contact.cell >= 0 && contact.deflection > 0.0)
+  {
+    if (palpate::responseText(body, this->ResponseName, "Model").find("compliance") !=
+      std::string::npos)
+    {
+      vtkWarningMacro(<< "The response has a global compliance; the field shows the half-space "
+                         "part alone, at the whole deflection.");
+    }
+    palpate::visitSurfacePatch(this->PrepareMesh(body),
+      static_cast<std::int32_t>(contact.cell - firstPoly), contact.point, contact.normal,
+      [&](std::int32_t id, double distance, const palpate::Vector3& away)
+      {
+        const palpate::SurfaceDisplacement u =
+          law->surfaceDisplacement(distance, contact.deflection, this->PoissonRatio);
+        const Eigen::Vector3f vector = (u.radial * away - u.normal * contact.normal).cast<float>();
+        displacement->SetTypedTuple(id, vector.data());
+      });
+  }
+  output->ShallowCopy(body);
+  output->GetPointData()->AddArray(displacement);
+  return 1;
+}
+
+void vtkContactDeflection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tool: " << this->Tool.Get() << "\n";
+  os << indent << "TipIndex: " << this->TipIndex << "\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
+}

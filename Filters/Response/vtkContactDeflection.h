@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkContactDeflection
+ * @brief the displacement field of the body under one tip of a probe
+ *
+ * Port 0: the body. Port 1: the output of vtkToolContactProbe; TipIndex chooses the tip. Output:
+ * the body with point vectors `ContactDisplacement` (float 3, mm), the surface displacement of the
+ * tool on an elastic half-space (u_r, u_z of vtkContactTool) at the tip's deflection, laid around
+ * the contact point: u_z against the contact normal, u_r along the surface away from the contact,
+ * for distances r measured along the surface. Zero without contact. To see it, warp by the vector.
+ *
+ * The field covers the part of the surface that is connected to the contact and whose normal is
+ * within 60° of the contact normal, and ends there: beyond, and behind, the body is no half-space.
+ * Within it r is the length of the circular arc that leaves and arrives along the surface,
+ * r = chord (θ/2)/sin(θ/2) with θ the angle between the normals; exact on planes, spheres and
+ * around cylinders.
+ *
+ * Tool: if none is set, the one named in the body's response (ResponseName, field array `Tool`).
+ * PoissonRatio scales u_r alone. On a body whose response has a global compliance the field shows
+ * the half-space part at the whole deflection; a warning says so.
+ *
+ * Cost: the mesh is linked once per change of its points or triangles, O(n); then one evaluation of
+ * the law per point within the field.
+ */
+#ifndef vtkContactDeflection_h
+#define vtkContactDeflection_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkContactTool;
+
+namespace palpate
+{
+class BodyMesh;
+}
+
+class PALPATERESPONSE_EXPORT vtkContactDeflection : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkContactDeflection* New();
+  vtkTypeMacro(vtkContactDeflection, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The tool; default: the one the response names. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  ///@{
+  /** Which tip of port 1; -1 (default) is the last. */
+  vtkSetMacro(TipIndex, vtkIdType);
+  vtkGetMacro(TipIndex, vtkIdType);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.45. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /** Prefix of the response arrays, for the tool's name. Default "Response". */
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  /** The probe's output, port 1. */
+  void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
+  void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkContactDeflection();
+  ~vtkContactDeflection() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkContactDeflection(const vtkContactDeflection&) = delete;
+  void operator=(const vtkContactDeflection&) = delete;
+
+  vtkSmartPointer<vtkContactTool> FindTool(vtkPolyData* body);
+  const palpate::BodyMesh& PrepareMesh(vtkPolyData* body);
+
+  vtkSmartPointer<vtkContactTool> Tool;
+  vtkIdType TipIndex = -1;
+  double PoissonRatio = 0.45;
+  std::string ResponseName = "Response";
+
+  // The linked mesh, and of which points and triangles it is.
+  std::unique_ptr<palpate::BodyMesh> Mesh;
+  vtkMTimeType MeshTime = 0;
+};
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkContactToolSource
+ * @brief geometry of a vtkContactTool, for display
+ *
+ * The tip is at the origin and the tool rises along +z: its profile, then a straight shaft up to
+ * Length. Triangles with outward normals, mm. A profile that keeps widening (cone, paraboloid) is
+ * cut at MaximumRadius and continued as a shaft.
+ */
+#ifndef vtkContactToolSource_h
+#define vtkContactToolSource_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+class vtkContactTool;
+
+class PALPATERESPONSE_EXPORT vtkContactToolSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkContactToolSource* New();
+  vtkTypeMacro(vtkContactToolSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The tool; required. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  ///@{
+  /** Height of the whole tool, mm, > 0. Default 40. */
+  vtkSetMacro(Length, double);
+  vtkGetMacro(Length, double);
+  ///@}
+
+  ///@{
+  /** Largest radius a widening profile is drawn to, mm, > 0. Default 8. */
+  vtkSetMacro(MaximumRadius, double);
+  vtkGetMacro(MaximumRadius, double);
+  ///@}
+
+  ///@{
+  /** Facets around the axis, at least 3. Default 64. */
+  vtkSetClampMacro(Resolution, int, 3, 1024);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkContactToolSource();
+  ~vtkContactToolSource() override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkContactToolSource(const vtkContactToolSource&) = delete;
+  void operator=(const vtkContactToolSource&) = delete;
+
+  vtkSmartPointer<vtkContactTool> Tool;
+  double Length = 40.0;
+  double MaximumRadius = 8.0;
+  int Resolution = 64;
+};
+
+#endif

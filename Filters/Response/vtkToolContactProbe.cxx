@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkToolContactProbe.h"
+
+#include "BodyConversion.h"
+#include "ToolContact.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+/// The output arrays, one value per tip; zero-filled, so that "no contact" needs no writing.
+struct ProbeArrays
+{
+  vtkNew<vtkDoubleArray> Force;
+  vtkNew<vtkDoubleArray> NormalForce;
+  vtkNew<vtkDoubleArray> FrictionForce;
+  vtkNew<vtkDoubleArray> Deflection;
+  vtkNew<vtkDoubleArray> Normal;
+  vtkNew<vtkDoubleArray> ContactPoint;
+  vtkNew<vtkIdTypeArray> ContactCell;
+  vtkNew<vtkUnsignedCharArray> ContactState;
+
+  explicit ProbeArrays(vtkIdType tips)
+  {
+    allocate(this->Force.Get(), "Force", 3, tips);
+    allocate(this->NormalForce.Get(), "NormalForce", 1, tips);
+    allocate(this->FrictionForce.Get(), "FrictionForce", 3, tips);
+    allocate(this->Deflection.Get(), "Deflection", 1, tips);
+    allocate(this->Normal.Get(), "Normal", 3, tips);
+    allocate(this->ContactPoint.Get(), "ContactPoint", 3, tips);
+    allocate(this->ContactCell.Get(), "ContactCell", 1, tips);
+    allocate(this->ContactState.Get(), "ContactState", 1, tips);
+  }
+
+  void store(vtkIdType tip, const palpate::ToolContactForce& contact, vtkIdType firstPoly)
+  {
+    this->Force->SetTypedTuple(tip, contact.force.data());
+    this->NormalForce->SetValue(tip, contact.normalForce);
+    this->FrictionForce->SetTypedTuple(tip, contact.friction.data());
+    this->Deflection->SetValue(tip, contact.deflection);
+    this->Normal->SetTypedTuple(tip, contact.normal.data());
+    this->ContactPoint->SetTypedTuple(tip, contact.contactPoint.data());
+    this->ContactCell->SetValue(
+      tip, contact.triangle < 0 ? -1 : firstPoly + static_cast<vtkIdType>(contact.triangle));
+    this->ContactState->SetValue(tip, static_cast<unsigned char>(contact.state));
+  }
+
+  void attach(vtkPolyData* output)
+  {
+    for (vtkDataArray* array :
+      std::initializer_list<vtkDataArray*>{ this->Force, this->NormalForce, this->FrictionForce,
+        this->Deflection, this->Normal, this->ContactPoint, this->ContactCell, this->ContactState })
+    {
+      output->GetPointData()->AddArray(array);
+    }
+  }
+
+private:
+  static void allocate(vtkDataArray* array, const char* name, int components, vtkIdType tips)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tips);
+    array->Fill(0.0);
+  }
+};
+
+/// The tip moved inward along the blended normal at its closest point.
+palpate::Vector3 pressedTip(
+  const palpate::ContactBody& body, const palpate::Vector3& tip, double indentation)
+{
+  if (indentation == 0.0)
+  {
+    return tip;
+  }
+  const palpate::SurfacePoint nearest = body.tree.closest(tip);
+  if (nearest.triangle < 0)
+  {
+    return tip;
+  }
+  palpate::Vector3 normal = palpate::Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    normal += nearest.projection.weights[k] *
+      body.response.normal(body.surface.corners(nearest.triangle)[static_cast<std::size_t>(k)]);
+  }
+  const double length = normal.norm();
+  return length > 0.0 ? palpate::Vector3(tip - indentation / length * normal) : tip;
+}
+} // namespace
+
+vtkStandardNewMacro(vtkToolContactProbe);
+
+vtkToolContactProbe::vtkToolContactProbe()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkToolContactProbe::~vtkToolContactProbe() = default;
+
+int vtkToolContactProbe::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+bool vtkToolContactProbe::PrepareBody(vtkPolyData* body)
+{
+  if (this->Body && this->BodySource == body && this->BodyTime == body->GetMTime() &&
+    this->BodyResponse == this->ResponseName)
+  {
+    return true;
+  }
+  std::string error;
+  this->Body = palpate::makeContactBody(body, this->ResponseName, error);
+  if (!this->Body)
+  {
+    vtkErrorMacro(<< "Wrong body: " << error << ".");
+    return false;
+  }
+  this->BodySource = body;
+  this->BodyTime = body->GetMTime();
+  this->BodyResponse = this->ResponseName;
+  return true;
+}
+
+int vtkToolContactProbe::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* tips = vtkPolyData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!body || !tips || tips->GetNumberOfPoints() == 0 || body->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  if (this->ForceForm != Paper && this->ForceForm != NormalizedDirection)
+  {
+    vtkErrorMacro(<< "ForceForm must be 0 (Paper) or 1 (NormalizedDirection), but is "
+                  << this->ForceForm << ".");
+    return 0;
+  }
+  if (!std::isfinite(this->Indentation))
+  {
+    vtkErrorMacro(<< "Indentation must be finite (mm), but is " << this->Indentation << ".");
+    return 0;
+  }
+  if (!this->PrepareBody(body))
+  {
+    return 0;
+  }
+
+  const palpate::ContactBody& kernel = *this->Body;
+  const auto form = static_cast<palpate::ForceForm>(this->ForceForm);
+  const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
+  const vtkIdType count = tips->GetNumberOfPoints();
+  ProbeArrays arrays(count);
+  const auto evaluate = [&](palpate::ToolContact& contact, vtkIdType tip)
+  {
+    palpate::Vector3 position;
+    tips->GetPoint(tip, position.data());
+    arrays.store(tip, contact.update(pressedTip(kernel, position, this->Indentation)), firstPoly);
+  };
+
+  std::vector<char> inHistory(static_cast<std::size_t>(count), 0);
+  vtkCellArray* lines = tips->GetLines();
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(line, size, points);
+    palpate::ToolContact history(kernel, form);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      inHistory[static_cast<std::size_t>(points[i])] = 1;
+      evaluate(history, points[i]);
+    }
+  }
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      palpate::ToolContact single(kernel, form);
+      for (vtkIdType tip = first; tip < last; ++tip)
+      {
+        if (!inHistory[static_cast<std::size_t>(tip)])
+        {
+          single.reset();
+          evaluate(single, tip);
+        }
+      }
+    });
+
+  output->ShallowCopy(tips);
+  arrays.attach(output);
+  return 1;
+}
+
+void vtkToolContactProbe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ForceForm: " << this->ForceForm << "\n";
+  os << indent << "Indentation: " << this->Indentation << " mm\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkToolContactResponse
+ * @brief attaches to each point of a body the force-deflection curve of a tool pressed there
+ *
+ * Input: a vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm. Polygons
+ * other than triangles, and strips, are an error: use vtkTriangleFilter. Empty input gives empty
+ * output. The input's arrays pass through.
+ *
+ * Output: the same body with the response arrays, all with the prefix ResponseName (default
+ * `Response`), samples i = 1..n at δ_i = MaximumDeflection (i/n)²:
+ * - point data `Force` (float n, N), `Stiffness` (float n, dF/dδ, N/mm), `Normal` (float 3, unit,
+ *   outward), `Range` (float, mm, the depth of the last sample), `Status` (uint8: 0 Valid,
+ *   1 Degenerate: no triangle with an area meets or the normal is zero, 2 NotFinite, 3 Folded),
+ *   `Validity` (float, mm) and `Limit` (uint8);
+ * - field data `Exponent` (double m), `Samples` (int n), `Tool`, `Model`, `Units` (strings).
+ * See palpate/contract.py for how they are evaluated.
+ *
+ * **Validity** is the depth at which the first assumption of the law breaks, at most Range, and
+ * **Limit** says which: 0 none within Range, 1 strain, 2 curvature. Strain: a/R exceeds 0.4, the
+ * contact radius over the tip radius (for Flat and Cone, which have no tip radius, δ/a, which
+ * equals a/R for a paraboloid; a 60° cone exceeds it at any depth). Curvature: the body's normal
+ * turns by more than 0.2 rad under the contact radius, by the largest normal curvature along the
+ * edges at the point; beyond it the body no longer looks like a half-space to the tool.
+ *
+ * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
+ * thickness (not available yet: an error), 2 global compliance (mm/N), 3 Poisson's ratio. An index
+ * that was never set means the constant property, whatever arrays the body has; one that was set
+ * but is not there is an error. So is a value out of range, naming array, index and value.
+ *
+ * The law is the tool's on an elastic half-space (vtkContactTool), in series with the global
+ * compliance where there is one: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 where that
+ * stores the curve better. The active point normals are used if present, otherwise angle-weighted
+ * ones are computed; a closed surface that is then found inside out is an error.
+ *
+ * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
+ * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance about 2 µs per point and
+ * core. Threaded by vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
+ *
+ * @sa vtkContactTool vtkToolContactProbe
+ */
+#ifndef vtkToolContactResponse_h
+#define vtkToolContactResponse_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
+
+class vtkContactTool;
+
+class PALPATERESPONSE_EXPORT vtkToolContactResponse : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkToolContactResponse* New();
+  vtkTypeMacro(vtkToolContactResponse, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The tool; required. Its changes count in this filter's modification time. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  ///@{
+  /** Young's modulus E, MPa, > 0, of points without an array. Default 0.1. */
+  vtkSetMacro(YoungsModulus, double);
+  vtkGetMacro(YoungsModulus, double);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio, 0 to 0.5, of points without an array. Default 0.45. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /** Depth of the last sample, mm, > 0. Default 2. */
+  vtkSetMacro(MaximumDeflection, double);
+  vtkGetMacro(MaximumDeflection, double);
+  ///@}
+
+  ///@{
+  /** Samples per curve n, 2 to 256. Default 8. */
+  vtkSetMacro(NumberOfSamples, int);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /** Prefix of the arrays; several tools on one body use several. Default "Response". */
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkToolContactResponse();
+  ~vtkToolContactResponse() override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkToolContactResponse(const vtkToolContactResponse&) = delete;
+  void operator=(const vtkToolContactResponse&) = delete;
+
+  struct Material;
+
+  bool CheckProperties();
+  bool ReadMaterial(vtkPolyData* body, Material& material);
+  bool FetchArray(vtkPolyData* body, int index, vtkDataArray*& array);
+
+  vtkSmartPointer<vtkContactTool> Tool;
+  double YoungsModulus = 0.1;
+  double PoissonRatio = 0.45;
+  double MaximumDeflection = 2.0;
+  int NumberOfSamples = 8;
+  std::string ResponseName = "Response";
+};
+
+#endif

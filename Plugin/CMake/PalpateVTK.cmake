@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The VTK side: finds VTK (ParaView's own where ParaView is installed), builds our VTK modules and
+# their Python wrapping. Only Plugin/ParaView may need ParaView itself.
+option(PALPATE_USE_PARAVIEW "Take VTK from an installed ParaView" ON)
+
+set(palpate_vtk_found OFF)
+if(PALPATE_USE_PARAVIEW)
+  find_package(ParaView 5.11 QUIET)
+  if(ParaView_FOUND)
+    set(palpate_vtk_found ON)
+    message(STATUS "VTK ${VTK_VERSION} of ParaView ${ParaView_VERSION}")
+  else()
+    message(STATUS "ParaView not found or not complete (${ParaView_NOT_FOUND_MESSAGE}); trying plain VTK")
+  endif()
+endif()
+if(NOT palpate_vtk_found)
+  find_package(VTK 9.1 REQUIRED)
+  message(STATUS "Plain VTK ${VTK_VERSION}")
+endif()
+find_package(CLI11 REQUIRED)
+
+vtk_module_find_modules(palpate_module_files
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters" "${CMAKE_CURRENT_SOURCE_DIR}/Interactors")
+vtk_module_scan(
+  MODULE_FILES ${palpate_module_files}
+  PROVIDES_MODULES palpate_modules
+  WANT_BY_DEFAULT ON
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${palpate_modules}
+  TEST_DIRECTORY_NAME NONE
+  PACKAGE Palpate
+  INSTALL_EXPORT Palpate
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate"
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/palpate"
+  LIBRARY_NAME_SUFFIX "")
+foreach(palpate_module IN LISTS palpate_modules)
+  _vtk_module_real_target(palpate_target ${palpate_module})
+  palpate_warnings(${palpate_target})
+endforeach()
+
+if(TARGET VTK::WrappingPythonCore)
+  vtk_module_wrap_python(
+    MODULES ${palpate_modules}
+    TARGET Palpate::Python
+    PYTHON_PACKAGE "palpate"
+    MODULE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python"
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/palpate"
+    BUILD_STATIC OFF
+    INSTALL_HEADERS OFF)
+else()
+  message(WARNING "This VTK has no Python wrapping: the package 'palpate' is not built.")
+endif()

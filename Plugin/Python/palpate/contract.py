@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The data contract of Palpate's response arrays, evaluated in numpy.
+
+For any Python and any ParaView, without the plugin. Units mm, N, MPa. One response is a set of arrays
+with a common prefix. Samples i = 1..n lie at d_i = range (i/n)^2. Between them
+F(d) = d^m r(s), s = sqrt(d/range), r the cubic Hermite interpolant of the samples; below d_1 the
+power start F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond range the last tangent.
+"""
+import numpy as np
+
+
+def load(body, prefix="Response"):
+    """Response arrays of a vtkPolyData as a dictionary of numpy arrays; either form.
+
+    Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
+    status (points) and exponent m. KeyError names what is missing.
+    """
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    def fetch(data, name):
+        array = data.GetArray(prefix + name)
+        if array is None:
+            raise KeyError("array '%s%s' is missing" % (prefix, name))
+        return vtk_to_numpy(array)
+
+    points, field = body.GetPointData(), body.GetFieldData()
+    n = int(fetch(field, "Samples")[0])
+    if field.GetArray(prefix + "Basis") is not None:
+        basis = fetch(field, "Basis").reshape(-1, 2 * n).astype(float)
+        coefficient = fetch(points, "Coefficient").reshape(-1, len(basis)).astype(float)
+        curves = coefficient @ basis
+        force, stiffness = curves[:, :n], curves[:, n:]
+    else:
+        force = fetch(points, "Force").reshape(-1, n).astype(float)
+        stiffness = fetch(points, "Stiffness").reshape(-1, n).astype(float)
+    return {"force": force, "stiffness": stiffness, "normal": fetch(points, "Normal").astype(float),
+            "range": fetch(points, "Range").astype(float), "status": fetch(points, "Status"),
+            "exponent": float(fetch(field, "Exponent")[0])}
+
+
+def evaluate(response, point, deflection):
+    """Force (N) and stiffness dF/dd (N/mm) at points (integers) and deflections (mm); both broadcast."""
+    point, d = np.broadcast_arrays(np.asarray(point), np.asarray(deflection, dtype=float))
+    f, k = response["force"][point], response["stiffness"][point]
+    reach, m, n = response["range"][point], response["exponent"], response["force"].shape[1]
+    with np.errstate(all="ignore"):
+        # between samples: rho(s) = F / s^(2m) is interpolated, the factor range^m cancels
+        s = np.sqrt(d / reach)
+        i = np.clip(np.nan_to_num(s * n, nan=1.0).astype(int), 1, n - 1)
+        knots = np.arange(1, n + 1) / n
+        weight = knots ** (-2.0 * m)
+        rho = weight * f
+        slope = 2.0 * weight * (reach[..., None] * knots * k - m * f / knots)
+        left, right = (i - 1)[..., None], i[..., None]
+        a, b = (np.take_along_axis(rho, j, -1)[..., 0] for j in (left, right))
+        da, db = (np.take_along_axis(slope, j, -1)[..., 0] for j in (left, right))
+        h, t = 1.0 / n, s * n - i
+        value = ((2*t**3 - 3*t**2 + 1) * a + (t**3 - 2*t**2 + t) * h * da
+                 + (3*t**2 - 2*t**3) * b + (t**3 - t**2) * h * db)
+        rate = ((6*t**2 - 6*t) / h * (a - b) + (3*t**2 - 4*t + 1) * da + (3*t**2 - 2*t) * db)
+        force = s ** (2 * m) * value
+        stiffness = s ** (2 * m) * (2 * m * value / s + rate) / (2 * reach * s)
+        # below the first sample
+        first = reach / n**2
+        q = np.where(f[..., 0] == 0, 0.0, k[..., 0] * first / f[..., 0])
+        start = np.where(f[..., 0] == 0, 0.0, f[..., 0] * (d / first) ** q)
+        force = np.where(s * n < 1, start, force)
+        stiffness = np.where(s * n < 1, q * start / d, stiffness)
+    force = np.where(d >= reach, f[..., -1] + k[..., -1] * (d - reach), force)
+    stiffness = np.where(d >= reach, k[..., -1], stiffness)
+    return np.where(d <= 0, 0.0, force), np.where(d <= 0, 0.0, stiffness)
