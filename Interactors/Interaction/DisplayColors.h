@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef DisplayColors_h
+#define DisplayColors_h
+
+#include <array>
+
+namespace palpate
+{
+using Color = std::array<double, 3>;
+
+// Okabe and Ito's palette (2008), told apart by the colour-blind. Order of the curves of a chart.
+constexpr std::array<Color, 6> CurveColors = { { { 0.00, 0.45, 0.70 }, { 0.84, 0.37, 0.00 },
+  { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 }, { 0.90, 0.62, 0.00 }, { 0.34, 0.71, 0.91 } } };
+
+constexpr Color ForceColor = { 0.84, 0.20, 0.00 };
+constexpr Color ToolColor = { 0.45, 0.52, 0.62 };
+constexpr Color TextColor = { 0.10, 0.10, 0.12 };
+constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };
+
+// Displacement: from the undisturbed body's light grey through violet to near black; lightness
+// falls all the way, so that it reads in grey too.
+constexpr std::array<Color, 5> DeflectionColors = { { { 0.90, 0.86, 0.82 }, { 0.93, 0.69, 0.55 },
+  { 0.80, 0.36, 0.47 }, { 0.46, 0.15, 0.49 }, { 0.12, 0.05, 0.30 } } };
+} // namespace palpate
+
+#endif

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkContactScene.h"
+
+#include "DisplayColors.h"
+#include "vtkContactDeflection.h"
+#include "vtkContactTool.h"
+#include "vtkHapticToolRepresentation.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTriangleMeshPointNormals.h"
+#include "vtkWarpVector.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace
+{
+constexpr double ArrowLength = 40.0; // mm, of the largest force
+constexpr int TableSize = 256;
+constexpr int CaptionSize = 17;
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
+double roundDown(double value)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  const double share = value / decade;
+  return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
+}
+
+void fillColors(vtkLookupTable* table)
+{
+  table->SetNumberOfTableValues(TableSize);
+  constexpr double last = palpate::DeflectionColors.size() - 1;
+  for (int i = 0; i < TableSize; ++i)
+  {
+    const double position = last * i / (TableSize - 1);
+    const auto left = static_cast<std::size_t>(std::min(position, last - 1.0));
+    const double share = position - static_cast<double>(left);
+    std::array<double, 3> color{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      color[k] = (1.0 - share) * palpate::DeflectionColors[left][k] +
+        share * palpate::DeflectionColors[left + 1][k];
+    }
+    table->SetTableValue(i, color[0], color[1], color[2]);
+  }
+  table->SetVectorModeToMagnitude();
+}
+} // namespace
+
+vtkStandardNewMacro(vtkContactScene);
+
+vtkContactScene::vtkContactScene()
+  : Deflection(vtkSmartPointer<vtkContactDeflection>::New())
+  , Warp(vtkSmartPointer<vtkWarpVector>::New())
+  , BodyActor(vtkSmartPointer<vtkActor>::New())
+  , Colors(vtkSmartPointer<vtkLookupTable>::New())
+  , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
+  , Caption(vtkSmartPointer<vtkTextActor>::New())
+  , ToolRepresentation(vtkSmartPointer<vtkHapticToolRepresentation>::New())
+{
+  fillColors(this->Colors);
+  this->Warp->SetInputConnection(this->Deflection->GetOutputPort());
+  this->Warp->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "ContactDisplacement");
+  vtkNew<vtkTriangleMeshPointNormals> normals;
+  normals->SetInputConnection(this->Warp->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("ContactDisplacement");
+  mapper->SetLookupTable(this->Colors);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  this->BodyActor->SetMapper(mapper);
+  this->BodyActor->GetProperty()->SetSpecular(0.15);
+  this->BodyActor->GetProperty()->SetSpecularPower(20.0);
+  this->BodyActor->GetProperty()->SetAmbient(0.12);
+
+  this->Legend->SetLookupTable(this->Colors);
+  this->Legend->SetTitle("Displacement (mm)\n ");
+  this->Legend->SetNumberOfLabels(5);
+  this->Legend->SetLabelFormat("%.2f");
+  this->Legend->SetBarRatio(0.25);
+  this->Legend->UnconstrainedFontSizeOn();
+  this->Legend->GetPositionCoordinate()->SetValue(0.86, 0.25);
+  this->Legend->SetWidth(0.12);
+  this->Legend->SetHeight(0.5);
+  for (vtkTextProperty* text :
+    { this->Legend->GetTitleTextProperty(), this->Legend->GetLabelTextProperty() })
+  {
+    text->SetColor(palpate::TextColor.data());
+    text->SetFontSize(CaptionSize - 2);
+    text->SetBold(0);
+    text->SetItalic(0);
+    text->SetShadow(0);
+  }
+  this->Caption->GetTextProperty()->SetColor(palpate::TextColor.data());
+  this->Caption->GetTextProperty()->SetFontSize(CaptionSize);
+  this->Caption->GetTextProperty()->SetLineSpacing(1.2);
+  this->Caption->SetPosition(16, 14);
+  this->SetLargestDeflection(1.0);
+  this->SetLargestForce(1.0);
+}
+
+vtkContactScene::~vtkContactScene() = default;
+
+void vtkContactScene::SetRenderer(vtkRenderer* renderer)
+{
+  this->Renderer = renderer;
+  renderer->SetBackground(palpate::BackgroundColor.data());
+  renderer->AddActor(this->BodyActor);
+  renderer->AddViewProp(this->ToolRepresentation);
+  renderer->AddViewProp(this->Legend);
+  renderer->AddViewProp(this->Caption);
+}
+
+void vtkContactScene::SetBody(vtkPolyData* body)
+{
+  this->Deflection->SetInputData(0, body);
+}
+
+void vtkContactScene::SetTool(vtkContactTool* tool)
+{
+  this->Deflection->SetTool(tool);
+  this->ToolRepresentation->SetTool(tool);
+}
+
+void vtkContactScene::SetPoissonRatio(double ratio)
+{
+  this->Deflection->SetPoissonRatio(ratio);
+}
+
+void vtkContactScene::SetLargestDeflection(double largest)
+{
+  this->Colors->SetTableRange(0.0, largest);
+}
+
+void vtkContactScene::SetLargestForce(double largest)
+{
+  this->ToolRepresentation->SetForceScale(roundDown(ArrowLength / largest));
+}
+
+void vtkContactScene::SetExaggeration(double factor)
+{
+  this->Warp->SetScaleFactor(factor);
+}
+
+double vtkContactScene::GetExaggeration()
+{
+  return this->Warp->GetScaleFactor();
+}
+
+void vtkContactScene::SetTitle(const std::string& title)
+{
+  this->Title = title;
+}
+
+bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
+{
+  vtkPointData* data = probed->GetPointData();
+  vtkDataArray* force = data->GetArray("Force");
+  vtkDataArray* normal = data->GetArray("Normal");
+  vtkDataArray* contact = data->GetArray("ContactPoint");
+  vtkDataArray* deflection = data->GetArray("Deflection");
+  if (!force || !normal || !contact || !deflection || index < 0 ||
+    index >= probed->GetNumberOfPoints())
+  {
+    vtkErrorMacro(<< "Tip " << index << " of " << probed->GetNumberOfPoints()
+                  << ": not a tip of a vtkToolContactProbe's output.");
+    return false;
+  }
+  this->Deflection->SetInputData(1, probed);
+  this->Deflection->SetTipIndex(index);
+  std::array<double, 3> tip{};
+  std::array<double, 3> forceNow{};
+  std::array<double, 3> normalNow{};
+  probed->GetPoint(index, tip.data());
+  force->GetTuple(index, forceNow.data());
+  normal->GetTuple(index, normalNow.data());
+  contact->GetTuple(index, this->Contact);
+  this->ToolRepresentation->SetContact(
+    tip.data(), normalNow.data(), this->Contact, forceNow.data());
+  this->WriteCaption(deflection->GetTuple1(index), vtkMath::Norm(forceNow.data()));
+  return true;
+}
+
+void vtkContactScene::WriteCaption(double deflection, double force)
+{
+  std::array<char, 256> text{};
+  vtkContactTool* tool = this->ToolRepresentation->GetTool();
+  const double scale = this->ToolRepresentation->GetForceScale();
+  std::snprintf(text.data(), text.size(),
+    "Tool %s mm   deflection %.2f mm   force %.3g N\nForce arrow: 10 mm = %.3g N",
+    tool ? tool->GetSpecification().c_str() : "", deflection, force, 10.0 / scale);
+  std::string caption = this->Title.empty() ? std::string() : this->Title + "\n";
+  caption += text.data();
+  if (this->GetExaggeration() != 1.0)
+  {
+    std::snprintf(text.data(), text.size(), "   dent drawn x%.3g", this->GetExaggeration());
+    caption += text.data();
+  }
+  this->Caption->SetInput(caption.c_str());
+}
+
+void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  double bounds[6];
+  this->Deflection->Update();
+  this->Deflection->GetOutput()->GetBounds(bounds);
+  double position[3];
+  double focus[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    focus[k] = 0.5 * (bounds[2 * k] + bounds[2 * k + 1]);
+    position[k] = focus[k] + direction[k];
+  }
+  camera->SetFocalPoint(focus);
+  camera->SetPosition(position);
+  camera->SetViewUp(up);
+  this->Renderer->ResetCamera(bounds);
+  camera->Zoom(1.25);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+void vtkContactScene::LookAtContact(double distance, const double direction[3], const double up[3])
+{
+  double unit[3] = { direction[0], direction[1], direction[2] };
+  vtkMath::Normalize(unit);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(this->Contact);
+  camera->SetPosition(this->Contact[0] + distance * unit[0], this->Contact[1] + distance * unit[1],
+    this->Contact[2] + distance * unit[2]);
+  camera->SetViewUp(up);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+vtkHapticToolRepresentation* vtkContactScene::GetToolRepresentation()
+{
+  return this->ToolRepresentation;
+}
+
+vtkActor* vtkContactScene::GetBodyActor()
+{
+  return this->BodyActor;
+}
+
+vtkScalarBarActor* vtkContactScene::GetLegend()
+{
+  return this->Legend;
+}
+
+void vtkContactScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "Exaggeration: " << this->GetExaggeration() << "\n";
+}

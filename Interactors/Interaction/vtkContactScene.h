@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkContactScene
+ * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, force, legend
+ *
+ * Give it a renderer, a body with responses and the tool; ShowTip with the output of
+ * vtkToolContactProbe (or vtkHapticSession::GetRecording) puts one tip on stage: the body is
+ * displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration, coloured by
+ * its magnitude with a legend in mm; the tool stands at the tip with its force arrow; a caption
+ * names tool, deflection, force and the scale of the arrow.
+ *
+ * The force scale is chosen once, by SetLargestForce, as a round number of mm per N, and stays.
+ */
+#ifndef vtkContactScene_h
+#define vtkContactScene_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
+
+class vtkActor;
+class vtkContactDeflection;
+class vtkContactTool;
+class vtkHapticToolRepresentation;
+class vtkLookupTable;
+class vtkPolyData;
+class vtkRenderer;
+class vtkScalarBarActor;
+class vtkTextActor;
+class vtkWarpVector;
+
+class PALPATEINTERACTION_EXPORT vtkContactScene : public vtkObject
+{
+public:
+  static vtkContactScene* New();
+  vtkTypeMacro(vtkContactScene, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The renderer; the scene adds its props and sets the background. Call once. */
+  void SetRenderer(vtkRenderer* renderer);
+
+  /** The body, with the responses the tips were probed with. */
+  void SetBody(vtkPolyData* body);
+  void SetTool(vtkContactTool* tool);
+  /** Poisson's ratio of the body, for the radial displacement. */
+  void SetPoissonRatio(double ratio);
+
+  /** Legend of the deflection field: 0 to `largest` mm. Default 1. */
+  void SetLargestDeflection(double largest);
+  /** Makes the arrow of a force of `largest` N about 40 mm long. Default 1. */
+  void SetLargestForce(double largest);
+  ///@{
+  /** The dent is drawn this many times deeper than it is; said in the caption. Default 1. */
+  void SetExaggeration(double factor);
+  double GetExaggeration();
+  ///@}
+  /** First line of the caption. */
+  void SetTitle(const std::string& title);
+
+  /** Shows tip `index` of a probe's output; returns false if the probe's arrays are missing. */
+  bool ShowTip(vtkPolyData* probed, vtkIdType index);
+
+  ///@{
+  /** Camera: the whole body seen from `direction`; or the contact from `distance` mm, from
+   * `direction`. `up` points up in the picture. */
+  void LookAtBody(const double direction[3], const double up[3]);
+  void LookAtContact(double distance, const double direction[3], const double up[3]);
+  ///@}
+
+  ///@{
+  /** The parts, to restyle them. */
+  vtkHapticToolRepresentation* GetToolRepresentation();
+  vtkActor* GetBodyActor();
+  vtkScalarBarActor* GetLegend();
+  ///@}
+
+protected:
+  vtkContactScene();
+  ~vtkContactScene() override;
+
+private:
+  vtkContactScene(const vtkContactScene&) = delete;
+  void operator=(const vtkContactScene&) = delete;
+
+  void WriteCaption(double deflection, double force);
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkContactDeflection> Deflection;
+  vtkSmartPointer<vtkWarpVector> Warp;
+  vtkSmartPointer<vtkActor> BodyActor;
+  vtkSmartPointer<vtkLookupTable> Colors;
+  vtkSmartPointer<vtkScalarBarActor> Legend;
+  vtkSmartPointer<vtkTextActor> Caption;
+  vtkSmartPointer<vtkHapticToolRepresentation> ToolRepresentation;
+  std::string Title;
+  double Contact[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticSession.h"
+
+#include "BodyConversion.h"
+#include "ServoStep.h"
+#include "SimulatedDevice.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+/// What lives from Start to the next Start.
+struct vtkHapticSession::Loop
+{
+  std::shared_ptr<const palpate::ContactBody> body;
+  palpate::WorkspaceMapping mapping;
+  palpate::SimulatedDevice device;
+  palpate::ServoStep servo;
+  double period;
+  vtkIdType firstPoly;
+  bool running = true;
+  std::vector<palpate::ServoTick> ticks;
+  std::vector<double> nanoseconds;
+
+  Loop(std::shared_ptr<const palpate::ContactBody> kernel,
+    std::vector<palpate::SimulatedDevice::WayPoint> path, double tickPeriod, vtkIdType polys)
+    : body(std::move(kernel))
+    , device(std::move(path))
+    , servo(*this->body, this->mapping, this->device.specification().maximumForce)
+    , period(tickPeriod)
+    , firstPoly(polys)
+  {
+  }
+
+  double nextTime() const { return static_cast<double>(this->ticks.size()) * this->period; }
+
+  void tick()
+  {
+    const double time = this->nextTime();
+    const auto begin = std::chrono::steady_clock::now();
+    const palpate::ServoTick tick = this->servo.step(this->device.read(time), time);
+    this->device.write(tick.deviceForce);
+    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
+    this->ticks.push_back(tick);
+    this->nanoseconds.push_back(spent.count());
+  }
+};
+
+vtkStandardNewMacro(vtkHapticSession);
+
+vtkHapticSession::vtkHapticSession() = default;
+vtkHapticSession::~vtkHapticSession() = default;
+
+void vtkHapticSession::SetBody(vtkPolyData* body)
+{
+  this->Body = body;
+  this->Modified();
+}
+
+vtkPolyData* vtkHapticSession::GetBody()
+{
+  return this->Body;
+}
+
+void vtkHapticSession::SetPath(vtkPolyData* path)
+{
+  this->Path = path;
+  this->Modified();
+}
+
+bool vtkHapticSession::SetDevice(const std::string& device)
+{
+  if (device != "simulated")
+  {
+    vtkErrorMacro(<< "Device '" << device << "' is not available: give \"simulated\".");
+    return false;
+  }
+  return true;
+}
+
+bool vtkHapticSession::Start()
+{
+  this->Active.reset();
+  if (!this->Body)
+  {
+    vtkErrorMacro(<< "A body is required: call SetBody.");
+    return false;
+  }
+  vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
+  if (!times || this->Path->GetNumberOfPoints() == 0)
+  {
+    vtkErrorMacro(<< "The simulated device needs a path with a point array 'Time' (s).");
+    return false;
+  }
+  std::string error;
+  auto kernel = palpate::makeContactBody(this->Body, this->ResponseName, error);
+  if (!kernel)
+  {
+    vtkErrorMacro(<< "Wrong body: " << error << ".");
+    return false;
+  }
+  const palpate::WorkspaceMapping mapping;
+  std::vector<palpate::SimulatedDevice::WayPoint> path;
+  for (vtkIdType i = 0; i < this->Path->GetNumberOfPoints(); ++i)
+  {
+    Eigen::Vector3d position;
+    this->Path->GetPoint(i, position.data());
+    path.push_back({ times->GetTuple1(i), mapping.toDevice(position) });
+    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
+      (i > 0 && path[path.size() - 2].time > path.back().time))
+    {
+      vtkErrorMacro(<< "Point " << i << " of the path is not finite or goes back in time.");
+      return false;
+    }
+  }
+  this->Active = std::make_unique<Loop>(std::move(kernel), std::move(path), 1.0 / this->Rate,
+    this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines());
+  return true;
+}
+
+void vtkHapticSession::Stop()
+{
+  if (this->Active)
+  {
+    this->Active->running = false;
+    this->Active->device.write(Eigen::Vector3d::Zero());
+  }
+}
+
+void vtkHapticSession::Step(double seconds)
+{
+  if (this->GetState() != Running || !(seconds > 0.0))
+  {
+    return;
+  }
+  // Half a tick of slack, so that steps which add up to a whole number of ticks run that many.
+  const double end = this->Active->nextTime() + seconds - 0.5 * this->Active->period;
+  while (this->Active->nextTime() < end)
+  {
+    this->Active->tick();
+  }
+}
+
+int vtkHapticSession::GetState() const
+{
+  return this->Active && this->Active->running ? Running : Stopped;
+}
+
+double vtkHapticSession::GetTime() const
+{
+  return this->Active ? this->Active->nextTime() : 0.0;
+}
+
+double vtkHapticSession::GetPathDuration() const
+{
+  return this->Active ? this->Active->device.duration() : 0.0;
+}
+
+const palpate::ServoTick& vtkHapticSession::Newest() const
+{
+  static const palpate::ServoTick none;
+  return this->Active && !this->Active->ticks.empty() ? this->Active->ticks.back() : none;
+}
+
+void vtkHapticSession::GetTip(double tip[3])
+{
+  std::copy_n(this->Newest().tip.data(), 3, tip);
+}
+
+void vtkHapticSession::GetContactPoint(double point[3])
+{
+  std::copy_n(this->Newest().contact.contactPoint.data(), 3, point);
+}
+
+void vtkHapticSession::GetIdealForce(double force[3])
+{
+  std::copy_n(this->Newest().contact.force.data(), 3, force);
+}
+
+void vtkHapticSession::GetForce(double force[3])
+{
+  // A stopped session exerts nothing, whatever the last tick was. The mapping keeps the axes.
+  std::fill_n(force, 3, 0.0);
+  if (this->GetState() == Running)
+  {
+    std::copy_n(this->Newest().deviceForce.data(), 3, force);
+  }
+}
+
+double vtkHapticSession::GetDeflection()
+{
+  return this->Newest().contact.deflection;
+}
+
+int vtkHapticSession::GetContactState()
+{
+  return static_cast<int>(this->Newest().contact.state);
+}
+
+const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks() const
+{
+  static const std::vector<palpate::ServoTick> none;
+  return this->Active ? this->Active->ticks : none;
+}
+
+namespace
+{
+template <class Array>
+vtkSmartPointer<Array> newArray(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+} // namespace
+
+void vtkHapticSession::GetRecording(vtkPolyData* recording)
+{
+  const std::vector<palpate::ServoTick>& ticks = this->GetTicks();
+  const auto count = static_cast<vtkIdType>(ticks.size());
+  recording->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<int>(count));
+  auto time = newArray<vtkDoubleArray>("Time", 1, count);
+  auto force = newArray<vtkDoubleArray>("Force", 3, count);
+  auto applied = newArray<vtkDoubleArray>("AppliedForce", 3, count);
+  auto normalForce = newArray<vtkDoubleArray>("NormalForce", 1, count);
+  auto friction = newArray<vtkDoubleArray>("FrictionForce", 3, count);
+  auto deflection = newArray<vtkDoubleArray>("Deflection", 1, count);
+  auto normal = newArray<vtkDoubleArray>("Normal", 3, count);
+  auto contact = newArray<vtkDoubleArray>("ContactPoint", 3, count);
+  auto cell = newArray<vtkIdTypeArray>("ContactCell", 1, count);
+  auto state = newArray<vtkUnsignedCharArray>("ContactState", 1, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const palpate::ServoTick& tick = ticks[static_cast<std::size_t>(i)];
+    points->SetPoint(i, tick.tip.data());
+    line->InsertCellPoint(i);
+    time->SetValue(i, tick.time);
+    force->SetTypedTuple(i, tick.contact.force.data());
+    applied->SetTypedTuple(i, tick.deviceForce.data());
+    normalForce->SetValue(i, tick.contact.normalForce);
+    friction->SetTypedTuple(i, tick.contact.friction.data());
+    deflection->SetValue(i, tick.contact.deflection);
+    normal->SetTypedTuple(i, tick.contact.normal.data());
+    contact->SetTypedTuple(i, tick.contact.contactPoint.data());
+    cell->SetValue(i,
+      tick.contact.triangle < 0
+        ? -1
+        : this->Active->firstPoly + static_cast<vtkIdType>(tick.contact.triangle));
+    state->SetValue(i, static_cast<unsigned char>(tick.contact.state));
+  }
+  recording->SetPoints(points);
+  if (count > 0)
+  {
+    recording->SetLines(line);
+  }
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+         time, force, applied, normalForce, friction, deflection, normal, contact, cell, state })
+  {
+    recording->GetPointData()->AddArray(array);
+  }
+}
+
+void vtkHapticSession::GetStatistics(vtkTable* statistics)
+{
+  statistics->Initialize();
+  const std::vector<palpate::ServoTick>& ticks = this->GetTicks();
+  double inContact = 0.0;
+  double peakForce = 0.0;
+  double peakDeflection = 0.0;
+  for (const palpate::ServoTick& tick : ticks)
+  {
+    inContact += tick.contact.triangle >= 0 ? 1.0 : 0.0;
+    peakForce = std::max(peakForce, tick.contact.force.norm());
+    peakDeflection = std::max(peakDeflection, tick.contact.deflection);
+  }
+  std::vector<double> sorted = this->Active ? this->Active->nanoseconds : std::vector<double>();
+  std::sort(sorted.begin(), sorted.end());
+  const auto quantile = [&sorted](double q)
+  {
+    return sorted.empty()
+      ? 0.0
+      : sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1))];
+  };
+  const auto add = [statistics](const char* name, double value)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    column->InsertNextValue(value);
+    statistics->AddColumn(column);
+  };
+  add("Ticks", static_cast<double>(ticks.size()));
+  add("TicksInContact", inContact);
+  add("PeakForce (N)", peakForce);
+  add("PeakDeflection (mm)", peakDeflection);
+  add("MedianTick (ns)", quantile(0.5));
+  add("Percentile99Tick (ns)", quantile(0.99));
+}
+
+void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Body: " << this->Body.Get() << "\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
+  os << indent << "Rate: " << this->Rate << " Hz\n";
+  os << indent << "Time: " << this->GetTime() << " s\n";
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkHapticSession
+ * @brief a haptic device over a body with responses, tick by tick
+ *
+ * Give it a body (with response arrays), a device and, for the simulated device, a path; Start it,
+ * Step it in virtual time, read what is felt. In virtual time nothing depends on the machine: the
+ * same steps give the same bits.
+ *
+ * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping,
+ * which here keeps axes and scale (1 m = 1000 mm).
+ *
+ * Device "simulated": a stiff hand that follows SetPath, a polyline with a point array `Time` (s,
+ * not decreasing). It is the only device of this version; other names are an error.
+ *
+ * Not thread-safe: one thread steps and reads.
+ */
+#ifndef vtkHapticSession_h
+#define vtkHapticSession_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkPolyData;
+class vtkTable;
+
+namespace palpate
+{
+struct ServoTick;
+}
+
+class PALPATEINTERACTION_EXPORT vtkHapticSession : public vtkObject
+{
+public:
+  static vtkHapticSession* New();
+  vtkTypeMacro(vtkHapticSession, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SessionState
+  {
+    Stopped = 0,
+    Running = 1
+  };
+
+  ///@{
+  /** The body with its response arrays; read at Start. */
+  void SetBody(vtkPolyData* body);
+  vtkPolyData* GetBody();
+  ///@}
+
+  ///@{
+  /** Prefix of the response arrays. Default "Response". */
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  ///@{
+  /** Ticks per second, 1 to 100000. Default 1000. */
+  vtkSetClampMacro(Rate, double, 1.0, 100000.0);
+  vtkGetMacro(Rate, double);
+  ///@}
+
+  /** Chooses the device: "simulated". Returns false, after an error, for any other name. */
+  bool SetDevice(const std::string& device);
+
+  /** Path of the simulated device: a polyline in the body's frame with a point array `Time`. */
+  void SetPath(vtkPolyData* path);
+
+  /** Reads body and path and begins at time 0. Returns false after an error that names the fault.
+   */
+  bool Start();
+  void Stop();
+
+  /** Runs all ticks due in the next `seconds` of virtual time. Nothing happens unless running. */
+  void Step(double seconds);
+
+  int GetState() const;
+  /** Virtual time, s, of the next tick. */
+  double GetTime() const;
+  /** Time of the path's last point, s; 0 before Start. */
+  double GetPathDuration() const;
+
+  ///@{
+  /** The newest tick: tip, contact point, force on the tool (before and after the limit of the
+   * device), deflection, contact state as in vtkToolContactProbe. Zeros before the first. */
+  void GetTip(double tip[3]);
+  void GetContactPoint(double point[3]);
+  void GetIdealForce(double force[3]);
+  void GetForce(double force[3]);
+  double GetDeflection();
+  int GetContactState();
+  ///@}
+
+  /** Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
+   * `Time`, `AppliedForce`. */
+  void GetRecording(vtkPolyData* recording);
+
+  /** One row: ticks, ticks in contact, peak force (N), peak deflection (mm), median and 99th
+   * percentile of the time per tick (ns, wall clock, so they differ from run to run). */
+  void GetStatistics(vtkTable* statistics);
+
+  /** Every tick since Start, for C++. */
+  const std::vector<palpate::ServoTick>& GetTicks() const;
+
+protected:
+  vtkHapticSession();
+  ~vtkHapticSession() override;
+
+private:
+  vtkHapticSession(const vtkHapticSession&) = delete;
+  void operator=(const vtkHapticSession&) = delete;
+
+  const palpate::ServoTick& Newest() const;
+
+  vtkSmartPointer<vtkPolyData> Body;
+  vtkSmartPointer<vtkPolyData> Path;
+  std::string ResponseName = "Response";
+  double Rate = 1000.0;
+
+  struct Loop;
+  std::unique_ptr<Loop> Active;
+};
+
+#endif

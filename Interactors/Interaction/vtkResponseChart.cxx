@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkResponseChart.h"
+
+#include "DisplayColors.h"
+
+#include "vtkAxis.h"
+#include "vtkChartLegend.h"
+#include "vtkChartXY.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPen.h"
+#include "vtkPlot.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+constexpr int TitleSize = 20;
+constexpr int AxisTitleSize = 17;
+constexpr int LabelSize = 15;
+constexpr float LineWidth = 3.0F;
+
+/// Rows of `table` with deflection in [low, high].
+vtkSmartPointer<vtkTable> rowsBetween(vtkTable* table, double low, double high)
+{
+  auto part = vtkSmartPointer<vtkTable>::New();
+  for (vtkIdType column = 0; column < 2; ++column)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(table->GetColumnName(column));
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      const double depth = table->GetValue(row, 0).ToDouble();
+      if (depth >= low && depth <= high)
+      {
+        values->InsertNextValue(table->GetValue(row, column).ToDouble());
+      }
+    }
+    part->AddColumn(values);
+  }
+  return part;
+}
+} // namespace
+
+vtkStandardNewMacro(vtkResponseChart);
+
+vtkResponseChart::vtkResponseChart()
+  : Chart(vtkSmartPointer<vtkChartXY>::New())
+{
+  this->Chart->SetShowLegend(true);
+  this->Chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
+  this->Chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  this->Chart->GetLegend()->SetLabelSize(LabelSize);
+  this->Chart->GetTitleProperties()->SetFontSize(TitleSize);
+  this->Chart->GetTitleProperties()->SetColor(palpate::TextColor.data());
+  const char* titles[2] = { "Force on the tool (N)", "Deflection (mm)" };
+  for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
+  {
+    vtkAxis* axis = this->Chart->GetAxis(side);
+    axis->SetTitle(titles[side]);
+    axis->GetTitleProperties()->SetFontSize(AxisTitleSize);
+    axis->GetTitleProperties()->SetBold(0);
+    axis->GetLabelProperties()->SetFontSize(LabelSize);
+    axis->SetMinimumLimit(0.0);
+  }
+}
+
+vtkResponseChart::~vtkResponseChart() = default;
+
+vtkChartXY* vtkResponseChart::GetChart()
+{
+  return this->Chart;
+}
+
+void vtkResponseChart::SetTitle(const std::string& title)
+{
+  this->Chart->SetTitle(title);
+  this->Modified();
+}
+
+bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label)
+{
+  return this->AddCurve(table, label, std::numeric_limits<double>::infinity());
+}
+
+bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label, double validDepth)
+{
+  if (!table || table->GetNumberOfColumns() < 2)
+  {
+    vtkErrorMacro(<< "Curve '" << label
+                  << "' needs a table with two columns: deflection (mm) and force (N).");
+    return false;
+  }
+  const double lowest = -std::numeric_limits<double>::infinity();
+  const double deepest = std::numeric_limits<double>::infinity();
+  auto trusted = rowsBetween(table, lowest, validDepth);
+  const vtkIdType join = trusted->GetNumberOfRows();
+  if (join > 1)
+  {
+    this->AddLine(trusted, label, vtkPen::SOLID_LINE);
+  }
+  if (join < table->GetNumberOfRows())
+  {
+    // The dotted part starts at the last trusted row, so that the line has no gap.
+    const double from = join > 0 ? table->GetValue(join - 1, 0).ToDouble() : lowest;
+    this->AddLine(rowsBetween(table, from, deepest),
+      join > 1 ? std::string() : label + " (beyond validity)", vtkPen::DOT_LINE);
+  }
+  ++this->Curves;
+  this->Modified();
+  return true;
+}
+
+void vtkResponseChart::AddLine(vtkTable* table, const std::string& label, int penStyle)
+{
+  const palpate::Color& color =
+    palpate::CurveColors[static_cast<std::size_t>(this->Curves) % palpate::CurveColors.size()];
+  vtkPlot* plot = this->Chart->AddPlot(vtkChart::LINE);
+  plot->SetInputData(table, 0, 1);
+  plot->SetColorF(color[0], color[1], color[2]);
+  plot->SetWidth(LineWidth);
+  plot->GetPen()->SetLineType(penStyle);
+  plot->SetLabel(label);
+  plot->SetLegendVisibility(!label.empty());
+}
+
+void vtkResponseChart::RemoveAllCurves()
+{
+  this->Chart->ClearPlots();
+  this->Curves = 0;
+  this->Modified();
+}
+
+void vtkResponseChart::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Curves: " << this->Curves << "\n";
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkResponseChart
+ * @brief force over deflection, one curve per tool or point, in a vtkChartXY
+ *
+ * Add curves as vtkTables whose first column is the deflection (mm) and second the force (N), as
+ * vtkResponseCurves makes them, each with a label. The chart has axis titles with units, a legend,
+ * and colours and dashes that the colour-blind can tell apart; it starts at (0, 0).
+ *
+ * A curve may be marked valid up to a depth: beyond it the line turns dotted.
+ */
+#ifndef vtkResponseChart_h
+#define vtkResponseChart_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
+
+class vtkChartXY;
+class vtkTable;
+
+class PALPATEINTERACTION_EXPORT vtkResponseChart : public vtkObject
+{
+public:
+  static vtkResponseChart* New();
+  vtkTypeMacro(vtkResponseChart, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The chart, to be added to a context scene (vtkContextView). */
+  vtkChartXY* GetChart();
+
+  void SetTitle(const std::string& title);
+
+  /**
+   * Adds a curve; solid up to `validDepth` (mm), dotted beyond. Returns false, after an error, if
+   * the table has fewer than two columns.
+   */
+  bool AddCurve(vtkTable* table, const std::string& label, double validDepth);
+  bool AddCurve(vtkTable* table, const std::string& label);
+
+  void RemoveAllCurves();
+
+protected:
+  vtkResponseChart();
+  ~vtkResponseChart() override;
+
+private:
+  vtkResponseChart(const vtkResponseChart&) = delete;
+  void operator=(const vtkResponseChart&) = delete;
+
+  void AddLine(vtkTable* table, const std::string& label, int penStyle);
+
+  vtkSmartPointer<vtkChartXY> Chart;
+  int Curves = 0;
+};
+
+#endif

@@ -1,0 +1,82 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every C++ file is laid out as .clang-format says (clang-format 14, as in Debian 12).
+
+    check_format.py [SOURCE_DIR]    default: the tree this script is in
+
+Looks at the *.h and *.cxx that git tracks or would track; without git, at all but those under build/.
+Another version of clang-format may lay out some lines otherwise: what counts is 14.
+
+To mend a file: clang-format -i FILE
+
+Exit code: 0 all is well, 1 the listed files are not, 77 clang-format is missing (nothing was checked).
+"""
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+VERSION = 14
+SUFFIXES = (".h", ".cxx")
+
+
+def find_tool():
+    return shutil.which(f"clang-format-{VERSION}") or shutil.which("clang-format")
+
+
+def listed_by_git(root):
+    """Tracked and new files; None where git is missing or does not know the tree."""
+    try:
+        listing = subprocess.run(
+            ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+            capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return [root / name for name in listing.split("\0") if name]
+
+
+def found_by_walking(root):
+    for folder, subfolders, names in os.walk(root):
+        if Path(folder) == root and "build" in subfolders:
+            subfolders.remove("build")
+        subfolders[:] = [name for name in subfolders if not name.startswith(".")]
+        yield from (Path(folder) / name for name in names)
+
+
+def code_files(root):
+    listed = listed_by_git(root) or found_by_walking(root)
+    return sorted(path for path in listed if path.suffix in SUFFIXES and path.is_file())
+
+
+def misformatted(tool, root, path):
+    """Whether clang-format would change the file; prints its first complaint."""
+    result = subprocess.run([tool, "--dry-run", "--Werror", "--ferror-limit=1", "--style=file", path],
+                            cwd=root, capture_output=True, text=True)
+    if result.returncode:
+        print(result.stderr.splitlines()[0] if result.stderr else f"{path}: {tool} failed")
+    return result.returncode != 0
+
+
+def main(arguments):
+    if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
+        print(__doc__)
+        return 2
+    root = Path(arguments[0] if arguments else Path(__file__).parents[2]).resolve()
+    tool = find_tool()
+    if not tool:
+        print("format: not checked, clang-format is not installed (Debian: apt install clang-format)")
+        return 77
+    files = code_files(root)
+    if not files:
+        print(f"format: no C++ file under {root}")
+        return 1
+    offenders = [path for path in files if misformatted(tool, root, path)]
+    print(f"format: {len(files)} files, {len(offenders)} not formatted")
+    if offenders:
+        print("to mend them: clang-format -i", *(path.relative_to(root) for path in offenders))
+    return 1 if offenders else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,243 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who may include whom: the drawing of the house, kept true.
+
+    Mechanics --> Contact --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
+                      '-----> Haptics (devices, servo) ------'
+
+A room may include any room to its left along the arrows, never one to its right or beside it:
+
+    Filters/Mechanics         nothing of ours
+    Filters/Contact           Mechanics
+    Filters/Response          Mechanics, Contact
+    Interactors/Haptics       Mechanics, Contact
+    Interactors/Interaction   Mechanics, Contact, Response, Haptics
+    Plugin/NAME               all of the above, no other Plugin room
+
+Mechanics, Contact and Haptics include no header of VTK, ParaView or Qt: they build without them.
+Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
+
+An include is traced to its room by the file name, so no two rooms may have a header of the same name.
+A folder with C++ code that is not a room is an error, and so is a name at the top level that does not
+belong there.
+
+    check_layering.py [SOURCE_DIR]    check the tree (default: the one this script is in)
+    check_layering.py --self-test     break each rule in a made-up tree and see that it is noticed
+
+Exit code: 0 the rules hold, 1 they do not, 2 wrong usage.
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+KERNELS = {"Filters/Mechanics", "Filters/Contact", "Interactors/Haptics"}
+
+MAY_INCLUDE = {
+    "Filters/Mechanics": set(),
+    "Filters/Contact": {"Filters/Mechanics"},
+    "Filters/Response": {"Filters/Mechanics", "Filters/Contact"},
+    "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
+    "Interactors/Interaction": KERNELS | {"Filters/Response"},
+}
+for plugin_room in ("Plugin/ParaView", "Plugin/Python", "Plugin/Viewer"):
+    MAY_INCLUDE[plugin_room] = KERNELS | {"Filters/Response", "Interactors/Interaction"}
+
+WINGS = ("Filters", "Interactors", "Plugin")
+
+TOP_LEVEL = {
+    "CMakeLists.txt", "Plugin", "Filters", "Interactors", "Testing", "Data",
+    "README.md", "LICENSE", "CONTRIBUTING.md", "CMakePresets.json", "run",
+    ".ci", ".clang-format", ".clang-tidy", ".gitignore",
+}
+# What a build leaves behind (as in .gitignore), for a tree that git does not know.
+TOP_LEVEL_UNTRACKED = {"build", "__pycache__", "CMakeUserPresets.json", "compile_commands.json"}
+
+HEADERS = {".h", ".hpp", ".hxx", ".txx"}
+SOURCES = HEADERS | {".c", ".cc", ".cpp", ".cxx"}
+
+COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+# vtkSMPTools.h and its kin are VTK's (symmetric multiprocessing), not ParaView's server manager.
+PARAVIEW = re.compile(
+    r"pq[A-Z]|vtkPV[A-Z]|vtkSM(?!P(\.h|Tools|ThreadLocal))[A-Z]|vtkSI[A-Z]|vtkClientServer")
+VTK = re.compile(r"vtk[A-Z_]|vtk/")
+QT = re.compile(r"Q[A-Z][A-Za-z]*(\.h)?$|Qt[A-Z]\w*/")
+
+
+def room_of(path):
+    """The room of a path relative to the source folder: its first two folders, None outside of any."""
+    return "/".join(path.parts[:2]) if len(path.parts) > 2 else None
+
+
+def code_files(root):
+    for wing in WINGS:
+        for path in sorted((root / wing).rglob("*")):
+            if path.suffix in SOURCES and path.is_file():
+                yield path.relative_to(root)
+
+
+def includes(text):
+    """(line number, name) of every include directive outside of /* comments */."""
+    text = COMMENT.sub(lambda comment: "\n" * comment.group().count("\n"), text)
+    for match in INCLUDE.finditer(text):
+        yield text.count("\n", 0, match.start()) + 1, match.group(1)
+
+
+def map_headers(files):
+    """File name of a header -> its room, and the complaints about names used twice."""
+    owner, complaints = {}, []
+    for path in files:
+        if path.suffix not in HEADERS:
+            continue
+        room = room_of(path)
+        first = owner.setdefault(path.name, room)
+        if first != room:
+            complaints.append(f"{path}: {first} has a header of that name too")
+    return owner, complaints
+
+
+def judge(room, included, owner):
+    """What is wrong with this room including this header; None if nothing."""
+    name = included.rsplit("/", 1)[-1]
+    target = owner.get(name)
+    if target and target != room and target not in MAY_INCLUDE[room]:
+        return f"{room} may not include {target}"
+    if target:
+        return None
+    if PARAVIEW.match(name) and room != "Plugin/ParaView":
+        return "only Plugin/ParaView may include ParaView"
+    if room in KERNELS and (VTK.match(included) or VTK.match(name)):
+        return f"{room} may not include VTK"
+    if room in KERNELS and QT.match(included):
+        return f"{room} may not include Qt"
+    return None
+
+
+def check_rooms(root):
+    files = list(code_files(root))
+    owner, complaints = map_headers(files)
+    for path in files:
+        room = room_of(path)
+        if room not in MAY_INCLUDE:
+            complaints.append(f"{path}: not in a room of the house")
+            continue
+        text = (root / path).read_text(encoding="utf-8", errors="replace")
+        for line, included in includes(text):
+            complaint = judge(room, included, owner)
+            if complaint:
+                complaints.append(f"{path}:{line}: #include {included}: {complaint}")
+    return complaints
+
+
+def git_names(root, *options):
+    """Top-level names of the files git lists; None where git does not know the tree."""
+    try:
+        listing = subprocess.run(["git", "-C", str(root), "ls-files", "-z", *options],
+                                 capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return {name.split("/", 1)[0] for name in listing.split("\0") if name}
+
+
+def check_top_level(root):
+    """Only the allowed names; hidden files that are not under version control are nobody's business."""
+    tracked = git_names(root)
+    if tracked:
+        names = git_names(root, "--cached", "--others", "--exclude-standard")
+    else:
+        tracked = set()
+        names = {path.name for path in root.iterdir()} - TOP_LEVEL_UNTRACKED
+    strangers = {name for name in names - TOP_LEVEL if not name.startswith(".") or name in tracked}
+    return [f"{name}: does not belong at the top level" for name in sorted(strangers)]
+
+
+def check(root):
+    return check_rooms(root) + check_top_level(root)
+
+
+# --- self-test ---
+
+SOUND_TREE = {
+    "CMakeLists.txt": "",
+    "Filters/Mechanics/Hertz.h": "#include <Eigen/Core>\n#include <cmath>\n",
+    "Filters/Contact/Tick.h": '#include "Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
+    "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Tick.h"\n',
+    "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Hertz.h"\n',
+    "Interactors/Haptics/Device.h": '#include "Tick.h"\n#include "Hertz.h"\n#include <thread>\n',
+    "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Device.h"\n',
+    "Plugin/Viewer/main.cxx": '#include "vtkSession.h"\n#include "Hertz.h"\n',
+    "Plugin/ParaView/pqPanel.h": '#include "pqView.h"\n#include <vtkSMProxy.h>\n',
+}
+
+# One file each that breaks the sound tree; the complaint must name it.
+BREAKS = [
+    ("Filters/Mechanics/Wrong.h", '#include "Tick.h"\n'),
+    ("Filters/Mechanics/Wrong.cxx", "  #  include <vtkMath.h>\n"),
+    ("Filters/Contact/Wrong.cxx", '#include "../Response/vtkTool.h"\n'),
+    ("Filters/Contact/Wrong.h", '#include "Device.h"\n'),
+    ("Filters/Contact/Wrong.h", "#include <vtk/vtkMath.h>\n"),
+    ("Filters/Contact/Wrong.h", "#include <QString>\n"),
+    ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
+    ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),
+    ("Interactors/Haptics/Wrong.h", '#include "vtkSession.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "Device.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "vtkSession.h"\n'),
+    ("Filters/Response/Wrong.h", "#include <vtkSMProxy.h>\n"),
+    ("Interactors/Interaction/Wrong.h", '#include "pqPanel.h"\n'),
+    ("Interactors/Interaction/Wrong.h", '#include "pqActiveObjects.h"\n'),
+    ("Plugin/Viewer/Wrong.cxx", '#include "pqPanel.h"\n'),
+    ("Plugin/Viewer/Wrong.cxx", '#include "vtkPVConfig.h"\n'),
+    ("Filters/Contact/Hertz.h", ""),
+    ("Filters/Stranger/Wrong.h", ""),
+    ("Filters/Wrong.h", ""),
+    ("Source", ""),
+]
+
+
+def plant(root, tree):
+    for name, text in tree.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def self_test():
+    failures = 0
+    for name, text in [(None, None)] + BREAKS:
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            plant(root, SOUND_TREE)
+            if name:
+                plant(root, {name: text})
+            complaints = check(root)
+        if name is None and complaints:
+            print("self-test: complaints about a sound tree:", *complaints, sep="\n  ")
+            failures += 1
+        elif name and not (len(complaints) == 1 and Path(name).name in complaints[0]):
+            print(f"self-test: {name} with {text!r}: expected one complaint about it, got {complaints}")
+            failures += 1
+    print(f"self-test: {1 + len(BREAKS)} trees, {failures} failures")
+    return 1 if failures else 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
+        print(__doc__)
+        return 2
+    root = Path(arguments[0] if arguments else Path(__file__).parents[2]).resolve()
+    if not (root / "Filters").is_dir():
+        print(f"{root} is not the source folder of Palpate: it has no folder Filters")
+        return 2
+    complaints = check(root)
+    print(*complaints, sep="\n", end="\n" if complaints else "")
+    print(f"layering: {sum(1 for _ in code_files(root))} files, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
