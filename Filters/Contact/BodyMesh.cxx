@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -122,6 +123,7 @@ void BodyMesh::linkNeighbours()
       const std::int32_t to = this->Triangles[t][(e + 1) % 3];
       int alike = 0;
       int across = 0;
+      bool first = true; // of the triangles at this edge, so that it is counted once
       std::int32_t neighbour = Border;
       const auto around = this->trianglesAround(from);
       for (const std::int32_t* other = around[0]; other != around[1]; ++other)
@@ -129,12 +131,15 @@ void BodyMesh::linkNeighbours()
         const auto& corner = this->corners(*other);
         for (std::size_t k = 0; k < 3; ++k)
         {
-          alike += corner[k] == from && corner[(k + 1) % 3] == to;
-          if (corner[k] == to && corner[(k + 1) % 3] == from)
+          const bool isAlike = corner[k] == from && corner[(k + 1) % 3] == to;
+          const bool isAcross = corner[k] == to && corner[(k + 1) % 3] == from;
+          alike += isAlike;
+          if (isAcross)
           {
             ++across;
             neighbour = *other;
           }
+          first = first && !((isAlike || isAcross) && *other < static_cast<std::int32_t>(t));
         }
       }
       if (alike == 1 && across == 1)
@@ -142,7 +147,10 @@ void BodyMesh::linkNeighbours()
         this->Neighbours[t][e] = neighbour;
         continue;
       }
-      ++(alike + across == 1 ? this->Found.borderEdges : this->Found.nonManifoldEdges);
+      if (first)
+      {
+        ++(alike + across == 1 ? this->Found.borderEdges : this->Found.nonManifoldEdges);
+      }
       this->OnBorder[static_cast<std::size_t>(from)] = true;
       this->OnBorder[static_cast<std::size_t>(to)] = true;
     }

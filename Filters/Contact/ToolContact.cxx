@@ -39,6 +39,10 @@ ToolContactForce ToolContact::blend(const SurfacePoint& surface) const noexcept
   for (int k = 0; k < 3; ++k)
   {
     const double weight = surface.projection.weights[k];
+    if (weight == 0.0)
+    {
+      continue; // on an edge, neither neighbour's opposite corner has a say
+    }
     const std::int32_t corner = corners[static_cast<std::size_t>(k)];
     if (!this->Body.response.isValid(corner))
     {

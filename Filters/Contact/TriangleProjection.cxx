@@ -3,6 +3,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <limits>
+
 namespace palpate
 {
 namespace
@@ -12,6 +15,44 @@ struct Region
   Vector3 weights;
   TriangleFeature feature;
 };
+
+/// Below this squared sine of the angle at a, the areas of findRegion are lost in rounding.
+constexpr double SliverSine = 1e-8;
+
+/// The nearest of the feet on the edges and of the foot on the plane, whose areas are taken from
+/// cross products: rounding costs a sliver no more than its height.
+Region nearestOnSliver(
+  const Vector3& ap, const Vector3& bp, const Vector3& cp, const Vector3& ab, const Vector3& ac)
+{
+  Region best{ Vector3::Zero(), TriangleFeature::Face };
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double u, double v, double w, TriangleFeature feature)
+  {
+    const double squaredDistance = (ap - v * ab - w * ac).squaredNorm();
+    if (squaredDistance < nearest)
+    {
+      nearest = squaredDistance;
+      best = { { u, v, w }, feature };
+    }
+  };
+  const auto share = [](const Vector3& from, const Vector3& along)
+  { return std::clamp(from.dot(along) / along.squaredNorm(), 0.0, 1.0); };
+  const double s = share(ap, ab);
+  const double t = share(bp, ac - ab);
+  const double r = share(ap, ac);
+  offer(1.0 - s, s, 0.0, TriangleFeature::Edge0);
+  offer(0.0, 1.0 - t, t, TriangleFeature::Edge1);
+  offer(1.0 - r, 0.0, r, TriangleFeature::Edge2);
+  const Vector3 normal = ab.cross(ac);
+  const double area = normal.squaredNorm();
+  const double v = normal.dot(cp.cross(ap)) / area;
+  const double w = normal.dot(ap.cross(bp)) / area;
+  if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
+  {
+    offer(1.0 - v - w, v, w, TriangleFeature::Face);
+  }
+  return best;
+}
 
 Region findRegion(
   const Vector3& tip, const Vector3& a, const Vector3& ab, const Vector3& ac) noexcept
@@ -56,6 +97,10 @@ Region findRegion(
     return { { 0.0, 1.0 - w, w }, TriangleFeature::Edge1 };
   }
   const double sum = va + vb + vc;
+  if (sum < SliverSine * ab.squaredNorm() * ac.squaredNorm())
+  {
+    return nearestOnSliver(ap, bp, cp, ab, ac);
+  }
   const double v = vb / sum;
   const double w = vc / sum;
   return { { 1.0 - v - w, v, w }, TriangleFeature::Face };

@@ -12,6 +12,13 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/// δ - g(a): δ under a flat end; under a smooth rim 0, whatever rounding leaves of it.
+double rimStep(double deflection, double reducedProfile)
+{
+  const double step = deflection - reducedProfile;
+  return step > 1e-10 * deflection ? step : 0.0;
+}
 } // namespace
 
 double AxisymmetricTool::contactRadius(double deflection) const
@@ -83,8 +90,8 @@ SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
 
 double AxisymmetricTool::pressurePerModulus(double r, double a, double deflection) const
 {
-  return reduction::pressure(
-    [this](double x) { return this->reducedSlope(x); }, r, a, deflection - this->reducedProfile(a));
+  return reduction::pressure([this](double x) { return this->reducedSlope(x); }, r, a,
+    rimStep(deflection, this->reducedProfile(a)));
 }
 
 double AxisymmetricTool::normalDisplacementOutside(double r, double a, double deflection) const
@@ -96,6 +103,7 @@ double AxisymmetricTool::normalDisplacementOutside(double r, double a, double de
 double AxisymmetricTool::loadInside(double r, double a, double deflection) const
 {
   return reduction::loadInside([this](double x) { return this->reducedProfile(x); },
-    [this](double x) { return this->reducedSlope(x); }, r, a, deflection - this->reducedProfile(a));
+    [this](double x) { return this->reducedSlope(x); }, r, a,
+    rimStep(deflection, this->reducedProfile(a)));
 }
 } // namespace palpate

@@ -32,7 +32,7 @@ double ConeTool::profile(double r) const
 
 double ConeTool::depthAtStrain(double ratio) const
 {
-  return 0.5 * Pi * this->Slope > ratio ? 0.0 : Infinity;
+  return std::isnan(ratio) ? ratio : 0.5 * Pi * this->Slope > ratio ? 0.0 : Infinity;
 }
 
 double ConeTool::depthAtContactRadius(double a) const
@@ -58,7 +58,7 @@ double ConeTool::pressurePerModulus(double r, double a, double) const
 double ConeTool::normalDisplacementOutside(double r, double a, double) const
 {
   // √(r²-a²) - r = -a²/(r + √(r²-a²)) keeps its accuracy far away.
-  const double root = std::sqrt((r - a) * (r + a));
+  const double root = std::sqrt(r - a) * std::sqrt(r + a);
   return this->Slope * a * (std::asin(a / r) - a / (r + root));
 }
 

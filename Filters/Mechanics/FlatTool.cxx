@@ -26,7 +26,7 @@ std::string FlatTool::specification() const
 
 double FlatTool::profile(double r) const
 {
-  return r <= this->Radius ? 0.0 : Infinity;
+  return std::isnan(r) ? r : r <= this->Radius ? 0.0 : Infinity;
 }
 
 double FlatTool::depthAtStrain(double ratio) const
@@ -36,7 +36,7 @@ double FlatTool::depthAtStrain(double ratio) const
 
 double FlatTool::depthAtContactRadius(double a) const
 {
-  return a <= this->Radius ? 0.0 : Infinity;
+  return std::isnan(a) ? a : a <= this->Radius ? 0.0 : Infinity;
 }
 
 double FlatTool::radiusAt(double) const

@@ -57,17 +57,14 @@ double ParaboloidTool::normalDisplacementOutside(double r, double a, double) con
   // [(2a²-r²) asin(a/r) + a√(r²-a²)]/(πR). Far away the terms cancel to 4a³/3r: with t = asin(a/r)
   // the bracket is r² [t (2 sin²t - 1) + sin t cos t], whose series starts at 4/3 t³.
   const double t = std::asin(a / r);
-  double bracket = 0.0;
   if (t < 0.05)
   {
+    const double rt = r * t;
     const double t2 = t * t;
-    bracket = t * t2 * (4.0 / 3.0 - t2 * (8.0 / 15.0 - t2 * (8.0 / 105.0 - t2 * 16.0 / 2835.0)));
+    return rt * rt * t * (4.0 / 3.0 - t2 * (8.0 / 15.0 - t2 * (8.0 / 105.0 - t2 * 16.0 / 2835.0))) /
+      (Pi * this->Radius);
   }
-  else
-  {
-    bracket = 0.5 * std::sin(2.0 * t) - t * std::cos(2.0 * t);
-  }
-  return r * r * bracket / (Pi * this->Radius);
+  return r * r * (0.5 * std::sin(2.0 * t) - t * std::cos(2.0 * t)) / (Pi * this->Radius);
 }
 
 double ParaboloidTool::loadInside(double r, double a, double deflection) const

@@ -19,8 +19,10 @@ SeriesPoint seriesResponse(
     }
     return point;
   }
-  // From x = δ the residual x + C F(x) - δ has the sign of C and its tangents never overshoot.
+  // Newton's method on x + C F(x) = δ, written so that nothing cancels (K x >= F). From x = δ its
+  // tangents never overshoot: a step that does not advance has reached rounding, and is the last.
   double x = deflection;
+  bool last = false;
   for (int iteration = 0; iteration < 100; ++iteration)
   {
     point.force = tool.force(x, reducedModulus);
@@ -32,12 +34,13 @@ SeriesPoint seriesResponse(
     }
     point.stiffness = local / slope;
     point.localDeflection = x;
-    const double step = (x + compliance * point.force - deflection) / slope;
-    x -= step;
-    if (!(std::abs(step) > 1e-15 * x))
+    if (last)
     {
       return point;
     }
+    const double next = (deflection + compliance * (local * x - point.force)) / slope;
+    last = !((compliance < 0.0 ? next - x : x - next) > 1e-15 * x);
+    x = next;
   }
   return { nan, nan, nan, false };
 }

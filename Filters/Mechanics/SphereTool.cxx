@@ -3,6 +3,7 @@
 
 #include "ToolSpecification.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,9 +44,9 @@ std::string SphereTool::specification() const
 double SphereTool::profile(double r) const
 {
   // R - √(R²-r²) without cancellation near the tip.
-  return r <= this->Radius
-    ? r * r / (this->Radius + std::sqrt((this->Radius - r) * (this->Radius + r)))
-    : Infinity;
+  return r > this->Radius
+    ? Infinity
+    : r * r / (this->Radius + std::sqrt((this->Radius - r) * (this->Radius + r)));
 }
 
 double SphereTool::depthAtStrain(double ratio) const
@@ -55,7 +56,7 @@ double SphereTool::depthAtStrain(double ratio) const
 
 double SphereTool::depthAtContactRadius(double a) const
 {
-  return a < this->Radius ? this->reducedProfile(a) : Infinity;
+  return a >= this->Radius ? Infinity : this->reducedProfile(a);
 }
 
 double SphereTool::radiusAt(double deflection) const

@@ -71,6 +71,21 @@ std::string vtkContactTool::GetSpecification()
   return tool ? tool->specification() : std::string();
 }
 
+std::string vtkContactTool::GetDescription()
+{
+  // "name:value" already has the shortest decimals.
+  const std::string specification = this->GetSpecification();
+  const std::size_t colon = specification.find(':');
+  if (colon == std::string::npos)
+  {
+    return {};
+  }
+  const std::string name = specification.substr(0, colon);
+  const std::string value = specification.substr(colon + 1);
+  return this->Shape == Cone ? name + ", half angle " + value + " degrees"
+                             : name + ", radius " + value + " mm";
+}
+
 bool vtkContactTool::CheckModulus(double reducedModulus)
 {
   if (!palpate::isYoungsModulus(reducedModulus))

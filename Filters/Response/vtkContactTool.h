@@ -88,6 +88,9 @@ public:
   bool SetSpecification(const std::string& specification);
   std::string GetSpecification();
 
+  /** The tool in words, for captions: "sphere, radius 6.35 mm". Of an invalid tool "". */
+  std::string GetDescription();
+
   /** Force, N, at a deflection (mm) into a half-space of reduced modulus E* (MPa). */
   double GetForce(double deflection, double reducedModulus);
   /** dF/dδ = 2 E* a, N/mm. */

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkinSurface.h"
 
+#include "FilterStage.h"
+#include "SkinScan.h"
+
 #include "vtkArrayDispatch.h"
-#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataArrayRange.h"
 #include "vtkFloatArray.h"
@@ -17,306 +20,73 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataConnectivityFilter.h"
-#include "vtkPolyDataNormals.h"
-#include "vtkSMPTools.h"
+#include "vtkReverseSense.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTriangleMeshPointNormals.h"
 #include "vtkWindowedSincPolyDataFilter.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
-#include <utility>
-#include <vector>
 
 vtkStandardNewMacro(vtkSkinSurface);
 
 namespace
 {
-constexpr double PassBand = 0.1;       // of the smoothing; 2 would keep every detail
-constexpr double MaximumVoxels = 4e9;  // of the resampled scan: 16 GB
-constexpr double ClearOfVoxels = 0.05; // see KeepClearOfVoxels
+using Stage = palpate::FilterStage;
 
-/** A scan as floats, x running fastest. */
-struct Scan
+/// Pass band of the smoothing on a lattice as fine as the scan. It takes away what comes of the
+/// voxels, waves of up to about ten spacings, and keeps what is longer.
+constexpr double PassBand = 0.02;
+constexpr double MaximumVoxels = 4e9; // of the resampled scan: 16 GB
+constexpr float Clearance = 0.005f;   // see KeepClearOfVoxels
+
+/** The scalars as floats; NaN and infinities become the lowest value. */
+palpate::SkinScan TakeScan(vtkImageData* image, vtkDataArray* scalars, double lowest)
 {
-  std::array<int, 3> Size;
-  std::array<double, 3> Spacing;
-  std::vector<float> Values;
-
-  vtkIdType Row(vtkIdType j, vtkIdType k) const { return (k * this->Size[1] + j) * this->Size[0]; }
-};
-
-/** Shares of the whole work: reports progress within [From, To] and tells whether to go on. */
-struct Stage
-{
-  vtkAlgorithm* Filter;
-  double From;
-  double To;
-
-  bool operator()(double done) const
-  {
-    this->Filter->UpdateProgress(this->From + done * (this->To - this->From));
-    return !this->Filter->GetAbortExecute();
-  }
-};
-
-/** Update an inner filter, its progress forwarded; false when aborted. */
-bool Run(vtkAlgorithm* inner, Stage stage)
-{
-  vtkNew<vtkCallbackCommand> forward;
-  forward->SetClientData(&stage);
-  forward->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      auto* filter = static_cast<vtkAlgorithm*>(caller);
-      if (!(*static_cast<Stage*>(data))(filter->GetProgress()))
-      {
-        filter->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = inner->AddObserver(vtkCommand::ProgressEvent, forward);
-  inner->Update();
-  inner->RemoveObserver(tag);
-  return stage(1.0);
-}
-
-/** Copies any array to floats; what is not finite becomes the lowest value. Range: of the rest. */
-struct ToFloats
-{
-  std::vector<float>& Values;
-  std::array<float, 2> Range = { std::numeric_limits<float>::max(),
-    std::numeric_limits<float>::lowest() };
-
-  template <typename ArrayT>
-  void operator()(ArrayT* array)
+  palpate::SkinScan scan;
+  image->GetDimensions(scan.size.data());
+  std::transform(image->GetSpacing(), image->GetSpacing() + 3, scan.spacing.begin(),
+    [](double spacing) { return std::abs(spacing); });
+  auto copy = [&scan](auto* array)
   {
     const auto values = vtk::DataArrayValueRange<1>(array);
-    this->Values.assign(values.begin(), values.end());
-    for (const float value : this->Values)
-    {
-      if (std::isfinite(value))
-      {
-        this->Range = { std::min(this->Range[0], value), std::max(this->Range[1], value) };
-      }
-    }
-    for (float& value : this->Values)
-    {
-      value = std::isfinite(value) ? value : this->Range[0];
-    }
-  }
-};
-
-/**
- * A ball as a bundle of runs of voxels along x: Runs[w] holds the places (j, k) of the runs
- * reaching from -w to w.
- */
-struct Ball
-{
-  std::vector<std::vector<std::pair<int, int>>> Runs;
-
-  Ball(double radius, const Scan& scan)
-  {
-    auto voxels = [&](double length, int axis) {
-      return static_cast<int>(std::min(length / scan.Spacing[axis] + 1e-9, 1.0 * scan.Size[axis]));
-    };
-    this->Runs.resize(voxels(radius, 0) + 1);
-    const int J = voxels(radius, 1);
-    const int K = voxels(radius, 2);
-    for (int k = -K; k <= K; ++k)
-    {
-      for (int j = -J; j <= J; ++j)
-      {
-        const double y = j * scan.Spacing[1];
-        const double z = k * scan.Spacing[2];
-        const double rest = radius * radius - y * y - z * z;
-        if (rest >= 0.0)
-        {
-          this->Runs[voxels(std::sqrt(rest), 0)].emplace_back(j, k);
-        }
-      }
-    }
-  }
-};
-
-/**
- * Each voxel becomes the extremum over the ball around it, as far as that lies in the scan: a flat
- * grey-level dilation (pick = max) or erosion (pick = min). Runs of one length share their extrema.
- */
-template <typename Pick>
-bool SpreadOverBall(Scan& scan, const Ball& ball, Pick pick, Stage stage)
-{
-  const int X = scan.Size[0];
-  const int Y = scan.Size[1];
-  const int Z = scan.Size[2];
-  std::vector<float> extrema = scan.Values; // along x, over the current run
-  for (std::size_t w = 0; w < ball.Runs.size(); ++w)
-  {
-    if (w > 0)
-    {
-      vtkSMPTools::For(0, static_cast<vtkIdType>(Y) * Z,
-        [&extrema, X, pick](vtkIdType begin, vtkIdType end)
-        {
-          std::vector<float> shorter(X);
-          for (vtkIdType row = begin; row < end; ++row)
-          {
-            float* longer = extrema.data() + row * X;
-            std::copy(longer, longer + X, shorter.begin());
-            for (int i = 1; i < X; ++i)
-            {
-              longer[i] = pick(longer[i], shorter[i - 1]);
-            }
-            for (int i = 0; i + 1 < X; ++i)
-            {
-              longer[i] = pick(longer[i], shorter[i + 1]);
-            }
-          }
-        });
-    }
-    const auto& runs = ball.Runs[w];
-    vtkSMPTools::For(0, Z,
-      [&scan, &extrema, &runs, X, Y, Z, pick](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType k = begin; k < end; ++k)
-        {
-          for (vtkIdType j = 0; j < Y; ++j)
-          {
-            float* target = scan.Values.data() + scan.Row(j, k);
-            for (const auto& run : runs)
-            {
-              const vtkIdType jj = j + run.first;
-              const vtkIdType kk = k + run.second;
-              if (jj >= 0 && jj < Y && kk >= 0 && kk < Z)
-              {
-                const float* source = extrema.data() + scan.Row(jj, kk);
-                for (int i = 0; i < X; ++i)
-                {
-                  target[i] = pick(target[i], source[i]);
-                }
-              }
-            }
-          }
-        }
-      });
-    if (!stage((w + 1.0) / ball.Runs.size()))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/** Grey-level closing: dilation, then erosion. */
-bool CloseOpenings(Scan& scan, double radius, Stage stage)
-{
-  if (radius == 0.0)
-  {
-    return stage(1.0);
-  }
-  const Ball ball(radius, scan);
-  const double middle = 0.5 * (stage.From + stage.To);
-  return SpreadOverBall(scan, ball, [](float a, float b) { return a < b ? b : a; },
-           { stage.Filter, stage.From, middle }) &&
-    SpreadOverBall(scan, ball, [](float a, float b) { return b < a ? b : a; },
-      { stage.Filter, middle, stage.To });
-}
-
-/** The voxels below `contour` that are connected to `seed` through faces; taken out of `below`. */
-std::vector<vtkIdType> TakeRegion(vtkIdType seed, std::vector<char>& below, const Scan& scan)
-{
-  const vtkIdType X = scan.Size[0];
-  const vtkIdType Y = scan.Size[1];
-  const vtkIdType Z = scan.Size[2];
-  std::vector<vtkIdType> region;
-  auto take = [&below, &region](vtkIdType voxel, bool inside)
-  {
-    if (inside && below[voxel])
-    {
-      below[voxel] = 0;
-      region.push_back(voxel);
-    }
+    scan.values.assign(values.begin(), values.end());
   };
-  take(seed, true);
-  for (std::size_t next = 0; next < region.size(); ++next)
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, copy))
   {
-    const vtkIdType voxel = region[next];
-    const vtkIdType i = voxel % X;
-    const vtkIdType j = voxel / X % Y;
-    const vtkIdType k = voxel / (X * Y);
-    take(voxel - 1, i > 0);
-    take(voxel + 1, i + 1 < X);
-    take(voxel - X, j > 0);
-    take(voxel + X, j + 1 < Y);
-    take(voxel - X * Y, k > 0);
-    take(voxel + X * Y, k + 1 < Z);
+    copy(scalars);
   }
-  return region;
-}
-
-/**
- * Raises every voxel below `contour` to `tissue`, but for the air: the largest connected region
- * that reaches the border of the scan. False when there is none.
- */
-bool FillCavities(Scan& scan, float contour, float tissue)
-{
-  std::vector<char> below(scan.Values.size());
-  std::transform(scan.Values.begin(), scan.Values.end(), below.begin(),
-    [contour](float value) { return value < contour; });
-  std::vector<vtkIdType> air;
-  for (int k = 0; k < scan.Size[2]; ++k)
-  {
-    for (int j = 0; j < scan.Size[1]; ++j)
-    {
-      const bool face = j == 0 || j + 1 == scan.Size[1] || k == 0 || k + 1 == scan.Size[2];
-      for (int i = 0; i < scan.Size[0]; i += face ? 1 : scan.Size[0] - 1)
-      {
-        std::vector<vtkIdType> region = TakeRegion(scan.Row(j, k) + i, below, scan);
-        if (region.size() > air.size())
-        {
-          air.swap(region);
-        }
-      }
-    }
-  }
-  std::fill(below.begin(), below.end(), 0);
-  for (const vtkIdType voxel : air)
-  {
-    below[voxel] = 1;
-  }
-  for (std::size_t voxel = 0; voxel < below.size(); ++voxel)
-  {
-    if (!below[voxel] && scan.Values[voxel] < contour)
-    {
-      scan.Values[voxel] = tissue;
-    }
-  }
-  return !air.empty();
+  std::replace_if(
+    scan.values.begin(), scan.values.end(), [](float value) { return !std::isfinite(value); },
+    static_cast<float>(lowest));
+  return scan;
 }
 
 /** The scan as an image whose coordinates are index times spacing. */
-vtkSmartPointer<vtkImageData> AsImage(Scan& scan)
+vtkSmartPointer<vtkImageData> AsImage(palpate::SkinScan& scan)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(scan.Size.data());
-  image->SetSpacing(scan.Spacing.data());
+  image->SetDimensions(scan.size.data());
+  image->SetSpacing(scan.spacing.data());
   vtkNew<vtkFloatArray> values;
   values->SetName("Grey");
-  values->SetArray(scan.Values.data(), static_cast<vtkIdType>(scan.Values.size()), 1);
+  values->SetArray(scan.values.data(), static_cast<vtkIdType>(scan.values.size()), 1);
   image->GetPointData()->SetScalars(values);
   return image;
 }
 
 /** Lattice of about `resolution` over the same box; 0 = as it is. */
-std::array<int, 3> ResampledSize(const Scan& scan, double resolution)
+std::array<int, 3> ResampledSize(const palpate::SkinScan& scan, double resolution)
 {
-  std::array<int, 3> size = scan.Size;
+  std::array<int, 3> size = scan.size;
   for (int axis = 0; axis < 3 && resolution > 0.0; ++axis)
   {
-    const double length = (scan.Size[axis] - 1) * scan.Spacing[axis];
-    size[axis] = static_cast<int>(std::clamp(length / resolution, 1.0, 1e6) + 0.5) + 1;
+    const double length = (scan.size[axis] - 1) * scan.spacing[axis];
+    size[axis] = static_cast<int>(std::max(1.0, std::round(length / resolution))) + 1;
   }
   return size;
 }
@@ -327,24 +97,17 @@ std::array<int, 3> ResampledSize(const Scan& scan, double resolution)
  */
 void KeepClearOfVoxels(vtkImageData* image, float contour, float tissue)
 {
-  const float margin = static_cast<float>(ClearOfVoxels) * (tissue - contour);
+  const float margin = Clearance * (tissue - contour);
   auto* values = static_cast<float*>(image->GetScalarPointer());
-  vtkSMPTools::For(0, image->GetNumberOfPoints(),
-    [values, contour, margin](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        if (std::abs(values[i] - contour) < margin)
-        {
-          values[i] = values[i] < contour ? contour - margin : contour + margin;
-        }
-      }
-    });
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const float above = values[i] - contour;
+    values[i] = std::abs(above) < margin ? contour + std::copysign(margin, above) : values[i];
+  }
 }
 
-/** The largest region of the contour, smoothed; null when aborted. */
-vtkSmartPointer<vtkPolyData> Contour(
-  vtkImageData* image, double contour, int iterations, vtkAlgorithm* self)
+/** The largest region of the contour; null when aborted. */
+vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double contour, vtkAlgorithm* self)
 {
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(image);
@@ -357,17 +120,63 @@ vtkSmartPointer<vtkPolyData> Contour(
   vtkNew<vtkCleanPolyData> used; // drops the points of the other regions
   used->SetInputConnection(largest->GetOutputPort());
   used->PointMergingOff();
+  const bool done = palpate::runWithin(edges, { self, 0.35, 0.45 }) &&
+    palpate::runWithin(largest, { self, 0.45, 0.6 }) &&
+    palpate::runWithin(used, { self, 0.6, 0.7 });
+  return done ? used->GetOutput() : nullptr;
+}
+
+/** Windowed-sinc smoothing, as the filter does it: see Smooth. */
+bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stage)
+{
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
-  smooth->SetInputConnection(used->GetOutputPort());
+  smooth->SetInputData(surface);
   smooth->SetNumberOfIterations(iterations);
-  smooth->SetPassBand(PassBand);
+  smooth->SetPassBand(passBand);
   smooth->NormalizeCoordinatesOn();
   smooth->BoundarySmoothingOff();
-  smooth->FeatureEdgeSmoothingOff();
-  vtkAlgorithm* last = iterations > 0 ? static_cast<vtkAlgorithm*>(smooth) : used;
-  const bool done = Run(edges, { self, 0.35, 0.45 }) && Run(largest, { self, 0.45, 0.6 }) &&
-    Run(used, { self, 0.6, 0.7 }) && Run(last, { self, 0.7, 0.9 });
-  return done ? vtkPolyData::SafeDownCast(last->GetOutputDataObject(0)) : nullptr;
+  const bool done = palpate::runWithin(smooth, stage);
+  surface->ShallowCopy(smooth->GetOutput());
+  return done;
+}
+
+/**
+ * Windowed-sinc smoothing that leaves border points where they are. The filter's gain at frequency
+ * zero is not quite 1: it scales all about the centre of the box, by some 0.2 %. Undo that; a
+ * triangle, all border, shows by how much.
+ */
+bool Smooth(vtkPolyData* surface, int iterations, double passBand, Stage stage)
+{
+  vtkNew<vtkPoints> corners;
+  corners->InsertNextPoint(0.0, 0.0, 0.0);
+  corners->InsertNextPoint(1.0, 0.0, 0.0);
+  corners->InsertNextPoint(0.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> one;
+  one->InsertNextCell({ 0, 1, 2 });
+  vtkNew<vtkPolyData> triangle;
+  triangle->SetPoints(corners);
+  triangle->SetPolys(one);
+  double centre[3];
+  surface->GetCenter(centre);
+  if (iterations < 1 ||
+    !SmoothRaw(triangle, iterations, passBand, { stage.filter, stage.from, stage.from }) ||
+    !SmoothRaw(surface, iterations, passBand, stage))
+  {
+    return stage(1.0);
+  }
+  const double gain = triangle->GetBounds()[1] - triangle->GetBounds()[0];
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = centre[axis] + (p[axis] - centre[axis]) / gain;
+    }
+    points->SetPoint(i, p);
+  }
+  return stage(1.0);
 }
 
 /** From index times spacing to the physical coordinates of `image`. */
@@ -389,22 +198,20 @@ void PlaceAs(vtkImageData* image, vtkPoints* points)
   }
 }
 
-/** Whether the voxel axes of `image` form a left-handed system. */
-bool IsLeftHanded(vtkImageData* image)
+/** Adds outward point normals; false when aborted. */
+bool Orient(vtkPolyData* surface, vtkImageData* image, Stage stage)
 {
   const double* spacing = image->GetSpacing();
-  return image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] * spacing[2] < 0.0;
-}
-
-/** Outward point normals; a left-handed image has turned the triangles inside out. */
-vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* skin, bool leftHanded, vtkAlgorithm* self)
-{
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(skin);
-  normals->SplittingOff();
-  normals->ConsistencyOff(); // flying edges are consistent
-  normals->SetFlipNormals(leftHanded);
-  return Run(normals, { self, 0.9, 1.0 }) ? normals->GetOutput() : nullptr;
+  const double handedness = image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] *
+    spacing[2]; // flying edges wind outward in a right-handed lattice
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputData(surface);
+  reverse->SetReverseCells(handedness < 0.0);
+  vtkNew<vtkTriangleMeshPointNormals> normals; // vtkPolyDataNormals sums in the threads' order
+  normals->SetInputConnection(reverse->GetOutputPort());
+  const bool done = palpate::runWithin(normals, stage);
+  surface->ShallowCopy(normals->GetOutput());
+  return done;
 }
 
 /** What is wrong with the input or the properties; empty when nothing is. */
@@ -412,36 +219,31 @@ std::string Problem(vtkImageData* image, vtkDataArray* scalars, double closing, 
 {
   std::ostringstream text;
   const int* size = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  const double voxel = std::abs(spacing[0] * spacing[1] * spacing[2]);
+  const double voxels = voxel * image->GetNumberOfPoints() / std::pow(resolution, 3);
   if (!scalars)
   {
-    text << "the scan has no point scalars to contour";
+    text << "the scan has no point scalars to contour.";
   }
   else if (scalars->GetNumberOfComponents() != 1)
   {
-    text << "the scalars \"" << (scalars->GetName() ? scalars->GetName() : "") << "\" have "
-         << scalars->GetNumberOfComponents() << " components, one is needed";
+    text << "the scan's scalars have " << scalars->GetNumberOfComponents()
+         << " components, one is needed.";
   }
-  else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  else if (std::min({ size[0], size[1], size[2] }) < 2 || !(voxel > 0.0))
   {
-    text << "the scalars have " << scalars->GetNumberOfTuples() << " values for "
-         << image->GetNumberOfPoints() << " voxels";
+    text << "the scan must extend in three dimensions, it has " << size[0] << " x " << size[1]
+         << " x " << size[2] << " voxels of " << voxel << " mm^3.";
   }
-  else if (std::min({ size[0], size[1], size[2] }) < 2)
+  else if (!(closing >= 0.0 && resolution >= 0.0 && std::isfinite(closing + resolution)))
   {
-    text << "the scan must have three dimensions, it has " << size[0] << " x " << size[1] << " x "
-         << size[2] << " voxels";
+    text << "ClosingRadius and Resolution must be 0 mm or more, they are " << closing << " and "
+         << resolution << ".";
   }
-  else if (!(image->GetSpacing()[0] * image->GetSpacing()[1] * image->GetSpacing()[2] != 0.0))
+  else if (resolution > 0.0 && voxels > MaximumVoxels)
   {
-    text << "the spacing of the scan must not be zero";
-  }
-  else if (!(closing >= 0.0) || !std::isfinite(closing))
-  {
-    text << "ClosingRadius must not be negative, it is " << closing << " mm";
-  }
-  else if (!(resolution >= 0.0) || !std::isfinite(resolution))
-  {
-    text << "Resolution must not be negative, it is " << resolution << " mm";
+    text << "Resolution " << resolution << " mm is too fine: it makes " << voxels << " voxels.";
   }
   return text.str();
 }
@@ -489,36 +291,30 @@ int vtkSkinSurface::RequestData(
   const std::string problem = Problem(image, scalars, this->ClosingRadius, this->Resolution);
   if (!problem.empty())
   {
-    vtkErrorMacro(<< problem << ".");
+    vtkErrorMacro(<< problem);
     return 0;
   }
 
-  // Take the scan, in floats.
-  Scan scan;
-  image->GetDimensions(scan.Size.data());
-  std::transform(image->GetSpacing(), image->GetSpacing() + 3, scan.Spacing.begin(),
-    [](double spacing) { return std::abs(spacing); });
-  ToFloats copy{ scan.Values };
-  if (!vtkArrayDispatch::Dispatch::Execute(scalars, copy))
-  {
-    copy(scalars);
-  }
+  double range[2];
+  scalars->GetFiniteRange(range);
   const float contour = static_cast<float>(this->ContourValue);
-  if (!(copy.Range[0] < contour && contour < copy.Range[1]))
+  if (!(range[0] < this->ContourValue && this->ContourValue < range[1]))
   {
     vtkErrorMacro("nothing to contour: ContourValue "
-      << this->ContourValue << " is not inside the scalars' range, " << copy.Range[0] << " to "
-      << copy.Range[1] << ".");
+      << this->ContourValue << " is not inside the scalars' range, " << range[0] << " to "
+      << range[1] << ".");
     return 0;
   }
-  const float tissue = 2.0f * contour - copy.Range[0]; // as far above the contour as air is below
 
   // Shut the openings, fill what they led to.
-  if (!CloseOpenings(scan, this->ClosingRadius, { this, 0.05, 0.2 }))
+  palpate::SkinScan scan = TakeScan(image, scalars, range[0]);
+  if (this->ClosingRadius > 0.0 &&
+    !scan.closeOpenings(this->ClosingRadius, Stage{ this, 0.0, 0.2 }))
   {
     return 1;
   }
-  if (!FillCavities(scan, contour, tissue))
+  const float tissue = 2.0f * contour - static_cast<float>(range[0]); // as far above as air below
+  if (!scan.fillCavities(contour, tissue))
   {
     vtkErrorMacro("nothing to contour: after closing by "
       << this->ClosingRadius << " mm no air, below ContourValue " << this->ContourValue
@@ -527,41 +323,37 @@ int vtkSkinSurface::RequestData(
   }
 
   // Contour at the wanted resolution.
-  std::array<int, 3> size = ResampledSize(scan, this->Resolution);
-  if (1.0 * size[0] * size[1] * size[2] > MaximumVoxels)
-  {
-    vtkErrorMacro("Resolution " << this->Resolution << " mm is too fine: it makes " << size[0]
-                                << " x " << size[1] << " x " << size[2] << " voxels.");
-    return 0;
-  }
   vtkSmartPointer<vtkImageData> lattice = AsImage(scan);
-  if (size != scan.Size)
+  std::array<int, 3> size = ResampledSize(scan, this->Resolution);
+  if (size != scan.size)
   {
     vtkNew<vtkImageResize> resize;
     resize->SetInputData(lattice);
     resize->SetOutputDimensions(size.data());
-    if (!Run(resize, { this, 0.25, 0.35 }))
+    if (!palpate::runWithin(resize, { this, 0.2, 0.35 }))
     {
       return 1;
     }
     lattice = resize->GetOutput();
   }
   KeepClearOfVoxels(lattice, contour, tissue);
-  vtkSmartPointer<vtkPolyData> surface =
-    Contour(lattice, contour, this->NumberOfSmoothingIterations, this);
+  vtkSmartPointer<vtkPolyData> surface = Contour(lattice, contour, this);
   if (surface && surface->GetNumberOfCells() == 0)
   {
     vtkErrorMacro("nothing to contour at ContourValue " << this->ContourValue << ".");
     return 0;
   }
 
-  // Put it where the scan is, and orient it.
-  if (surface)
+  // Smooth it, put it where the scan is, orient it.
+  const double coarser = std::cbrt(1.0 * scan.values.size() / lattice->GetNumberOfPoints());
+  const double passBand = PassBand * std::min(1.0, coarser * coarser); // the same waves
+  if (!surface ||
+    !Smooth(surface, this->NumberOfSmoothingIterations, passBand, { this, 0.7, 0.95 }))
   {
-    PlaceAs(image, surface->GetPoints());
-    surface = WithNormals(surface, IsLeftHanded(image), this);
+    return 1;
   }
-  if (surface)
+  PlaceAs(image, surface->GetPoints());
+  if (Orient(surface, image, { this, 0.95, 1.0 }))
   {
     skin->SetPoints(surface->GetPoints());
     skin->SetPolys(surface->GetPolys());

@@ -14,6 +14,7 @@ constexpr std::array<Color, 6> CurveColors = { { { 0.00, 0.45, 0.70 }, { 0.84, 0
 
 constexpr Color ForceColor = { 0.84, 0.20, 0.00 };
 constexpr Color ToolColor = { 0.45, 0.52, 0.62 };
+constexpr Color TrailColor = { 0.00, 0.45, 0.70 };
 constexpr Color TextColor = { 0.10, 0.10, 0.12 };
 constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };
 

@@ -8,11 +8,14 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkLightKit.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -21,6 +24,7 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTriangleMeshPointNormals.h"
+#include "vtkTubeFilter.h"
 #include "vtkWarpVector.h"
 
 #include <array>
@@ -30,8 +34,11 @@
 namespace
 {
 constexpr double ArrowLength = 40.0; // mm, of the largest force
+constexpr double TrailRadius = 0.5;  // mm
 constexpr int TableSize = 256;
 constexpr int CaptionSize = 17;
+constexpr double LegendWidth = 175.0; // pixels
+constexpr double RaisedFocus = 0.14;  // of the distance, so that the tool fits in
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.
 double roundDown(double value)
@@ -68,6 +75,7 @@ vtkContactScene::vtkContactScene()
   : Deflection(vtkSmartPointer<vtkContactDeflection>::New())
   , Warp(vtkSmartPointer<vtkWarpVector>::New())
   , BodyActor(vtkSmartPointer<vtkActor>::New())
+  , TrailActor(vtkSmartPointer<vtkActor>::New())
   , Colors(vtkSmartPointer<vtkLookupTable>::New())
   , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
   , Caption(vtkSmartPointer<vtkTextActor>::New())
@@ -87,9 +95,10 @@ vtkContactScene::vtkContactScene()
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
   this->BodyActor->SetMapper(mapper);
-  this->BodyActor->GetProperty()->SetSpecular(0.15);
-  this->BodyActor->GetProperty()->SetSpecularPower(20.0);
-  this->BodyActor->GetProperty()->SetAmbient(0.12);
+  this->TrailActor->GetProperty()->SetColor(
+    palpate::TrailColor[0], palpate::TrailColor[1], palpate::TrailColor[2]);
+  this->TrailActor->GetProperty()->LightingOff();
+  this->TrailActor->VisibilityOff();
 
   this->Legend->SetLookupTable(this->Colors);
   this->Legend->SetTitle("Displacement (mm)\n ");
@@ -97,8 +106,6 @@ vtkContactScene::vtkContactScene()
   this->Legend->SetLabelFormat("%.2f");
   this->Legend->SetBarRatio(0.25);
   this->Legend->UnconstrainedFontSizeOn();
-  this->Legend->GetPositionCoordinate()->SetValue(0.86, 0.25);
-  this->Legend->SetWidth(0.12);
   this->Legend->SetHeight(0.5);
   for (vtkTextProperty* text :
     { this->Legend->GetTitleTextProperty(), this->Legend->GetLabelTextProperty() })
@@ -123,7 +130,13 @@ void vtkContactScene::SetRenderer(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
   renderer->SetBackground(palpate::BackgroundColor.data());
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.75);
+  lights->SetKeyToFillRatio(2.0);
+  lights->SetKeyToHeadRatio(2.2);
+  lights->AddLightsToRenderer(renderer);
   renderer->AddActor(this->BodyActor);
+  renderer->AddActor(this->TrailActor);
   renderer->AddViewProp(this->ToolRepresentation);
   renderer->AddViewProp(this->Legend);
   renderer->AddViewProp(this->Caption);
@@ -170,6 +183,40 @@ void vtkContactScene::SetTitle(const std::string& title)
   this->Title = title;
 }
 
+bool vtkContactScene::ShowTrail(vtkPolyData* probed)
+{
+  vtkDataArray* contact = probed->GetPointData()->GetArray("ContactPoint");
+  vtkDataArray* cell = probed->GetPointData()->GetArray("ContactCell");
+  if (!contact || !cell)
+  {
+    vtkErrorMacro(<< "A trail needs the output of a vtkToolContactProbe.");
+    return false;
+  }
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(0);
+  for (vtkIdType i = 0; i < contact->GetNumberOfTuples(); ++i)
+  {
+    if (cell->GetTuple1(i) >= 0.0)
+    {
+      line->InsertCellPoint(points->InsertNextPoint(contact->GetTuple3(i)));
+    }
+  }
+  line->UpdateCellCount(static_cast<int>(points->GetNumberOfPoints()));
+  vtkNew<vtkPolyData> trail;
+  trail->SetPoints(points);
+  trail->SetLines(line);
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputData(trail);
+  tube->SetRadius(TrailRadius);
+  tube->SetNumberOfSides(12);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(tube->GetOutputPort());
+  this->TrailActor->SetMapper(mapper);
+  this->TrailActor->SetVisibility(points->GetNumberOfPoints() > 1);
+  return true;
+}
+
 bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
 {
   vtkPointData* data = probed->GetPointData();
@@ -195,8 +242,18 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
   contact->GetTuple(index, this->Contact);
   this->ToolRepresentation->SetContact(
     tip.data(), normalNow.data(), this->Contact, forceNow.data());
+  this->PlaceLegend();
   this->WriteCaption(deflection->GetTuple1(index), vtkMath::Norm(forceNow.data()));
   return true;
+}
+
+void vtkContactScene::PlaceLegend()
+{
+  // The same size in pixels at the right edge, however narrow the viewport.
+  const int width = this->Renderer ? std::max(this->Renderer->GetSize()[0], 1) : 1;
+  const double share = std::min(1.0, LegendWidth / static_cast<double>(width));
+  this->Legend->GetPositionCoordinate()->SetValue(1.0 - share, 0.25);
+  this->Legend->SetWidth(0.85 * share);
 }
 
 void vtkContactScene::WriteCaption(double deflection, double force)
@@ -205,13 +262,13 @@ void vtkContactScene::WriteCaption(double deflection, double force)
   vtkContactTool* tool = this->ToolRepresentation->GetTool();
   const double scale = this->ToolRepresentation->GetForceScale();
   std::snprintf(text.data(), text.size(),
-    "Tool %s mm   deflection %.2f mm   force %.3g N\nForce arrow: 10 mm = %.3g N",
-    tool ? tool->GetSpecification().c_str() : "", deflection, force, 10.0 / scale);
+    "Tool: %s\nDeflection %.2f mm, force %#.3g N\nForce arrow: 10 mm = %.3g N",
+    tool ? tool->GetDescription().c_str() : "", deflection, force, 10.0 / scale);
   std::string caption = this->Title.empty() ? std::string() : this->Title + "\n";
   caption += text.data();
   if (this->GetExaggeration() != 1.0)
   {
-    std::snprintf(text.data(), text.size(), "   dent drawn x%.3g", this->GetExaggeration());
+    std::snprintf(text.data(), text.size(), "\nDent drawn x%.3g", this->GetExaggeration());
     caption += text.data();
   }
   this->Caption->SetInput(caption.c_str());

@@ -59,6 +59,9 @@ public:
   /** First line of the caption. */
   void SetTitle(const std::string& title);
 
+  /** Draws the contact points of a probe's output as a line: the way the tool goes. */
+  bool ShowTrail(vtkPolyData* probed);
+
   /** Shows tip `index` of a probe's output; returns false if the probe's arrays are missing. */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
@@ -84,12 +87,14 @@ private:
   vtkContactScene(const vtkContactScene&) = delete;
   void operator=(const vtkContactScene&) = delete;
 
+  void PlaceLegend();
   void WriteCaption(double deflection, double force);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkContactDeflection> Deflection;
   vtkSmartPointer<vtkWarpVector> Warp;
   vtkSmartPointer<vtkActor> BodyActor;
+  vtkSmartPointer<vtkActor> TrailActor;
   vtkSmartPointer<vtkLookupTable> Colors;
   vtkSmartPointer<vtkScalarBarActor> Legend;
   vtkSmartPointer<vtkTextActor> Caption;

@@ -7,13 +7,14 @@
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
-#include "vtkBillboardTextActor3D.h"
+#include "vtkCoordinate.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
 #include <array>
@@ -55,9 +56,9 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   , ToolActor(vtkSmartPointer<vtkActor>::New())
   , Arrow(vtkSmartPointer<vtkArrowSource>::New())
   , ArrowActor(vtkSmartPointer<vtkActor>::New())
-  , Label(vtkSmartPointer<vtkBillboardTextActor3D>::New())
+  , Label(vtkSmartPointer<vtkTextActor>::New())
 {
-  this->Source->SetLength(30.0);
+  this->Source->SetLength(22.0);
   vtkNew<vtkPolyDataMapper> toolMapper;
   toolMapper->SetInputConnection(this->Source->GetOutputPort());
   this->ToolActor->SetMapper(toolMapper);
@@ -82,7 +83,7 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   text->SetColor(palpate::ForceColor.data());
   text->SetFontSize(LabelSize);
   text->SetBold(1);
-  this->Label->SetDisplayOffset(14, 6);
+  this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   this->Label->VisibilityOff();
 
   this->AddPart(this->ToolActor);
@@ -143,9 +144,9 @@ void vtkHapticToolRepresentation::SetContact(
       head[static_cast<std::size_t>(row)] = contactPoint[row] + frame->GetElement(row, 0);
     }
     this->ArrowActor->SetUserMatrix(frame);
-    this->Label->SetPosition(head.data());
+    this->Label->GetPositionCoordinate()->SetValue(head.data());
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g N", magnitude);
+    std::snprintf(text.data(), text.size(), "  %#.3g N", magnitude);
     this->Label->SetInput(text.data());
   }
   this->Modified();

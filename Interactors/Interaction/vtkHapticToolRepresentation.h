@@ -18,9 +18,9 @@
 
 class vtkActor;
 class vtkArrowSource;
-class vtkBillboardTextActor3D;
 class vtkContactTool;
 class vtkContactToolSource;
+class vtkTextActor;
 
 class PALPATEINTERACTION_EXPORT vtkHapticToolRepresentation : public vtkPropAssembly
 {
@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /** Length of the drawn tool, mm, > 0. Default 30. */
+  /** Length of the drawn tool, mm, > 0. Default 22. */
   void SetToolLength(double length);
   double GetToolLength();
   ///@}
@@ -66,7 +66,7 @@ private:
   vtkSmartPointer<vtkActor> ToolActor;
   vtkSmartPointer<vtkArrowSource> Arrow;
   vtkSmartPointer<vtkActor> ArrowActor;
-  vtkSmartPointer<vtkBillboardTextActor3D> Label;
+  vtkSmartPointer<vtkTextActor> Label;
   double ForceScale = 10.0;
 };
 

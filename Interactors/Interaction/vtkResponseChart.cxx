@@ -55,6 +55,7 @@ vtkResponseChart::vtkResponseChart()
   this->Chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
   this->Chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   this->Chart->GetLegend()->SetLabelSize(LabelSize);
+  this->Chart->GetLegend()->SetPadding(8);
   this->Chart->GetTitleProperties()->SetFontSize(TitleSize);
   this->Chart->GetTitleProperties()->SetColor(palpate::TextColor.data());
   const char* titles[2] = { "Force on the tool (N)", "Deflection (mm)" };
@@ -66,6 +67,7 @@ vtkResponseChart::vtkResponseChart()
     axis->GetTitleProperties()->SetBold(0);
     axis->GetLabelProperties()->SetFontSize(LabelSize);
     axis->SetMinimumLimit(0.0);
+    axis->SetTickLabelAlgorithm(vtkAxis::TICK_WILKINSON_EXTENDED);
   }
 }
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FilterStage_h
+#define palpate_FilterStage_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+
+namespace palpate
+{
+/// A share of a filter's work: reports progress within [from, to] and tells whether to go on.
+struct FilterStage
+{
+  vtkAlgorithm* filter;
+  double from;
+  double to;
+
+  bool operator()(double done) const
+  {
+    this->filter->UpdateProgress(this->from + done * (this->to - this->from));
+    return !this->filter->GetAbortExecute();
+  }
+};
+
+/// Updates a filter used within `stage.filter`: its progress is forwarded, an abort passed on.
+/// False when aborted.
+inline bool runWithin(vtkAlgorithm* inner, FilterStage stage)
+{
+  vtkNew<vtkCallbackCommand> forward;
+  forward->SetClientData(&stage);
+  forward->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* running = static_cast<vtkAlgorithm*>(caller);
+      if (!(*static_cast<FilterStage*>(data))(running->GetProgress()))
+      {
+        running->SetAbortExecute(1);
+      }
+    });
+  const unsigned long tag = inner->AddObserver(vtkCommand::ProgressEvent, forward);
+  inner->Update();
+  inner->RemoveObserver(tag);
+  return stage(1.0);
+}
+} // namespace palpate
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPressPath
+ * @brief a tool path that presses into a body, slides over it, and lifts off
+ *
+ * Input: a body of triangles, mm. Output: a polyline of tool tips with point arrays `Time` (double,
+ * s) and `Inward` (double 3, the direction pressed along), for vtkHapticSession::SetPath or
+ * vtkToolContactProbe.
+ *
+ * Where to go is said by directions seen from Center: each is followed inward from outside the body
+ * to the first surface met. With several, the path turns from one to the next through the
+ * directions between them. At the first the tip comes from Approach mm above the surface straight
+ * down to Depth below it at PressSpeed, rests, slides at SlideSpeed keeping Depth, rests and lifts
+ * at the last. With one direction it presses, rests and lifts.
+ *
+ * The direction pressed along is the surface normal, averaged over SmoothingLength of path, as a
+ * hand would hold the tool; the depth along it is therefore only nearly the deflection on a rough
+ * surface.
+ *
+ * Errors: a direction that meets no surface; a leap of more than 10 mm between neighbouring points
+ * of the path (it crosses a gap or a silhouette).
+ */
+#ifndef vtkPressPath_h
+#define vtkPressPath_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <array>  // For std::array
+#include <vector> // For std::vector
+
+class PALPATEINTERACTION_EXPORT vtkPressPath : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkPressPath* New();
+  vtkTypeMacro(vtkPressPath, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Where directions are seen from, mm, inside the body. Default the origin. */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /** The directions to visit, any length but zero. Neighbours must not be opposite. */
+  void AddDirection(double x, double y, double z);
+  void RemoveAllDirections();
+  ///@}
+
+  ///@{
+  /** How deep the tip is held below the surface, mm. Default 1. */
+  vtkSetMacro(Depth, double);
+  vtkGetMacro(Depth, double);
+  ///@}
+
+  ///@{
+  /** Height the tip comes from and leaves to, mm. Default 5. */
+  vtkSetMacro(Approach, double);
+  vtkGetMacro(Approach, double);
+  ///@}
+
+  ///@{
+  /** Speed of pressing and lifting, mm/s, > 0. Default 5. */
+  vtkSetMacro(PressSpeed, double);
+  vtkGetMacro(PressSpeed, double);
+  ///@}
+
+  ///@{
+  /** Speed of sliding, mm/s, > 0. Default 40. */
+  vtkSetMacro(SlideSpeed, double);
+  vtkGetMacro(SlideSpeed, double);
+  ///@}
+
+  ///@{
+  /** Length of path over which normals are averaged, mm, >= 0. Default 8. */
+  vtkSetMacro(SmoothingLength, double);
+  vtkGetMacro(SmoothingLength, double);
+  ///@}
+
+protected:
+  vtkPressPath() = default;
+  ~vtkPressPath() override = default;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkPressPath(const vtkPressPath&) = delete;
+  void operator=(const vtkPressPath&) = delete;
+
+  struct Footprint;
+  bool FindFootprints(vtkPolyData* body, std::vector<Footprint>& footprints);
+  void SmoothNormals(std::vector<Footprint>& footprints) const;
+  void WritePath(const std::vector<Footprint>& footprints, vtkPolyData* output) const;
+
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  std::vector<std::array<double, 3>> Directions;
+  double Depth = 1.0;
+  double Approach = 5.0;
+  double PressSpeed = 5.0;
+  double SlideSpeed = 40.0;
+  double SmoothingLength = 8.0;
+};
+
+#endif

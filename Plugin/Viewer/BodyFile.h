@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Reads the body a user names on the command line, whatever it is, as a surface to be touched.
+ *
+ * .vtp .stl .ply .obj .vtk: surfaces. Polygons and strips are cut into triangles.
+ * .vtu .vtk: volume meshes. Their surface is taken.
+ * .vti .vtk .nii .nii.gz: scans. Their outer skin is taken, see vtkSkinSurface.
+ *
+ * The body is in millimetres. A .vtp or .vtk of triangles comes out as it is, with all its arrays.
+ * Point normals of the file are kept. Without them, a closed surface that is inside out is turned.
+ */
+#ifndef palpate_BodyFile_h
+#define palpate_BodyFile_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+struct BodyFileOptions
+{
+  double lengthScale = 1.0;   // mm per unit of length of the file
+  double resolution = 0.0;    // of a scan, mm; 0 = its own
+  double contourValue = 30.0; // of a scan: grey level of the skin
+  double closingRadius = 6.0; // of a scan, mm: openings of up to twice this are shut
+};
+
+struct BodyFileResult
+{
+  vtkSmartPointer<vtkPolyData> body; // triangles only; null after an error
+  std::vector<std::string> notes;    // what was done to the file's content, a sentence each
+  std::string error;                 // names the file; "" when all went well
+};
+
+/// Reads `path`. Never throws. What the readers complain about goes into the error, not to the
+/// console: for that VTK's output window is exchanged meanwhile, so call it from one thread only.
+BodyFileResult readBodyFile(const std::string& path, const BodyFileOptions& options);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_CollectingWindow_h
+#define palpate_CollectingWindow_h
+
+#include "vtkLogger.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <string>
+
+namespace palpate
+{
+/** Collects errors and warnings instead of showing them. */
+class CollectingWindow : public vtkOutputWindow
+{
+public:
+  static CollectingWindow* New() { VTK_STANDARD_NEW_BODY(CollectingWindow); }
+  vtkTypeMacro(CollectingWindow, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayWarningText(const char* text) override { this->warn(text); }
+  void DisplayGenericWarningText(const char* text) override { this->warn(text); }
+  void DisplayErrorText(const char* text) override
+  {
+    const std::string all = text;
+    if (all.find("Error reading InformationKey") != std::string::npos)
+    {
+      return; // of an array with NaN in it: only its range is lost
+    }
+    this->failed = true;
+    if (all.find("returned failure for request") == std::string::npos) // tells nothing new
+    {
+      keepFirst(this->error, all);
+    }
+  }
+
+  bool hasFailed() const { return this->failed; }
+  /** The first error, in want of one the first warning. */
+  const std::string& reason() const { return this->error.empty() ? this->warning : this->error; }
+  const std::string& firstWarning() const { return this->warning; }
+
+private:
+  /** Some readers warn of an error and go on. */
+  void warn(const std::string& text)
+  {
+    this->failed = this->failed || text.find("Error") != std::string::npos;
+    keepFirst(this->warning, text);
+  }
+
+  /** Of "ERROR: In file, line n\nclass (address): message\n\n" the message. */
+  static void keepFirst(std::string& kept, const std::string& text)
+  {
+    if (kept.empty())
+    {
+      const std::size_t address = text.find("): ");
+      const std::size_t line = text.find('\n');
+      kept = address != std::string::npos ? text.substr(address + 3)
+        : line != std::string::npos       ? text.substr(line + 1)
+                                          : text;
+      std::replace(kept.begin(), kept.end(), '\n', ' ');
+      kept.erase(kept.find_last_not_of(" .") + 1);
+    }
+  }
+
+  bool failed = false;
+  std::string error;
+  std::string warning;
+};
+
+/** As long as this lives, VTK's output goes to a CollectingWindow and not to the console. */
+struct QuietScope
+{
+  vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkLogger::Verbosity verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkNew<CollectingWindow> window;
+
+  QuietScope()
+  {
+    vtkOutputWindow::SetInstance(this->window);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~QuietScope()
+  {
+    vtkLogger::SetStderrVerbosity(this->verbosity);
+    vtkOutputWindow::SetInstance(this->before);
+  }
+  QuietScope(const QuietScope&) = delete;
+  QuietScope& operator=(const QuietScope&) = delete;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The demo: the head of Debian's mricron-data (Colin 27, T1 MRI at 1 mm), forehead and cheek.
+#include "TouchScene.h"
+
+#include "BodyFile.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+namespace
+{
+const char* const InstalledScan = "/usr/share/mricron/templates/ch2.nii.gz";
+}
+
+std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene)
+{
+  const std::string scan = options.scan.empty() ? InstalledScan : options.scan;
+  std::error_code ignored;
+  if (options.scan.empty() && !std::filesystem::exists(scan, ignored))
+  {
+    return "the head scan " + scan +
+      " is missing: install Debian's package mricron-data, or give --scan FILE";
+  }
+  BodyFileOptions file;
+  file.resolution = options.resolution;
+  file.contourValue = options.contourValue;
+  file.closingRadius = options.closingRadius;
+  const BodyFileResult read = readBodyFile(scan, file);
+  if (!read.error.empty())
+  {
+    return read.error;
+  }
+  scene.title = "Head (Colin 27)";
+  scene.body = read.body;
+  scene.notes = read.notes;
+  scene.youngsModulus = 0.035;
+  scene.poissonsRatio = 0.49;
+  scene.materialSource =
+    "E within the 31-42 kPa of cheek, cheekbone and forehead in vivo (aspiration; Luboz, Promayon "
+    "and Payan, HAL hal-01092748); Poisson's ratio assumed nearly incompressible";
+  scene.modelReason =
+    "no layer thickness is used yet; skin over bone is a thin layer, so that the true force is "
+    "higher, the more so the deeper the tool";
+  scene.tools = { "sphere:6.35", "flat:1.6", "sphere:1.6" };
+  scene.depth = 1.0;
+  // +x right, +y to the nose, +z up: from above the left brow over the temple to the left cheek.
+  scene.center = { 90.0, 110.0, 85.0 };
+  scene.directions = { { -30.0, 89.0, 30.0 }, { -75.0, 55.0, 5.0 }, { -72.0, 55.0, -48.0 },
+    { -52.0, 72.0, -68.0 } };
+  scene.pictureAt = 0.0;
+  scene.viewFrom = { -0.85, 0.75, 0.10 };
+  return {};
+}
+} // namespace palpate

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFileCheck.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+constexpr std::uint64_t LongestFace = 255; // corners: a buffer in vtkPLYReader
+constexpr std::size_t LongestLine = 4000;  // characters: a buffer in vtkPLY
+
+struct Property
+{
+  std::string name;
+  int countSize; // bytes of a list's length, 0 if not a list
+  int size;      // bytes of a value
+  bool whole;    // an integer
+};
+
+struct Element
+{
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct PlyHeader
+{
+  std::string format;
+  std::vector<Element> elements;
+  std::uint64_t lines = 0;
+  std::uint64_t vertices = 0;
+};
+
+template <class... Parts>
+std::string join(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
+bool isCorners(const Element& element, const Property& property)
+{
+  return element.name == "face" && property.countSize > 0 &&
+    (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+std::string readProperty(std::istream& words, Element& element)
+{
+  static const std::map<std::string, int> sizes = { { "char", 1 }, { "uchar", 1 }, { "int8", 1 },
+    { "uint8", 1 }, { "short", 2 }, { "ushort", 2 }, { "int16", 2 }, { "uint16", 2 }, { "int", 4 },
+    { "uint", 4 }, { "int32", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 },
+    { "double", 8 }, { "float64", 8 } };
+  std::string type;
+  std::string countType;
+  std::string name;
+  words >> type;
+  const bool list = type == "list";
+  if (list)
+  {
+    words >> countType >> type;
+  }
+  words >> name;
+  if (name.empty() || sizes.count(type) == 0 || (list && sizes.count(countType) == 0))
+  {
+    return "a property that cannot be understood";
+  }
+  const bool whole = type[0] != 'f' && type[0] != 'd';
+  element.properties.push_back({ name, list ? sizes.at(countType) : 0, sizes.at(type), whole });
+  if (list && (countType[0] == 'f' || countType[0] == 'd'))
+  {
+    return "the length of a list must be an integer";
+  }
+  return isCorners(element, element.properties.back()) && !whole ? "corners must be integers" : "";
+}
+
+std::string readHeader(std::istream& file, PlyHeader& header)
+{
+  std::string line;
+  bool faces = false;
+  while (std::getline(file, line))
+  {
+    std::string problem;
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (++header.lines == 1 && word != "ply")
+    {
+      return "it does not begin with \"ply\"";
+    }
+    if (word == "end_header")
+    {
+      return faces ? "" : "it has no faces with vertex_indices";
+    }
+    if (word == "format")
+    {
+      words >> header.format;
+    }
+    else if (word == "element")
+    {
+      header.elements.emplace_back();
+      Element& element = header.elements.back();
+      words >> element.name >> element.count;
+      problem = words ? "" : "an element needs a name and a count";
+      header.vertices = element.name == "vertex" ? element.count : header.vertices;
+    }
+    else if (word == "property")
+    {
+      problem = header.elements.empty() ? "a property of nothing"
+                                        : readProperty(words, header.elements.back());
+      faces = faces ||
+        (problem.empty() &&
+          isCorners(header.elements.back(), header.elements.back().properties.back()));
+    }
+    else if (word != "ply" && word != "comment" && word != "obj_info")
+    {
+      problem = "\"" + word + "\" is not understood";
+    }
+    if (!problem.empty())
+    {
+      return join("line ", header.lines, ": ", problem);
+    }
+  }
+  return "its header does not end";
+}
+
+/** Reads the values of a file in its order. A failed stream marks the end. */
+class Values
+{
+public:
+  Values(std::istream& file, const PlyHeader& header)
+    : stream(file)
+    , ascii(header.format == "ascii")
+    , bigEndian(header.format == "binary_big_endian")
+  {
+  }
+
+  /** A row of an ASCII file is a line. */
+  bool nextRow()
+  {
+    if (this->ascii && std::getline(this->stream, this->line))
+    {
+      this->words.clear();
+      this->words.str(this->line);
+    }
+    return this->stream.good() && this->line.size() <= LongestLine;
+  }
+
+  /** As unsigned, which makes a negative one large; of a binary file, the bytes. */
+  bool next(int size, std::uint64_t& value)
+  {
+    if (this->ascii)
+    {
+      std::string word;
+      this->words >> word;
+      value = std::strtoull(word.c_str(), nullptr, 10);
+      return !word.empty();
+    }
+    unsigned char bytes[8] = {};
+    this->stream.read(reinterpret_cast<char*>(bytes), size);
+    value = 0;
+    for (int i = 0; i < size; ++i)
+    {
+      value = value << 8 | bytes[this->bigEndian ? i : size - 1 - i];
+    }
+    return this->stream.good();
+  }
+
+private:
+  std::istream& stream;
+  std::istringstream words;
+  std::string line;
+  bool ascii;
+  bool bigEndian;
+};
+
+/** What is wrong with one row of an element. */
+std::string rowProblem(Values& values, const Element& element, std::uint64_t vertices)
+{
+  for (const Property& property : element.properties)
+  {
+    const bool corners = isCorners(element, property);
+    std::uint64_t length = 1;
+    if (property.countSize > 0 && !values.next(property.countSize, length))
+    {
+      return "is cut short";
+    }
+    if (element.name == "face" && length > LongestFace)
+    {
+      return join("has a list of ", length, ", more than ", LongestFace);
+    }
+    for (std::uint64_t i = 0; i < length; ++i)
+    {
+      std::uint64_t value = 0;
+      if (!values.next(property.size, value))
+      {
+        return "is cut short";
+      }
+      if (corners && value >= vertices)
+      {
+        return join("names a vertex that is not there, of ", vertices);
+      }
+    }
+  }
+  return "";
+}
+
+std::string plyProblem(std::istream& file)
+{
+  PlyHeader header;
+  std::string problem = readHeader(file, header);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const std::string& format = header.format;
+  if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+  {
+    return "its format \"" + format + "\" is unknown";
+  }
+  Values values(file, header);
+  for (const Element& element : header.elements)
+  {
+    const std::uint64_t rows = element.properties.empty() ? 0 : element.count;
+    for (std::uint64_t row = 0; row < rows; ++row)
+    {
+      problem = values.nextRow() ? rowProblem(values, element, header.vertices) : "is cut short";
+      if (!problem.empty())
+      {
+        return join(element.name, " ", row, " of ", element.count, " ", problem);
+      }
+    }
+  }
+  return "";
+}
+
+/** Binary: 80 bytes, the number of facets (little-endian), 50 bytes for each. */
+std::string stlProblem(std::istream& file)
+{
+  unsigned char head[84];
+  file.read(reinterpret_cast<char*>(head), sizeof(head));
+  const bool ascii = std::string(head, head + 5) == "solid";
+  const std::string start(head, head + file.gcount());
+  if (ascii && start.find('\0') == std::string::npos)
+  {
+    return ""; // vtkSTLReader checks these
+  }
+  if (!file)
+  {
+    return "it is shorter than the head of a binary .stl";
+  }
+  const std::uint64_t facets =
+    head[80] | head[81] << 8 | head[82] << 16 | static_cast<std::uint64_t>(head[83]) << 24;
+  file.seekg(0, std::ios::end);
+  const auto found = (static_cast<std::uint64_t>(file.tellg()) - sizeof(head)) / 50;
+  return found < facets ? join("it ends after ", found, " of ", facets, " facets") : "";
+}
+} // namespace
+
+namespace palpate
+{
+std::string meshFileProblem(const std::string& path, const std::string& extension)
+{
+  std::ifstream file(path, std::ios::binary);
+  return extension == ".ply" ? plyProblem(file) : extension == ".stl" ? stlProblem(file) : "";
+}
+} // namespace palpate

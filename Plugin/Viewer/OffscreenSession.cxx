@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OffscreenSession.h"
+
+#include "Pictures.h"
+#include "ResponseSet.h"
+#include "ServoStep.h"
+#include "TrajectoryFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPressPath.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace palpate
+{
+namespace
+{
+void progress(const char* what)
+{
+  std::fprintf(stderr, "palpate: %s\n", what);
+}
+
+/// Peak resident memory of this process, MB; 0 where the system does not tell.
+double peakMemory()
+{
+  std::ifstream status("/proc/self/status");
+  std::string line;
+  while (std::getline(status, line))
+  {
+    if (line.rfind("VmHWM:", 0) == 0)
+    {
+      return std::stod(line.substr(6)) / 1024.0;
+    }
+  }
+  return 0.0;
+}
+
+std::string makePath(const TouchScene& scene, vtkPolyData* path)
+{
+  vtkNew<vtkPressPath> press;
+  press->SetInputData(scene.body);
+  press->SetCenter(scene.center[0], scene.center[1], scene.center[2]);
+  for (const Direction& direction : scene.directions)
+  {
+    press->AddDirection(direction[0], direction[1], direction[2]);
+  }
+  press->SetDepth(scene.depth);
+  const std::string error = updateQuietly(press);
+  path->ShallowCopy(press->GetOutput());
+  return error;
+}
+
+/// The tick in which the pictures are taken: a share of the way through the slide.
+vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType ticks)
+{
+  // The path is approach, press, slide ..., rest, lift: see vtkPressPath.
+  vtkDataArray* time = path->GetPointData()->GetArray("Time");
+  const double begin = time->GetTuple1(2);
+  const double end = time->GetTuple1(time->GetNumberOfTuples() - 3);
+  const auto tick = static_cast<vtkIdType>(std::lround((begin + share * (end - begin)) * rate));
+  return std::clamp<vtkIdType>(tick, 0, ticks - 1);
+}
+
+/// Share of the ticks in contact that stay within Validity at all three vertices, and the first
+/// assumption that breaks elsewhere.
+struct Trust
+{
+  double share = 1.0;
+  std::string broken;
+};
+
+Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
+{
+  vtkDataArray* validity = body->GetPointData()->GetArray("ResponseValidity");
+  vtkDataArray* limit = body->GetPointData()->GetArray("ResponseLimit");
+  double touching = 0.0;
+  double trusted = 0.0;
+  Trust trust;
+  for (const ServoTick& tick : ticks)
+  {
+    if (tick.contact.triangle < 0)
+    {
+      continue;
+    }
+    touching += 1.0;
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
+    body->GetCellPoints(firstPoly + tick.contact.triangle, count, corners);
+    const vtkIdType weakest = *std::min_element(corners, corners + count,
+      [&](vtkIdType a, vtkIdType b) { return validity->GetTuple1(a) < validity->GetTuple1(b); });
+    if (tick.contact.deflection <= validity->GetTuple1(weakest))
+    {
+      trusted += 1.0;
+    }
+    else if (trust.broken.empty())
+    {
+      trust.broken = limit->GetTuple1(weakest) == 1.0 ? "strain" : "curvature";
+    }
+  }
+  trust.share = touching > 0.0 ? trusted / touching : 1.0;
+  return trust;
+}
+
+void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session,
+  const std::string& folder)
+{
+  vtkNew<vtkTable> statistics;
+  session->GetStatistics(statistics);
+  const auto value = [&](const char* column)
+  { return statistics->GetValueByName(0, column).ToDouble(); };
+  std::printf("\n%s\n", scene.title.c_str());
+  std::printf("  body        %lld vertices, %lld triangles\n",
+    static_cast<long long>(responses.body->GetNumberOfPoints()),
+    static_cast<long long>(responses.body->GetNumberOfPolys()));
+  std::printf("  material    E = %g MPa, nu = %g (%s)\n", scene.youngsModulus, scene.poissonsRatio,
+    scene.materialSource.c_str());
+  std::printf("  tools      ");
+  for (const std::string& tool : scene.tools)
+  {
+    std::printf(" %s", tool.c_str());
+  }
+  std::printf("; the first one touches\n");
+  std::printf("  model       elastic half-space at every vertex; %s\n", scene.modelReason.c_str());
+  std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
+    value("Ticks"), session->GetRate(), value("TicksInContact"));
+  std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),
+    value("PeakDeflection (mm)"));
+  const Trust trust = judge(responses.body, session->GetTicks());
+  std::printf("  validity    %.1f %% of the ticks in contact lie within it%s%s\n",
+    100.0 * trust.share, trust.broken.empty() ? "" : "; elsewhere the first to break is ",
+    trust.broken.c_str());
+  std::printf("  time        responses %.0f ms for %zu tools; per tick median %.0f ns, 99 %% below "
+              "%.0f ns\n",
+    1e3 * responses.seconds, responses.tools.size(), value("MedianTick (ns)"),
+    value("Percentile99Tick (ns)"));
+  std::printf("  memory      responses %.1f MB per tool, peak of the process %.0f MB\n",
+    responses.bytesPerTool / 1e6, peakMemory());
+  std::printf("  files       in %s\n", folder.c_str());
+}
+
+std::string drawPictures(const TouchScene& scene, const ResponseSet& responses,
+  const PicturedMoment& moment, const std::string& folder)
+{
+  std::string error = drawOverview(folder + "/overview.png", scene, responses, moment);
+  if (error.empty())
+  {
+    error = drawCloseUp(folder + "/deflection.png", scene, responses, moment);
+  }
+  if (error.empty())
+  {
+    error = drawCurves(folder + "/curves.png", scene, responses, moment);
+  }
+  if (error.empty() && scene.sideBySide)
+  {
+    error = drawSideBySide(folder + "/tools.png", scene, responses, moment);
+  }
+  return error;
+}
+} // namespace
+
+std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
+{
+  std::error_code failed;
+  std::filesystem::create_directories(options.output, failed);
+  if (failed)
+  {
+    return "cannot make folder '" + options.output + "': " + failed.message();
+  }
+  for (const std::string& note : scene.notes)
+  {
+    progress(note.c_str());
+  }
+
+  progress("attaching the responses");
+  ResponseSet responses;
+  std::string error = attachResponses(scene, options.maximumDeflection, responses);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkNew<vtkPolyData> path;
+  error = makePath(scene, path);
+  if (!error.empty())
+  {
+    return error;
+  }
+
+  progress("pressing and sliding");
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(responses.body);
+  session->SetDevice("simulated");
+  session->SetPath(path);
+  session->SetRate(options.rate);
+  if (!session->Start())
+  {
+    return "the session did not start";
+  }
+  session->Step(session->GetPathDuration());
+  session->Stop();
+  error = writeTrajectory(options.output + "/trajectory.csv", session->GetTicks());
+  if (!error.empty())
+  {
+    return error;
+  }
+
+  progress("drawing");
+  vtkNew<vtkPolyData> recording;
+  session->GetRecording(recording);
+  PicturedMoment moment;
+  moment.recording = recording;
+  moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
+  for (const ServoTick& tick : session->GetTicks())
+  {
+    moment.largestForce =
+      std::max(&tick == &session->GetTicks().front() ? 1e-9 : moment.largestForce,
+        tick.contact.force.norm());
+  }
+  error = drawPictures(scene, responses, moment, options.output);
+  if (error.empty() && !options.save.empty())
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary(); // appended data cannot be read back with newer expat
+    writer->SetFileName(options.save.c_str());
+    writer->SetInputData(responses.body);
+    error = writer->Write() == 1 ? std::string() : "cannot write '" + options.save + "'";
+  }
+  if (error.empty())
+  {
+    printSummary(scene, responses, session, options.output);
+  }
+  return error;
+}
+} // namespace palpate

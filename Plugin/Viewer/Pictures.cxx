@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pictures.h"
+
+#include "vtkChartXY.h"
+#include "vtkContactScene.h"
+#include "vtkContextScene.h"
+#include "vtkContextView.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkResponseChart.h"
+#include "vtkResponseCurves.h"
+#include "vtkToolContactProbe.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Width = 1280;
+constexpr int Height = 960;
+constexpr double CloseUpDistance = 120.0; // mm
+
+std::string writePicture(vtkRenderWindow* window, const std::string& file)
+{
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  return writer->GetErrorCode() == 0 ? std::string() : "cannot write '" + file + "'";
+}
+
+/// A window that shows one or more contact scenes.
+struct Stage
+{
+  vtkNew<vtkRenderWindow> window;
+
+  explicit Stage(int width = Width)
+  {
+    this->window->SetOffScreenRendering(1);
+    this->window->SetMultiSamples(0); // the same pixels on every machine
+    this->window->SetSize(width, Height);
+  }
+
+  vtkSmartPointer<vtkContactScene> addScene(const TouchScene& scene, vtkPolyData* body,
+    vtkContactTool* tool, double largestForce, double left, double right)
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetViewport(left, 0.0, right, 1.0);
+    renderer->UseFXAAOn();
+    this->window->AddRenderer(renderer);
+    auto shown = vtkSmartPointer<vtkContactScene>::New();
+    shown->SetRenderer(renderer);
+    shown->SetBody(body);
+    shown->SetTool(tool);
+    shown->SetPoissonRatio(scene.poissonsRatio);
+    shown->SetLargestForce(largestForce);
+    shown->SetLargestDeflection(scene.depth);
+    shown->SetTitle(scene.title);
+    return shown;
+  }
+};
+
+struct View
+{
+  Direction from;
+  Direction up;
+};
+
+/// The tool upright in the picture, seen from a little above the surface, on the viewer's side.
+View besideTheTool(const PicturedMoment& moment, const Direction& viewFrom)
+{
+  View view{};
+  moment.recording->GetPointData()->GetArray("Normal")->GetTuple(moment.tick, view.up.data());
+  const double along = vtkMath::Dot(viewFrom.data(), view.up.data());
+  Direction side{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    side[k] = viewFrom[k] - along * view.up[k];
+  }
+  if (vtkMath::Normalize(side.data()) == 0.0)
+  {
+    Direction other{};
+    vtkMath::Perpendiculars(view.up.data(), side.data(), other.data(), 0.0);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    view.from[k] = 0.5 * view.up[k] + 0.87 * side[k];
+  }
+  return view;
+}
+
+/// The corner of the contact triangle nearest to the contact.
+vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
+{
+  vtkPointData* data = moment.recording->GetPointData();
+  const auto cell = static_cast<vtkIdType>(data->GetArray("ContactCell")->GetTuple1(moment.tick));
+  if (cell < 0)
+  {
+    return 0;
+  }
+  Direction contact{};
+  data->GetArray("ContactPoint")->GetTuple(moment.tick, contact.data());
+  vtkNew<vtkIdList> corners;
+  body->GetCellPoints(cell, corners);
+  vtkIdType best = corners->GetId(0);
+  const auto distance = [&](vtkIdType id)
+  {
+    Direction point{};
+    body->GetPoint(id, point.data());
+    return vtkMath::Distance2BetweenPoints(point.data(), contact.data());
+  };
+  for (vtkIdType i = 1; i < corners->GetNumberOfIds(); ++i)
+  {
+    best = distance(corners->GetId(i)) < distance(best) ? corners->GetId(i) : best;
+  }
+  return best;
+}
+} // namespace
+
+std::string drawOverview(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment)
+{
+  Stage stage;
+  auto shown =
+    stage.addScene(scene, responses.body, responses.tools.front(), moment.largestForce, 0.0, 1.0);
+  shown->ShowTip(moment.recording, moment.tick);
+  shown->ShowTrail(moment.recording);
+  shown->LookAtBody(scene.viewFrom.data(), scene.up.data());
+  return writePicture(stage.window, file);
+}
+
+std::string drawCloseUp(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment)
+{
+  Stage stage;
+  auto shown =
+    stage.addScene(scene, responses.body, responses.tools.front(), moment.largestForce, 0.0, 1.0);
+  shown->ShowTip(moment.recording, moment.tick);
+  const View view = besideTheTool(moment, scene.viewFrom);
+  shown->LookAtContact(CloseUpDistance, view.from.data(), view.up.data());
+  return writePicture(stage.window, file);
+}
+
+std::string drawSideBySide(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment)
+{
+  vtkNew<vtkPolyData> tip;
+  vtkNew<vtkPoints> point;
+  point->SetDataTypeToDouble();
+  point->InsertNextPoint(moment.recording->GetPoint(moment.tick));
+  tip->SetPoints(point);
+
+  const std::size_t count = responses.tools.size();
+  std::vector<vtkSmartPointer<vtkPolyData>> probed;
+  double largestForce = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    vtkNew<vtkToolContactProbe> probe;
+    probe->SetInputData(0, responses.body);
+    probe->SetTipData(tip);
+    probe->SetResponseName(responses.names[i]);
+    const std::string error = updateQuietly(probe);
+    if (!error.empty())
+    {
+      return error;
+    }
+    probed.emplace_back(probe->GetOutput());
+    largestForce = std::max(
+      largestForce, probe->GetOutput()->GetPointData()->GetArray("NormalForce")->GetTuple1(0));
+  }
+  Stage stage(static_cast<int>(count) * Width / 2);
+  std::vector<vtkSmartPointer<vtkContactScene>> scenes;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double share = 1.0 / static_cast<double>(count);
+    auto shown = stage.addScene(scene, responses.body, responses.tools[i], largestForce,
+      static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
+    shown->ShowTip(probed[i], 0);
+    shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
+    scenes.push_back(shown);
+  }
+  return writePicture(stage.window, file);
+}
+
+std::string drawCurves(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment)
+{
+  const vtkIdType point = nearestCorner(responses.body, moment);
+  vtkNew<vtkResponseChart> chart;
+  chart->SetTitle(scene.title + ": tools at one point (dotted: beyond validity)");
+  for (std::size_t i = 0; i < responses.tools.size(); ++i)
+  {
+    vtkNew<vtkResponseCurves> curves;
+    curves->SetInputData(responses.body);
+    curves->SetResponseName(responses.names[i]);
+    curves->AddPointId(point);
+    const std::string error = updateQuietly(curves);
+    if (!error.empty())
+    {
+      return error;
+    }
+    const double valid = responses.body->GetPointData()
+                           ->GetArray((responses.names[i] + "Validity").c_str())
+                           ->GetTuple1(point);
+    chart->AddCurve(curves->GetOutput(), responses.tools[i]->GetDescription(), valid);
+  }
+  vtkNew<vtkContextView> view;
+  view->GetRenderWindow()->SetOffScreenRendering(1);
+  view->GetRenderWindow()->SetMultiSamples(0);
+  view->GetRenderWindow()->SetSize(Width, Height);
+  view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
+  view->GetScene()->AddItem(chart->GetChart());
+  return writePicture(view->GetRenderWindow(), file);
+}
+} // namespace palpate

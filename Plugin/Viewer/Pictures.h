@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_Pictures_h
+#define palpate_Pictures_h
+
+#include "ResponseSet.h"
+#include "TouchScene.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// The moment that is pictured: one tick of a recording, its contact, and the largest force of it.
+struct PicturedMoment
+{
+  vtkPolyData* recording = nullptr;
+  vtkIdType tick = 0;
+  double largestForce = 1.0;
+};
+
+// Each draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG. Returns an
+// error naming the file, or "".
+
+/// The body, the tool, the force arrow and the dent.
+std::string drawOverview(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment);
+
+/// The deflection field from near by.
+std::string drawCloseUp(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment);
+
+/// All tools at the tip of the moment, side by side on copies of the body.
+std::string drawSideBySide(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment);
+
+/// Force over deflection of all tools at the point of the body next to the contact.
+std::string drawCurves(const std::string& file, const TouchScene& scene,
+  const ResponseSet& responses, const PicturedMoment& moment);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PromptReader_h
+#define palpate_PromptReader_h
+
+#include "vtkObjectFactory.h"
+#include "vtkXMLDataParser.h"
+
+#include <string>
+
+namespace palpate
+{
+/**
+ * VTK feeds the tag <AppendedData> to expat in pieces and relies on hearing of it at once. Expat
+ * since 2.6 (and Debian's patched 2.5) puts the parsing of such pieces off until the input has
+ * doubled, VTK runs on into the binary data, and fails (VTK issue 19258). Blanks after the end of
+ * the document change nothing but make expat catch up.
+ */
+class PromptParser : public vtkXMLDataParser
+{
+public:
+  static PromptParser* New() { VTK_STANDARD_NEW_BODY(PromptParser); }
+  vtkTypeMacro(PromptParser, vtkXMLDataParser);
+
+protected:
+  int ParseBuffer(const char* buffer, unsigned int count) override
+  {
+    static const std::string tag = "<AppendedData";
+    static const std::string blanks(1 << 16, ' ');
+    int ok = this->vtkXMLDataParser::ParseBuffer(buffer, count);
+    const bool ended = this->AppendedDataMatched == static_cast<int>(tag.size());
+    if (ok && ended && this->AppendedDataPosition == 0)
+    {
+      ok = this->vtkXMLParser::ParseBuffer(blanks.data(), static_cast<unsigned int>(blanks.size()));
+    }
+    return ok;
+  }
+};
+
+/** A vtkXMLReader that uses it. */
+template <class Reader>
+class PromptReader : public Reader
+{
+public:
+  static PromptReader* New() { VTK_STANDARD_NEW_BODY(PromptReader); }
+
+protected:
+  void CreateXMLParser() override { this->XMLParser = PromptParser::New(); }
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ResponseSet_h
+#define palpate_ResponseSet_h
+
+#include "TouchScene.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkContactTool.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The body of a scene with the responses of all its tools, each under a prefix of its own:
+/// "Response" for the first, which touches, then "Response2", "Response3" ...
+struct ResponseSet
+{
+  vtkSmartPointer<vtkPolyData> body;
+  std::vector<vtkSmartPointer<vtkContactTool>> tools;
+  std::vector<std::string> names;
+  double seconds = 0.0;      ///< wall time to attach them all
+  double bytesPerTool = 0.0; ///< of the response arrays
+};
+
+/// Returns an error, or "".
+std::string attachResponses(
+  const TouchScene& scene, double maximumDeflection, ResponseSet& responses);
+
+/// Updates an algorithm and returns the errors it reported, instead of letting them spill.
+std::string updateQuietly(vtkAlgorithm* algorithm);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchScene.h"
+
+#include "BodyFile.h"
+
+namespace palpate
+{
+std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
+{
+  std::string error;
+  if (!options.body.empty())
+  {
+    error = makeUserScene(options, scene);
+  }
+  else
+  {
+    error = options.scene == "cylinder" ? makeCylinderScene(options, scene)
+                                        : makeHeadScene(options, scene);
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  // What the user says overrides the scene.
+  if (options.youngsModulus || options.poissonsRatio)
+  {
+    scene.materialSource = "given on the command line";
+  }
+  scene.youngsModulus = options.youngsModulus.value_or(scene.youngsModulus);
+  scene.poissonsRatio = options.poissonsRatio.value_or(scene.poissonsRatio);
+  scene.depth = options.depth.value_or(scene.depth);
+  if (!options.tools.empty())
+  {
+    scene.tools = options.tools;
+  }
+  if (options.site || options.slideTo)
+  {
+    const Direction from = options.site.value_or(scene.directions.front());
+    scene.directions = { from };
+    if (options.slideTo)
+    {
+      scene.directions.push_back(*options.slideTo);
+    }
+    scene.viewFrom = from;
+  }
+  return {};
+}
+
+std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
+{
+  BodyFileOptions file;
+  file.lengthScale = options.lengthScale;
+  file.resolution = options.resolution;
+  file.contourValue = options.contourValue;
+  file.closingRadius = options.closingRadius;
+  const BodyFileResult read = readBodyFile(options.body, file);
+  if (!read.error.empty())
+  {
+    return read.error;
+  }
+  scene.title = options.body.substr(options.body.find_last_of('/') + 1);
+  scene.body = read.body;
+  scene.notes = read.notes;
+  scene.materialSource = "default of the viewer, soft tissue by order of magnitude; give --young "
+                         "and --poisson";
+  scene.modelReason = "no layer thickness and no compliance is known for this body";
+  scene.tools = { "sphere:6.35" };
+  scene.body->GetCenter(scene.center.data());
+  scene.directions = { { 0.0, 0.0, 1.0 } };
+  scene.viewFrom = { 0.5, -0.8, 0.6 };
+  return {};
+}
+} // namespace palpate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TouchScene_h
+#define palpate_TouchScene_h
+
+#include "ViewerOptions.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+using Direction = std::array<double, 3>;
+
+/// A body, what it is made of, who touches it and where. What a session needs.
+struct TouchScene
+{
+  std::string title;
+  vtkSmartPointer<vtkPolyData> body;
+  std::vector<std::string> notes; ///< what was done to get the body, a sentence each
+  double youngsModulus = 0.05;
+  double poissonsRatio = 0.45;
+  std::string materialSource;
+  std::string modelReason; ///< why the half-space law, and how far to trust it
+  std::vector<std::string> tools;
+  double depth = 1.0;
+  Direction center{};
+  std::vector<Direction> directions; ///< visited by the path, seen from the centre
+  double pictureAt = 0.5;            ///< share of the slide at which the pictures are taken
+  Direction viewFrom{ 0.0, -1.0, 0.4 };
+  Direction up{ 0.0, 0.0, 1.0 };
+  bool sideBySide = false; ///< one picture with all tools
+};
+
+/// The scene the options ask for; an error that names the missing or wrong thing, or "".
+std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene);
+
+// One maker per kind of scene; makeTouchScene chooses.
+std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene);
+std::string makeCylinderScene(const ViewerOptions& options, TouchScene& scene);
+std::string makeUserScene(const ViewerOptions& options, TouchScene& scene);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerOptions.h"
+
+#include "ToolSpecification.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+namespace palpate
+{
+namespace
+{
+const char* const Footer =
+  R"(Units: mm, N, MPa, s. Tools: flat:R, sphere:R, paraboloid:R (mm), cone:DEGREES (from the axis).
+
+Files: .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
+.nii .nii.gz .vti (scans: their outer skin is taken).
+
+Examples:
+  palpate                                    the head of Debian's mricron-data, three tools
+  palpate --scene cylinder                   the scene of Mahvash and Hayward 2002, Figure 9
+  palpate liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45
+  palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
+
+std::string checkToolText(const std::string& text)
+{
+  ToolSpecification tool;
+  std::string error;
+  return parseTool(text, tool, error) ? std::string() : error;
+}
+} // namespace
+
+std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options)
+{
+  CLI::App app{ "Press a tool against a body, see and feel the force.", "palpate" };
+  app.footer(Footer);
+  app.set_version_flag("--version", PALPATE_VERSION);
+  const std::map<std::string, double> units = { { "mm", 1.0 }, { "cm", 10.0 }, { "m", 1000.0 } };
+  std::array<double, 3> site{};
+  std::array<double, 3> slideTo{};
+
+  app.add_option("BODY", options.body, "the body to touch; without one, the --scene");
+  app.add_option("--scene", options.scene, "a scene of its own")
+    ->check(CLI::IsMember({ "head", "cylinder" }))
+    ->capture_default_str();
+  app.add_option("--scan", options.scan, "scan of the head scene (default: mricron-data's ch2)");
+  app
+    .add_option("--tool", options.tools,
+      "a tool; give several to compare their curves, the first one touches")
+    ->check(CLI::Validator(checkToolText, "SHAPE:SIZE"));
+  app.add_option("--young", options.youngsModulus, "Young's modulus of the body, MPa")
+    ->check(CLI::PositiveNumber);
+  app.add_option("--poisson", options.poissonsRatio, "Poisson's ratio of the body")
+    ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--depth", options.depth, "depth the tip is pressed to, mm")
+    ->check(CLI::PositiveNumber);
+  app.add_option("--max-deflection", options.maximumDeflection, "depth the responses reach, mm")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app.add_option("--length-unit", options.lengthScale, "unit of length of the file: mm, cm or m")
+    ->transform(CLI::Transformer(units))
+    ->default_str("mm");
+  app
+    .add_option("--resolution", options.resolution,
+      "distance of the vertices taken from a scan, mm; 0: the scan's own")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  app.add_option("--contour", options.contourValue, "grey level of the skin in a scan")
+    ->capture_default_str();
+  app
+    .add_option(
+      "--closing", options.closingRadius, "openings of a scan's skin up to twice this are shut, mm")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  app.add_option("--site", site, "where to press: a direction from the middle of the body, X,Y,Z")
+    ->delimiter(',');
+  app.add_option("--slide-to", slideTo, "where to slide to, likewise")->delimiter(',');
+  app.add_option("--rate", options.rate, "ticks per second of virtual time")
+    ->check(CLI::Range(1.0, 100000.0))
+    ->capture_default_str();
+  app.add_option("--output", options.output, "folder for pictures and trajectory")
+    ->capture_default_str();
+  app.add_option("--save", options.save, "also write the body with its responses, a .vtp");
+
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error);
+  }
+  if (app.count("--site") > 0)
+  {
+    options.site = site;
+  }
+  if (app.count("--slide-to") > 0)
+  {
+    options.slideTo = slideTo;
+  }
+  return std::nullopt;
+}
+} // namespace palpate

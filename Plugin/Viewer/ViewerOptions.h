@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ViewerOptions_h
+#define palpate_ViewerOptions_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The viewer's command line. Lengths in mm, moduli in MPa. What was not given is left to the
+/// scene.
+struct ViewerOptions
+{
+  std::string body;
+  std::string scene = "head";
+  std::string scan; ///< of the head scene; empty: where Debian's mricron-data puts it
+  std::vector<std::string> tools;
+  std::optional<double> youngsModulus;
+  std::optional<double> poissonsRatio;
+  std::optional<double> depth;
+  double maximumDeflection = 2.0;
+  double lengthScale = 1.0;
+  double resolution = 0.0;
+  double contourValue = 30.0;
+  double closingRadius = 6.0;
+  std::optional<std::array<double, 3>> site;
+  std::optional<std::array<double, 3>> slideTo;
+  double rate = 1000.0;
+  std::string output = "palpate-output";
+  std::string save;
+};
+
+/// Reads the command line. Returns an exit code when the program is to end here (help, version, or
+/// a wrong call, which has then been explained on the error stream), otherwise nothing.
+std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options);
+} // namespace palpate
+
+#endif
