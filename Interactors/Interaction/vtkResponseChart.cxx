@@ -11,10 +11,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkPlot.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace
@@ -23,6 +27,51 @@ constexpr int TitleSize = 20;
 constexpr int AxisTitleSize = 17;
 constexpr int LabelSize = 15;
 constexpr float LineWidth = 3.0F;
+
+/// The smallest of 1, 2, 5 times a power of ten that divides `largest` into at most eight steps.
+double niceStep(double largest)
+{
+  const double least = largest / 8.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  const double share = least / decade;
+  return decade * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
+}
+
+/// Axis from 0 to the first tick that is not below `largest`. VTK's own choice of ticks differs
+/// between versions.
+void fitAxis(vtkAxis* axis, double largest)
+{
+  if (!(largest > 0.0) || !std::isfinite(largest))
+  {
+    return;
+  }
+  const double step = niceStep(largest);
+  const int last = static_cast<int>(std::ceil(largest / step - 1e-9));
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (int i = 0; i <= last; ++i)
+  {
+    std::array<char, 32> label{};
+    std::snprintf(label.data(), label.size(), "%.4g", i * step);
+    positions->InsertNextValue(i * step);
+    labels->InsertNextValue(label.data());
+  }
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(0.0, last * step);
+  axis->SetCustomTickPositions(positions, labels);
+}
+
+/// Largest finite value of a column.
+double largestIn(vtkTable* table, vtkIdType column)
+{
+  double largest = 0.0;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const double value = table->GetValue(row, column).ToDouble();
+    largest = std::isfinite(value) ? std::max(largest, value) : largest;
+  }
+  return largest;
+}
 
 /// Rows of `table` with deflection in [low, high].
 vtkSmartPointer<vtkTable> rowsBetween(vtkTable* table, double low, double high)
@@ -67,7 +116,6 @@ vtkResponseChart::vtkResponseChart()
     axis->GetTitleProperties()->SetBold(0);
     axis->GetLabelProperties()->SetFontSize(LabelSize);
     axis->SetMinimumLimit(0.0);
-    axis->SetTickLabelAlgorithm(vtkAxis::TICK_WILKINSON_EXTENDED);
   }
 }
 
@@ -113,6 +161,10 @@ bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label, doubl
       join > 1 ? std::string() : label + " (beyond validity)", vtkPen::DOT_LINE);
   }
   ++this->Curves;
+  this->LargestDeflection = std::max(this->LargestDeflection, largestIn(table, 0));
+  this->LargestForce = std::max(this->LargestForce, largestIn(table, 1));
+  fitAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), this->LargestDeflection);
+  fitAxis(this->Chart->GetAxis(vtkAxis::LEFT), this->LargestForce);
   this->Modified();
   return true;
 }
@@ -123,7 +175,7 @@ void vtkResponseChart::AddLine(vtkTable* table, const std::string& label, int pe
     palpate::CurveColors[static_cast<std::size_t>(this->Curves) % palpate::CurveColors.size()];
   vtkPlot* plot = this->Chart->AddPlot(vtkChart::LINE);
   plot->SetInputData(table, 0, 1);
-  plot->SetColorF(color[0], color[1], color[2]);
+  plot->GetPen()->SetColorF(color[0], color[1], color[2]);
   plot->SetWidth(LineWidth);
   plot->GetPen()->SetLineType(penStyle);
   plot->SetLabel(label);
@@ -134,6 +186,8 @@ void vtkResponseChart::RemoveAllCurves()
 {
   this->Chart->ClearPlots();
   this->Curves = 0;
+  this->LargestDeflection = 0.0;
+  this->LargestForce = 0.0;
   this->Modified();
 }
 

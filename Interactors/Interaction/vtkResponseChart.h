@@ -5,7 +5,8 @@
  *
  * Add curves as vtkTables whose first column is the deflection (mm) and second the force (N), as
  * vtkResponseCurves makes them, each with a label. The chart has axis titles with units, a legend,
- * and colours and dashes that the colour-blind can tell apart; it starts at (0, 0).
+ * and colours and dashes that the colour-blind can tell apart; it starts at (0, 0) and ends where
+ * the longest curve does.
  *
  * A curve may be marked valid up to a depth: beyond it the line turns dotted.
  */
@@ -54,6 +55,8 @@ private:
 
   vtkSmartPointer<vtkChartXY> Chart;
   int Curves = 0;
+  double LargestDeflection = 0.0;
+  double LargestForce = 0.0;
 };
 
 #endif

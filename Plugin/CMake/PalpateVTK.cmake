@@ -14,7 +14,15 @@ if(PALPATE_USE_PARAVIEW)
   endif()
 endif()
 if(NOT palpate_vtk_found)
-  find_package(VTK 9.1 REQUIRED)
+  find_package(VTK 9.1 REQUIRED
+    COMPONENTS
+      ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
+      CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+      IOGeometry IOImage IOLegacy IOPLY IOXML IOXMLParser ImagingCore InteractionStyle
+      RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
+      RenderingOpenGL2 ViewsContext2D
+    OPTIONAL_COMPONENTS
+      Python PythonInterpreter TestingCore TestingRendering WrappingPythonCore)
   message(STATUS "Plain VTK ${VTK_VERSION}")
 endif()
 find_package(CLI11 REQUIRED)
