@@ -7,7 +7,7 @@ ServoStep::ServoStep(
   const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce, ForceForm form)
   : Contact(body, form)
   , Mapping(mapping)
-  , MaximumForce(maximumForce)
+  , MaximumForce(maximumForce > 0.0 ? maximumForce : 0.0)
 {
 }
 

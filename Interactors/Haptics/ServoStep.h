@@ -22,8 +22,9 @@ struct ServoTick
  * frame → contact → force on the device. For a loop of our own or of somebody else's.
  *
  * The force sent is zero for an invalid sample or a force that is not finite, and its magnitude is
- * limited to what the device is specified for, keeping its direction. step() neither allocates nor
- * locks nor throws. One ServoStep serves one thread; the body must outlive it.
+ * limited to what the device is specified for, keeping its direction; a limit that is negative or
+ * NaN sends none. step() neither allocates nor locks nor throws. One ServoStep serves one thread;
+ * the body must outlive it.
  */
 class ServoStep
 {

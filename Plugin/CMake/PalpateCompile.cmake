@@ -27,10 +27,12 @@ function(palpate_warnings target)
     $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
 endfunction()
 
-# A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each NAME.
+# A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
+# CLASSES, and what is named besides.
 function(palpate_add_kernel name)
-  cmake_parse_arguments(arg "" "" "CLASSES;HEADERS;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "CLASSES;SOURCES;HEADERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
+  set(sources ${arg_SOURCES})
   foreach(class IN LISTS arg_CLASSES)
     list(APPEND headers ${class}.h)
     list(APPEND sources ${class}.cxx)
@@ -45,6 +47,6 @@ function(palpate_add_kernel name)
   set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON)
   palpate_warnings(palpate${name})
   target_compile_options(palpate${name} PRIVATE -Wpedantic -Wnull-dereference) # VTK's headers fail both
-  install(TARGETS palpate${name} EXPORT Palpate)
+  install(TARGETS palpate${name} EXPORT PalpateKernels)
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate")
 endfunction()

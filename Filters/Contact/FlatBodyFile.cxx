@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlatBodyFile.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <limits>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
+constexpr std::uint32_t ByteOrderMark = 0x01020304;
+constexpr std::uint64_t Alignment = 64;
+constexpr int LargestSampleCount = 256;
+constexpr int LargestLawCount = 4096;
+
+enum Section : std::size_t
+{
+  Coordinates,
+  Corners,
+  Force,
+  Stiffness,
+  Basis,
+  Coefficient,
+  Normal,
+  Range,
+  Status,
+  Validity,
+  Limit,
+  SectionCount
+};
+
+/// The first bytes of the file. Fixed layout: only add behind, and raise the version.
+struct Header
+{
+  std::array<char, 8> magic;
+  std::uint32_t version;
+  std::uint32_t byteOrder;
+  std::uint64_t fileSize;
+  std::uint64_t checksum;
+  std::uint64_t points;
+  std::uint64_t triangles;
+  std::int32_t samples;
+  std::int32_t laws; ///< 0: per point; k: compact
+  double exponent;
+  std::array<std::uint64_t, SectionCount> offset; ///< from the start of the file; 0: absent
+  std::array<char, 128> tool;                     ///< ends with '\0'
+  std::array<char, 128> model;
+};
+static_assert(sizeof(Header) == 408, "the layout of a file is fixed");
+
+/// Bytes of each section, from the counts alone.
+std::array<std::uint64_t, SectionCount> sectionSizes(const Header& header)
+{
+  const std::uint64_t n = header.points;
+  const auto samples = static_cast<std::uint64_t>(header.samples);
+  const auto laws = static_cast<std::uint64_t>(header.laws);
+  std::array<std::uint64_t, SectionCount> size{};
+  size[Coordinates] = n * 3 * sizeof(double);
+  size[Corners] = header.triangles * 3 * sizeof(std::int32_t);
+  size[Force] = laws > 0 ? 0 : n * samples * sizeof(float);
+  size[Stiffness] = size[Force];
+  size[Basis] = laws * 2 * samples * sizeof(float);
+  size[Coefficient] = n * laws * sizeof(float);
+  size[Normal] = n * 3 * sizeof(float);
+  size[Range] = n * sizeof(float);
+  size[Status] = n;
+  size[Validity] = n * sizeof(float);
+  size[Limit] = n;
+  return size;
+}
+
+std::uint64_t aligned(std::uint64_t offset)
+{
+  return (offset + Alignment - 1) / Alignment * Alignment;
+}
+
+/// FNV-1a over 64-bit words (Fowler, Noll, Vo), the rest byte by byte: finds damage, not malice.
+class Checksum
+{
+public:
+  void add(const unsigned char* bytes, std::uint64_t count)
+  {
+    std::uint64_t i = 0;
+    for (; i + sizeof(std::uint64_t) <= count; i += sizeof(std::uint64_t))
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes + i, sizeof word);
+      this->mix(word);
+    }
+    for (; i < count; ++i)
+    {
+      this->mix(bytes[i]);
+    }
+  }
+  std::uint64_t value() const { return this->Value; }
+
+private:
+  void mix(std::uint64_t word)
+  {
+    this->Value = (this->Value ^ word) * 0x100000001b3ULL;
+    this->Value ^= this->Value >> 32;
+  }
+  std::uint64_t Value = 0xcbf29ce484222325ULL;
+};
+
+std::uint64_t checksumOf(const std::array<const void*, SectionCount>& data, const Header& header)
+{
+  const auto sizes = sectionSizes(header);
+  Checksum sum;
+  for (std::size_t k = 0; k < SectionCount; ++k)
+  {
+    sum.add(static_cast<const unsigned char*>(data[k]), sizes[k]);
+  }
+  return sum.value();
+}
+
+void copyText(const std::string& text, std::array<char, 128>& to)
+{
+  to.fill('\0');
+  text.copy(to.data(), to.size() - 1);
+}
+
+Header makeHeader(const FlatBody& body)
+{
+  Header header{};
+  header.magic = Magic;
+  header.version = FlatBodyFile::Version;
+  header.byteOrder = ByteOrderMark;
+  header.points = body.points;
+  header.triangles = body.triangles;
+  header.samples = body.response.samples;
+  header.laws = body.response.basis ? body.response.laws : 0;
+  header.exponent = body.response.exponent;
+  copyText(body.tool, header.tool);
+  copyText(body.model, header.model);
+  const auto sizes = sectionSizes(header);
+  std::uint64_t end = sizeof(Header);
+  for (std::size_t k = 0; k < SectionCount; ++k)
+  {
+    header.offset[k] = sizes[k] > 0 ? aligned(end) : 0;
+    end = sizes[k] > 0 ? header.offset[k] + sizes[k] : end;
+  }
+  header.fileSize = end;
+  return header;
+}
+
+/// What keeps a file of `size` bytes that begins with `header` from being used, or "".
+std::string faultOf(const Header& header, std::uint64_t size)
+{
+  if (header.magic != Magic)
+  {
+    return "is not a Palpate body file";
+  }
+  if (header.byteOrder != ByteOrderMark)
+  {
+    return "was written on a machine of the other byte order";
+  }
+  if (header.version > FlatBodyFile::Version)
+  {
+    return "is of format " + std::to_string(header.version) +
+      ", newer than this program, which reads up to " + std::to_string(FlatBodyFile::Version);
+  }
+  if (header.fileSize != size)
+  {
+    return "has " + std::to_string(size) + " bytes instead of " + std::to_string(header.fileSize) +
+      ": it is truncated or damaged";
+  }
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  if (header.version < 1 || header.points == 0 || header.points > most || header.triangles == 0 ||
+    header.triangles > most || header.samples < 2 || header.samples > LargestSampleCount ||
+    header.laws < 0 || header.laws > LargestLawCount ||
+    !(header.exponent > 0.0 && header.exponent <= 10.0) || header.tool.back() != '\0' ||
+    header.model.back() != '\0')
+  {
+    return "has a damaged header";
+  }
+  const auto sizes = sectionSizes(header);
+  for (std::size_t k = 0; k < SectionCount; ++k)
+  {
+    const std::uint64_t offset = header.offset[k];
+    if (sizes[k] > 0 &&
+      (offset < sizeof(Header) || offset % Alignment != 0 || offset > size ||
+        sizes[k] > size - offset))
+    {
+      return "has a damaged header";
+    }
+  }
+  return {};
+}
+
+FlatBody view(const Header& header, const unsigned char* file)
+{
+  const auto at = [&](Section section) -> const void*
+  { return header.offset[section] > 0 ? file + header.offset[section] : nullptr; };
+  FlatBody body;
+  body.points = header.points;
+  body.triangles = header.triangles;
+  body.coordinates = static_cast<const double*>(at(Coordinates));
+  body.corners = static_cast<const std::int32_t*>(at(Corners));
+  body.response.points = header.points;
+  body.response.samples = header.samples;
+  body.response.exponent = header.exponent;
+  body.response.laws = header.laws;
+  body.response.force = static_cast<const float*>(at(Force));
+  body.response.stiffness = static_cast<const float*>(at(Stiffness));
+  body.response.basis = static_cast<const float*>(at(Basis));
+  body.response.coefficient = static_cast<const float*>(at(Coefficient));
+  body.response.normal = static_cast<const float*>(at(Normal));
+  body.response.range = static_cast<const float*>(at(Range));
+  body.response.status = static_cast<const std::uint8_t*>(at(Status));
+  body.validity = static_cast<const float*>(at(Validity));
+  body.limit = static_cast<const std::uint8_t*>(at(Limit));
+  body.tool = header.tool.data();
+  body.model = header.model.data();
+  return body;
+}
+
+std::array<const void*, SectionCount> sectionsOf(const FlatBody& body)
+{
+  const ResponseArrays& response = body.response;
+  return { body.coordinates, body.corners, response.force, response.stiffness, response.basis,
+    response.coefficient, response.normal, response.range, response.status, body.validity,
+    body.limit };
+}
+
+std::string systemError(const std::string& what, const std::string& path)
+{
+  return "cannot " + what + " '" + path + "': " + std::strerror(errno);
+}
+
+bool writeAll(std::FILE* file, const Header& header, const FlatBody& body)
+{
+  const auto data = sectionsOf(body);
+  const auto sizes = sectionSizes(header);
+  constexpr std::array<char, Alignment> padding{};
+  std::uint64_t written = sizeof(Header);
+  if (std::fwrite(&header, sizeof(Header), 1, file) != 1)
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < SectionCount; ++k)
+  {
+    if (sizes[k] == 0)
+    {
+      continue;
+    }
+    const std::uint64_t gap = header.offset[k] - written;
+    if (std::fwrite(padding.data(), 1, gap, file) != gap ||
+      std::fwrite(data[k], 1, sizes[k], file) != sizes[k])
+    {
+      return false;
+    }
+    written += gap + sizes[k];
+  }
+  return true;
+}
+} // namespace
+
+FlatBodyFile::~FlatBodyFile()
+{
+  this->close();
+}
+
+void FlatBodyFile::close() noexcept
+{
+  if (this->Mapping)
+  {
+    munmap(this->Mapping, this->Size);
+  }
+  this->Mapping = nullptr;
+  this->Size = 0;
+  this->Body = FlatBody();
+}
+
+std::string FlatBodyFile::write(const std::string& path, const FlatBody& body)
+{
+  Header header = makeHeader(body);
+  header.checksum = checksumOf(sectionsOf(body), header);
+  const std::string unfinished = path + ".part";
+  std::FILE* file = std::fopen(unfinished.c_str(), "wb");
+  if (!file)
+  {
+    return systemError("write", unfinished);
+  }
+  const bool whole = writeAll(file, header, body);
+  const bool closed = std::fclose(file) == 0;
+  if (!whole || !closed || std::rename(unfinished.c_str(), path.c_str()) != 0)
+  {
+    const std::string error = systemError("write", path);
+    std::remove(unfinished.c_str());
+    return error;
+  }
+  return {};
+}
+
+std::string FlatBodyFile::open(const std::string& path)
+{
+  this->close();
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+  {
+    return systemError("open", path);
+  }
+  struct stat status = {};
+  const bool known = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+  const auto size = known ? static_cast<std::size_t>(status.st_size) : 0;
+  void* mapping =
+    size >= sizeof(Header) ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0) : MAP_FAILED;
+  ::close(file);
+  if (size < sizeof(Header))
+  {
+    return "'" + path + "' is not a Palpate body file: it is too short or no file";
+  }
+  if (mapping == MAP_FAILED)
+  {
+    return systemError("map", path);
+  }
+  this->Mapping = mapping;
+  this->Size = size;
+
+  Header header;
+  std::memcpy(&header, mapping, sizeof header);
+  std::string fault = faultOf(header, size);
+  if (fault.empty())
+  {
+    this->Body = view(header, static_cast<const unsigned char*>(mapping));
+    if (checksumOf(sectionsOf(this->Body), header) != header.checksum)
+    {
+      fault = "is damaged: its checksum is wrong";
+    }
+  }
+  if (!fault.empty())
+  {
+    this->close();
+    return "'" + path + "' " + fault;
+  }
+  return {};
+}
+
+std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body)
+{
+  return std::make_shared<const ContactBody>(
+    BodyMesh(body.coordinates, body.points, body.corners, body.triangles),
+    ResponseField(body.response));
+}
+} // namespace palpate

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FlatBodyFile_h
+#define palpate_FlatBodyFile_h
+
+#include "ContactBody.h"
+#include "ResponseField.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/// A body with one response as flat arrays in somebody else's memory. mm, N.
+struct FlatBody
+{
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  const double* coordinates = nullptr;   ///< 3 per point
+  const std::int32_t* corners = nullptr; ///< 3 per triangle, counter-clockwise from outside
+  ResponseArrays response;               ///< of the same number of points
+  const float* validity = nullptr;       ///< 1 per point
+  const std::uint8_t* limit = nullptr;   ///< 1 per point
+  std::string tool;                      ///< as parseTool reads it
+  std::string model;
+};
+
+/**
+ * A body file: header, then the arrays of a FlatBody, each aligned to 64 bytes, in the byte order
+ * of the machine. It is mapped into memory, not read, and serves loops without VTK and as a cache.
+ *
+ * Header (see FlatBodyFile.cxx): magic "PALPATE", format version, byte-order mark, size of the
+ * file, checksum of all that follows the header, counts, and where each array begins. Files that
+ * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
+ * reason; nothing is half-loaded.
+ */
+class FlatBodyFile
+{
+public:
+  static constexpr std::uint32_t Version = 1;
+
+  FlatBodyFile() = default;
+  ~FlatBodyFile();
+  FlatBodyFile(const FlatBodyFile&) = delete;
+  FlatBodyFile& operator=(const FlatBodyFile&) = delete;
+
+  /// Writes a new file, then puts it in the place of an old one, so that a failure leaves the old
+  /// one whole. Returns an error that names the file, or "".
+  static std::string write(const std::string& path, const FlatBody& body);
+
+  /// Maps a file. Returns an error that names the file and what is wrong with it, or "".
+  std::string open(const std::string& path);
+
+  /// The content; its pointers live as long as this object and until the next open.
+  const FlatBody& body() const noexcept { return this->Body; }
+
+private:
+  void close() noexcept;
+
+  void* Mapping = nullptr;
+  std::size_t Size = 0;
+  FlatBody Body;
+};
+
+/// The kernel's own copy of a flat body; independent of its memory afterwards.
+std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate.h"
+
+#include "FlatBodyFile.h"
+#include "ServoStep.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+struct palpate_body
+{
+  std::shared_ptr<const palpate::ContactBody> kernel;
+};
+
+struct palpate_contact
+{
+  palpate::ServoStep servo;
+};
+
+namespace
+{
+void report(const std::string& reason, char* error, std::size_t size)
+{
+  if (error && size > 0)
+  {
+    std::snprintf(error, size, "%s", reason.c_str());
+  }
+}
+
+void copy(const Eigen::Vector3d& from, double to[3])
+{
+  std::copy_n(from.data(), 3, to);
+}
+} // namespace
+
+palpate_body* palpate_body_load(const char* path, char* error, std::size_t error_size)
+{
+  try
+  {
+    palpate::FlatBodyFile file;
+    const std::string fault = path ? file.open(path) : "no path is given";
+    if (fault.empty())
+    {
+      return new palpate_body{ palpate::makeContactBody(file.body()) };
+    }
+    report(fault, error, error_size);
+  }
+  catch (const std::exception& failure)
+  {
+    report(std::string("cannot load the body: ") + failure.what(), error, error_size);
+  }
+  return nullptr;
+}
+
+void palpate_body_free(palpate_body* body)
+{
+  delete body;
+}
+
+palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force)
+{
+  return body ? new (std::nothrow) palpate_contact{ palpate::ServoStep(
+                  *body->kernel, palpate::WorkspaceMapping(), maximum_force) }
+              : nullptr;
+}
+
+void palpate_contact_free(palpate_contact* contact)
+{
+  delete contact;
+}
+
+void palpate_step(
+  palpate_contact* contact, const double position[3], double time, palpate_tick* tick)
+{
+  palpate::DeviceSample sample;
+  sample.position = Eigen::Map<const Eigen::Vector3d>(position);
+  sample.valid = true;
+  const palpate::ServoTick felt = contact->servo.step(sample, time);
+  copy(felt.deviceForce, tick->device_force);
+  copy(felt.tip, tick->tip);
+  copy(felt.contact.force, tick->force);
+  tick->normal_force = felt.contact.normalForce;
+  tick->deflection = felt.contact.deflection;
+  copy(felt.contact.normal, tick->normal);
+  copy(felt.contact.contactPoint, tick->contact_point);
+  tick->triangle = felt.contact.triangle;
+  tick->state = static_cast<int>(felt.contact.state);
+}
+
+void palpate_reset(palpate_contact* contact)
+{
+  contact->servo.reset();
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SteeredDevice_h
+#define palpate_SteeredDevice_h
+
+#include "HapticDevice.h"
+#include "LatestValue.h"
+
+namespace palpate
+{
+/**
+ * A device without hardware, steered from another thread, as by a mouse: a hand that follows its
+ * target with a time constant, whatever it feels.
+ *
+ * The target comes at display rate in steps; the position approaches it as
+ * x ← target + (x - target) e^(-Δt/τ), so that the tip neither jumps nor rings at servo rate.
+ * steerTo is for one thread, read and write for the servo thread; neither waits.
+ */
+class SteeredDevice final : public HapticDevice
+{
+public:
+  static constexpr double TimeConstant = 0.03; ///< s
+
+  explicit SteeredDevice(
+    const Eigen::Vector3d& start, const DeviceSpecification& specification = {});
+
+  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
+  DeviceSample read(double time) noexcept override;
+  bool write(const Eigen::Vector3d& force) noexcept override;
+
+  /// Where the hand is to go, m.
+  void steerTo(const Eigen::Vector3d& target) noexcept { this->Target.write(target); }
+
+private:
+  DeviceSpecification Limits;
+  LatestValue<Eigen::Vector3d> Target;
+  Eigen::Vector3d Position;
+  double LastTime;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_BruteForce_h
+#define palpate_testing_BruteForce_h
+
+#include "SampleBodies.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+/// Slow and plain: the geometry of contact by enumeration, in long double.
+namespace palpate::testing
+{
+using Real = long double;
+using Point = Eigen::Matrix<Real, 3, 1>;
+
+struct Nearest
+{
+  Point point = Point::Zero();
+  Real distance = std::numeric_limits<Real>::infinity();
+  std::int32_t triangle = -1;
+};
+
+/// Closest point of a triangle: the best of its corners, of the feet on its edges, and of the foot
+/// on its plane if that lies inside, by the signs of the areas it spans with the edges.
+Nearest nearestOfTriangle(
+  const Vector3& tipGiven, const Vector3& aGiven, const Vector3& bGiven, const Vector3& cGiven);
+
+/// Over the listed triangles.
+Nearest nearestOf(
+  const Surface& body, const Vector3& tip, const std::vector<std::int32_t>& triangles);
+
+std::vector<std::int32_t> allTriangles(const Surface& body);
+
+/// The triangles that share a corner with one that shares a corner with `triangle`.
+std::vector<std::int32_t> twoRings(const Surface& body, std::int32_t triangle);
+
+/// How often the closed surface winds around the tip: 1 inside, 0 outside. Sum of the solid angles
+/// of its triangles (Van Oosterom and Strackee 1983).
+double windingNumber(const Surface& body, const Vector3& tip);
+
+/// Longest diagonal of the bounding box.
+double diagonal(const Surface& body);
+} // namespace palpate::testing
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tip presses and slides; in every tick the contact is the nearest point of the triangles within
+// two rings of the last contact, found here by plain loops.
+#include "BruteForce.h"
+#include "ContactTracker.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace palpate::testing;
+using palpate::BodyMesh;
+using palpate::ContactTracker;
+using palpate::TriangleTree;
+using palpate::Vector3;
+using Outcome = ContactTracker::Outcome;
+
+namespace
+{
+/// Follows the path over t in [0, 1]; returns the number of ticks in contact.
+int followPath(const Surface& body, int ticks, const std::function<Vector3(double)>& path)
+{
+  const BodyMesh mesh = body.mesh();
+  const TriangleTree tree(mesh);
+  ContactTracker tracker(mesh, tree);
+  const double tolerance = 1e-12 * diagonal(body); // roundings of the coordinates
+  const std::vector<std::int32_t> all = allTriangles(body);
+  std::int32_t last = -1;
+  int inContact = 0;
+  for (int i = 0; i <= ticks; ++i)
+  {
+    const Vector3 tip = path(static_cast<double>(i) / ticks);
+    const ContactTracker::Contact contact = tracker.update(tip);
+    const Nearest nearest = nearestOf(body, tip, last >= 0 ? twoRings(body, last) : all);
+    const bool inside = windingNumber(body, tip) > 0.5;
+    EXPECT_EQ(contact.outcome, inside ? Outcome::Inside : Outcome::Outside) << "tick " << i;
+    if (inside)
+    {
+      ++inContact;
+      EXPECT_NEAR(-contact.surface.signedDistance, static_cast<double>(nearest.distance), tolerance)
+        << "tick " << i;
+      EXPECT_LE((contact.surface.projection.point.cast<long double>() - nearest.point).norm(),
+        static_cast<long double>(1e3 * tolerance)) // √ of the rounding of a squared distance
+        << "tick " << i;
+    }
+    last = inside ? contact.surface.triangle : -1;
+  }
+  return inContact;
+}
+
+constexpr double Pi = 3.14159265358979323846;
+} // namespace
+
+TEST(ContactTrackerPath, OverASphere)
+{
+  // Facets of 3 mm, pressed up to 1.5 mm deep, 0.13 mm per tick, twice out of contact on the way.
+  const int contacts = followPath(icosphere(20.0, 3), 800,
+    [](double t)
+    {
+      const double depth = 0.4 + 1.1 * std::sin(6.0 * Pi * t);
+      const double polar = 0.3 + 2.4 * t;
+      const double azimuth = 1.7 * t;
+      return Vector3((20.0 - depth) *
+        Vector3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+          std::cos(polar)));
+    });
+  EXPECT_GT(contacts, 400);
+  EXPECT_LT(contacts, 750);
+}
+
+TEST(ContactTrackerPath, AroundATorus)
+{
+  // Through its hole, where the surface is saddle-shaped.
+  const int contacts = followPath(torus(20.0, 6.0, 60, 30), 600,
+    [](double t)
+    {
+      const double u = 2.5 * t;
+      const double v = 0.4 + 2.0 * Pi * t; // off the plane of symmetry, where two facets tie
+      const double r = 6.0 - 0.3 - 0.5 * std::sin(10.0 * Pi * t);
+      const double radius = 20.0 + r * std::cos(v);
+      return Vector3(radius * std::cos(u), radius * std::sin(u), r * std::sin(v));
+    });
+  EXPECT_GT(contacts, 300);
+  EXPECT_LT(contacts, 600);
+}
+
+TEST(ContactTrackerPath, OverAVGroove)
+{
+  // Under the bottom of the groove and up its other wall: at the re-entrant edge a whole fan of
+  // tips maps to one line. 0.6 mm under the surface; convex rims are passed by sheets of equal
+  // distance, which lie 0.6 mm off, within the two rings.
+  const int contacts = followPath(subdivided(grooveBlock(), 3), 500,
+    [](double t)
+    {
+      const double x = -12.0 + 24.0 * t;
+      const double surface = std::min(10.0, 5.0 + std::abs(x));
+      return Vector3(x, surface - 0.6, 15.0 + 8.0 * t);
+    });
+  EXPECT_EQ(contacts, 501);
+}

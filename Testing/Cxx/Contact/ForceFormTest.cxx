@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Equation 3 of Mahvash and Hayward 2002 adds unit normals of different directions; blending
+// magnitude and direction apart does not lose what that loses.
+#include "BruteForce.h"
+#include "SampleResponses.h"
+#include "ToolContact.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+using namespace palpate::testing;
+using palpate::ForceForm;
+using palpate::ToolContact;
+using palpate::Vector3;
+
+namespace
+{
+struct Facet
+{
+  Vector3 centroid;
+  Vector3 normal;
+  double squaredEdges; ///< sum
+};
+
+Facet facetOf(const Surface& body, std::int32_t triangle)
+{
+  const Vector3 a = body.corner(triangle, 0);
+  const Vector3 b = body.corner(triangle, 1);
+  const Vector3 c = body.corner(triangle, 2);
+  return { (a + b + c) / 3.0, (b - a).cross(c - a).normalized(),
+    (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm() };
+}
+} // namespace
+
+TEST(ForceForm, LossAtTheCentreOfAFacet)
+{
+  const double R = 20.0;
+  const double depth = 0.5;
+  for (int times = 0; times <= 3; ++times)
+  {
+    const Surface sphere = icosphere(R, times);
+    ResponseStore store(sphere.points.size());
+    store.normalsFromPoints(sphere);
+    const auto body = contactBody(sphere, store);
+    const double force = store.curveOf(0).evaluate(depth).force;
+    for (std::int32_t t = 0; t < 20; ++t)
+    {
+      const Facet facet = facetOf(sphere, t);
+      const Vector3 tip = facet.centroid - depth * facet.normal;
+      const auto whole = ToolContact(*body, ForceForm::NormalizedDirection).update(tip);
+      const auto paper = ToolContact(*body, ForceForm::Paper).update(tip);
+      ASSERT_EQ(whole.triangle, t);
+      // Normals are float32: 6e-8 each.
+      EXPECT_NEAR(whole.normalForce, force, 1e-12 * force);
+      EXPECT_NEAR(whole.force.norm(), force, 1e-12 * force);
+      // Three unit vectors from the centre to the corners of a triangle: the length of their mean
+      // is √(1 - Σ edge²/9R²).
+      const double kept = std::sqrt(1.0 - facet.squaredEdges / (9.0 * R * R));
+      EXPECT_NEAR(paper.normalForce / whole.normalForce, kept, 2e-7);
+      EXPECT_NEAR(paper.force.norm() / whole.force.norm(), kept, 2e-7);
+      // Which is h²/(6R²) to first order; the next is half its square.
+      const double h2 = facet.squaredEdges / 3.0;
+      const double first = h2 / (6.0 * R * R);
+      EXPECT_NEAR(1.0 - paper.normalForce / whole.normalForce, first, first * first + 2e-7);
+      EXPECT_LE((paper.normal - whole.normal).norm(), 1e-12); // one law: one direction
+    }
+  }
+}
+
+TEST(ForceForm, AgreeAtAPoint)
+{
+  // Above a corner only its own normal counts.
+  const Surface sphere = icosphere(20.0, 2);
+  ResponseStore store(sphere.points.size());
+  store.normalsFromPoints(sphere);
+  const auto body = contactBody(sphere, store);
+  for (std::size_t i = 0; i < sphere.points.size(); i += 7)
+  {
+    // A tip under a convex corner is nearer to a facet; 2e-6 below, it projects 1e-6 beside it.
+    const Vector3 tip = sphere.points[i] * (1.0 - 1e-7);
+    const auto whole = ToolContact(*body, ForceForm::NormalizedDirection).update(tip);
+    const auto paper = ToolContact(*body, ForceForm::Paper).update(tip);
+    // The loss is weight·h²/R², and the weight of the others 1e-7.
+    EXPECT_NEAR(paper.normalForce, whole.normalForce, 1e-6 * whole.normalForce);
+    EXPECT_LE((whole.normal - store.normalOf(i)).norm(), 1e-6);
+  }
+}
+
+TEST(ForceForm, DirectionsDifferWhenResponsesDo)
+{
+  // One stiff corner pulls the paper's force towards its own normal, but not the blended normal.
+  Surface sphere = icosphere(20.0, 1);
+  ResponseStore store(sphere.points.size());
+  store.normalsFromPoints(sphere);
+  const Facet facet = facetOf(sphere, 0);
+  const auto stiff = static_cast<std::size_t>(sphere.triangles[0][0]);
+  for (std::size_t i = 8 * stiff; i < 8 * stiff + 8; ++i)
+  {
+    store.force[i] *= 10.0F;
+    store.stiffness[i] *= 10.0F;
+  }
+  const auto body = contactBody(sphere, store);
+  const Vector3 tip = facet.centroid - 0.5 * facet.normal;
+  const auto whole = ToolContact(*body, ForceForm::NormalizedDirection).update(tip);
+  const auto paper = ToolContact(*body, ForceForm::Paper).update(tip);
+  const Vector3 towards = store.normalOf(stiff);
+  EXPECT_GT(paper.normal.dot(towards), whole.normal.dot(towards) + 0.01);
+  EXPECT_LE((whole.normal - facet.centroid.normalized()).norm(), 1e-2);
+  // (1+1+10)/3 times the single force.
+  ResponseStore single(1);
+  EXPECT_NEAR(whole.normalForce, 4.0 * single.curveOf(0).evaluate(0.5).force, 1e-5);
+}

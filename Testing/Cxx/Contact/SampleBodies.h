@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_SampleBodies_h
+#define palpate_testing_SampleBodies_h
+
+#include "BodyMesh.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// Triangulated bodies for the tests, wound outward. Lengths in mm.
+namespace palpate::testing
+{
+struct Surface
+{
+  std::vector<Vector3> points;
+  std::vector<std::array<std::int32_t, 3>> triangles;
+
+  BodyMesh mesh() const;
+  Vector3 corner(std::int32_t triangle, std::size_t k) const
+  {
+    return this
+      ->points[static_cast<std::size_t>(this->triangles[static_cast<std::size_t>(triangle)][k])];
+  }
+};
+
+/// Each triangle in four, through the middles of its edges; `times` over.
+Surface subdivided(Surface body, int times);
+
+/// Sphere of 20·4^times triangles about the origin, its points on the radius. Convex.
+Surface icosphere(double radius, int times);
+
+/// Torus about the z axis. Not convex; a hole through it.
+Surface torus(double majorRadius, double minorRadius, int around, int across);
+
+/// Prism over a polygon (x, y counter-clockwise) from z = 0 to `height`; `caps` are triangles of
+/// the polygon's corners, counter-clockwise.
+Surface prism(const std::vector<Eigen::Vector2d>& polygon,
+  const std::vector<std::array<std::int32_t, 3>>& caps, double height);
+
+/// [0,x]×[0,y]×[0,z].
+Surface block(double x, double y, double z);
+
+/// An L: [0,20]×[0,20] without (8,20]×(8,20], 10 high. One concave edge, at x = y = 8.
+Surface angleBlock();
+
+/// A block [-20,20]×[0,10], 40 long in z, with a V groove from (-5,10) down to (0,5): its walls
+/// slope by 45°, so that the groove is a right angle open towards +y.
+Surface grooveBlock();
+
+/// Open plate [0,size]² at z = 0, its normals along +z.
+Surface openPlate(double size, int cells);
+} // namespace palpate::testing
+
+#endif

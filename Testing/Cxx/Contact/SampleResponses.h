@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_SampleResponses_h
+#define palpate_testing_SampleResponses_h
+
+#include "ContractCurve.h"
+#include "ResponseField.h"
+#include "SampleBodies.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+struct ContactBody;
+}
+
+namespace palpate::testing
+{
+/**
+ * Response arrays of a body, in the memory of the test: 8 samples, exponent 1.5. At first the same
+ * law F = 10 δ^1.5 (N, mm) up to 2 mm at every point, normals along z.
+ */
+struct ResponseStore
+{
+  explicit ResponseStore(std::size_t points);
+  /// Radial normals, for spheres about the origin.
+  void normalsFromPoints(const Surface& body);
+  /// Another monotone curve, range (1 … 2 mm) and normal at each point.
+  void randomize(unsigned seed);
+  /// As randomize, but keeping the normals.
+  void randomizeCurves(unsigned seed);
+
+  ResponseArrays arrays() const;
+  ContractCurve curveOf(std::size_t point) const;
+  Vector3 normalOf(std::size_t point) const;
+
+  std::vector<float> force;
+  std::vector<float> stiffness;
+  std::vector<float> normal;
+  std::vector<float> range;
+  std::vector<std::uint8_t> status;
+};
+
+std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store);
+
+/// The surface with F = 10 δ^1.5 everywhere, and its own point normals.
+std::unique_ptr<ContactBody> uniformBody(const Surface& surface);
+
+/// The point normals of the surface's mesh, in the store.
+void takeMeshNormals(ResponseStore& store, const Surface& surface);
+} // namespace palpate::testing
+
+#endif

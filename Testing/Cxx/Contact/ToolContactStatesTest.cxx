@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SampleResponses.h"
+#include "ToolContact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace palpate::testing;
+using palpate::ContactState;
+using palpate::ForceForm;
+using palpate::ToolContact;
+using palpate::ToolContactForce;
+using palpate::Vector3;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+void expectNoForce(const ToolContactForce& found)
+{
+  EXPECT_EQ(found.force, Vector3::Zero());
+  EXPECT_EQ(found.friction, Vector3::Zero());
+  EXPECT_EQ(found.normal, Vector3::Zero());
+  EXPECT_EQ(found.contactPoint, Vector3::Zero());
+  EXPECT_EQ(found.normalForce, 0.0);
+  EXPECT_EQ(found.stiffness, 0.0);
+  EXPECT_EQ(found.deflection, 0.0);
+  EXPECT_EQ(found.triangle, -1);
+}
+} // namespace
+
+TEST(ToolContactStates, NumbersOfTheDesign)
+{
+  EXPECT_EQ(static_cast<int>(ContactState::None), 0);
+  EXPECT_EQ(static_cast<int>(ContactState::Stick), 1);
+  EXPECT_EQ(static_cast<int>(ContactState::Slide), 2);
+  EXPECT_EQ(static_cast<int>(ContactState::BeyondRange), 3);
+  EXPECT_EQ(static_cast<int>(ContactState::LostAtBorder), 4);
+  EXPECT_EQ(static_cast<int>(ContactState::Invalid), 5);
+  EXPECT_EQ(static_cast<int>(ForceForm::Paper), 0);
+  EXPECT_EQ(static_cast<int>(ForceForm::NormalizedDirection), 1);
+}
+
+TEST(ToolContactStates, NoneOutside)
+{
+  const auto body = uniformBody(block(40, 40, 10));
+  const ToolContactForce found = ToolContact(*body).update(Vector3(20, 21, 10.5));
+  EXPECT_EQ(found.state, ContactState::None);
+  expectNoForce(found);
+}
+
+TEST(ToolContactStates, BeyondRange)
+{
+  // Plates 5 mm of which the curves know 2 mm: F = 10·2^1.5, K = 15·√2 there.
+  const auto body = uniformBody(subdivided(block(40, 40, 40), 3));
+  ToolContact contact(*body);
+  EXPECT_EQ(contact.update(Vector3(20.3, 21.1, 38.01)).state, ContactState::Slide);
+  const ToolContactForce found = contact.update(Vector3(20.3, 21.1, 37.0));
+  EXPECT_EQ(found.state, ContactState::BeyondRange);
+  // Float32 samples.
+  EXPECT_NEAR(found.normalForce, 10.0 * std::pow(2.0, 1.5) + 15.0 * std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(found.stiffness, 15.0 * std::sqrt(2.0), 1e-5);
+  EXPECT_EQ(contact.update(Vector3(20.3, 21.1, 38.5)).state, ContactState::Slide);
+}
+
+TEST(ToolContactStates, BeyondRangeOfOneOfThreeVertices)
+{
+  const Surface surface = openPlate(10.0, 2);
+  ResponseStore store(surface.points.size());
+  store.range[4] = 1.0F; // the inner point
+  const auto body = contactBody(surface, store);
+  EXPECT_EQ(ToolContact(*body).update(Vector3(4.0, 3.0, -1.5)).state, ContactState::BeyondRange);
+  EXPECT_EQ(ToolContact(*body).update(Vector3(4.0, 3.0, -0.9)).state, ContactState::Slide);
+}
+
+TEST(ToolContactStates, CornersWithoutAShareHaveNoSay)
+{
+  // The contact lies on the edge between (0,0) and (5,5): whichever of its two triangles is found,
+  // the points opposite do not matter.
+  const Surface surface = openPlate(10.0, 2);
+  for (const std::size_t opposite : { 1, 3 })
+  {
+    ResponseStore store(surface.points.size());
+    store.range[opposite] = 0.25F;
+    const auto shallow = contactBody(surface, store);
+    EXPECT_EQ(ToolContact(*shallow).update(Vector3(2.0, 2.0, -0.5)).state, ContactState::Slide);
+    store.status[opposite] = 2;
+    const auto broken = contactBody(surface, store);
+    EXPECT_EQ(ToolContact(*broken).update(Vector3(2.0, 2.0, -0.5)).state, ContactState::Slide);
+  }
+}
+
+TEST(ToolContactStates, LostAtBorder)
+{
+  const auto body = uniformBody(openPlate(10.0, 10));
+  ToolContact contact(*body);
+  EXPECT_EQ(contact.update(Vector3(9.5, 5.2, -0.5)).state, ContactState::Slide);
+  const ToolContactForce lost = contact.update(Vector3(10.2, 5.2, -0.5));
+  EXPECT_EQ(lost.state, ContactState::LostAtBorder);
+  expectNoForce(lost);
+  EXPECT_EQ(contact.update(Vector3(9.5, 5.2, -0.5)).state, ContactState::Slide);
+}
+
+TEST(ToolContactStates, VertexWithoutResponse)
+{
+  const Surface surface = openPlate(10.0, 10);
+  for (const std::uint8_t status : { 1, 2, 3, 4 })
+  {
+    ResponseStore store(surface.points.size());
+    store.status[60] = status; // at (5, 5)
+    const auto body = contactBody(surface, store);
+    ToolContact contact(*body);
+    const ToolContactForce found = contact.update(Vector3(5.2, 5.1, -0.5));
+    EXPECT_EQ(found.state, ContactState::Invalid);
+    expectNoForce(found);
+    EXPECT_EQ(contact.update(Vector3(7.2, 5.1, -0.5)).state, ContactState::Slide);
+  }
+  ResponseStore store(surface.points.size());
+  store.status[60] = 5; // Edge: interpolated, usable
+  const auto body = contactBody(surface, store);
+  EXPECT_EQ(ToolContact(*body).update(Vector3(5.2, 5.1, -0.5)).state, ContactState::Slide);
+}
+
+TEST(ToolContactStates, TipThatIsNotFinite)
+{
+  const auto body = uniformBody(subdivided(block(40, 40, 3), 4));
+  for (const double bad : { NaN, std::numeric_limits<double>::infinity() })
+  {
+    ToolContact contact(*body);
+    EXPECT_GT(contact.update(Vector3(20.3, 18.7, 2.0)).force.z(), 0.0);
+    EXPECT_GT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // held to the top
+    const ToolContactForce found = contact.update(Vector3(20.3, bad, 1.2));
+    EXPECT_EQ(found.state, ContactState::Invalid);
+    expectNoForce(found);
+    EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // forgotten
+  }
+}
+
+TEST(ToolContactStates, CurvesThatAreNotFinite)
+{
+  const Surface surface = openPlate(10.0, 10);
+  for (const float bad :
+    { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() })
+  {
+    ResponseStore store(surface.points.size());
+    for (std::size_t i = 8 * 60; i < 8 * 61; ++i)
+    {
+      store.force[i] = bad;
+    }
+    const auto body = contactBody(surface, store);
+    for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
+    {
+      const ToolContactForce found = ToolContact(*body, form).update(Vector3(5.2, 5.1, -0.5));
+      EXPECT_EQ(found.state, ContactState::Invalid);
+      expectNoForce(found);
+    }
+  }
+}
+
+TEST(ToolContactStates, NormalsThatCancelGiveNoDirection)
+{
+  const Surface surface = openPlate(10.0, 1);
+  ResponseStore store(surface.points.size());
+  store.normal.assign(store.normal.size(), 0.0F);
+  const auto body = contactBody(surface, store);
+  const ToolContactForce found = ToolContact(*body).update(Vector3(6.0, 3.0, -0.5));
+  EXPECT_EQ(found.state, ContactState::Invalid);
+  expectNoForce(found);
+}
+
+TEST(ToolContactStates, BodyWithoutTriangles)
+{
+  const auto body = uniformBody(Surface{});
+  const ToolContactForce found = ToolContact(*body).update(Vector3::Zero());
+  EXPECT_EQ(found.state, ContactState::Invalid);
+  expectNoForce(found);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleTree.h"
+
+#include "BruteForce.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace palpate::testing;
+using palpate::BodyMesh;
+using palpate::SurfacePoint;
+using palpate::TriangleTree;
+using palpate::Vector3;
+
+namespace
+{
+void compareWithAllTriangles(const Surface& body, int tips)
+{
+  const BodyMesh mesh = body.mesh();
+  const TriangleTree tree(mesh);
+  const std::vector<std::int32_t> all = allTriangles(body);
+  // Roundings of the coordinates.
+  const double tolerance = 1e-12 * diagonal(body);
+  Eigen::AlignedBox3d box;
+  for (const Vector3& p : body.points)
+  {
+    box.extend(p);
+  }
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(-0.5, 1.5);
+  for (int i = 0; i < tips; ++i)
+  {
+    Vector3 tip;
+    for (int k = 0; k < 3; ++k)
+    {
+      tip[k] = box.min()[k] + share(random) * box.sizes()[k];
+    }
+    if (i % 10 == 0) // a point of the body itself, and hence its distance zero
+    {
+      tip = body.points[static_cast<std::size_t>(i) % body.points.size()];
+    }
+    const SurfacePoint found = tree.closest(tip);
+    const Nearest nearest = nearestOf(body, tip, all);
+    ASSERT_GE(found.triangle, 0);
+    EXPECT_NEAR(std::abs(found.signedDistance), static_cast<double>(nearest.distance), tolerance);
+    // The point it names is on the triangle it names, and at that distance.
+    const Nearest there = nearestOf(body, found.projection.point, { found.triangle });
+    EXPECT_LE(static_cast<double>(there.distance), tolerance);
+    EXPECT_NEAR((tip - found.projection.point).norm(), std::abs(found.signedDistance), tolerance);
+  }
+}
+} // namespace
+
+TEST(TriangleTree, Convex)
+{
+  compareWithAllTriangles(icosphere(20.0, 3), 500);
+}
+
+TEST(TriangleTree, Concave)
+{
+  compareWithAllTriangles(torus(20.0, 6.0, 40, 20), 400);
+  compareWithAllTriangles(subdivided(grooveBlock(), 2), 1000);
+}
+
+TEST(TriangleTree, FewTriangles)
+{
+  Surface one;
+  one.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  one.triangles = { { 0, 1, 2 } };
+  compareWithAllTriangles(one, 300);
+  compareWithAllTriangles(angleBlock(), 2000);
+}
+
+TEST(TriangleTree, ManyTrianglesAtOnePlace)
+{
+  // Centres that coincide cannot be split by place; the tree must still end.
+  Surface pile;
+  for (std::int32_t i = 0; i < 300; ++i)
+  {
+    pile.points.insert(pile.points.end(), { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+    pile.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  const BodyMesh mesh = pile.mesh();
+  EXPECT_EQ(TriangleTree(mesh).closest(Vector3(0.25, 0.25, 2.0)).signedDistance, 2.0);
+}
+
+TEST(TriangleTree, TipsThatAreNotFinite)
+{
+  const BodyMesh mesh = icosphere(20.0, 1).mesh();
+  const TriangleTree tree(mesh);
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_EQ(tree.closest(Vector3(0, bad, 0)).triangle, -1);
+  }
+}

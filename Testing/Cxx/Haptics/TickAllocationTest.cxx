@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tick touches no heap: not on onset, sliding, leaving, at borders, beyond range, on NaN.
+#include "AllocationCount.h"
+#include "SampleResponses.h"
+#include "ServoStep.h"
+#include "SimulatedDevice.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <new>
+
+using Eigen::Vector3d;
+using namespace palpate::testing;
+using palpate::ContactState;
+using palpate::DeviceSample;
+using palpate::ServoStep;
+using palpate::ServoTick;
+using palpate::SimulatedDevice;
+using palpate::ToolContact;
+using palpate::WorkspaceMapping;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr int Ticks = 5000;
+
+/// How often each state was met: the test must have been everywhere.
+using States = std::array<int, 6>;
+
+void met(States& states, ContactState state)
+{
+  ++states[static_cast<std::size_t>(state)];
+}
+
+/// Over and under a 10 mm plate, past its border, up to 3 mm deep, every 97th tip NaN.
+Vector3d pathOf(int tick)
+{
+  const double t = 1e-3 * tick;
+  const double z = tick % 97 == 0 ? NaN : 1.0 - 4.0 * std::abs(std::sin(5.0 * t));
+  return { 5.0 + 6.0 * std::sin(3.1 * t), 5.0 + 5.5 * std::cos(1.7 * t), z };
+}
+
+void expectEverywhere(const States& states)
+{
+  for (const ContactState state : { ContactState::None, ContactState::Slide,
+         ContactState::BeyondRange, ContactState::LostAtBorder, ContactState::Invalid })
+  {
+    EXPECT_GT(states[static_cast<std::size_t>(state)], 20) << static_cast<int>(state);
+  }
+}
+
+/// Keeps an allocation from being optimised away.
+void* volatile Sink = nullptr;
+} // namespace
+
+TEST(TickAllocation, TheCounterSeesAllocations)
+{
+  long before = allocationCount();
+  Sink = ::operator new(8);
+  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and malloc under it
+  before = allocationCount();
+  ::operator delete(Sink);
+  EXPECT_EQ(allocationCount(), before + 1);
+  before = allocationCount();
+  const Surface inALibrary = block(1, 1, 1);
+  const auto mesh = inALibrary.mesh(); // allocates inside libpalpateContact
+  EXPECT_GT(allocationCount(), before + 20);
+  if (countsMalloc())
+  {
+    before = allocationCount();
+    Sink = std::malloc(8);
+    EXPECT_EQ(allocationCount(), before + 1);
+    std::free(Sink);
+  }
+}
+
+TEST(TickAllocation, ToolContact)
+{
+  const auto plate = uniformBody(openPlate(10.0, 20));
+  const auto ball = uniformBody(icosphere(20.0, 3));
+  ToolContact onPlate(*plate);
+  ToolContact onBall(*ball, palpate::ForceForm::Paper);
+  States states{};
+  int inside = 0;
+  const long before = allocationCount();
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    met(states, onPlate.update(pathOf(tick)).state);
+    const double t = 1e-3 * tick;
+    const Vector3d tip = (20.0 - 3.0 * std::sin(7.0 * t)) *
+      Vector3d(std::cos(t), std::sin(t) * std::cos(t), std::sin(t) * std::sin(t));
+    inside += onBall.update(tip).normalForce > 0.0;
+    if (tick % 1000 == 0)
+    {
+      onBall.reset();
+    }
+  }
+  EXPECT_EQ(allocationCount(), before);
+  expectEverywhere(states);
+  EXPECT_GT(inside, Ticks / 4);
+}
+
+TEST(TickAllocation, DeviceToForceToDevice)
+{
+  const auto plate = uniformBody(openPlate(10.0, 20));
+  std::vector<SimulatedDevice::WayPoint> path;
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    path.push_back({ 1e-3 * tick, pathOf(tick) / 1000.0 });
+  }
+  SimulatedDevice device(path);
+  ServoStep step(*plate, WorkspaceMapping(), 5.0);
+  States states{};
+  int forces = 0;
+  const long before = allocationCount();
+  for (int tick = -10; tick < Ticks + 10; ++tick)
+  {
+    const double time = tick == 1234 ? NaN : 1e-3 * tick;
+    DeviceSample sample = device.read(time);
+    sample.valid = sample.valid && tick % 113 != 0;
+    const ServoTick done = step.step(sample, time);
+    device.write(done.deviceForce);
+    met(states, done.contact.state);
+    forces += device.lastForce().norm() > 0.0;
+  }
+  EXPECT_EQ(allocationCount(), before);
+  expectEverywhere(states);
+  EXPECT_GT(forces, Ticks / 4);
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Local and global deformation in series, against series_model.csv and against a bisection.
+#include "SeriesCompliance.h"
+
+#include "Agreement.h"
+#include "Quadrature.h"
+#include "ReferenceTable.h"
+#include "TestTools.h"
+
+#include <limits>
+#include <random>
+
+using palpate::seriesResponse;
+using palpate::testing::agrees;
+using palpate::testing::ReferenceTable;
+using palpate::testing::Rubber;
+using palpate::testing::tool;
+
+namespace
+{
+/// A tool of the table (its spheres are paraboloids), with its size (radius, or tan α) scaled.
+std::unique_ptr<palpate::AxisymmetricTool> scaledTool(const std::string& name, double scale)
+{
+  using palpate::testing::Pi;
+  if (name == "cone60")
+  {
+    const double angle = std::atan(scale * std::tan(Pi / 3.0)) * 180.0 / Pi;
+    return palpate::makeTool({ palpate::ToolShape::Cone, angle });
+  }
+  const bool flat = name.substr(0, 4) == "flat";
+  const double radius = std::stod(name.substr(flat ? 4 : 6));
+  return palpate::makeTool(
+    { flat ? palpate::ToolShape::Flat : palpate::ToolShape::Paraboloid, scale * radius });
+}
+} // namespace
+
+TEST(SeriesCompliance, Table)
+{
+  const ReferenceTable table("series_model.csv");
+  ASSERT_EQ(table.size(), 40u);
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    const std::string name = table.text(i, "tool");
+    const double compliance = table.number(i, "C_g_mm_per_N");
+    const double depth = table.number(i, "delta_mm");
+    SCOPED_TRACE(name + ", C = " + std::to_string(compliance));
+    const auto point = seriesResponse(*scaledTool(name, 1.0), Rubber, compliance, depth);
+    ASSERT_TRUE(point.stable);
+    // The reference sheet promises F and λ to 1e-9 and the derivatives to 1e-7.
+    EXPECT_TRUE(agrees(point.force, table.number(i, "F_N"), 1e-9));
+    EXPECT_NEAR(1.0 - point.localDeflection / depth, table.number(i, "lambda"), 1e-9);
+    EXPECT_TRUE(agrees(point.stiffness, table.number(i, "dFddelta"), 1e-7));
+    const double h = 1e-4;
+    const double bigger =
+      seriesResponse(*scaledTool(name, std::exp(h)), Rubber, compliance, depth).force;
+    const double smaller =
+      seriesResponse(*scaledTool(name, std::exp(-h)), Rubber, compliance, depth).force;
+    // Central difference: truncation h²/6 = 2e-9, rounding 1e-15/h.
+    EXPECT_NEAR(std::log(bigger / smaller) / (2.0 * h), table.number(i, "dlnF_dlnsize"), 1e-7);
+  }
+}
+
+TEST(SeriesCompliance, NoComplianceIsTheHalfSpace)
+{
+  for (const char* name : { "flat:1.6", "paraboloid:6.35", "sphere:1.6", "cone:60" })
+  {
+    const auto t = tool(name);
+    for (const double depth : { 1e-9, 0.3, 2.0, 50.0 })
+    {
+      const auto point = seriesResponse(*t, Rubber, 0.0, depth);
+      EXPECT_TRUE(point.stable);
+      EXPECT_EQ(point.force, t->force(depth, Rubber));
+      EXPECT_EQ(point.stiffness, t->stiffness(depth, Rubber));
+      EXPECT_EQ(point.localDeflection, depth);
+    }
+  }
+}
+
+TEST(SeriesCompliance, SolvesItsEquationForAnySoftBody)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-6.0, 1.0);
+  for (const char* name : { "flat:1.6", "paraboloid:6.35", "sphere:6.35", "sphere:1.6", "cone:60" })
+  {
+    const auto t = tool(name);
+    for (int i = 0; i < 3000; ++i)
+    {
+      const double compliance = std::pow(10.0, exponent(random) + 2.0);
+      const double depth = std::pow(10.0, exponent(random));
+      const auto point = seriesResponse(*t, Rubber, compliance, depth);
+      ASSERT_TRUE(point.stable) << name << ", C = " << compliance << ", depth " << depth;
+      // δ = δ_local + C F with F = F(δ_local), which for the sphere near a/R = 0.1 rounds at 2e-14.
+      EXPECT_TRUE(agrees(point.localDeflection + compliance * point.force, depth, 5e-14));
+      EXPECT_EQ(point.force, t->force(point.localDeflection, Rubber));
+      // Compliances in series add.
+      EXPECT_TRUE(agrees(1.0 / point.stiffness,
+        1.0 / t->stiffness(point.localDeflection, Rubber) + compliance, 1e-14));
+    }
+  }
+}
+
+TEST(SeriesCompliance, Edges)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto t = tool("sphere:5");
+  for (const double depth : { 0.0, -1.0 })
+  {
+    const auto point = seriesResponse(*t, Rubber, 0.1, depth);
+    EXPECT_TRUE(point.stable);
+    EXPECT_EQ(point.force, 0.0);
+    EXPECT_EQ(point.stiffness, 0.0);
+    EXPECT_EQ(point.localDeflection, 0.0);
+  }
+  for (const auto& point : { seriesResponse(*t, Rubber, 0.1, nan),
+         seriesResponse(*t, Rubber, nan, 1.0), seriesResponse(*t, nan, 0.1, 1.0),
+         seriesResponse(*t, Rubber, std::numeric_limits<double>::infinity(), 1.0) })
+  {
+    EXPECT_FALSE(point.stable);
+    EXPECT_TRUE(std::isnan(point.force));
+    EXPECT_TRUE(std::isnan(point.stiffness));
+  }
+}

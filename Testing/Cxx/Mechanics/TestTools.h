@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_TestTools_h
+#define palpate_testing_TestTools_h
+
+#include "ToolSpecification.h"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace palpate::testing
+{
+/// The tool written as on a command line; throws (so that the test fails) if it is refused.
+inline std::unique_ptr<AxisymmetricTool> tool(const std::string& text)
+{
+  ToolSpecification specification;
+  std::string error;
+  if (!parseTool(text, specification, error))
+  {
+    throw std::invalid_argument(error);
+  }
+  return makeTool(specification);
+}
+
+/// E* of the rubber of Mahvash and Hayward 2002, MPa; of every table that names none.
+constexpr double Rubber = 3.45;
+} // namespace palpate::testing
+
+#endif
