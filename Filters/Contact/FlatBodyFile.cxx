@@ -111,10 +111,15 @@ private:
   std::uint64_t Value = 0xcbf29ce484222325ULL;
 };
 
-std::uint64_t checksumOf(const std::array<const void*, SectionCount>& data, const Header& header)
+/// Over the header, its own field taken as 0, and the sections.
+std::uint64_t checksumOf(const std::array<const void*, SectionCount>& data, Header header)
 {
   const auto sizes = sectionSizes(header);
+  header.checksum = 0;
+  std::array<unsigned char, sizeof(Header)> head;
+  std::memcpy(head.data(), &header, sizeof(Header));
   Checksum sum;
+  sum.add(head.data(), head.size());
   for (std::size_t k = 0; k < SectionCount; ++k)
   {
     sum.add(static_cast<const unsigned char*>(data[k]), sizes[k]);

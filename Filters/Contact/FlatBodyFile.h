@@ -31,7 +31,7 @@ struct FlatBody
  * of the machine. It is mapped into memory, not read, and serves loops without VTK and as a cache.
  *
  * Header (see FlatBodyFile.cxx): magic "PALPATE", format version, byte-order mark, size of the
- * file, checksum of all that follows the header, counts, and where each array begins. Files that
+ * file, checksum of header and arrays, counts, and where each array begins. Files that
  * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
  * reason; nothing is half-loaded.
  */
