@@ -180,7 +180,7 @@ std::string faultOf(const Header& header, std::uint64_t size)
   }
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
   if (header.version < 1 || header.points == 0 || header.points > most || header.triangles == 0 ||
-    header.triangles > most || header.samples < 2 || header.samples > LargestSampleCount ||
+    header.triangles > most / 3 || header.samples < 2 || header.samples > LargestSampleCount ||
     header.laws < 0 || header.laws > LargestLawCount ||
     !(header.exponent > 0.0 && header.exponent <= 10.0) || header.tool.back() != '\0' ||
     header.model.back() != '\0')
@@ -299,7 +299,7 @@ std::string FlatBodyFile::write(const std::string& path, const FlatBody& body)
   const bool closed = std::fclose(file) == 0;
   if (!whole || !closed || std::rename(unfinished.c_str(), path.c_str()) != 0)
   {
-    const std::string error = systemError("write", path);
+    std::string error = systemError("write", path);
     std::remove(unfinished.c_str());
     return error;
   }

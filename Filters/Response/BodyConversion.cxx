@@ -2,14 +2,19 @@
 #include "BodyConversion.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -105,6 +110,49 @@ bool fetchCurves(
   return arrays.coefficient != nullptr;
 }
 
+/// Finds the first triangle with a corner that is not one of `points` points.
+struct FindLostCorner
+{
+  template <class CellState>
+  void operator()(CellState& state, vtkIdType points, vtkIdType& triangle, vtkIdType& corner) const
+  {
+    const auto* connectivity = state.GetConnectivity();
+    const auto isLost = [connectivity, points](vtkIdType i)
+    {
+      const auto id = static_cast<vtkIdType>(connectivity->GetValue(i));
+      return id < 0 || id >= points;
+    };
+    std::atomic<vtkIdType> first{ std::numeric_limits<vtkIdType>::max() };
+    vtkSMPTools::For(0, connectivity->GetNumberOfValues(),
+      [&first, &isLost](vtkIdType begin, vtkIdType end)
+      {
+        vtkIdType i = begin;
+        while (i < end && !isLost(i))
+        {
+          ++i;
+        }
+        vtkIdType found = first.load();
+        while (i < end && i < found && !first.compare_exchange_weak(found, i))
+        {
+        }
+      });
+    if (first < connectivity->GetNumberOfValues())
+    {
+      triangle = first / 3;
+      corner = static_cast<vtkIdType>(connectivity->GetValue(first));
+    }
+  }
+};
+
+template <class Array, class Value>
+void addFieldValue(vtkPolyData* body, const std::string& name, const Value& value)
+{
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(value);
+  body->GetFieldData()->AddArray(array);
+}
+
 struct CopyPolys
 {
   template <class CellState>
@@ -142,32 +190,53 @@ std::string checkTriangles(vtkPolyData* body)
   {
     text << "the body has more than 2^31 points or triangles";
   }
+  else
+  {
+    vtkIdType triangle = -1;
+    vtkIdType corner = 0;
+    body->GetPolys()->Visit(FindLostCorner{}, body->GetNumberOfPoints(), triangle, corner);
+    if (triangle >= 0)
+    {
+      text << "triangle " << triangle << " has the corner " << corner
+           << ", but the body has points 0 to " << body->GetNumberOfPoints() - 1;
+    }
+  }
   return text.str();
 }
 
-BodyMesh makeBodyMesh(vtkPolyData* body)
+std::vector<std::int32_t> copyTriangles(vtkPolyData* body)
 {
   std::vector<std::int32_t> triangles;
   body->GetPolys()->Visit(CopyPolys{}, triangles);
+  return triangles;
+}
+
+std::vector<double> copyPoints(vtkPolyData* body)
+{
   const vtkIdType count = body->GetNumberOfPoints();
   std::vector<double> points(3 * static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
     body->GetPoint(i, points.data() + 3 * i);
   }
-  return BodyMesh(
-    points.data(), static_cast<std::size_t>(count), triangles.data(), triangles.size() / 3);
+  return points;
 }
 
-std::unique_ptr<ResponseField> makeResponseField(
-  vtkPolyData* body, const std::string& name, std::string& error)
+BodyMesh makeBodyMesh(vtkPolyData* body)
+{
+  const std::vector<std::int32_t> triangles = copyTriangles(body);
+  const std::vector<double> points = copyPoints(body);
+  return BodyMesh(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3);
+}
+
+bool viewResponse(
+  vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
   double samples = 0.0;
-  ResponseArrays arrays;
   if (!fetchNumber(body, name + "Samples", 2, LargestSampleCount, samples, error) ||
     !fetchNumber(body, name + "Exponent", 0.1, 10.0, arrays.exponent, error))
   {
-    return nullptr;
+    return false;
   }
   arrays.samples = static_cast<int>(samples);
   arrays.points = static_cast<std::size_t>(body->GetNumberOfPoints());
@@ -175,7 +244,7 @@ std::unique_ptr<ResponseField> makeResponseField(
   vtkPointData* points = body->GetPointData();
   if (!fetchCurves(body, name, arrays, error))
   {
-    return nullptr;
+    return false;
   }
   arrays.normal = fetch<vtkFloatArray>(points, name + "Normal", "float", 3, count, error);
   arrays.range = arrays.normal
@@ -184,7 +253,15 @@ std::unique_ptr<ResponseField> makeResponseField(
   arrays.status = arrays.range
     ? fetch<vtkUnsignedCharArray>(points, name + "Status", "unsigned char", 1, count, error)
     : nullptr;
-  return arrays.status ? std::make_unique<ResponseField>(arrays) : nullptr;
+  return arrays.status != nullptr;
+}
+
+std::unique_ptr<ResponseField> makeResponseField(
+  vtkPolyData* body, const std::string& name, std::string& error)
+{
+  ResponseArrays arrays;
+  return viewResponse(body, name, arrays, error) ? std::make_unique<ResponseField>(arrays)
+                                                 : nullptr;
 }
 
 std::shared_ptr<const ContactBody> makeContactBody(
@@ -202,6 +279,16 @@ std::shared_ptr<const ContactBody> makeContactBody(
     return nullptr;
   }
   return std::make_shared<const ContactBody>(makeBodyMesh(body), std::move(*response));
+}
+
+void describeResponse(
+  vtkPolyData* body, const std::string& name, const ResponseDescription& description)
+{
+  addFieldValue<vtkDoubleArray>(body, name + "Exponent", description.exponent);
+  addFieldValue<vtkIntArray>(body, name + "Samples", description.samples);
+  addFieldValue<vtkStringArray>(body, name + "Tool", description.tool);
+  addFieldValue<vtkStringArray>(body, name + "Model", description.model);
+  addFieldValue<vtkStringArray>(body, name + "Units", std::string("mm,N,MPa"));
 }
 
 std::string responseText(vtkPolyData* body, const std::string& name, const char* suffix)

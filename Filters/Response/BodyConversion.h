@@ -12,19 +12,31 @@
 
 #include "ContactBody.h" // For palpate::ContactBody
 
-#include <memory> // For std::shared_ptr
-#include <string> // For std::string
+#include <cstdint> // For std::int32_t
+#include <memory>  // For std::shared_ptr
+#include <string>  // For std::string
+#include <vector>  // For std::vector
 
 class vtkPolyData;
 
 namespace palpate
 {
 /// What is wrong with the cells of a body, or "": it must have triangles, and no other polygons,
-/// strips, or more points than 2^31.
+/// strips, corners that are no points, or more points than 2^31.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
+
+/// Three point indices per triangle, and x, y, z per point, of a body that has passed
+/// checkTriangles.
+PALPATERESPONSE_EXPORT std::vector<std::int32_t> copyTriangles(vtkPolyData* body);
+PALPATERESPONSE_EXPORT std::vector<double> copyPoints(vtkPolyData* body);
 
 /// The surface of a body that has passed checkTriangles.
 PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
+
+/// The response arrays with prefix `name`, both forms, where they lie; false and an error if they
+/// break the contract.
+PALPATERESPONSE_EXPORT bool viewResponse(
+  vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 
 /// The response arrays with prefix `name`, both forms; null and an error if they break the
 /// contract.
@@ -34,6 +46,19 @@ PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
 /// Everything a tick needs of a body; null and an error if a part is missing or wrong.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
   vtkPolyData* body, const std::string& name, std::string& error);
+
+/// What a response says of itself in field arrays.
+struct ResponseDescription
+{
+  double exponent;
+  int samples;
+  std::string tool;
+  std::string model;
+};
+
+/// Attaches the field arrays Exponent, Samples, Tool, Model and Units.
+PALPATERESPONSE_EXPORT void describeResponse(
+  vtkPolyData* body, const std::string& name, const ResponseDescription& description);
 
 /// The string in field array <name><suffix> (Tool, Model, Units); "" if there is none.
 PALPATERESPONSE_EXPORT std::string responseText(

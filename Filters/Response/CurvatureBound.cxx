@@ -9,29 +9,22 @@
 #include "vtkSMPTools.h"
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 
 namespace palpate
 {
 namespace
 {
-// Non-negative floats order as their bits, and the bits of -1 lie below them all, as signed
-// integers.
-static_assert(sizeof(std::atomic<std::int32_t>) == sizeof(float), "bounds are raised in place");
+using Bounds = std::vector<std::atomic<std::int32_t>>;
 
-std::int32_t bitsOf(float value)
-{
-  std::int32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
+static_assert(sizeof(std::int32_t) == sizeof(float), "a bound holds the bits of a float");
 
 void raise(std::atomic<std::int32_t>& bound, float value)
 {
-  const std::int32_t bits = bitsOf(value);
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  ++bits;
   std::int32_t seen = bound.load(std::memory_order_relaxed);
   while (bits > seen && !bound.compare_exchange_weak(seen, bits, std::memory_order_relaxed))
   {
@@ -72,8 +65,8 @@ struct Triangle
 struct RaiseBounds
 {
   template <class CellState, class PointRange>
-  void operator()(CellState& state, const PointRange& points, const float* normals,
-    std::vector<std::atomic<std::int32_t>>& bounds) const
+  void operator()(
+    CellState& state, const PointRange& points, const float* normals, Bounds& bounds) const
   {
     const auto* connectivity = state.GetConnectivity();
     vtkSMPTools::For(0, state.GetNumberOfCells(),
@@ -111,8 +104,7 @@ struct RaiseBounds
 struct OverPoints
 {
   template <class Array>
-  void operator()(Array* points, vtkCellArray* polys, const float* normals,
-    std::vector<std::atomic<std::int32_t>>& bounds) const
+  void operator()(Array* points, vtkCellArray* polys, const float* normals, Bounds& bounds) const
   {
     const auto range = vtk::DataArrayTupleRange<3>(points);
     polys->Visit(RaiseBounds{}, range, normals, bounds);
@@ -120,26 +112,28 @@ struct OverPoints
 };
 } // namespace
 
-std::vector<float> curvatureBound(vtkPolyData* body, const float* normals)
+CurvatureBound::CurvatureBound(vtkPolyData* body, const float* normals)
+  : Raised(static_cast<std::size_t>(body->GetNumberOfPoints()))
 {
-  std::vector<std::atomic<std::int32_t>> bounds(
-    static_cast<std::size_t>(body->GetNumberOfPoints()));
-  for (auto& bound : bounds)
-  {
-    bound.store(bitsOf(-1.0F), std::memory_order_relaxed);
-  }
   vtkDataArray* points = body->GetPoints()->GetData();
   using Dispatcher = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-  if (!Dispatcher::Execute(points, OverPoints{}, body->GetPolys(), normals, bounds))
+  if (!Dispatcher::Execute(points, OverPoints{}, body->GetPolys(), normals, this->Raised))
   {
-    OverPoints{}(points, body->GetPolys(), normals, bounds);
+    OverPoints{}(points, body->GetPolys(), normals, this->Raised);
   }
-  std::vector<float> result(bounds.size());
-  for (std::size_t i = 0; i < bounds.size(); ++i)
+}
+
+float CurvatureBound::at(vtkIdType point) const noexcept
+{
+  const std::int32_t raised =
+    this->Raised[static_cast<std::size_t>(point)].load(std::memory_order_relaxed);
+  if (raised == 0)
   {
-    const std::int32_t bits = bounds[i].load(std::memory_order_relaxed);
-    std::memcpy(&result[i], &bits, sizeof bits);
+    return -1.0F;
   }
-  return result;
+  const std::int32_t bits = raised - 1;
+  float bound = 0.0F;
+  std::memcpy(&bound, &bits, sizeof bound);
+  return bound;
 }
 } // namespace palpate

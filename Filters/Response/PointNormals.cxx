@@ -19,10 +19,18 @@ namespace palpate
 {
 namespace
 {
+/// A vector that differs from unit length by float rounding alone is kept to the bit: normals that
+/// come back from a file are the ones that were written.
+constexpr double UnitTolerance = 3e-7;
+
 /// Writes the unit vector along (x, y, z); anything else becomes zero with its status.
 ResponseStatus storeUnit(double x, double y, double z, float* normal)
 {
-  const double length = std::sqrt(x * x + y * y + z * z);
+  double length = std::sqrt(x * x + y * y + z * z);
+  if (std::abs(length - 1.0) < UnitTolerance)
+  {
+    length = 1.0;
+  }
   if (length > 0.0 && std::isfinite(length))
   {
     normal[0] = static_cast<float>(x / length);

@@ -35,11 +35,11 @@ Vector3 tangentAway(const Vector3& chord, const Vector3& pointNormal)
 } // namespace
 
 void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle, const Vector3& contact,
-  const Vector3& normal, const PatchVisitor& visit)
+  const Vector3& normal, double reach, const PatchVisitor& visit)
 {
   std::vector<bool> seen(mesh.pointCount(), false);
   std::vector<std::int32_t> front;
-  const auto reach = [&](std::int32_t point)
+  const auto enter = [&](std::int32_t point)
   {
     if (!seen[static_cast<std::size_t>(point)])
     {
@@ -49,7 +49,7 @@ void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle, const Vector
   };
   for (const std::int32_t corner : mesh.corners(triangle))
   {
-    reach(corner);
+    enter(corner);
   }
   while (!front.empty())
   {
@@ -57,7 +57,12 @@ void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle, const Vector
     front.pop_back();
     const Vector3 chord = mesh.point(point) - contact;
     const Vector3 pointNormal = mesh.pointNormal(point);
-    visit(point, arcLength(chord, normal, pointNormal), tangentAway(chord, pointNormal));
+    const double distance = arcLength(chord, normal, pointNormal);
+    visit(point, distance, tangentAway(chord, pointNormal));
+    if (reach > 0.0 && distance > reach)
+    {
+      continue; // the field ends with this point
+    }
     const auto around = mesh.trianglesAround(point);
     for (const std::int32_t* next = around[0]; next != around[1]; ++next)
     {
@@ -65,7 +70,7 @@ void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle, const Vector
       {
         if (mesh.pointNormal(corner).dot(normal) >= CosineOfPatch)
         {
-          reach(corner);
+          enter(corner);
         }
       }
     }

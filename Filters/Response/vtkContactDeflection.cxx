@@ -107,12 +107,14 @@ vtkSmartPointer<vtkContactTool> vtkContactDeflection::FindTool(vtkPolyData* body
 
 const palpate::BodyMesh& vtkContactDeflection::PrepareMesh(vtkPolyData* body)
 {
-  // Modification times are unique, so the newer of the two names this pair.
-  const vtkMTimeType time = std::max(body->GetPoints()->GetMTime(), body->GetPolys()->GetMTime());
-  if (!this->Mesh || this->MeshTime != time)
+  // Modification times are unique, so the two name this pair.
+  const vtkMTimeType points = body->GetPoints()->GetMTime();
+  const vtkMTimeType polys = body->GetPolys()->GetMTime();
+  if (!this->Mesh || this->MeshPointsTime != points || this->MeshPolysTime != polys)
   {
     this->Mesh = std::make_unique<palpate::BodyMesh>(palpate::makeBodyMesh(body));
-    this->MeshTime = time;
+    this->MeshPointsTime = points;
+    this->MeshPolysTime = polys;
   }
   return *this->Mesh;
 }
@@ -185,6 +187,7 @@ int vtkContactDeflection::RequestData(
     }
     palpate::visitSurfacePatch(this->PrepareMesh(body),
       static_cast<std::int32_t>(contact.cell - firstPoly), contact.point, contact.normal,
+      this->MaximumDistance,
       [&](std::int32_t id, double distance, const palpate::Vector3& away)
       {
         const palpate::SurfaceDisplacement u =
@@ -204,5 +207,6 @@ void vtkContactDeflection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "TipIndex: " << this->TipIndex << "\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << " mm\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

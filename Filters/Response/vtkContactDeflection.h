@@ -65,6 +65,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The field ends at this distance from the contact, mm, even where it would be valid beyond; 0
+   * (default) for no such end. It has fallen to about (2a/πr) of the deflection at r.
+   */
+  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  ///@{
   /** Prefix of the response arrays, for the tool's name. Default "Response". */
   vtkSetMacro(ResponseName, std::string);
   vtkGetMacro(ResponseName, std::string);
@@ -93,11 +102,13 @@ private:
   vtkSmartPointer<vtkContactTool> Tool;
   vtkIdType TipIndex = -1;
   double PoissonRatio = 0.45;
+  double MaximumDistance = 0.0;
   std::string ResponseName = "Response";
 
   // The linked mesh, and of which points and triangles it is.
   std::unique_ptr<palpate::BodyMesh> Mesh;
-  vtkMTimeType MeshTime = 0;
+  vtkMTimeType MeshPointsTime = 0;
+  vtkMTimeType MeshPolysTime = 0;
 };
 
 #endif

@@ -100,6 +100,27 @@ palpate::Vector3 pressedTip(
   const double length = normal.norm();
   return length > 0.0 ? palpate::Vector3(tip - indentation / length * normal) : tip;
 }
+/// What is wrong with the polylines, or "".
+std::string checkLines(vtkPolyData* tips)
+{
+  vtkCellArray* lines = tips->GetLines();
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(line, size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (points[i] < 0 || points[i] >= tips->GetNumberOfPoints())
+      {
+        return "polyline " + std::to_string(line) + " goes through point " +
+          std::to_string(points[i]) + ", but there are " +
+          std::to_string(tips->GetNumberOfPoints()) + " points";
+      }
+    }
+  }
+  return {};
+}
 } // namespace
 
 vtkStandardNewMacro(vtkToolContactProbe);
@@ -156,6 +177,12 @@ int vtkToolContactProbe::RequestData(
   if (!std::isfinite(this->Indentation))
   {
     vtkErrorMacro(<< "Indentation must be finite (mm), but is " << this->Indentation << ".");
+    return 0;
+  }
+  const std::string fault = checkLines(tips);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong tips: " << fault << ".");
     return 0;
   }
   if (!this->PrepareBody(body))

@@ -6,36 +6,28 @@
 #include "CurvatureBound.h"
 #include "PointNormals.h"
 #include "ReducedModulus.h"
+#include "ResponseFiller.h"
 #include "ResponseLaw.h"
 #include "vtkContactTool.h"
 
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
 namespace
 {
 constexpr int LargestSampleCount = 256;
-constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
-constexpr double NormalTurn = 0.2;  // rad the body's normal may turn under the contact radius
 constexpr vtkIdType ProgressBlocks = 20;
 
 enum ArrayIndex
@@ -45,137 +37,6 @@ enum ArrayIndex
   GlobalComplianceArray,
   PoissonRatioArray
 };
-
-enum Limit : unsigned char
-{
-  NoLimit,
-  StrainLimit,
-  CurvatureLimit
-};
-
-/// The point arrays of one response, allocated together, attached together.
-struct ResponseStorage
-{
-  vtkNew<vtkFloatArray> Force;
-  vtkNew<vtkFloatArray> Stiffness;
-  vtkNew<vtkFloatArray> Normal;
-  vtkNew<vtkFloatArray> Range;
-  vtkNew<vtkFloatArray> Validity;
-  vtkNew<vtkUnsignedCharArray> Status;
-  vtkNew<vtkUnsignedCharArray> LimitReached;
-
-  ResponseStorage(const std::string& name, vtkIdType points, int samples)
-  {
-    allocate(this->Force.Get(), name + "Force", samples, points);
-    allocate(this->Stiffness.Get(), name + "Stiffness", samples, points);
-    allocate(this->Normal.Get(), name + "Normal", 3, points);
-    allocate(this->Range.Get(), name + "Range", 1, points);
-    allocate(this->Validity.Get(), name + "Validity", 1, points);
-    allocate(this->Status.Get(), name + "Status", 1, points);
-    allocate(this->LimitReached.Get(), name + "Limit", 1, points);
-  }
-
-  void attach(vtkPolyData* output)
-  {
-    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ this->Force, this->Stiffness,
-           this->Normal, this->Range, this->Validity, this->Status, this->LimitReached })
-    {
-      output->GetPointData()->AddArray(array);
-    }
-  }
-
-private:
-  static void allocate(
-    vtkDataArray* array, const std::string& name, int components, vtkIdType tuples)
-  {
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(tuples);
-  }
-};
-
-/// What stands in one point: the curve, and how deep it may be trusted.
-struct PointFiller
-{
-  const palpate::AxisymmetricTool& Tool;
-  const palpate::ResponseLaw& Law;
-  const std::vector<float>& Curvature;
-  std::function<double(vtkIdType)> ReducedModulus;
-  std::function<double(vtkIdType)> Compliance;
-  ResponseStorage& Storage;
-  float Range;
-  double StrainDepth;
-
-  void fill(vtkIdType first, vtkIdType last) const
-  {
-    const int n = this->Storage.Force->GetNumberOfComponents();
-    for (vtkIdType i = first; i < last; ++i)
-    {
-      float* force = this->Storage.Force->GetPointer(n * i);
-      float* stiffness = this->Storage.Stiffness->GetPointer(n * i);
-      unsigned char& status = *this->Storage.Status->GetPointer(i);
-      const double curvature = static_cast<double>(this->Curvature[static_cast<std::size_t>(i)]);
-      this->Storage.Range->SetValue(i, this->Range);
-      if (status == static_cast<unsigned char>(palpate::ResponseStatus::Valid) && curvature < 0.0)
-      {
-        status = static_cast<unsigned char>(palpate::ResponseStatus::Degenerate);
-      }
-      const double compliance = this->Compliance ? this->Compliance(i) : 0.0;
-      const double modulus = this->ReducedModulus(i);
-      if (status != static_cast<unsigned char>(palpate::ResponseStatus::Valid))
-      {
-        std::fill_n(force, n, 0.0F);
-        std::fill_n(stiffness, n, 0.0F);
-      }
-      else if (compliance == 0.0)
-      {
-        this->Law.sample(modulus, force, stiffness);
-      }
-      else if (!this->Law.sampleSeries(modulus, compliance, force, stiffness))
-      {
-        status = static_cast<unsigned char>(palpate::ResponseStatus::Folded);
-      }
-      this->fillValidity(i, status, curvature, modulus, compliance);
-    }
-  }
-
-  void fillValidity(
-    vtkIdType i, unsigned char status, double curvature, double modulus, double compliance) const
-  {
-    double depth = this->StrainDepth;
-    unsigned char limit = StrainLimit;
-    if (curvature > 0.0)
-    {
-      const double turned = this->Tool.depthAtContactRadius(NormalTurn / curvature);
-      if (turned < depth)
-      {
-        depth = turned;
-        limit = CurvatureLimit;
-      }
-    }
-    if (compliance != 0.0 && std::isfinite(depth))
-    {
-      depth = this->Law.totalDeflection(modulus, compliance, depth);
-    }
-    if (!(depth < static_cast<double>(this->Range)))
-    {
-      depth = static_cast<double>(this->Range);
-      limit = NoLimit;
-    }
-    const bool valid = status == static_cast<unsigned char>(palpate::ResponseStatus::Valid);
-    this->Storage.Validity->SetValue(i, valid ? static_cast<float>(depth) : 0.0F);
-    this->Storage.LimitReached->SetValue(i, valid ? limit : static_cast<unsigned char>(NoLimit));
-  }
-};
-
-template <class Array, class Value>
-void addFieldValue(vtkPolyData* output, const std::string& name, const Value& value)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
 } // namespace
 
 /// Modulus and compliance per point; empty vectors mean constants.
@@ -189,6 +50,13 @@ struct vtkToolContactResponse::Material
   {
     return this->ReducedModulus.empty() ? this->ConstantModulus
                                         : this->ReducedModulus[static_cast<std::size_t>(i)];
+  }
+
+  palpate::ResponseMaterial view() const
+  {
+    return { this->ConstantModulus,
+      this->ReducedModulus.empty() ? nullptr : this->ReducedModulus.data(),
+      this->Compliance.empty() ? nullptr : this->Compliance.data() };
   }
 
   /// The exponent with the smaller storage error at the softest and the stiffest series.
@@ -271,23 +139,17 @@ int vtkToolContactResponse::RequestData(
   const vtkIdType count = body->GetNumberOfPoints();
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
   const palpate::ResponseLaw law(tool, this->MaximumDeflection, this->NumberOfSamples);
-  ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples);
+  palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples);
   const std::string wrongSide = palpate::fillPointNormals(body, storage.Normal, storage.Status);
   if (!wrongSide.empty())
   {
     vtkErrorMacro(<< "Wrong input: " << wrongSide << ".");
     return 0;
   }
-  const std::vector<float> curvature = palpate::curvatureBound(body, storage.Normal->GetPointer(0));
+  const palpate::CurvatureBound curvature(body, storage.Normal->GetPointer(0));
 
-  PointFiller filler{ tool, law, curvature,
-    [&material](vtkIdType i) { return material.modulusAt(i); }, {}, storage,
-    static_cast<float>(this->MaximumDeflection), tool.depthAtStrain(StrainRatio) };
-  if (!material.Compliance.empty())
-  {
-    filler.Compliance = [&material](vtkIdType i)
-    { return material.Compliance[static_cast<std::size_t>(i)]; };
-  }
+  const palpate::ResponseFiller filler(
+    tool, law, curvature, material.view(), this->MaximumDeflection, storage);
   for (vtkIdType block = 0; block < ProgressBlocks; ++block)
   {
     vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks,
@@ -310,13 +172,9 @@ int vtkToolContactResponse::RequestData(
 
   output->ShallowCopy(body);
   storage.attach(output);
-  const double exponent = material.bestExponent(tool, law);
-  addFieldValue<vtkDoubleArray>(output, this->ResponseName + "Exponent", exponent);
-  addFieldValue<vtkIntArray>(output, this->ResponseName + "Samples", this->NumberOfSamples);
-  addFieldValue<vtkStringArray>(output, this->ResponseName + "Tool", tool.specification());
-  addFieldValue<vtkStringArray>(output, this->ResponseName + "Model",
-    material.Compliance.empty() ? "half-space" : "half-space in series with global compliance");
-  addFieldValue<vtkStringArray>(output, this->ResponseName + "Units", "mm,N,MPa");
+  palpate::describeResponse(output, this->ResponseName,
+    { material.bestExponent(tool, law), this->NumberOfSamples, tool.specification(),
+      material.Compliance.empty() ? "half-space" : "half-space in series with global compliance" });
   return 1;
 }
 
@@ -388,24 +246,33 @@ bool vtkToolContactResponse::ReadMaterial(vtkPolyData* body, Material& material)
   const vtkIdType count = body->GetNumberOfPoints();
   if (young || poisson)
   {
+    const auto youngAt = [&](vtkIdType i)
+    { return young ? young->GetComponent(i, 0) : this->YoungsModulus; };
+    const auto poissonAt = [&](vtkIdType i)
+    { return poisson ? poisson->GetComponent(i, 0) : this->PoissonRatio; };
     material.ReducedModulus.resize(static_cast<std::size_t>(count));
-    for (vtkIdType i = 0; i < count; ++i)
+    double* modulus = material.ReducedModulus.data();
+    vtkSMPTools::For(0, count,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          modulus[i] = palpate::reducedModulus(youngAt(i), poissonAt(i)); // NaN if one is wrong
+        }
+      });
+    const vtkIdType wrong =
+      std::find_if(modulus, modulus + count, [](double m) { return std::isnan(m); }) - modulus;
+    if (wrong < count && !palpate::isYoungsModulus(youngAt(wrong)))
     {
-      const double e = young ? young->GetTuple1(i) : this->YoungsModulus;
-      const double nu = poisson ? poisson->GetTuple1(i) : this->PoissonRatio;
-      if (!palpate::isYoungsModulus(e))
-      {
-        vtkErrorMacro(<< "Array '" << young->GetName() << "': Young's modulus of point " << i
-                      << " must be positive and finite (MPa), but is " << e << ".");
-        return false;
-      }
-      if (!palpate::isPoissonsRatio(nu))
-      {
-        vtkErrorMacro(<< "Array '" << poisson->GetName() << "': Poisson's ratio of point " << i
-                      << " must lie between 0 and 0.5, but is " << nu << ".");
-        return false;
-      }
-      material.ReducedModulus[static_cast<std::size_t>(i)] = palpate::reducedModulus(e, nu);
+      vtkErrorMacro(<< "Array '" << young->GetName() << "': Young's modulus of point " << wrong
+                    << " must be positive and finite (MPa), but is " << youngAt(wrong) << ".");
+      return false;
+    }
+    if (wrong < count)
+    {
+      vtkErrorMacro(<< "Array '" << poisson->GetName() << "': Poisson's ratio of point " << wrong
+                    << " must lie between 0 and 0.5, but is " << poissonAt(wrong) << ".");
+      return false;
     }
   }
   if (compliance)

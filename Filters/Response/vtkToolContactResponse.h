@@ -34,8 +34,9 @@
  * ones are computed; a closed surface that is then found inside out is an error.
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
- * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance about 2 µs per point and
- * core. Threaded by vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
+ * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
+ * point and core, 33 µs for the exact Sphere. Threaded by vtkSMPTools; the same bits for any number
+ * of threads. Abort leaves no output.
  *
  * @sa vtkContactTool vtkToolContactProbe
  */

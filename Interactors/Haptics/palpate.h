@@ -11,6 +11,7 @@
 #ifndef PALPATE_H
 #define PALPATE_H
 
+/* NOLINTBEGIN(modernize-*): this is C */
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -64,5 +65,6 @@ extern "C"
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(modernize-*) */
 
 #endif

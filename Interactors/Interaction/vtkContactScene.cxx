@@ -9,6 +9,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkLightKit.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
@@ -27,6 +28,7 @@
 #include "vtkTubeFilter.h"
 #include "vtkWarpVector.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -38,7 +40,7 @@ constexpr double TrailRadius = 0.5;  // mm
 constexpr int TableSize = 256;
 constexpr int CaptionSize = 17;
 constexpr double LegendWidth = 175.0; // pixels
-constexpr double RaisedFocus = 0.14;  // of the distance, so that the tool fits in
+constexpr double RaisedFocus = 0.09;  // of the distance, so that the longest arrow fits in
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.
 double roundDown(double value)
@@ -72,7 +74,8 @@ void fillColors(vtkLookupTable* table)
 vtkStandardNewMacro(vtkContactScene);
 
 vtkContactScene::vtkContactScene()
-  : Deflection(vtkSmartPointer<vtkContactDeflection>::New())
+  : Tip(vtkSmartPointer<vtkPolyData>::New())
+  , Deflection(vtkSmartPointer<vtkContactDeflection>::New())
   , Warp(vtkSmartPointer<vtkWarpVector>::New())
   , BodyActor(vtkSmartPointer<vtkActor>::New())
   , TrailActor(vtkSmartPointer<vtkActor>::New())
@@ -82,6 +85,7 @@ vtkContactScene::vtkContactScene()
   , ToolRepresentation(vtkSmartPointer<vtkHapticToolRepresentation>::New())
 {
   fillColors(this->Colors);
+  this->Deflection->SetInputData(1, this->Tip);
   this->Warp->SetInputConnection(this->Deflection->GetOutputPort());
   this->Warp->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "ContactDisplacement");
@@ -224,34 +228,74 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
   vtkDataArray* normal = data->GetArray("Normal");
   vtkDataArray* contact = data->GetArray("ContactPoint");
   vtkDataArray* deflection = data->GetArray("Deflection");
-  if (!force || !normal || !contact || !deflection || index < 0 ||
+  if (!force || !normal || !contact || !deflection || !data->GetArray("ContactCell") || index < 0 ||
     index >= probed->GetNumberOfPoints())
   {
     vtkErrorMacro(<< "Tip " << index << " of " << probed->GetNumberOfPoints()
                   << ": not a tip of a vtkToolContactProbe's output.");
     return false;
   }
-  this->Deflection->SetInputData(1, probed);
-  this->Deflection->SetTipIndex(index);
+  vtkDataArray* cell = data->GetArray("ContactCell");
   std::array<double, 3> tip{};
   std::array<double, 3> forceNow{};
   std::array<double, 3> normalNow{};
+  std::array<double, 3> contactNow{};
   probed->GetPoint(index, tip.data());
   force->GetTuple(index, forceNow.data());
   normal->GetTuple(index, normalNow.data());
-  contact->GetTuple(index, this->Contact);
-  this->ToolRepresentation->SetContact(
-    tip.data(), normalNow.data(), this->Contact, forceNow.data());
-  this->PlaceLegend();
-  this->WriteCaption(deflection->GetTuple1(index), vtkMath::Norm(forceNow.data()));
+  contact->GetTuple(index, contactNow.data());
+  this->ShowContact(tip.data(), contactNow.data(), normalNow.data(), forceNow.data(),
+    deflection->GetTuple1(index), static_cast<vtkIdType>(cell->GetTuple1(index)));
   return true;
+}
+
+void vtkContactScene::ShowContact(const double tip[3], const double contactPoint[3],
+  const double normal[3], const double force[3], double deflection, vtkIdType cell)
+{
+  this->ToolRepresentation->SetContact(tip, normal, contactPoint, force);
+  this->PlaceLegend();
+  this->WriteCaption(deflection, vtkMath::Norm(force));
+  vtkDataArray* shown = this->Tip->GetPointData()->GetArray("ContactCell");
+  if (cell < 0 && shown && shown->GetTuple1(0) < 0.0)
+  {
+    return; // no dent before, none now: the body need not be drawn anew
+  }
+  std::copy_n(contactPoint, 3, this->Contact);
+  vtkNew<vtkPoints> point;
+  point->SetDataTypeToDouble();
+  point->InsertNextPoint(tip);
+  this->Tip->SetPoints(point);
+  const auto store = [this](const char* name, int components, const double* value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->InsertNextTuple(value);
+    this->Tip->GetPointData()->AddArray(array);
+  };
+  const auto cellNumber = static_cast<double>(cell);
+  store("Deflection", 1, &deflection);
+  store("Normal", 3, normal);
+  store("ContactPoint", 3, contactPoint);
+  store("ContactCell", 1, &cellNumber);
+  this->Tip->Modified();
+}
+
+void vtkContactScene::SetFieldRadius(double radius)
+{
+  this->Deflection->SetMaximumDistance(radius);
+}
+
+double vtkContactScene::GetLegendShare()
+{
+  // The same size in pixels, however narrow the viewport.
+  const int width = this->Renderer ? std::max(this->Renderer->GetSize()[0], 1) : 1;
+  return std::min(1.0, LegendWidth / static_cast<double>(width));
 }
 
 void vtkContactScene::PlaceLegend()
 {
-  // The same size in pixels at the right edge, however narrow the viewport.
-  const int width = this->Renderer ? std::max(this->Renderer->GetSize()[0], 1) : 1;
-  const double share = std::min(1.0, LegendWidth / static_cast<double>(width));
+  const double share = this->GetLegendShare(); // at the right edge
   this->Legend->GetPositionCoordinate()->SetValue(1.0 - share, 0.25);
   this->Legend->SetWidth(0.85 * share);
 }
@@ -292,6 +336,7 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   camera->SetViewUp(up);
   this->Renderer->ResetCamera(bounds);
   camera->Zoom(1.25);
+  camera->SetWindowCenter(this->GetLegendShare(), 0.0); // the middle of what the legend leaves free
   this->Renderer->ResetCameraClippingRange();
 }
 
@@ -299,11 +344,20 @@ void vtkContactScene::LookAtContact(double distance, const double direction[3], 
 {
   double unit[3] = { direction[0], direction[1], direction[2] };
   vtkMath::Normalize(unit);
+  double raise[3] = { up[0], up[1], up[2] };
+  vtkMath::Normalize(raise);
+  double focus[3];
+  double position[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    focus[k] = this->Contact[k] + RaisedFocus * distance * raise[k];
+    position[k] = focus[k] + distance * unit[k];
+  }
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetFocalPoint(this->Contact);
-  camera->SetPosition(this->Contact[0] + distance * unit[0], this->Contact[1] + distance * unit[1],
-    this->Contact[2] + distance * unit[2]);
+  camera->SetFocalPoint(focus);
+  camera->SetPosition(position);
   camera->SetViewUp(up);
+  camera->SetWindowCenter(this->GetLegendShare(), 0.0);
   this->Renderer->ResetCameraClippingRange();
 }
 

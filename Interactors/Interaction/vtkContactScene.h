@@ -65,6 +65,17 @@ public:
   /** Shows tip `index` of a probe's output; returns false if the probe's arrays are missing. */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
+  /**
+   * Shows a contact given by numbers (a live session): tip, contact point, unit normal and force on
+   * the tool, deflection, and the cell of the body (-1: no contact).
+   */
+  void ShowContact(const double tip[3], const double contactPoint[3], const double normal[3],
+    const double force[3], double deflection, vtkIdType cell);
+
+  /** The deflection field ends at this distance from the contact, mm; 0 (default): where validity
+   * ends. Live sessions set it, since the cost of a frame grows with the field. */
+  void SetFieldRadius(double radius);
+
   ///@{
   /** Camera: the whole body seen from `direction`; or the contact from `distance` mm, from
    * `direction`. `up` points up in the picture. */
@@ -87,10 +98,12 @@ private:
   vtkContactScene(const vtkContactScene&) = delete;
   void operator=(const vtkContactScene&) = delete;
 
+  double GetLegendShare(); ///< of the width of the viewport
   void PlaceLegend();
   void WriteCaption(double deflection, double force);
 
   vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkPolyData> Tip; ///< the contact shown, as a probe's output
   vtkSmartPointer<vtkContactDeflection> Deflection;
   vtkSmartPointer<vtkWarpVector> Warp;
   vtkSmartPointer<vtkActor> BodyActor;

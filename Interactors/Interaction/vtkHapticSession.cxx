@@ -2,8 +2,10 @@
 #include "vtkHapticSession.h"
 
 #include "BodyConversion.h"
+#include "ServoLoop.h"
 #include "ServoStep.h"
 #include "SimulatedDevice.h"
+#include "SteeredDevice.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -28,18 +30,17 @@ struct vtkHapticSession::Loop
   palpate::SimulatedDevice device;
   palpate::ServoStep servo;
   double period;
-  vtkIdType firstPoly;
+  double reached = 0.0; ///< virtual time stepped to so far, s; ticks fall behind by less than one
   bool running = true;
   std::vector<palpate::ServoTick> ticks;
   std::vector<double> nanoseconds;
 
   Loop(std::shared_ptr<const palpate::ContactBody> kernel,
-    std::vector<palpate::SimulatedDevice::WayPoint> path, double tickPeriod, vtkIdType polys)
+    std::vector<palpate::SimulatedDevice::WayPoint> path, double tickPeriod)
     : body(std::move(kernel))
     , device(std::move(path))
     , servo(*this->body, this->mapping, this->device.specification().maximumForce)
     , period(tickPeriod)
-    , firstPoly(polys)
   {
   }
 
@@ -54,6 +55,26 @@ struct vtkHapticSession::Loop
     const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
     this->ticks.push_back(tick);
     this->nanoseconds.push_back(spent.count());
+  }
+};
+
+/// The servo thread and what it needs, from Start to Stop.
+struct vtkHapticSession::Thread
+{
+  std::shared_ptr<const palpate::ContactBody> body;
+  palpate::WorkspaceMapping mapping;
+  palpate::SteeredDevice device;
+  palpate::ServoLoop servo;
+
+  Thread(
+    std::shared_ptr<const palpate::ContactBody> kernel, const Eigen::Vector3d& start, double rate)
+    : body(std::move(kernel))
+    , device(this->mapping.toDevice(start))
+    , servo(this->device,
+        palpate::ServoStep(*this->body, this->mapping, this->device.specification().maximumForce),
+        rate)
+  {
+    this->servo.start();
   }
 };
 
@@ -92,15 +113,10 @@ bool vtkHapticSession::SetDevice(const std::string& device)
 bool vtkHapticSession::Start()
 {
   this->Active.reset();
+  this->Live.reset();
   if (!this->Body)
   {
     vtkErrorMacro(<< "A body is required: call SetBody.");
-    return false;
-  }
-  vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
-  if (!times || this->Path->GetNumberOfPoints() == 0)
-  {
-    vtkErrorMacro(<< "The simulated device needs a path with a point array 'Time' (s).");
     return false;
   }
   std::string error;
@@ -108,6 +124,24 @@ bool vtkHapticSession::Start()
   if (!kernel)
   {
     vtkErrorMacro(<< "Wrong body: " << error << ".");
+    return false;
+  }
+  this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
+  if (this->RealTime)
+  {
+    this->Live =
+      std::make_unique<Thread>(std::move(kernel), Eigen::Vector3d(this->Steered), this->Rate);
+    return true;
+  }
+  return this->StartVirtual(std::move(kernel));
+}
+
+bool vtkHapticSession::StartVirtual(std::shared_ptr<const palpate::ContactBody> kernel)
+{
+  vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
+  if (!times || this->Path->GetNumberOfPoints() == 0)
+  {
+    vtkErrorMacro(<< "The simulated device needs a path with a point array 'Time' (s).");
     return false;
   }
   const palpate::WorkspaceMapping mapping;
@@ -124,13 +158,36 @@ bool vtkHapticSession::Start()
       return false;
     }
   }
-  this->Active = std::make_unique<Loop>(std::move(kernel), std::move(path), 1.0 / this->Rate,
-    this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines());
+  this->Active = std::make_unique<Loop>(std::move(kernel), std::move(path), 1.0 / this->Rate);
   return true;
+}
+
+void vtkHapticSession::SteerTo(const double tip[3])
+{
+  std::copy_n(tip, 3, this->Steered);
+  if (this->Live)
+  {
+    this->Live->device.steerTo(this->Live->mapping.toDevice(Eigen::Vector3d(tip)));
+  }
+}
+
+vtkIdType vtkHapticSession::GetNumberOfTicks() const
+{
+  return this->Live ? static_cast<vtkIdType>(this->Live->servo.ticks())
+                    : static_cast<vtkIdType>(this->GetTicks().size());
+}
+
+vtkIdType vtkHapticSession::GetNumberOfMissedTicks() const
+{
+  return this->Live ? static_cast<vtkIdType>(this->Live->servo.missed()) : 0;
 }
 
 void vtkHapticSession::Stop()
 {
+  if (this->Live)
+  {
+    this->Live->servo.stop();
+  }
   if (this->Active)
   {
     this->Active->running = false;
@@ -140,12 +197,13 @@ void vtkHapticSession::Stop()
 
 void vtkHapticSession::Step(double seconds)
 {
-  if (this->GetState() != Running || !(seconds > 0.0))
+  if (!this->Active || !this->Active->running || !(seconds > 0.0 && std::isfinite(seconds)))
   {
     return;
   }
   // Half a tick of slack, so that steps which add up to a whole number of ticks run that many.
-  const double end = this->Active->nextTime() + seconds - 0.5 * this->Active->period;
+  this->Active->reached += seconds;
+  const double end = this->Active->reached - 0.5 * this->Active->period;
   while (this->Active->nextTime() < end)
   {
     this->Active->tick();
@@ -154,7 +212,8 @@ void vtkHapticSession::Step(double seconds)
 
 int vtkHapticSession::GetState() const
 {
-  return this->Active && this->Active->running ? Running : Stopped;
+  const bool live = this->Live && this->Live->servo.isRunning();
+  return live || (this->Active && this->Active->running) ? Running : Stopped;
 }
 
 double vtkHapticSession::GetTime() const
@@ -167,9 +226,13 @@ double vtkHapticSession::GetPathDuration() const
   return this->Active ? this->Active->device.duration() : 0.0;
 }
 
-const palpate::ServoTick& vtkHapticSession::Newest() const
+const palpate::ServoTick& vtkHapticSession::Newest()
 {
   static const palpate::ServoTick none;
+  if (this->Live)
+  {
+    return this->Live->servo.newest();
+  }
   return this->Active && !this->Active->ticks.empty() ? this->Active->ticks.back() : none;
 }
 
@@ -196,6 +259,17 @@ void vtkHapticSession::GetForce(double force[3])
   {
     std::copy_n(this->Newest().deviceForce.data(), 3, force);
   }
+}
+
+void vtkHapticSession::GetNormal(double normal[3])
+{
+  std::copy_n(this->Newest().contact.normal.data(), 3, normal);
+}
+
+vtkIdType vtkHapticSession::GetContactCell()
+{
+  const std::int32_t triangle = this->Newest().contact.triangle;
+  return triangle < 0 ? -1 : this->FirstPoly + static_cast<vtkIdType>(triangle);
 }
 
 double vtkHapticSession::GetDeflection()
@@ -261,9 +335,8 @@ void vtkHapticSession::GetRecording(vtkPolyData* recording)
     normal->SetTypedTuple(i, tick.contact.normal.data());
     contact->SetTypedTuple(i, tick.contact.contactPoint.data());
     cell->SetValue(i,
-      tick.contact.triangle < 0
-        ? -1
-        : this->Active->firstPoly + static_cast<vtkIdType>(tick.contact.triangle));
+      tick.contact.triangle < 0 ? -1
+                                : this->FirstPoly + static_cast<vtkIdType>(tick.contact.triangle));
     state->SetValue(i, static_cast<unsigned char>(tick.contact.state));
   }
   recording->SetPoints(points);

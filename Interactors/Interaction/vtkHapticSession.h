@@ -10,10 +10,14 @@
  * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping,
  * which here keeps axes and scale (1 m = 1000 mm).
  *
- * Device "simulated": a stiff hand that follows SetPath, a polyline with a point array `Time` (s,
- * not decreasing). It is the only device of this version; other names are an error.
+ * Device "simulated", the only one of this version; other names are an error. In virtual time
+ * (default) it is a stiff hand that follows SetPath, a polyline with a point array `Time` (s, not
+ * decreasing). With RealTime, Start starts the servo thread at Rate, and the hand follows SteerTo,
+ * as from a mouse. Then nothing is recorded, Step does nothing, and the getters give the newest
+ * tick.
  *
- * Not thread-safe: one thread steps and reads.
+ * Not thread-safe: one thread steers, steps and reads; it never waits for the servo thread but in
+ * Stop and Start.
  */
 #ifndef vtkHapticSession_h
 #define vtkHapticSession_h
@@ -31,8 +35,9 @@ class vtkTable;
 
 namespace palpate
 {
+struct ContactBody;
 struct ServoTick;
-}
+} // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticSession : public vtkObject
 {
@@ -71,12 +76,27 @@ public:
   /** Path of the simulated device: a polyline in the body's frame with a point array `Time`. */
   void SetPath(vtkPolyData* path);
 
+  ///@{
+  /** Run on a servo thread instead of in virtual time; read at Start. Default off. */
+  vtkSetMacro(RealTime, bool);
+  vtkGetMacro(RealTime, bool);
+  vtkBooleanMacro(RealTime, bool);
+  ///@}
+
+  /** With RealTime: where the hand is to go, mm, body frame. Before Start: where it begins. */
+  void SteerTo(const double tip[3]);
+
+  /** With RealTime: ticks made and ticks missed since Start. */
+  vtkIdType GetNumberOfTicks() const;
+  vtkIdType GetNumberOfMissedTicks() const;
+
   /** Reads body and path and begins at time 0. Returns false after an error that names the fault.
    */
   bool Start();
   void Stop();
 
-  /** Runs all ticks due in the next `seconds` of virtual time. Nothing happens unless running. */
+  /** Runs all ticks due in the next `seconds` of virtual time; steps add up, whatever their length.
+   * Nothing happens unless running, nor for times that are not positive and finite. */
   void Step(double seconds);
 
   int GetState() const;
@@ -92,6 +112,9 @@ public:
   void GetContactPoint(double point[3]);
   void GetIdealForce(double force[3]);
   void GetForce(double force[3]);
+  void GetNormal(double normal[3]);
+  /** Cell of the body in contact, -1 for none. */
+  vtkIdType GetContactCell();
   double GetDeflection();
   int GetContactState();
   ///@}
@@ -115,15 +138,24 @@ private:
   vtkHapticSession(const vtkHapticSession&) = delete;
   void operator=(const vtkHapticSession&) = delete;
 
-  const palpate::ServoTick& Newest() const;
+  const palpate::ServoTick& Newest();
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Path;
   std::string ResponseName = "Response";
   double Rate = 1000.0;
 
+  bool StartVirtual(std::shared_ptr<const palpate::ContactBody> kernel);
+  void StartRealTime(std::shared_ptr<const palpate::ContactBody> kernel);
+
+  bool RealTime = false;
+  double Steered[3] = { 0.0, 0.0, 0.0 };
+  vtkIdType FirstPoly = 0;
+
   struct Loop;
-  std::unique_ptr<Loop> Active;
+  std::unique_ptr<Loop> Active; ///< in virtual time
+  struct Thread;
+  std::unique_ptr<Thread> Live; ///< in real time
 };
 
 #endif

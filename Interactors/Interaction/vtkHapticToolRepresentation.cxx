@@ -17,6 +17,7 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -120,8 +121,9 @@ void vtkHapticToolRepresentation::SetContact(
 {
   if (vtkMath::Norm(normal) > 0.0)
   {
-    this->ToolActor->SetUserMatrix(frameAlong(tip, normal, 2));
+    std::copy_n(normal, 3, this->Axis);
   }
+  this->ToolActor->SetUserMatrix(frameAlong(tip, this->Axis, 2));
   const double magnitude = vtkMath::Norm(force);
   const double length = magnitude * this->ForceScale;
   const bool visible = std::isfinite(length) && length > 0.0;

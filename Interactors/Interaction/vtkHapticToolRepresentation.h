@@ -68,6 +68,7 @@ private:
   vtkSmartPointer<vtkActor> ArrowActor;
   vtkSmartPointer<vtkTextActor> Label;
   double ForceScale = 10.0;
+  double Axis[3] = { 0.0, 0.0, 1.0 }; ///< the tool stands along it
 };
 
 #endif

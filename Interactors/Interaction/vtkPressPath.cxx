@@ -25,8 +25,9 @@ using Vector = Eigen::Vector3d;
 namespace
 {
 constexpr double StepAngle = 0.25 * 3.14159265358979323846 / 180.0;
-constexpr double LargestLeap = 10.0; // mm
-constexpr double Rest = 0.25;        // s, after pressing and before lifting
+constexpr double LargestLeap = 10.0;   // mm
+constexpr double Rest = 0.25;          // s, after pressing and before lifting
+constexpr double EdgeTolerance = 1e-8; // of the body's size: a ray through an edge hits it
 
 /// The unit directions of the path: each given one, and those between at equal steps.
 std::vector<Vector> sweep(const std::vector<std::array<double, 3>>& given)
@@ -110,6 +111,7 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;
   const Vector center(this->Center);
+  const double tolerance = EdgeTolerance * body->GetLength();
   const double reach = 2.0 * body->GetLength() + (center - Vector(body->GetCenter())).norm();
   for (const Vector& direction : sweep(this->Directions))
   {
@@ -120,8 +122,8 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
     int subId = 0;
     vtkIdType hit = -1;
     if (!direction.allFinite() ||
-      !locator->IntersectWithLine(
-        outside.data(), center.data(), 0.0, t, foot.point.data(), parametric, subId, hit, cell))
+      !locator->IntersectWithLine(outside.data(), center.data(), tolerance, t, foot.point.data(),
+        parametric, subId, hit, cell))
     {
       vtkErrorMacro(<< "Direction (" << direction.x() << ", " << direction.y() << ", "
                     << direction.z() << ") from (" << center.x() << ", " << center.y() << ", "

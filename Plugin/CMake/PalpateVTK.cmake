@@ -48,6 +48,8 @@ foreach(palpate_module IN LISTS palpate_modules)
 endforeach()
 
 if(TARGET VTK::WrappingPythonCore)
+  block() # lib/python/palpate/*.so find lib/*.so when installed
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../..")
   vtk_module_wrap_python(
     MODULES ${palpate_modules}
     TARGET Palpate::Python
@@ -56,6 +58,7 @@ if(TARGET VTK::WrappingPythonCore)
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/palpate"
     BUILD_STATIC OFF
     INSTALL_HEADERS OFF)
+  endblock()
 else()
   message(WARNING "This VTK has no Python wrapping: the package 'palpate' is not built.")
 endif()

@@ -13,7 +13,6 @@
 #include "vtkPressPath.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +183,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
 
   progress("attaching the responses");
   ResponseSet responses;
-  std::string error = attachResponses(scene, options.maximumDeflection, responses);
+  std::string error = prepareResponses(options, scene, responses);
   if (!error.empty())
   {
     return error;
@@ -227,14 +226,6 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
         tick.contact.force.norm());
   }
   error = drawPictures(scene, responses, moment, options.output);
-  if (error.empty() && !options.save.empty())
-  {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetDataModeToBinary(); // appended data cannot be read back with newer expat
-    writer->SetFileName(options.save.c_str());
-    writer->SetInputData(responses.body);
-    error = writer->Write() == 1 ? std::string() : "cannot write '" + options.save + "'";
-  }
   if (error.empty())
   {
     printSummary(scene, responses, session, options.output);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseSet.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
+#include "CollectingWindow.h"
+#include "FlatBodyConversion.h"
+
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkToolContactResponse.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <chrono>
+#include <cstdio>
 
 namespace palpate
 {
@@ -30,21 +33,17 @@ double responseBytes(vtkPolyData* body, const std::string& name)
 
 std::string updateQuietly(vtkAlgorithm* algorithm)
 {
-  std::string errors;
-  vtkNew<vtkCallbackCommand> collect;
-  collect->SetClientData(&errors);
-  collect->SetCallback(
-    [](vtkObject*, unsigned long, void* client, void* text)
-    {
-      auto& all = *static_cast<std::string*>(client);
-      all += text ? static_cast<const char*>(text) : "unknown error";
-    });
-  const unsigned long tag = algorithm->AddObserver(vtkCommand::ErrorEvent, collect);
+  const QuietScope quiet;
   algorithm->Update();
-  algorithm->RemoveObserver(tag);
-  return errors;
+  if (!quiet.window->firstWarning().empty())
+  {
+    std::fprintf(stderr, "palpate: warning: %s\n", quiet.window->firstWarning().c_str());
+  }
+  return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 
+namespace
+{
 std::string attachResponses(
   const TouchScene& scene, double maximumDeflection, ResponseSet& responses)
 {
@@ -80,5 +79,29 @@ std::string attachResponses(
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   responses.bytesPerTool = responseBytes(responses.body, responses.names.back());
   return {};
+}
+} // namespace
+
+std::string prepareResponses(
+  const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses)
+{
+  std::string error = attachResponses(scene, options.maximumDeflection, responses);
+  if (error.empty() && !options.save.empty())
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary(); // appended data cannot be read back with newer expat
+    writer->SetFileName(options.save.c_str());
+    writer->SetInputData(responses.body);
+    const QuietScope quiet; // what it returns does not tell that the file could not be opened
+    writer->Write();
+    error = writer->GetErrorCode() == 0 && !quiet.window->hasFailed()
+      ? std::string()
+      : "cannot write '" + options.save + "'";
+  }
+  if (error.empty() && !options.exportTo.empty())
+  {
+    error = writeFlatBody(responses.body, responses.names.front(), options.exportTo);
+  }
+  return error;
 }
 } // namespace palpate

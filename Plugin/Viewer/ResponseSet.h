@@ -23,9 +23,10 @@ struct ResponseSet
   double bytesPerTool = 0.0; ///< of the response arrays
 };
 
-/// Returns an error, or "".
-std::string attachResponses(
-  const TouchScene& scene, double maximumDeflection, ResponseSet& responses);
+/// Attaches them as the options say and writes what --save and --export ask for. Returns an error,
+/// or "".
+std::string prepareResponses(
+  const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
 
 /// Updates an algorithm and returns the errors it reported, instead of letting them spill.
 std::string updateQuietly(vtkAlgorithm* algorithm);

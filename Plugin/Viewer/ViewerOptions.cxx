@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace palpate
@@ -14,14 +16,22 @@ namespace
 const char* const Footer =
   R"(Units: mm, N, MPa, s. Tools: flat:R, sphere:R, paraboloid:R (mm), cone:DEGREES (from the axis).
 
-Files: .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
+Files: .palpate (written by --export), .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
 .nii .nii.gz .vti (scans: their outer skin is taken).
 
 Examples:
   palpate                                    the head of Debian's mricron-data, three tools
   palpate --scene cylinder                   the scene of Mahvash and Hayward 2002, Figure 9
   palpate liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45
+  palpate --window                           the head in a window, under the mouse
   palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
+
+/// NaN and infinity are numbers to CLI11 and pass its ranges.
+std::string checkFinite(const std::string& text)
+{
+  return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
+                                                           : text + " is not a finite number";
+}
 
 std::string checkToolText(const std::string& text)
 {
@@ -82,6 +92,17 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--output", options.output, "folder for pictures and trajectory")
     ->capture_default_str();
   app.add_option("--save", options.save, "also write the body with its responses, a .vtp");
+  app.add_option("--export", options.exportTo,
+    "also write the body with the first tool's responses for loops without VTK, a .palpate");
+  app.add_flag("--window", options.window,
+    "open a window in which the mouse moves the tool, instead of writing pictures");
+
+  for (const char* option :
+    { "--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
+      "--contour", "--closing", "--site", "--slide-to", "--rate" })
+  {
+    app.get_option(option)->check(CLI::Validator(checkFinite, ""));
+  }
 
   try
   {

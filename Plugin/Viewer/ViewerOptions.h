@@ -30,6 +30,8 @@ struct ViewerOptions
   double rate = 1000.0;
   std::string output = "palpate-output";
   std::string save;
+  std::string exportTo;
+  bool window = false;
 };
 
 /// Reads the command line. Returns an exit code when the program is to end here (help, version, or

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // palpate: press a tool against a body, see and feel the force. See --help.
+#include "DisplayCheck.h"
+#include "LiveWindow.h"
 #include "OffscreenSession.h"
 #include "TouchScene.h"
 #include "ViewerOptions.h"
@@ -29,17 +31,16 @@ int main(int argc, char** argv)
   }
   // An application may choose how VTK's loops run; the libraries leave it to their host.
   vtkSMPTools::SetBackend("STDThread");
-#ifndef _WIN32
-  if (!std::getenv("DISPLAY"))
-  {
-    return fail("pictures need an X server, and DISPLAY is not set; run under xvfb-run");
-  }
-#endif
   palpate::TouchScene scene;
-  std::string error = palpate::makeTouchScene(options, scene);
+  std::string error = palpate::displayProblem();
   if (error.empty())
   {
-    error = palpate::runOffscreen(options, scene);
+    error = palpate::makeTouchScene(options, scene);
+  }
+  if (error.empty())
+  {
+    error =
+      options.window ? palpate::runLive(options, scene) : palpate::runOffscreen(options, scene);
   }
   return error.empty() ? EXIT_SUCCESS : fail(error);
 }

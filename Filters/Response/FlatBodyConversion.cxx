@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlatBodyConversion.h"
+
+#include "BodyConversion.h"
+#include "FlatBodyFile.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+/// A VTK array filled from flat memory.
+template <class Array, class Value>
+vtkSmartPointer<Array> copied(
+  const std::string& name, const Value* values, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  std::copy_n(values, static_cast<std::size_t>(components * tuples), array->GetPointer(0));
+  return array;
+}
+
+void addCurves(const FlatBody& flat, const std::string& name, vtkPolyData* body)
+{
+  const ResponseArrays& response = flat.response;
+  const auto count = static_cast<vtkIdType>(flat.points);
+  if (response.basis)
+  {
+    body->GetFieldData()->AddArray(
+      copied<vtkFloatArray>(name + "Basis", response.basis, 2 * response.samples, response.laws));
+    body->GetPointData()->AddArray(
+      copied<vtkFloatArray>(name + "Coefficient", response.coefficient, response.laws, count));
+    return;
+  }
+  body->GetPointData()->AddArray(
+    copied<vtkFloatArray>(name + "Force", response.force, response.samples, count));
+  body->GetPointData()->AddArray(
+    copied<vtkFloatArray>(name + "Stiffness", response.stiffness, response.samples, count));
+}
+} // namespace
+
+std::string writeFlatBody(vtkPolyData* body, const std::string& name, const std::string& path)
+{
+  std::string error = checkTriangles(body);
+  FlatBody flat;
+  if (!error.empty() || !viewResponse(body, name, flat.response, error))
+  {
+    return error;
+  }
+  vtkPointData* data = body->GetPointData();
+  auto* validity = vtkFloatArray::FastDownCast(data->GetAbstractArray((name + "Validity").c_str()));
+  auto* limit =
+    vtkUnsignedCharArray::FastDownCast(data->GetAbstractArray((name + "Limit").c_str()));
+  if (!validity || !limit || validity->GetNumberOfValues() != body->GetNumberOfPoints() ||
+    limit->GetNumberOfValues() != body->GetNumberOfPoints())
+  {
+    return "array '" + name + "Validity' (float) or '" + name + "Limit' (uint8) is missing";
+  }
+  const std::vector<std::int32_t> corners = copyTriangles(body);
+  const std::vector<double> coordinates = copyPoints(body);
+  flat.points = flat.response.points;
+  flat.triangles = corners.size() / 3;
+  flat.coordinates = coordinates.data();
+  flat.corners = corners.data();
+  flat.validity = validity->GetPointer(0);
+  flat.limit = limit->GetPointer(0);
+  flat.tool = responseText(body, name, "Tool");
+  flat.model = responseText(body, name, "Model");
+  return FlatBodyFile::write(path, flat);
+}
+
+vtkSmartPointer<vtkPolyData> readFlatBody(
+  const std::string& path, const std::string& name, std::string& error)
+{
+  FlatBodyFile file;
+  error = file.open(path);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  const FlatBody& flat = file.body();
+  const auto count = static_cast<vtkIdType>(flat.points);
+  const auto triangles = static_cast<vtkIdType>(flat.triangles);
+  const std::int32_t* end = flat.corners + 3 * flat.triangles;
+  const auto lost = std::find_if(
+    flat.corners, end, [count](std::int32_t corner) { return corner < 0 || corner >= count; });
+  if (lost != end)
+  {
+    error = "'" + path + "': triangle " + std::to_string((lost - flat.corners) / 3) +
+      " has the corner " + std::to_string(*lost) + ", but there are " + std::to_string(count) +
+      " points";
+    return nullptr;
+  }
+
+  auto body = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetData(copied<vtkDoubleArray>("Points", flat.coordinates, 3, count));
+  body->SetPoints(points);
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(triangles + 1);
+  for (vtkIdType i = 0; i <= triangles; ++i)
+  {
+    offsets->SetValue(i, static_cast<int>(3 * i));
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->SetData(
+    offsets, copied<vtkTypeInt32Array>("", flat.corners, 1, 3 * triangles).GetPointer());
+  body->SetPolys(polys);
+
+  vtkPointData* data = body->GetPointData();
+  const ResponseArrays& response = flat.response;
+  addCurves(flat, name, body);
+  data->AddArray(copied<vtkFloatArray>(name + "Normal", response.normal, 3, count));
+  data->AddArray(copied<vtkFloatArray>(name + "Range", response.range, 1, count));
+  data->AddArray(copied<vtkUnsignedCharArray>(name + "Status", response.status, 1, count));
+  data->AddArray(copied<vtkFloatArray>(name + "Validity", flat.validity, 1, count));
+  data->AddArray(copied<vtkUnsignedCharArray>(name + "Limit", flat.limit, 1, count));
+  describeResponse(body, name, { response.exponent, response.samples, flat.tool, flat.model });
+  return body;
+}
+} // namespace palpate

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ResponseFiller.h"
+
+#include "AxisymmetricTool.h"
+#include "ResponseField.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace palpate
+{
+namespace
+{
+constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
+constexpr double NormalTurn = 0.2;  // rad the body's normal may turn under the contact radius
+constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
+
+enum Limit : unsigned char
+{
+  NoLimit,
+  StrainLimit,
+  CurvatureLimit
+};
+
+void allocate(vtkDataArray* array, const std::string& name, int components, vtkIdType tuples)
+{
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+}
+} // namespace
+
+ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int samples)
+{
+  allocate(this->Force.Get(), name + "Force", samples, points);
+  allocate(this->Stiffness.Get(), name + "Stiffness", samples, points);
+  allocate(this->Normal.Get(), name + "Normal", 3, points);
+  allocate(this->Range.Get(), name + "Range", 1, points);
+  allocate(this->Validity.Get(), name + "Validity", 1, points);
+  allocate(this->Status.Get(), name + "Status", 1, points);
+  allocate(this->LimitReached.Get(), name + "Limit", 1, points);
+}
+
+void ResponseStorage::attach(vtkPolyData* output)
+{
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ this->Force, this->Stiffness,
+         this->Normal, this->Range, this->Validity, this->Status, this->LimitReached })
+  {
+    output->GetPointData()->AddArray(array);
+  }
+}
+
+ResponseFiller::ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law,
+  const CurvatureBound& curvature, const ResponseMaterial& material, double range,
+  ResponseStorage& storage)
+  : Tool(tool)
+  , Law(law)
+  , Curvature(curvature)
+  , Material(material)
+  , StrainDepth(tool.depthAtStrain(StrainRatio))
+  , Range(static_cast<float>(range))
+  , Samples(storage.Force->GetNumberOfComponents())
+  , Force(storage.Force->GetPointer(0))
+  , Stiffness(storage.Stiffness->GetPointer(0))
+  , RangeOf(storage.Range->GetPointer(0))
+  , Validity(storage.Validity->GetPointer(0))
+  , Status(storage.Status->GetPointer(0))
+  , LimitReached(storage.LimitReached->GetPointer(0))
+{
+}
+
+void ResponseFiller::fill(vtkIdType first, vtkIdType last) const
+{
+  for (vtkIdType i = first; i < last; ++i)
+  {
+    const double curvature = static_cast<double>(this->Curvature.at(i));
+    const double modulus = this->Material.reducedModulus ? this->Material.reducedModulus[i]
+                                                         : this->Material.constantModulus;
+    const double compliance = this->Material.compliance ? this->Material.compliance[i] : 0.0;
+    this->RangeOf[i] = this->Range;
+    this->Status[i] = this->fillCurve(i, curvature, modulus, compliance);
+    this->fillValidity(i, curvature, modulus, compliance);
+  }
+}
+
+/// Returns the status of the point.
+unsigned char ResponseFiller::fillCurve(
+  vtkIdType i, double curvature, double modulus, double compliance) const
+{
+  float* force = this->Force + this->Samples * i;
+  float* stiffness = this->Stiffness + this->Samples * i;
+  if (this->Status[i] != Valid || curvature < 0.0)
+  {
+    std::fill_n(force, this->Samples, 0.0F);
+    std::fill_n(stiffness, this->Samples, 0.0F);
+    return this->Status[i] != Valid ? this->Status[i]
+                                    : static_cast<unsigned char>(ResponseStatus::Degenerate);
+  }
+  if (compliance == 0.0)
+  {
+    this->Law.sample(modulus, force, stiffness);
+    return Valid;
+  }
+  return this->Law.sampleSeries(modulus, compliance, force, stiffness)
+    ? Valid
+    : static_cast<unsigned char>(ResponseStatus::Folded);
+}
+
+void ResponseFiller::fillValidity(
+  vtkIdType i, double curvature, double modulus, double compliance) const
+{
+  if (this->Status[i] != Valid)
+  {
+    this->Validity[i] = 0.0F;
+    this->LimitReached[i] = NoLimit;
+    return;
+  }
+  double depth = this->StrainDepth;
+  unsigned char limit = StrainLimit;
+  if (curvature > 0.0)
+  {
+    const double turned = this->Tool.depthAtContactRadius(NormalTurn / curvature);
+    if (turned < depth)
+    {
+      depth = turned;
+      limit = CurvatureLimit;
+    }
+  }
+  if (compliance != 0.0 && std::isfinite(depth))
+  {
+    depth = this->Law.totalDeflection(modulus, compliance, depth);
+  }
+  const bool within = depth < static_cast<double>(this->Range);
+  this->Validity[i] = within ? static_cast<float>(depth) : this->Range;
+  this->LimitReached[i] = within ? limit : static_cast<unsigned char>(NoLimit);
+}
+} // namespace palpate

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LiveWindow.h"
+
+#include "ResponseSet.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkContactScene.h"
+#include "vtkHapticSession.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkNew.h"
+#include "vtkPressPath.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Width = 1280;
+constexpr int Height = 960;
+constexpr double FieldRadii = 10.0; // the field is drawn this many contact radii far
+
+const char* const Help = "left on the body: press and slide   wheel while pressing: depth   "
+                         "left beside it: orbit   1-9: tool   q: quit";
+
+/// The window and what must change together when another tool is chosen.
+class LiveTouch
+{
+public:
+  LiveTouch(const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses)
+    : Scene(scene)
+    , Responses(responses)
+  {
+    this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
+    this->Renderer->UseFXAAOn();
+    this->Window->SetSize(Width, Height);
+    this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
+    this->Window->AddRenderer(this->Renderer);
+    this->Interactor->SetRenderWindow(this->Window);
+    this->View->SetRenderer(this->Renderer);
+    this->View->SetBody(responses.body);
+    this->View->SetTitle(scene.title);
+    this->View->SetPoissonRatio(scene.poissonsRatio);
+    this->View->SetLargestDeflection(options.maximumDeflection);
+    this->Session->SetBody(responses.body);
+    this->Session->SetRate(options.rate);
+    this->Session->RealTimeOn();
+    this->Style->SetSession(this->Session);
+    this->Style->SetScene(this->View);
+    this->Style->SetMaximumDepth(options.maximumDeflection);
+    this->Style->SetPressDepth(scene.depth);
+    this->Interactor->SetInteractorStyle(this->Style);
+    this->addHelp();
+    this->observeTools();
+  }
+
+  /// Puts the tool above the first site of the scene, so that there is something to see.
+  std::string placeTool()
+  {
+    vtkNew<vtkPressPath> path;
+    path->SetInputData(this->Responses.body);
+    path->SetCenter(this->Scene.center[0], this->Scene.center[1], this->Scene.center[2]);
+    const Direction& to = this->Scene.directions.front();
+    path->AddDirection(to[0], to[1], to[2]);
+    path->SetApproach(this->Style->GetHoverHeight());
+    const std::string error = updateQuietly(path);
+    if (error.empty())
+    {
+      this->Session->SteerTo(path->GetOutput()->GetPoint(0));
+    }
+    return error;
+  }
+
+  /// Switches tool: the session begins anew with its responses, where the tip is.
+  bool choose(std::size_t tool)
+  {
+    if (tool >= this->Responses.tools.size())
+    {
+      return false;
+    }
+    if (this->Session->GetState() == vtkHapticSession::Running)
+    {
+      double tip[3];
+      this->Session->GetTip(tip);
+      this->Session->SteerTo(tip);
+    }
+    this->Session->SetResponseName(this->Responses.names[tool]);
+    vtkContactTool* chosen = this->Responses.tools[tool];
+    this->View->SetTool(chosen);
+    std::printf("tool: %s\n", chosen->GetDescription().c_str());
+    this->View->SetFieldRadius(
+      FieldRadii * chosen->GetContactRadius(this->Style->GetMaximumDepth()));
+    return this->Session->Start();
+  }
+
+  void run()
+  {
+    this->Interactor->Initialize();
+    this->Style->OnTimer();
+    this->View->LookAtBody(this->Scene.viewFrom.data(), this->Scene.up.data());
+    this->Window->Render();
+    this->Style->StartUpdates();
+    this->Interactor->Start();
+    this->Session->Stop();
+    this->printSummary();
+  }
+
+  void setLargestForce(double force) { this->View->SetLargestForce(force); }
+
+private:
+  void printSummary()
+  {
+    std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
+      static_cast<long long>(this->Session->GetNumberOfTicks()),
+      static_cast<long long>(this->Session->GetNumberOfMissedTicks()),
+      this->Style->GetStrongestForce());
+  }
+
+  void addHelp()
+  {
+    vtkNew<vtkTextActor> help;
+    help->SetInput(Help);
+    help->GetTextProperty()->SetFontSize(15);
+    help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
+    help->GetTextProperty()->SetVerticalJustificationToTop();
+    help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
+    this->Renderer->AddViewProp(help);
+  }
+
+  void observeTools()
+  {
+    vtkNew<vtkCallbackCommand> chosen;
+    chosen->SetClientData(this);
+    chosen->SetCallback(
+      [](vtkObject*, unsigned long, void* client, void* tool)
+      {
+        static_cast<LiveTouch*>(client)->choose(
+          static_cast<std::size_t>(*static_cast<const int*>(tool)));
+      });
+    this->Style->AddObserver(vtkInteractorStyleHaptic::ToolChosenEvent, chosen);
+  }
+
+  const TouchScene& Scene;
+  const ResponseSet& Responses;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkContactScene> View;
+  vtkNew<vtkHapticSession> Session;
+  vtkNew<vtkInteractorStyleHaptic> Style;
+};
+
+/// The largest force any tool gives at the largest deflection, at the first point that has one.
+double largestForce(const TouchScene& scene, const ResponseSet& responses, double deflection)
+{
+  const double nu = scene.poissonsRatio;
+  double largest = 0.0;
+  for (const auto& tool : responses.tools)
+  {
+    largest = std::max(largest, tool->GetForce(deflection, scene.youngsModulus / (1.0 - nu * nu)));
+  }
+  return largest;
+}
+} // namespace
+
+std::string runLive(const ViewerOptions& options, const TouchScene& scene)
+{
+  ResponseSet responses;
+  std::string error = prepareResponses(options, scene, responses);
+  if (!error.empty())
+  {
+    return error;
+  }
+  LiveTouch live(options, scene, responses);
+  live.setLargestForce(largestForce(scene, responses, options.maximumDeflection));
+  error = live.placeTool();
+  if (error.empty() && !live.choose(0))
+  {
+    error = "the session did not start";
+  }
+  if (error.empty())
+  {
+    live.run();
+  }
+  return error;
+}
+} // namespace palpate

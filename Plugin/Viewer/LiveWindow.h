@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_LiveWindow_h
+#define palpate_LiveWindow_h
+
+#include "TouchScene.h"
+#include "ViewerOptions.h"
+
+#include <string>
+
+namespace palpate
+{
+/**
+ * The session in a window: the servo thread at the chosen rate, the mouse moves the tool, keys 1 to
+ * 9 choose it, q ends. Returns when the window is closed; an error, or "".
+ */
+std::string runLive(const ViewerOptions& options, const TouchScene& scene);
+} // namespace palpate
+
+#endif

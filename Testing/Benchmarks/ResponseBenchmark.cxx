@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkToolContactResponse on two million points, into memory that is new each time, beside the time
+// to clear as much new memory in the same run. The floor is not 1: the filter also reads points,
+// normals and triangles, `read_MB`.
+#include "vtkCellArray.h"
+#include "vtkContactTool.h"
+#include "vtkDataObject.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkToolContactResponse.h"
+
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr vtkIdType Side = 1415; // points along each side: 2 002 225
+constexpr vtkIdType PointCount = Side * Side;
+constexpr vtkIdType TriangleCount = 2 * (Side - 1) * (Side - 1);
+constexpr std::size_t Samples = 8;
+
+/// A wavy square with normals and arrays `E` (MPa) and `C` (mm/N). Built once.
+vtkPolyData* grid()
+{
+  static const vtkNew<vtkPolyData> body;
+  if (body->GetNumberOfPoints() > 0)
+  {
+    return body;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(PointCount);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(PointCount);
+  vtkNew<vtkFloatArray> young;
+  young->SetName("E");
+  young->SetNumberOfTuples(PointCount);
+  vtkNew<vtkFloatArray> compliance;
+  compliance->SetName("C");
+  compliance->SetNumberOfTuples(PointCount);
+  vtkNew<vtkTypeInt64Array> corners;
+  corners->SetNumberOfValues(3 * TriangleCount);
+  vtkIdType next = 0;
+  for (vtkIdType j = 0; j < Side; ++j)
+  {
+    for (vtkIdType i = 0; i < Side; ++i)
+    {
+      const vtkIdType id = j * Side + i;
+      const double x = 0.1 * static_cast<double>(i);
+      points->SetPoint(id, x, 0.1 * static_cast<double>(j), std::sin(0.1 * x));
+      const double slope = 0.1 * std::cos(0.1 * x);
+      const double length = std::hypot(1.0, slope);
+      normals->SetTuple3(id, -slope / length, 0.0, 1.0 / length);
+      young->SetValue(id, 0.1F + 0.001F * static_cast<float>(id % 101));
+      compliance->SetValue(id, 0.01F * static_cast<float>(id % 11));
+      if (i + 1 < Side && j + 1 < Side)
+      {
+        for (const vtkIdType corner : { id, id + 1, id + Side + 1, id, id + Side + 1, id + Side })
+        {
+          corners->SetValue(next++, corner);
+        }
+      }
+    }
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(3, corners);
+  body->SetPoints(points);
+  body->SetPolys(triangles);
+  body->GetPointData()->SetNormals(normals);
+  body->GetPointData()->AddArray(young);
+  body->GetPointData()->AddArray(compliance);
+  return body;
+}
+
+/// A line of /proc/self/status, in MB.
+double memory(const char* name)
+{
+  std::ifstream file("/proc/self/status");
+  std::string line;
+  while (std::getline(file, line))
+  {
+    if (line.rfind(name, 0) == 0)
+    {
+      return std::stod(line.substr(line.find(':') + 1)) / 1024.0;
+    }
+  }
+  return 0.0;
+}
+
+void resetPeakMemory()
+{
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+template <class Work>
+double secondsOf(const Work& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The arrays of the filter's output, as sizes: n forces, n stiffnesses, normal, range, validity,
+/// status, limit.
+std::vector<std::size_t> outputSizes()
+{
+  const auto points = static_cast<std::size_t>(PointCount);
+  return { 4 * Samples * points, 4 * Samples * points, 12 * points, 4 * points, 4 * points, points,
+    points };
+}
+
+/// Gives freed memory back, so that what is allocated next is new.
+void forgetFreedMemory()
+{
+  malloc_trim(0);
+}
+
+/// Clears as many bytes, allocated one by one as the filter does, on one thread.
+double clearSeconds()
+{
+  forgetFreedMemory();
+  std::vector<void*> blocks;
+  const double seconds = secondsOf(
+    [&]
+    {
+      for (const std::size_t size : outputSizes())
+      {
+        blocks.push_back(std::malloc(size));
+        benchmark::DoNotOptimize(std::memset(blocks.back(), 1, size));
+      }
+    });
+  for (void* block : blocks)
+  {
+    std::free(block);
+  }
+  return seconds;
+}
+
+enum class Arrays
+{
+  None,
+  Young,
+  Compliance
+};
+
+void response(benchmark::State& state, Arrays arrays)
+{
+  vtkPolyData* body = grid();
+  vtkNew<vtkContactTool> tool;
+  double filterSeconds = 0.0;
+  double clearing = 0.0;
+  double peak = 0.0;
+  for (auto _ : state)
+  {
+    vtkNew<vtkToolContactResponse> filter;
+    filter->SetInputData(body);
+    filter->SetTool(tool);
+    filter->SetNumberOfSamples(static_cast<int>(Samples));
+    if (arrays != Arrays::None)
+    {
+      filter->SetInputArrayToProcess(arrays == Arrays::Young ? 0 : 2, 0, 0,
+        vtkDataObject::FIELD_ASSOCIATION_POINTS, arrays == Arrays::Young ? "E" : "C");
+    }
+    forgetFreedMemory();
+    resetPeakMemory();
+    const double before = memory("VmRSS");
+    const double seconds = secondsOf([&] { filter->Update(); });
+    peak = std::max(peak, memory("VmHWM") - before);
+    if (!filter->GetOutput()->GetPointData()->HasArray("ResponseForce"))
+    {
+      state.SkipWithError("no response");
+    }
+    filter->SetInputData(nullptr);
+    filter->GetOutput()->Initialize();
+    state.SetIterationTime(seconds);
+    filterSeconds += seconds;
+    clearing += clearSeconds();
+  }
+  double bytes = 0.0;
+  for (const std::size_t size : outputSizes())
+  {
+    bytes += static_cast<double>(size);
+  }
+  const auto runs = static_cast<double>(state.iterations());
+  state.counters["points"] = static_cast<double>(PointCount);
+  state.counters["written_MB"] = bytes / 1e6;
+  state.counters["read_MB"] = static_cast<double>(24 * PointCount + 24 * TriangleCount) / 1e6;
+  state.counters["memset_ms"] = 1e3 * clearing / runs;
+  state.counters["ratio"] = filterSeconds / clearing;
+  state.counters["peak_MiB"] = peak; // above what was in use before
+}
+
+void ResponseOfConstants(benchmark::State& state)
+{
+  response(state, Arrays::None);
+}
+void ResponseOfModulusArray(benchmark::State& state)
+{
+  response(state, Arrays::Young);
+}
+void ResponseOfComplianceArray(benchmark::State& state)
+{
+  response(state, Arrays::Compliance);
+}
+} // namespace
+
+BENCHMARK(ResponseOfConstants)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(1.0);
+BENCHMARK(ResponseOfModulusArray)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(1.0);
+BENCHMARK(ResponseOfComplianceArray)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_FilterChecks_h
+#define palpate_testing_FilterChecks_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkTestErrorObserver.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+/// Counts a failure and goes on; the test returns palpate::testing::result().
+#define PALPATE_CHECK(condition)                                                                   \
+  palpate::testing::check((condition), #condition, std::string(), __FILE__, __LINE__)
+/// |actual - expected| <= tolerance; never true for NaN.
+#define PALPATE_CHECK_NEAR(actual, expected, tolerance)                                            \
+  palpate::testing::checkNear((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
+/// The text must contain every one of the given words.
+#define PALPATE_CHECK_TEXT(text, ...)                                                              \
+  palpate::testing::checkText((text), { __VA_ARGS__ }, __FILE__, __LINE__)
+
+namespace palpate::testing
+{
+inline int& failures()
+{
+  static int count = 0;
+  return count;
+}
+
+inline int result()
+{
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+inline void check(
+  bool good, const char* condition, const std::string& remark, const char* file, int line)
+{
+  if (!good && ++failures() <= 20) // the first ones tell enough
+  {
+    std::cerr << file << ":" << line << ": failed: " << condition << remark << std::endl;
+  }
+}
+
+inline void checkNear(double actual, double expected, double tolerance, const char* expression,
+  const char* file, int line)
+{
+  const bool good = std::abs(actual - expected) <= tolerance;
+  std::string remark;
+  if (!good)
+  {
+    char text[200];
+    std::snprintf(text, sizeof text, " is %.17g instead of %.17g, off by %.3g > %.3g", actual,
+      expected, actual - expected, tolerance);
+    remark = text;
+  }
+  check(good, expression, remark, file, line);
+}
+
+inline void checkText(
+  const std::string& text, std::initializer_list<const char*> words, const char* file, int line)
+{
+  for (const char* word : words)
+  {
+    check(text.find(word) != std::string::npos, "message",
+      " lacks '" + std::string(word) + "': \"" + text + "\"", file, line);
+  }
+}
+
+/// Catches what an object reports while this lives, and the executive's own remark that it failed.
+class Messages
+{
+public:
+  explicit Messages(vtkObject* object) { listen(object, this->Own); }
+  explicit Messages(vtkAlgorithm* algorithm)
+  {
+    listen(algorithm, this->Own);
+    listen(algorithm->GetExecutive(), this->Executive);
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+
+  std::string errors() const { return this->Own->GetErrorMessage(); }
+  std::string warnings() const { return this->Own->GetWarningMessage(); }
+  /// Whether nothing was reported by anybody.
+  bool none() const
+  {
+    return !this->Own->GetError() && !this->Own->GetWarning() && !this->Executive->GetError();
+  }
+  void clear()
+  {
+    this->Own->Clear();
+    this->Executive->Clear();
+  }
+  /// The errors since the last call.
+  std::string takeErrors()
+  {
+    const std::string text = this->errors();
+    this->clear();
+    return text;
+  }
+
+private:
+  using Observer = vtkSmartPointer<vtkTest::ErrorObserver>;
+  static void listen(vtkObject* object, vtkTest::ErrorObserver* observer)
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, observer);
+    object->AddObserver(vtkCommand::WarningEvent, observer);
+  }
+
+  Observer Own = Observer::New();
+  Observer Executive = Observer::New();
+};
+
+/// Runs `work` with so many threads; the Sequential default of some VTKs would test nothing.
+template <class Work>
+void withThreads(int threads, const Work& work)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, work);
+}
+} // namespace palpate::testing
+
+#endif

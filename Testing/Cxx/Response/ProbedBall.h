@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_ProbedBall_h
+#define palpate_testing_ProbedBall_h
+
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkDataObject.h"
+#include "vtkToolContactProbe.h"
+
+#include <random>
+
+namespace palpate::testing
+{
+constexpr double BallRadius = 20.0;
+
+/// Tips below the surface of the ball: depth up to 2.5 of a range of 2, and some outside.
+inline Body tipsInBall(int count)
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> depth(-0.3, 2.5);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < count; ++i)
+  {
+    double x[3];
+    for (double& c : x)
+    {
+      c = normal(random);
+    }
+    vtkMath::Normalize(x);
+    vtkMath::MultiplyScalar(x, BallRadius - depth(random));
+    points->InsertNextPoint(x);
+  }
+  auto tips = Body::New();
+  tips->SetPoints(points);
+  return tips;
+}
+
+/// The probe's arrays on these tips.
+inline vtkSmartPointer<vtkPointData> probe(
+  vtkPolyData* body, vtkPolyData* tips, int form = 1, int threads = 1)
+{
+  vtkNew<vtkToolContactProbe> filter;
+  filter->SetInputData(body);
+  filter->SetTipData(tips);
+  filter->SetForceForm(form);
+  withThreads(threads, [&] { filter->Update(); });
+  return filter->GetOutput()->GetPointData();
+}
+
+/// Different from point to point, MPa.
+inline double modulusAt(vtkIdType point)
+{
+  return 0.1 + 0.07 * static_cast<double>(point % 13);
+}
+
+/// A ball of 162 points with the response of a tool, its moduli modulusAt or all `modulus`.
+inline Body heterogeneousBall(const char* tool, double modulus = 0.0)
+{
+  Body body = sphereBody(BallRadius, 2);
+  pointArray(body, "E", [modulus](vtkIdType i) { return modulus > 0.0 ? modulus : modulusAt(i); });
+  vtkNew<vtkToolContactResponse> filter;
+  filter->SetInputData(body);
+  filter->SetTool(makeTool(tool));
+  filter->SetPoissonRatio(0.0);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "E");
+  filter->Update();
+  Body output = Body::New();
+  output->DeepCopy(filter->GetOutput());
+  return output;
+}
+} // namespace palpate::testing
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The geometry of a tool: on its profile, closed, outward, as large as said.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkContactToolSource.h"
+#include "vtkFeatureEdges.h"
+#include "vtkTriangle.h"
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Length = 40.0;
+
+struct Case
+{
+  const char* tool;
+  double outer;  // radius of the shaft, mm
+  double volume; // mm³, of the ideal tool
+};
+
+/// Points lie on the profile, on the shaft or on the lid.
+void checkPoints(vtkPolyData* geometry, vtkContactTool* tool, double outer)
+{
+  // Float points of 40 mm: 2e-6 off; where the profile is steep that is a height of 1e-4.
+  constexpr double Rounding = 4e-6;
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    const double* x = geometry->GetPoint(i);
+    const double r = std::hypot(x[0], x[1]);
+    const double slightly = std::max(0.0, r - Rounding);
+    const bool onProfile = x[2] >= tool->GetProfile(slightly) - Rounding &&
+      (r + Rounding >= outer || x[2] <= tool->GetProfile(r + Rounding) + Rounding);
+    const bool onLid = std::abs(x[2] - Length) <= Rounding;
+    PALPATE_CHECK(r <= outer + Rounding && (onProfile || onLid));
+  }
+}
+
+/// Point normals agree with the winding. Returns the volume enclosed, > 0 if that is outward.
+double checkNormals(vtkPolyData* geometry)
+{
+  vtkDataArray* normals = geometry->GetPointData()->GetNormals();
+  PALPATE_CHECK(normals != nullptr);
+  double volume = 0.0;
+  for (vtkIdType cell = 0; cell < geometry->GetNumberOfCells(); ++cell)
+  {
+    PALPATE_CHECK(geometry->GetCellType(cell) == VTK_TRIANGLE);
+    vtkNew<vtkIdList> ids;
+    geometry->GetCellPoints(cell, ids);
+    double p[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      geometry->GetPoint(ids->GetId(k), p[k]);
+    }
+    double facet[3];
+    vtkTriangle::ComputeNormal(p[0], p[1], p[2], facet);
+    if (vtkTriangle::TriangleArea(p[0], p[1], p[2]) < 1e-6)
+    {
+      continue; // the sweep leaves slivers on the axis
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      // Normals are split at 30°: none deviates more from its facet.
+      PALPATE_CHECK(vtkMath::Dot(facet, normals->GetTuple3(ids->GetId(k))) > std::cos(0.53));
+    }
+    double cross[3];
+    vtkMath::Cross(p[1], p[2], cross);
+    volume += vtkMath::Dot(p[0], cross) / 6.0;
+  }
+  return volume;
+}
+
+void checkClosed(vtkPolyData* geometry)
+{
+  vtkNew<vtkCleanPolyData> merged; // normals were split along sharp edges
+  merged->SetInputData(geometry);
+  merged->SetToleranceIsAbsolute(true);
+  merged->SetAbsoluteTolerance(1e-5);
+  vtkNew<vtkFeatureEdges> border;
+  border->SetInputConnection(merged->GetOutputPort());
+  border->FeatureEdgesOff();
+  border->NonManifoldEdgesOff();
+  border->ManifoldEdgesOff();
+  border->BoundaryEdgesOn();
+  border->Update();
+  PALPATE_CHECK(border->GetOutput()->GetNumberOfCells() == 0);
+}
+
+void checkShapes()
+{
+  const double pi = vtkMath::Pi();
+  const double cot60 = 1.0 / std::sqrt(3.0);
+  const Case cases[] = { { "flat:1.6", 1.6, pi * 1.6 * 1.6 * Length },
+    // half a ball and a shaft; the space under a paraboloid or cone is 1/2 or 2/3 of a cylinder
+    { "sphere:5", 5.0, pi * 25.0 * (Length - 5.0) + 2.0 / 3.0 * pi * 125.0 },
+    { "paraboloid:5", 8.0, pi * 64.0 * (Length - 0.5 * 6.4) },
+    { "cone:60", 8.0, pi * 64.0 * (Length - 2.0 / 3.0 * 8.0 * cot60) } };
+  for (const Case& wanted : cases)
+  {
+    const auto tool = makeTool(wanted.tool);
+    vtkNew<vtkContactToolSource> source;
+    Messages messages(source);
+    source->SetTool(tool);
+    source->SetLength(Length);
+    source->Update();
+    vtkPolyData* geometry = source->GetOutput();
+    PALPATE_CHECK(messages.none() && geometry->GetNumberOfCells() > 64);
+    checkPoints(geometry, tool, wanted.outer);
+    checkClosed(geometry);
+    // 64 facets around hold sin(2π/64)/(2π/64) = 0.9984 of the circle; the chords of the profile
+    // take up to 1e-3 more of the tip's part.
+    PALPATE_CHECK_NEAR(checkNormals(geometry) / wanted.volume, 0.9984, 5e-4);
+    const double* bounds = geometry->GetBounds();
+    PALPATE_CHECK_NEAR(bounds[4], 0.0, 1e-6);
+    PALPATE_CHECK_NEAR(bounds[5], Length, 1e-5);
+    PALPATE_CHECK_NEAR(bounds[1], wanted.outer, 1e-5);
+    PALPATE_CHECK_NEAR(bounds[0], -wanted.outer, 0.002 * wanted.outer);
+  }
+}
+
+/// A steep cone would pass the length before the radius: the shaft begins below.
+void checkSteep()
+{
+  const auto tool = makeTool("cone:5");
+  vtkNew<vtkContactToolSource> source;
+  source->SetTool(tool);
+  source->SetLength(Length);
+  source->Update();
+  const double* bounds = source->GetOutput()->GetBounds();
+  PALPATE_CHECK_NEAR(bounds[5], Length, 1e-5);
+  PALPATE_CHECK(bounds[1] < Length * std::tan(vtkMath::RadiansFromDegrees(5.0)));
+  checkClosed(source->GetOutput());
+}
+
+void checkErrors()
+{
+  vtkNew<vtkContactToolSource> source;
+  Messages messages(source);
+  source->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Tool");
+  const auto tool = makeTool("sphere:5");
+  source->SetTool(tool);
+  source->SetLength(0.0);
+  source->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Length");
+  source->SetLength(30.0);
+  source->SetMaximumRadius(-1.0);
+  source->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "MaximumRadius");
+  PALPATE_CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+  source->SetMaximumRadius(8.0);
+  source->Update();
+  PALPATE_CHECK(messages.none() && source->GetOutput()->GetNumberOfPoints() > 0);
+  tool->SetRadius(2.0); // the tool's change reaches the geometry
+  source->Update();
+  PALPATE_CHECK_NEAR(source->GetOutput()->GetBounds()[1], 2.0, 1e-5);
+}
+} // namespace
+
+int TestContactToolSource(int, char*[])
+{
+  checkShapes();
+  checkSteep();
+  checkErrors();
+  return palpate::testing::result();
+}

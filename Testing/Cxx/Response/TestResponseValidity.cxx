@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How deep a response may be trusted: Validity and Limit.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkDataObject.h"
+#include "vtkReverseSense.h"
+
+namespace
+{
+using namespace palpate::testing;
+
+enum LimitCode
+{
+  None = 0,
+  Strain = 1,
+  Curvature = 2
+};
+
+/// Float storage of depths; the curvature of a sphere is found from float normals over edges of
+/// about R/5, off by 2 · 6e-8 · 5.
+constexpr double DepthRounding = 1e-6;
+
+void expect(vtkPolyData* body, const char* tool, double range, double depth, LimitCode limit)
+{
+  const Body output = withResponse(body, tool, range);
+  vtkDataArray* depths = output->GetPointData()->GetArray("ResponseValidity");
+  vtkDataArray* limits = output->GetPointData()->GetArray("ResponseLimit");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    PALPATE_CHECK_NEAR(depths->GetTuple1(i), depth, DepthRounding * depth);
+    PALPATE_CHECK(limits->GetTuple1(i) == limit);
+  }
+}
+
+/// Depth of an exact sphere of radius R with contact radius a (Sneddon 1965).
+double sphereDepth(double a, double radius)
+{
+  return 0.5 * a * std::log((radius + a) / (radius - a));
+}
+
+void checkStrain()
+{
+  Body flat = planeBody(10.0, 3);
+  expect(flat, "sphere:5", 2.0, sphereDepth(2.0, 5.0), Strain);
+  expect(flat, "sphere:5", 0.5, 0.5, None);
+  expect(flat, "paraboloid:5", 2.0, 0.16 * 5.0, Strain); // a² = Rδ
+  expect(flat, "flat:1.6", 2.0, 0.4 * 1.6, Strain);      // δ/a
+  expect(flat, "flat:6", 2.0, 2.0, None);
+  expect(flat, "cone:60", 2.0, 0.0, Strain); // δ/a = (π/2) cot 60° = 0.9 at any depth
+  expect(flat, "cone:80", 2.0, 2.0, None);   // 0.28
+}
+
+/// On a sphere every edge finds the curvature 1/R exactly: |n_j - n_i| = |x_j - x_i|/R.
+void checkCurvature()
+{
+  for (const double radius : { 3.0, 10.0, 50.0 })
+  {
+    Body body = sphereBody(radius, 2);
+    addRadialNormals(body);
+    const double a = 0.2 * radius;
+    // Contact radius a within the strain limit (0.4 R of the tool) and the range?
+    expect(body, "paraboloid:30", 2.0, std::min(2.0, a * a / 30.0),
+      a * a / 30.0 < 2.0 ? Curvature : None);
+    const double strain = sphereDepth(0.4 * 6.0, 6.0);
+    const double curved = a < 6.0 ? sphereDepth(a, 6.0) : 1e9;
+    expect(body, "sphere:6", 2.0, std::min(strain, curved), curved < strain ? Curvature : Strain);
+    const double slope = 0.5 * vtkMath::Pi() / std::tan(vtkMath::RadiansFromDegrees(80.0));
+    expect(body, "cone:80", 2.0, std::min(2.0, slope * a), slope * a < 2.0 ? Curvature : None);
+    expect(body, "flat:1", 2.0, a > 1.0 ? 0.4 : 0.0, a > 1.0 ? Strain : Curvature);
+  }
+}
+
+/// Each point takes the larger curvature of the edges that meet there. Cone 80: depth ∝ radius.
+void checkLargestEdge()
+{
+  Body body = Body::New();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> triangle;
+  triangle->InsertNextCell({ 0, 1, 2 });
+  body->SetPoints(points);
+  body->SetPolys(triangle);
+  // Normals that lean outward by 0.3 along x at point 1 and by 0.5 along y at point 2.
+  const double lean[3][3] = { { 0.0, 0.0, 1.0 }, { 0.3, 0.0, std::sqrt(0.91) },
+    { 0.0, 0.5, std::sqrt(0.75) } };
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (const auto& n : lean)
+  {
+    normals->InsertNextTuple(n);
+  }
+  body->GetPointData()->SetNormals(normals);
+  // Edges 0-1, 1-2 and 2-0: 0.3, (0.3 + 0.5)/2 and 0.5 per mm.
+  const double curvature[3] = { 0.5, 0.4, 0.5 };
+  const Body output = withResponse(body, "cone:80", 2.0);
+  const double slope = 0.5 * vtkMath::Pi() / std::tan(vtkMath::RadiansFromDegrees(80.0));
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    const double depth = slope * 0.2 / curvature[i];
+    vtkDataArray* depths = output->GetPointData()->GetArray("ResponseValidity");
+    PALPATE_CHECK_NEAR(depths->GetTuple1(i), depth, DepthRounding * depth);
+  }
+}
+
+/// A hollow limits as a bump does: the same sphere from inside.
+void checkHollow()
+{
+  Body body = sphereBody(10.0, 2);
+  vtkNew<vtkReverseSense> turn;
+  turn->SetInputData(body);
+  turn->Update();
+  Body hollow = Body::New();
+  hollow->ShallowCopy(turn->GetOutput());
+  addRadialNormals(hollow, -1.0);
+  expect(hollow, "sphere:6", 2.0, sphereDepth(2.0, 6.0), Curvature);
+}
+
+/// The depth is that of the whole deflection, local and global.
+void checkSeries()
+{
+  Body body = planeBody(10.0, 2);
+  pointArray(body, "C", [](vtkIdType i) { return 0.01 * static_cast<double>(i); });
+  vtkNew<vtkToolContactResponse> filter;
+  filter->SetInputData(body);
+  filter->SetTool(makeTool("paraboloid:5"));
+  filter->SetYoungsModulus(3.45);
+  filter->SetPoissonRatio(0.0);
+  filter->SetMaximumDeflection(1.0);
+  filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "C");
+  filter->Update();
+  const double local = 0.8;
+  const double force = 4.0 / 3.0 * 3.45 * std::sqrt(5.0) * std::pow(local, 1.5);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    const double depth = local + 0.01 * static_cast<double>(i) * force;
+    vtkPointData* data = filter->GetOutput()->GetPointData();
+    PALPATE_CHECK_NEAR(
+      data->GetArray("ResponseValidity")->GetTuple1(i), std::min(1.0, depth), DepthRounding);
+    PALPATE_CHECK(data->GetArray("ResponseLimit")->GetTuple1(i) == (depth < 1.0 ? Strain : None));
+  }
+}
+} // namespace
+
+int TestResponseValidity(int, char*[])
+{
+  checkStrain();
+  checkCurvature();
+  checkLargestEdge();
+  checkHollow();
+  checkSeries();
+  return palpate::testing::result();
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Single tips on a body that is not convex, against brute force: the closest of all triangles by
+// vtkTriangle, inside by the winding number, the force by the definition of the contract.
+#include "ContractOracle.h"
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkToolContactProbe.h"
+#include "vtkTriangle.h"
+
+#include <limits>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Range = 1.5;
+
+/// A sphere of 10 mm with bumps of 1 mm, a different modulus at each point.
+Body bumpyBody()
+{
+  Body body = sphereBody(10.0, 3);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    body->GetPoint(i, x);
+    vtkMath::MultiplyScalar(
+      x, 1.0 + 0.1 * std::sin(0.7 * x[0]) * std::cos(0.9 * x[1] + 0.4 * x[2]));
+    body->GetPoints()->SetPoint(i, x);
+  }
+  pointArray(body, "E", [](vtkIdType i) { return 0.1 + 0.001 * static_cast<double>(i); });
+  vtkNew<vtkToolContactResponse> filter;
+  filter->SetInputData(body);
+  filter->SetTool(makeTool("sphere:2"));
+  filter->SetMaximumDeflection(Range);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "E");
+  filter->Update();
+  Body output = Body::New();
+  output->ShallowCopy(filter->GetOutput());
+  return output;
+}
+
+struct Nearest
+{
+  vtkIdType cell = -1;
+  double distance = std::numeric_limits<double>::infinity();
+  double point[3];
+  bool inside = false;
+};
+
+/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983).
+double solidAngle(double (&p)[3][3])
+{
+  double cross[3];
+  vtkMath::Cross(p[1], p[2], cross);
+  const double a = vtkMath::Norm(p[0]);
+  const double b = vtkMath::Norm(p[1]);
+  const double c = vtkMath::Norm(p[2]);
+  return 2.0 *
+    std::atan2(vtkMath::Dot(p[0], cross),
+      a * b * c + vtkMath::Dot(p[0], p[1]) * c + vtkMath::Dot(p[1], p[2]) * a +
+        vtkMath::Dot(p[2], p[0]) * b);
+}
+
+Nearest bruteForce(vtkPolyData* body, const double tip[3])
+{
+  Nearest best;
+  double winding = 0.0;
+  for (vtkIdType cell = 0; cell < body->GetNumberOfCells(); ++cell)
+  {
+    vtkCell* triangle = body->GetCell(cell);
+    double closest[3];
+    double parametric[3];
+    double weights[3];
+    double squared = 0.0;
+    int subId = 0;
+    triangle->EvaluatePosition(tip, closest, subId, parametric, squared, weights);
+    if (std::sqrt(squared) < best.distance)
+    {
+      best.cell = cell;
+      best.distance = std::sqrt(squared);
+      std::copy_n(closest, 3, best.point);
+    }
+    double seen[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      vtkMath::Subtract(triangle->GetPoints()->GetPoint(k), tip, seen[k]);
+    }
+    winding += solidAngle(seen);
+  }
+  best.inside = winding > 2.0 * vtkMath::Pi(); // 4π inside, 0 outside
+  return best;
+}
+
+/// Σ n_i f_i along the normalised Σ n_i U_i, with area coordinates from areas.
+std::array<double, 3> blendedForce(vtkPolyData* body, const Nearest& contact)
+{
+  vtkCell* triangle = body->GetCell(contact.cell);
+  double p[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    triangle->GetPoints()->GetPoint(k, p[k]);
+  }
+  const double whole = vtkTriangle::TriangleArea(p[0], p[1], p[2]);
+  const ContractOracle oracle(body);
+  double force = 0.0;
+  std::array<double, 3> direction{};
+  for (int k = 0; k < 3; ++k)
+  {
+    const double weight =
+      vtkTriangle::TriangleArea(contact.point, p[(k + 1) % 3], p[(k + 2) % 3]) / whole;
+    force += weight * oracle.force(triangle->GetPointId(k), contact.distance);
+    double n[3];
+    oracle.normal(triangle->GetPointId(k), n);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      direction[c] += weight * n[c];
+    }
+  }
+  vtkMath::Normalize(direction.data());
+  return { force * direction[0], force * direction[1], force * direction[2] };
+}
+
+void checkBruteForce(vtkPolyData* body, vtkPolyData* tips, vtkPolyData* output)
+{
+  vtkPointData* data = output->GetPointData();
+  // Coordinates of about 10 mm, forces of about 1 N, some 1e-15 lost in each of a few dozen steps;
+  // the area coordinates of the oracle lose the square root's cancellation, 1e-8 of a facet.
+  constexpr double Length = 1e-11;
+  constexpr double Force = 1e-7;
+  std::array<int, 6> states{};
+  for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i)
+  {
+    const Nearest expected = bruteForce(body, tips->GetPoint(i));
+    const auto state = static_cast<int>(data->GetArray("ContactState")->GetTuple1(i));
+    ++states.at(static_cast<std::size_t>(state));
+    double found[3];
+    if (!expected.inside)
+    {
+      PALPATE_CHECK(state == 0 && data->GetArray("ContactCell")->GetTuple1(i) == -1.0);
+      for (const char* name : { "Force", "Normal", "ContactPoint", "FrictionForce" })
+      {
+        data->GetArray(name)->GetTuple(i, found);
+        PALPATE_CHECK(found[0] == 0.0 && found[1] == 0.0 && found[2] == 0.0);
+      }
+      PALPATE_CHECK(data->GetArray("Deflection")->GetTuple1(i) == 0.0);
+      PALPATE_CHECK(data->GetArray("NormalForce")->GetTuple1(i) == 0.0);
+      continue;
+    }
+    PALPATE_CHECK(
+      state == (expected.distance > static_cast<double>(static_cast<float>(Range)) ? 3 : 2));
+    PALPATE_CHECK_NEAR(data->GetArray("Deflection")->GetTuple1(i), expected.distance, Length);
+    data->GetArray("ContactPoint")->GetTuple(i, found);
+    const auto force = blendedForce(body, expected);
+    double actual[3];
+    data->GetArray("Force")->GetTuple(i, actual);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      PALPATE_CHECK_NEAR(found[c], expected.point[c], 1e-7); // flat minimum: square root of Length
+      PALPATE_CHECK_NEAR(actual[c], force[c], Force);
+    }
+    const double normalForce = data->GetArray("NormalForce")->GetTuple1(i);
+    PALPATE_CHECK_NEAR(vtkMath::Norm(actual), normalForce, 1e-14 * normalForce);
+    data->GetArray("Normal")->GetTuple(i, found);
+    PALPATE_CHECK_NEAR(vtkMath::Dot(actual, found), normalForce, 1e-14 * normalForce);
+    // Two triangles may tie at an edge: the cell given must be as close.
+    const auto cell = static_cast<vtkIdType>(data->GetArray("ContactCell")->GetTuple1(i));
+    double weights[3];
+    double squared = 0.0;
+    int subId = 0;
+    body->GetCell(cell)->EvaluatePosition(
+      tips->GetPoint(i), found, subId, actual, squared, weights);
+    PALPATE_CHECK_NEAR(std::sqrt(squared), expected.distance, Length);
+  }
+  PALPATE_CHECK(states[0] > 50 && states[2] > 50 && states[3] > 50); // the test meets all cases
+}
+
+void checkArrays(vtkPolyData* tips, vtkPolyData* output)
+{
+  PALPATE_CHECK(output->GetPoints() == tips->GetPoints());
+  PALPATE_CHECK(
+    output->GetPointData()->GetArray("Label") == tips->GetPointData()->GetArray("Label"));
+  const std::map<std::string, std::pair<int, int>> expected = { { "Force", { VTK_DOUBLE, 3 } },
+    { "NormalForce", { VTK_DOUBLE, 1 } }, { "FrictionForce", { VTK_DOUBLE, 3 } },
+    { "Deflection", { VTK_DOUBLE, 1 } }, { "Normal", { VTK_DOUBLE, 3 } },
+    { "ContactPoint", { VTK_DOUBLE, 3 } }, { "ContactCell", { VTK_ID_TYPE, 1 } },
+    { "ContactState", { VTK_UNSIGNED_CHAR, 1 } } };
+  for (const auto& [name, shape] : expected)
+  {
+    vtkDataArray* array = output->GetPointData()->GetArray(name.c_str());
+    PALPATE_CHECK(array && array->GetDataType() == shape.first &&
+      array->GetNumberOfComponents() == shape.second &&
+      array->GetNumberOfTuples() == tips->GetNumberOfPoints());
+  }
+}
+} // namespace
+
+int TestToolContactProbe(int, char*[])
+{
+  const Body body = bumpyBody();
+  const Body tips = tipsInCube(1500, 11.0, 20240611);
+  pointArray<vtkIntArray>(tips, "Label", [](vtkIdType i) { return 2.0 * static_cast<double>(i); });
+  vtkNew<vtkToolContactProbe> probe;
+  Messages messages(probe);
+  probe->SetInputData(body);
+  probe->SetTipData(tips);
+  probe->Update();
+  PALPATE_CHECK(messages.none());
+  checkArrays(tips, probe->GetOutput());
+  checkBruteForce(body, tips, probe->GetOutput());
+  return palpate::testing::result();
+}

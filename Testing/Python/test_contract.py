@@ -1,0 +1,217 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate.contract, the data contract in numpy, against the kernel: vtkResponseCurves for single
+points, vtkToolContactProbe for blends and beyond the range. Random bodies, both storage forms.
+
+Both sides read the same float32 arrays and calculate in double, in another order. TOLERANCE allows
+1e-12 of the largest sample of a curve: some 1e-16 per operation, times the differences of
+neighbouring samples, weighted by up to (n/i)^(2m) near the tip.
+"""
+import math
+import unittest
+
+import numpy as np
+
+from palpate import contract, vtkResponseCurves, vtkToolContactProbe
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+TOLERANCE = 1e-12
+RADIUS = 20.0
+
+
+def add_array(data, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
+    array.SetName("Response" + name)
+    data.AddArray(array)
+
+
+def random_body(random, exponent, samples, laws=0, ranges=(0.5, 2.0)):
+    """A ball whose points have unrelated, rising curves; compact if laws > 0."""
+    source = vtkSphereSource()
+    source.SetRadius(RADIUS)
+    source.SetThetaResolution(12)
+    source.SetPhiResolution(9)
+    source.Update()
+    body = vtkPolyData()
+    body.CopyStructure(source.GetOutput())
+    points, field, count = body.GetPointData(), body.GetFieldData(), body.GetNumberOfPoints()
+    rows = laws or count
+    fractions = (np.arange(1, samples + 1) / samples) ** 2
+    force = np.sort(random.uniform(0.5, 1.5, (rows, samples)) * fractions ** exponent, axis=1)
+    stiffness = force * exponent / fractions * random.uniform(0.5, 1.5, (rows, samples))
+    if laws:
+        add_array(field, "Basis", np.hstack([force, stiffness]).astype(np.float32))
+        add_array(points, "Coefficient", random.uniform(0.1, 2.0, (count, laws)).astype(np.float32))
+    else:
+        add_array(points, "Force", force.astype(np.float32))
+        add_array(points, "Stiffness", stiffness.astype(np.float32))
+    normals = vtk_to_numpy(body.GetPoints().GetData()) / RADIUS
+    add_array(points, "Normal", normals.astype(np.float32))
+    add_array(points, "Range", random.uniform(*ranges, count).astype(np.float32))
+    add_array(points, "Status", np.zeros(count, np.uint8))
+    add_array(field, "Exponent", np.array([exponent]))
+    add_array(field, "Samples", np.array([samples], np.int32))
+    return body
+
+
+def all_bodies():
+    random = np.random.default_rng(1729)
+    for exponent in (1.0, 1.5, 2.0):
+        for samples in (2, 8, 13):
+            for laws in (0, 1, 3):
+                yield (exponent, samples, laws), random_body(random, exponent, samples, laws)
+
+
+def random_tips(random, count, depths):
+    directions = random.normal(size=(count, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    # Facets of the ball lie up to 2 mm below its radius.
+    positions = directions * (RADIUS - random.uniform(*depths, count))[:, None]
+    tips, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(positions, deep=1, array_type=VTK_DOUBLE))
+    tips.SetPoints(points)
+    return tips
+
+
+def area_coordinates(body, cell, point):
+    """Indices of the corners of a triangle, and the area coordinates of a point on it."""
+    ids = [body.GetCell(cell).GetPointId(k) for k in range(3)]
+    a, b, c = (np.array(body.GetPoint(i)) for i in ids)
+    normal = np.cross(b - a, c - a)
+    areas = [np.cross(c - b, point - b), np.cross(a - c, point - c), np.cross(b - a, point - a)]
+    return ids, np.array([area @ normal for area in areas]) / (normal @ normal)
+
+
+class AgainstTheKernel(unittest.TestCase):
+    def test_curves_of_single_points(self):
+        for name, body in all_bodies():
+            with self.subTest(exponent_samples_laws=name):
+                response = contract.load(body)
+                curves = vtkResponseCurves()
+                curves.SetInputData(body)
+                ids = list(range(0, body.GetNumberOfPoints(), 7))
+                for i in ids:
+                    curves.AddPointId(i)
+                curves.SetNumberOfRows(211)  # several below the first sample
+                curves.Update()
+                table = curves.GetOutput()
+                depth = vtk_to_numpy(table.GetColumn(0))
+                for column, i in enumerate(ids, 1):
+                    kernel = vtk_to_numpy(table.GetColumn(column))
+                    inside = depth <= response["range"][i]
+                    self.assertTrue(np.isnan(kernel[~inside]).all())
+                    force, _ = contract.evaluate(response, i, depth[inside])
+                    scale = np.abs(response["force"][i]).max()
+                    np.testing.assert_allclose(kernel[inside], force, rtol=0, atol=TOLERANCE * scale)
+
+    def test_blends_under_random_tips(self):
+        random = np.random.default_rng(7)
+        reached = set()
+        for name, body in all_bodies():
+            with self.subTest(exponent_samples_laws=name):
+                response = contract.load(body)
+                probe = vtkToolContactProbe()
+                probe.SetInputData(body)
+                tips = random_tips(random, 80, (0.0, 5.0))
+                probe.SetTipData(tips)
+                probe.Update()
+                data = probe.GetOutput().GetPointData()
+                get = lambda key: vtk_to_numpy(data.GetArray(key))
+                for i in np.flatnonzero(get("ContactCell") >= 0):
+                    depth = get("Deflection")[i]
+                    ids, weights = area_coordinates(body, get("ContactCell")[i], get("ContactPoint")[i])
+                    force, _ = contract.evaluate(response, ids, depth)
+                    scale = np.abs(force).max() + np.abs(response["force"][ids]).max()
+                    # Weights come from coordinates of 20 mm on facets of 10 mm.
+                    self.assertAlmostEqual(get("NormalForce")[i], weights @ force,
+                                           delta=10 * TOLERANCE * scale)
+                    beyond = (depth > response["range"][ids]).any()
+                    self.assertEqual(get("ContactState")[i], 3 if beyond else 2)
+                    direction = weights @ response["normal"][ids]
+                    direction /= np.linalg.norm(direction)
+                    np.testing.assert_allclose(get("Force")[i], (weights @ force) * direction,
+                                               rtol=0, atol=10 * TOLERANCE * scale)
+                    reached.add(bool(beyond))
+        self.assertEqual(reached, {False, True})
+
+
+class ByDefinition(unittest.TestCase):
+    def test_power_laws_are_exact(self):
+        for exponent in (1.0, 1.5, 2.0):
+            body = random_body(np.random.default_rng(3), exponent, 8)
+            response = contract.load(body)
+            reach = response["range"][:, None]
+            depth = reach * (np.arange(1, 9) / 8) ** 2
+            response["force"] = 3 * depth ** exponent
+            response["stiffness"] = 3 * exponent * depth ** (exponent - 1)
+            points = np.arange(len(reach))[:, None]
+            probes = reach * np.geomspace(1e-6, 1, 300)
+            force, stiffness = contract.evaluate(response, points, probes)
+            np.testing.assert_allclose(force, 3 * probes ** exponent, rtol=1e-13)
+            np.testing.assert_allclose(stiffness, 3 * exponent * probes ** (exponent - 1), rtol=1e-12)
+
+    def test_samples_are_met_and_stiffness_is_the_derivative(self):
+        for name, body in all_bodies():
+            with self.subTest(exponent_samples_laws=name):
+                response = contract.load(body)
+                samples = response["force"].shape[1]
+                points = np.arange(len(response["range"]))[:, None]
+                reach = response["range"][:, None]
+                depth = reach * (np.arange(1, samples + 1) / samples) ** 2
+                force, stiffness = contract.evaluate(response, points, depth)
+                np.testing.assert_allclose(force, response["force"], rtol=1e-12)
+                np.testing.assert_allclose(stiffness, response["stiffness"], rtol=1e-12)
+                # Central differences: error h² F'''/6 and 1e-16 F/h, with h = 1e-6 of the depth;
+                # between the samples, where the second derivative does not jump.
+                middle = reach * ((np.arange(0, samples + 2) + 0.5) / samples) ** 2
+                step = 1e-6 * middle
+                above, _ = contract.evaluate(response, points, middle + step)
+                below, _ = contract.evaluate(response, points, middle - step)
+                _, slope = contract.evaluate(response, points, middle)
+                np.testing.assert_allclose((above - below) / (2 * step), slope, rtol=1e-6,
+                                           atol=1e-6 * np.abs(slope).max())
+
+    def test_ends(self):
+        body = random_body(np.random.default_rng(5), 1.5, 8)
+        response = contract.load(body)
+        reach = response["range"][0]
+        force, stiffness = contract.evaluate(response, 0, [-1.0, 0.0, reach, reach + 0.5, math.nan])
+        self.assertEqual(list(force[:2]) + list(stiffness[:2]), [0.0] * 4)
+        self.assertEqual(force[2], response["force"][0, -1])
+        self.assertAlmostEqual(force[3], force[2] + 0.5 * stiffness[2], delta=1e-14)
+        self.assertTrue(math.isnan(force[4]))
+        response["force"][0, 0] = 0.0  # q = 0: nothing below the first sample
+        force, stiffness = contract.evaluate(response, 0, reach / 100)
+        self.assertEqual((float(force), float(stiffness)), (0.0, 0.0))
+
+    def test_shapes_broadcast(self):
+        response = contract.load(random_body(np.random.default_rng(6), 2.0, 8))
+        force, stiffness = contract.evaluate(response, np.arange(4)[:, None], np.linspace(0, 1, 5))
+        self.assertEqual(force.shape, (4, 5))
+        self.assertEqual(stiffness.shape, (4, 5))
+        one, _ = contract.evaluate(response, 2, 0.25)
+        # numpy's vector and scalar powers differ in the last bit
+        self.assertAlmostEqual(float(one), force[2, 1], delta=1e-15)
+
+    def test_missing_arrays_are_named(self):
+        for name in ("Force", "Stiffness", "Normal", "Range", "Status"):
+            body = random_body(np.random.default_rng(8), 1.5, 8)
+            body.GetPointData().RemoveArray("Response" + name)
+            with self.assertRaisesRegex(KeyError, "Response" + name):
+                contract.load(body)
+        for name in ("Samples", "Exponent"):
+            body = random_body(np.random.default_rng(8), 1.5, 8)
+            body.GetFieldData().RemoveArray("Response" + name)
+            with self.assertRaisesRegex(KeyError, "Response" + name):
+                contract.load(body)
+
+    def test_it_stays_short(self):
+        with open(contract.__file__, encoding="utf-8") as file:
+            self.assertLessEqual(len(file.readlines()), 80)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
