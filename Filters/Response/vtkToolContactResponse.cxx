@@ -303,6 +303,10 @@ bool vtkToolContactResponse::FetchArray(vtkPolyData* body, int index, vtkDataArr
     return true; // never set: the constant property holds
   }
   vtkInformation* which = wanted->GetInformationObject(index);
+  if (which->Has(vtkDataObject::FIELD_NAME()) && !*which->Get(vtkDataObject::FIELD_NAME()))
+  {
+    return true; // an empty name takes the setting back
+  }
   array = this->GetInputArrayToProcess(index, body);
   if (!array)
   {

@@ -25,8 +25,9 @@
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (not available yet: an error), 2 global compliance (mm/N), 3 Poisson's ratio. An index
- * that was never set means the constant property, whatever arrays the body has; one that was set
- * but is not there is an error. So is a value out of range, naming array, index and value.
+ * that was never set, or set to an empty name, means the constant property, whatever arrays the
+ * body has; one that was set but is not there is an error. So is a value out of range, naming
+ * array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool), in series with the global
  * compliance where there is one: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 where that

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyFile.h"
 
+#include "FlatBodyConversion.h"
+
 #include "CollectingWindow.h"
 #include "MeshFileCheck.h"
 #include "PromptReader.h"
@@ -375,6 +377,11 @@ namespace palpate
 BodyFileResult readBodyFile(const std::string& path, const BodyFileOptions& options)
 {
   BodyFileResult result;
+  if (std::filesystem::path(path).extension() == ".palpate")
+  {
+    result.body = readFlatBody(path, "Response", result.error);
+    return result;
+  }
   const QuietScope quiet;
   std::string problem;
   try

@@ -2,7 +2,7 @@
 // The demo: the head of Debian's mricron-data (Colin 27, T1 MRI at 1 mm), forehead and cheek.
 #include "TouchScene.h"
 
-#include "BodyFile.h"
+#include "BodyCache.h"
 
 #include <filesystem>
 
@@ -26,7 +26,7 @@ std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene)
   file.resolution = options.resolution;
   file.contourValue = options.contourValue;
   file.closingRadius = options.closingRadius;
-  const BodyFileResult read = readBodyFile(scan, file);
+  const BodyFileResult read = readCachedScan(scan, file);
   if (!read.error.empty())
   {
     return read.error;

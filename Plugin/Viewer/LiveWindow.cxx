@@ -5,9 +5,11 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkContactScene.h"
+#include "vtkDataArray.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPressPath.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -157,14 +159,19 @@ private:
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
 
-/// The largest force any tool gives at the largest deflection, at the first point that has one.
-double largestForce(const TouchScene& scene, const ResponseSet& responses, double deflection)
+/// The largest stored force of any tool, N.
+double largestForce(const ResponseSet& responses)
 {
-  const double nu = scene.poissonsRatio;
-  double largest = 0.0;
-  for (const auto& tool : responses.tools)
+  double largest = 1e-9;
+  for (const std::string& name : responses.names)
   {
-    largest = std::max(largest, tool->GetForce(deflection, scene.youngsModulus / (1.0 - nu * nu)));
+    vtkDataArray* force = responses.body->GetPointData()->GetArray((name + "Force").c_str());
+    if (force)
+    {
+      double range[2];
+      force->GetRange(range, force->GetNumberOfComponents() - 1);
+      largest = std::max(largest, range[1]);
+    }
   }
   return largest;
 }
@@ -179,7 +186,7 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
     return error;
   }
   LiveTouch live(options, scene, responses);
-  live.setLargestForce(largestForce(scene, responses, options.maximumDeflection));
+  live.setLargestForce(largestForce(responses));
   error = live.placeTool();
   if (error.empty() && !live.choose(0))
   {

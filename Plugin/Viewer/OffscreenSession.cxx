@@ -130,7 +130,8 @@ void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapt
     std::printf(" %s", tool.c_str());
   }
   std::printf("; the first one touches\n");
-  std::printf("  model       elastic half-space at every vertex; %s\n", scene.modelReason.c_str());
+  std::printf("  model       %s%s\n", scene.stored ? "" : "elastic half-space at every vertex; ",
+    scene.modelReason.c_str());
   std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
     value("Ticks"), session->GetRate(), value("TicksInContact"));
   std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),

@@ -59,6 +59,12 @@ std::string attachResponses(
     const std::string name = responses.names.empty()
       ? std::string("Response")
       : "Response" + std::to_string(responses.names.size() + 1);
+    responses.tools.push_back(tool);
+    responses.names.push_back(name);
+    if (scene.stored)
+    {
+      continue;
+    }
     vtkNew<vtkToolContactResponse> attach;
     attach->SetTool(tool);
     attach->SetInputData(responses.body);
@@ -72,8 +78,6 @@ std::string attachResponses(
       return error;
     }
     responses.body = attach->GetOutput();
-    responses.tools.push_back(tool);
-    responses.names.push_back(name);
   }
   responses.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

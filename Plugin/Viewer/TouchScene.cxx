@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchScene.h"
 
+#include "BodyConversion.h"
 #include "BodyFile.h"
 
 namespace palpate
@@ -65,6 +66,14 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
                          "and --poisson";
   scene.modelReason = "no layer thickness and no compliance is known for this body";
   scene.tools = { "sphere:6.35" };
+  const std::string tool = responseText(scene.body, "Response", "Tool");
+  if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio)
+  {
+    scene.stored = true;
+    scene.tools = { tool };
+    scene.materialSource = "not used: the file brings its response";
+    scene.modelReason = "as stored in the file: " + responseText(scene.body, "Response", "Model");
+  }
   scene.body->GetCenter(scene.center.data());
   scene.directions = { { 0.0, 0.0, 1.0 } };
   scene.viewFrom = { 0.5, -0.8, 0.6 };

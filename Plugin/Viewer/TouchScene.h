@@ -23,6 +23,7 @@ struct TouchScene
   std::vector<std::string> notes; ///< what was done to get the body, a sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
+  bool stored = false; ///< the body brings the response "Response", to be used as it is
   std::string materialSource;
   std::string modelReason; ///< why the half-space law, and how far to trust it
   std::vector<std::string> tools;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSIOptionalArrayProperty
+ * @brief an input array to process that need not be chosen
+ *
+ * For a StringVectorProperty of five elements with the command SetInputArrayToProcess, named by
+ * si_class in the XML. ParaView would hand the choice "None" to the filter as the name of an array.
+ * This one makes the filter forget the index instead, as if it had never been set. An empty name
+ * (None in Python) means the same.
+ */
+#ifndef vtkSIOptionalArrayProperty_h
+#define vtkSIOptionalArrayProperty_h
+
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkSIStringVectorProperty.h"
+
+class PALPATESERVERMANAGER_EXPORT vtkSIOptionalArrayProperty : public vtkSIStringVectorProperty
+{
+public:
+  static vtkSIOptionalArrayProperty* New();
+  vtkTypeMacro(vtkSIOptionalArrayProperty, vtkSIStringVectorProperty);
+
+protected:
+  vtkSIOptionalArrayProperty() = default;
+  ~vtkSIOptionalArrayProperty() override = default;
+
+  bool Push(vtkSMMessage* message, int offset) override;
+  bool ReadXMLAttributes(vtkSIProxy* proxy, vtkPVXMLElement* element) override;
+
+private:
+  vtkSIOptionalArrayProperty(const vtkSIOptionalArrayProperty&) = delete;
+  void operator=(const vtkSIOptionalArrayProperty&) = delete;
+
+  void Forget(int index);
+};
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BodyCache.h"
+
+#include "FlatBodyConversion.h"
+#include "ResponseSet.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkToolContactResponse.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+namespace palpate
+{
+namespace
+{
+const char* const CacheResponse = "Cached";
+
+/// The file that holds this scan, or "" where there is no place for one.
+std::string cacheFile(const std::string& path, const BodyFileOptions& options)
+{
+  const char* folder = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if ((!folder || !*folder) && (!home || !*home))
+  {
+    return {};
+  }
+  std::error_code failed;
+  const auto time = std::filesystem::last_write_time(path, failed);
+  const auto size = std::filesystem::file_size(path, failed);
+  if (failed)
+  {
+    return {};
+  }
+  std::ostringstream key;
+  key.precision(17);
+  key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
+      << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
+      << '|' << options.contourValue << '|' << options.closingRadius << '|' << PALPATE_VERSION;
+  std::ostringstream name;
+  name << "skin-" << std::hex << std::hash<std::string>()(key.str()) << ".palpate";
+  const std::filesystem::path base =
+    folder && *folder ? std::filesystem::path(folder) : std::filesystem::path(home) / ".cache";
+  return (base / "palpate" / name.str()).string();
+}
+
+/// Makes the response normals the active ones and drops the response itself.
+vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* cached)
+{
+  auto body = vtkSmartPointer<vtkPolyData>::New();
+  body->CopyStructure(cached);
+  vtkDataArray* normals =
+    cached->GetPointData()->GetArray((std::string(CacheResponse) + "Normal").c_str());
+  normals->SetName("Normals");
+  body->GetPointData()->SetNormals(normals);
+  return body;
+}
+
+/// The flat file holds a body with a response; which one does not matter here.
+std::string store(vtkPolyData* body, const std::string& file)
+{
+  std::error_code failed;
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path(), failed);
+  vtkNew<vtkContactTool> tool;
+  vtkNew<vtkToolContactResponse> attach;
+  attach->SetTool(tool);
+  attach->SetResponseName(CacheResponse);
+  attach->SetInputData(body);
+  const std::string error = updateQuietly(attach);
+  return error.empty() ? writeFlatBody(attach->GetOutput(), CacheResponse, file) : error;
+}
+} // namespace
+
+BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options)
+{
+  const std::string file = cacheFile(path, options);
+  std::error_code ignored;
+  BodyFileResult result;
+  std::string fault;
+  if (!file.empty() && std::filesystem::exists(file, ignored))
+  {
+    if (const auto cached = readFlatBody(file, CacheResponse, fault))
+    {
+      result.body = withNormals(cached);
+      result.notes.push_back("skin of " + path + " taken from the cache " + file);
+      return result;
+    }
+  }
+  result = readBodyFile(path, options);
+  if (result.error.empty() && !file.empty())
+  {
+    const std::string unwritten = store(result.body, file);
+    fault += (fault.empty() || unwritten.empty() ? "" : "; ") + unwritten;
+  }
+  if (!fault.empty())
+  {
+    result.notes.push_back("cache not used: " + fault);
+  }
+  return result;
+}
+} // namespace palpate

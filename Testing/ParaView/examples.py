@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every script of Plugin/Python/examples runs in the Python that it says and prints what it should.
+
+    python3 examples.py EXAMPLES_FOLDER OUTPUT_FOLDER [NAME]      needs an X server for the picture
+
+The expected numbers are closed forms, evaluated here without Palpate.
+"""
+import math
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+EXAMPLES, OUTPUT = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+INTERPRETERS = {"python": "/usr/bin/python3", "pvpython": "pvpython"}
+NUMBER = re.compile(r"-?\d+\.\d+")
+
+
+def run(name, *arguments):
+    """The lines that the example prints."""
+    script = EXAMPLES / name
+    text = script.read_text(encoding="utf-8")
+    assert text.startswith("# SPDX-License-Identifier: BSD-3-Clause\n"), name
+    assert len(text.splitlines()) <= 30, name
+    said = re.search(r"\./run (\w+) Plugin/Python/examples/" + name, text)
+    assert said, name + " does not say how to run it"
+    done = subprocess.run([INTERPRETERS[said[1]], str(script), *map(str, arguments)], cwd=OUTPUT, text=True,
+                          capture_output=True, timeout=120, check=False)
+    print(done.stdout + done.stderr)
+    assert done.returncode == 0 and "ERR|" not in done.stderr and "ERROR" not in done.stderr, name
+    return done.stdout.splitlines()
+
+
+def numbers(line):
+    return [float(number) for number in NUMBER.findall(line)]
+
+
+def close(found, expected, tolerance):
+    assert abs(found - expected) <= tolerance, (found, expected)
+
+
+def sphere(radius, depth, reduced):
+    """Sneddon 1965: depth and force by the contact radius a, which is found by bisection."""
+    low, high = 0.0, radius
+    for _ in range(100):
+        a = (low + high) / 2
+        log = math.log((radius + a) / (radius - a))
+        low, high = (a, high) if a / 2 * log < depth else (low, a)
+    return reduced * ((a * a + radius * radius) / 2 * log - a * radius)
+
+
+def tool_curves():
+    lines = run("tool_curves.py")
+    assert lines[0].split() == ["mm", "flat:5", "sphere:6.35", "paraboloid:6.35", "cone:60"]
+    reduced = 0.05 / (1 - 0.45**2)
+    assert len(lines) == 7
+    for line in lines[1:]:
+        d, *forces = numbers(line)
+        expected = [2 * 5 * reduced * d, sphere(6.35, d, reduced), 4 / 3 * reduced * math.sqrt(6.35) * d**1.5,
+                    2 / math.pi * reduced * math.tan(math.radians(60)) * d * d]
+        for force, right in zip(forces, expected):
+            close(force, right, 1e-6)                       # six decimals are printed
+
+
+def attach_responses():
+    (OUTPUT / "ball.vtp").unlink(missing_ok=True)
+    words = run("attach_responses.py")[0].split()
+    assert words[0] == "ball.vtp" and (OUTPUT / "ball.vtp").stat().st_size > 0
+    for array in ("Force", "Stiffness", "Normal", "Range", "Status", "Validity", "Limit"):
+        assert "Finger" + array in words and "Punch" + array in words
+
+
+def read_contract():
+    run("attach_responses.py", "contract.vtp")
+    reduced = 0.05 / (1 - 0.45**2)
+    rows = [numbers(line) for line in run("read_contract.py", "contract.vtp", "Finger", 100)]
+    assert [row[0] for row in rows] == [0.25 * i for i in range(9)]
+    for depth, force, _ in rows:
+        close(force, sphere(6.35, depth, reduced), 1e-4 * force + 1e-6) # eight samples
+    flat = [numbers(line) for line in run("read_contract.py", "contract.vtp", "Punch")]
+    for depth, force, stiffness in flat:
+        close(force, 2 * 3 * reduced * depth, 1e-6)
+        close(stiffness, 2 * 3 * reduced if depth else 0.0, 1e-6)
+
+
+def probe_trajectory():
+    reduced = 0.1 / (1 - 0.45**2)
+    lines = run("probe_trajectory.py")
+    assert len(lines) == 7
+    for line in lines:
+        *tip, depth, x, y, z = numbers(line)
+        close(depth, 50 - math.hypot(*tip), 0.015)          # facets lie up to 7 micrometres deep; 2 decimals
+        close(math.hypot(x, y, z), sphere(6.35, depth, reduced), 2e-3)
+        for along, direction in zip((x, y, z), tip):        # outwards, but for the facets' slant
+            close(along / math.hypot(x, y, z), direction / math.hypot(*tip), 0.02)
+
+
+def deflection_picture():
+    if not os.environ.get("DISPLAY"):
+        print("no DISPLAY: nothing was drawn")
+        sys.exit(77)
+    (OUTPUT / "dent.png").unlink(missing_ok=True)
+    close(numbers(run("deflection_picture.py")[0])[0], 50 - math.hypot(33.2, 33.2), 0.01)
+    from vtkmodules.vtkIOImage import vtkPNGReader
+    reader = vtkPNGReader()
+    reader.SetFileName(str(OUTPUT / "dent.png"))
+    reader.Update()
+    grey = reader.GetOutput().GetPointData().GetArray(0)
+    row = [grey.GetComponent(300 * 600 + x, 0) for x in range(600)] # through the middle of the ball
+    ball = [x for x in range(600) if row[x] > 0]
+    assert 250 < len(ball) < 500, len(ball)
+    right = [row[x] for x in ball if x > 300]               # it darkens outwards, but for the dent
+    assert any(later > earlier + 10 for earlier, later in zip(right, right[4:]))
+
+
+def in_paraview():
+    (OUTPUT / "examples.pvsm").unlink(missing_ok=True)
+    rows = [numbers(line) for line in run("in_paraview.py", "examples.pvsm")]
+    assert len(rows) == 9
+    for i, (depth, force) in enumerate(rows):
+        close(depth, max(0, i - 5), 0.01)
+        close(force, sphere(6.35, depth, 0.05 / (1 - 0.45**2)), 1e-3)
+    assert "ContactDeflection" in (OUTPUT / "examples.pvsm").read_text(encoding="utf-8")
+
+
+CHECKS = [tool_curves, attach_responses, read_contract, probe_trajectory, deflection_picture, in_paraview]
+assert {check.__name__ for check in CHECKS} == {path.stem for path in EXAMPLES.glob("*.py")}
+for check in CHECKS:
+    if len(sys.argv) < 4 or sys.argv[3] == check.__name__:
+        check()

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The proxies of the plugin: their classes, labels and defaults, and the numbers that come out of them."""
+import math
+import numpy as np
+import palpate
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+YOUNG, POISSON = 0.05, 0.4                                  # MPa, -
+REDUCED = YOUNG / (1 - POISSON**2)
+FLOAT = 5e-7                                                # what storing a float may cost, relative
+
+PROPERTIES = {                                              # of each proxy: label -> default
+    ("contact_tools", "ContactTool"): {
+        "Shape": 2, "Radius (mm)": 5.0, "Half Angle (degrees)": 60.0},
+    ("sources", "ContactToolSource"): {
+        "Tool": None, "Length (mm)": 40.0, "Maximum Radius (mm)": 8.0, "Resolution": 64},
+    ("filters", "ToolContactResponse"): {
+        "Input": None, "Tool": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
+        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Global Compliance Array (mm/N)": "None",
+        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
+    ("filters", "ToolContactProbe"): {
+        "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Force Form": 1, "Response Name": "Response"},
+    ("filters", "ContactDeflection"): {
+        "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Response Name": "Response"},
+    ("filters", "ResponseCurves"): {
+        "Input": None, "Point Ids": 0, "Number Of Rows": 101, "Response Name": "Response"},
+    ("filters", "SkinSurface"): {
+        "Input": None, "Grey Values": "", "Contour Value": 30.0, "Closing Radius (mm)": 6.0,
+        "Resolution (mm)": 0.0, "Smoothing Iterations": 30},
+}
+
+
+def fetched(proxy, name, point_data=True):
+    data = servermanager.Fetch(proxy)
+    return vtk_to_numpy((data.GetPointData() if point_data else data).GetArray(name))
+
+
+def check_properties():
+    """Labels and defaults are as listed, the defaults are those of the class, everything is documented."""
+    manager = servermanager.ProxyManager()
+    for (group, name), expected in PROPERTIES.items():
+        proxy = manager.NewProxy(group, name)
+        assert proxy.GetDocumentation().GetDescription(), name
+        made = proxy.GetClientSideObject()
+        assert type(made) is getattr(palpate, made.GetClassName()), type(made)
+        found = {}
+        keys = proxy.NewPropertyIterator()
+        keys.Begin()
+        while not keys.IsAtEnd():
+            item = keys.GetProperty()
+            label = item.GetXMLLabel()
+            assert item.GetDocumentation() and item.GetDocumentation().GetDescription(), (name, label)
+            value = None
+            if not item.IsA("vtkSMProxyProperty"):
+                value = item.GetElement(item.GetNumberOfElements() - 1)
+                getter = getattr(made, "Get" + keys.GetKey(), None)
+                assert getter is None or getter() == value, (name, label, getter(), value)
+            found[label] = value
+            keys.Next()
+        assert found == expected, (name, found)
+
+
+def direct_tool(specification):
+    tool = palpate.vtkContactTool()
+    assert tool.SetSpecification(specification)
+    return tool
+
+
+def with_response(body):
+    response = simple.ToolContactResponse(Input=body)
+    response.Tool.Shape = "Paraboloid"                      # whose law the samples store exactly
+    response.Tool.Radiusmm = 6.35
+    response.YoungsModulusMPa = YOUNG
+    response.PoissonsRatio = POISSON
+    response.UpdatePipeline()
+    made = response.GetClientSideObject()
+    assert type(made) is palpate.vtkToolContactResponse
+    assert type(made.GetTool()) is palpate.vtkContactTool
+    assert made.GetTool().GetSpecification() == "paraboloid:6.35"
+    return response
+
+
+def check_ball():
+    """A ball pressed at its side: curves, forces, displacement, the table of curves."""
+    tool = direct_tool("paraboloid:6.35")
+    response = with_response(simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60))
+    depths = 2 * (np.arange(1, 9) / 8) ** 2
+    expected = [tool.GetForce(depth, REDUCED) for depth in depths]
+    forces = fetched(response, "ResponseForce")
+    np.testing.assert_allclose(forces, np.tile(expected, (len(forces), 1)), rtol=FLOAT)
+
+    press = simple.Line(Point1=(53, 0, 5), Point2=(48, 0, 5), Resolution=10)
+    probe = simple.ToolContactProbe(Body=response, Tips=press)
+    assert type(probe.GetClientSideObject()) is palpate.vtkToolContactProbe
+    depth = fetched(probe, "Deflection")
+    assert depth[0] == 0 and 1.6 < depth[-1] < 2, depth     # the facets lie a little within the ball
+    expected = [tool.GetForce(d, REDUCED) for d in depth]
+    np.testing.assert_allclose(fetched(probe, "NormalForce"), expected, rtol=FLOAT, atol=1e-15)
+    force = fetched(probe, "Force")
+    np.testing.assert_allclose(np.linalg.norm(force, axis=1), expected, rtol=FLOAT, atol=1e-15)
+    assert force[-1][0] > 0.98 * expected[-1]               # out of the body
+    probe.Indentationmm = 0.1
+    deeper = fetched(probe, "Deflection")
+    np.testing.assert_allclose(deeper[-1] - depth[-1], 0.1, atol=1e-3) # the facets' normals are blended
+
+    curves = simple.ResponseCurves(Input=response, PointIds=[3, 7], NumberOfRows=5)
+    assert type(curves.GetClientSideObject()) is palpate.vtkResponseCurves
+    rows = servermanager.Fetch(curves).GetRowData()
+    depth = vtk_to_numpy(rows.GetArray("Deflection (mm)"))
+    np.testing.assert_allclose(depth, [0, 0.5, 1, 1.5, 2], rtol=1e-15)
+    expected = [tool.GetForce(d, REDUCED) for d in depth]
+    np.testing.assert_allclose(vtk_to_numpy(rows.GetArray("Response at point 7 (N)")), expected, rtol=FLOAT)
+
+
+def check_plane():
+    """On a flat body the displacement is the tool's own, at every point of the field."""
+    tool = direct_tool("paraboloid:6.35")
+    flat = simple.Triangulate(Input=simple.Plane(
+        Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=40, YResolution=40))
+    response = with_response(flat)
+    tips = simple.Line(Point1=(0.25, 0.5, 1), Point2=(0.25, 0.5, -1.5), Resolution=5)
+    probe = simple.ToolContactProbe(Body=response, Tips=tips)
+    np.testing.assert_allclose(fetched(probe, "Deflection"), [0, 0, 0, 0.5, 1, 1.5], atol=1e-7) # float tips
+    dent = simple.ContactDeflection(Body=response, Tips=probe, TipIndex=4, PoissonsRatio=POISSON)
+    assert type(dent.GetClientSideObject()) is palpate.vtkContactDeflection
+    moved = fetched(dent, "ContactDisplacement")
+    points = vtk_to_numpy(servermanager.Fetch(dent).GetPoints().GetData())
+    for point, found in zip(points, moved):
+        away = point[:2] - (0.25, 0.5)
+        r, u = math.hypot(*away), [0, 0]
+        tool.GetSurfaceDisplacement(r, 1.0, POISSON, u)
+        np.testing.assert_allclose(found, [*(u[0] * away / r), -u[1]], atol=1e-6) # floats, of 1 mm
+
+
+def check_tool():
+    source = simple.ContactTool(Lengthmm=30)
+    source.Tool.Shape = "Flat"
+    source.Tool.Radiusmm = 4
+    source.UpdatePipeline()
+    assert type(source.GetClientSideObject()) is palpate.vtkContactToolSource
+    np.testing.assert_allclose(source.GetDataInformation().GetBounds(), [-4, 4, -4, 4, 0, 30], atol=1e-6)
+
+
+def check_skin():
+    """Wavelet's values grow towards its centre: the skin is a closed surface around it."""
+    scan = simple.Wavelet()
+    scan.UpdatePipeline()
+    skin = simple.SkinSurface(Input=scan, ContourValue=200, ClosingRadiusmm=0)
+    assert list(skin.GreyValues) == ["POINTS", "RTData"], list(skin.GreyValues)
+    skin.UpdatePipeline()
+    assert type(skin.GetClientSideObject()) is palpate.vtkSkinSurface
+    assert skin.GetDataInformation().GetNumberOfCells() > 100
+
+
+check_properties()
+check_ball()
+check_plane()
+check_tool()
+check_skin()
