@@ -35,6 +35,19 @@ vtkSmartPointer<Array> copied(
   return array;
 }
 
+/// Points as floats if they were floats, so that everything downstream gets the same bits.
+vtkSmartPointer<vtkDataArray> copiedPoints(const double* coordinates, vtkIdType count)
+{
+  const bool fits = std::all_of(coordinates, coordinates + 3 * count,
+    [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+  if (!fits)
+  {
+    return copied<vtkDoubleArray>("Points", coordinates, 3, count);
+  }
+  const std::vector<float> floats(coordinates, coordinates + 3 * count);
+  return copied<vtkFloatArray>("Points", floats.data(), 3, count);
+}
+
 void addCurves(const FlatBody& flat, const std::string& name, vtkPolyData* body)
 {
   const ResponseArrays& response = flat.response;
@@ -109,7 +122,7 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
 
   auto body = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
-  points->SetData(copied<vtkDoubleArray>("Points", flat.coordinates, 3, count));
+  points->SetData(copiedPoints(flat.coordinates, count));
   body->SetPoints(points);
   vtkNew<vtkTypeInt32Array> offsets;
   offsets->SetNumberOfValues(triangles + 1);
