@@ -7,6 +7,7 @@
 #include "vtkHapticToolRepresentation.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -323,7 +324,12 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   double bounds[6];
   this->Deflection->Update();
-  this->Deflection->GetOutput()->GetBounds(bounds);
+  vtkBoundingBox all(this->Deflection->GetOutput()->GetBounds());
+  if (const double* tool = this->ToolRepresentation->GetBounds())
+  {
+    all.AddBounds(tool); // with the arrow: neither is to be cut off
+  }
+  all.GetBounds(bounds);
   double position[3];
   double focus[3];
   for (int k = 0; k < 3; ++k)
@@ -335,7 +341,7 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   camera->SetPosition(position);
   camera->SetViewUp(up);
   this->Renderer->ResetCamera(bounds);
-  camera->Zoom(1.25);
+  camera->Zoom(1.15);
   camera->SetWindowCenter(this->GetLegendShare(), 0.0); // the middle of what the legend leaves free
   this->Renderer->ResetCameraClippingRange();
 }

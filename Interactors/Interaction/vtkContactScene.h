@@ -77,8 +77,8 @@ public:
   void SetFieldRadius(double radius);
 
   ///@{
-  /** Camera: the whole body seen from `direction`; or the contact from `distance` mm, from
-   * `direction`. `up` points up in the picture. */
+  /** Camera: the whole body with the tool seen from `direction`; or the contact from `distance` mm,
+   * from `direction`. `up` points up in the picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
   ///@}

@@ -44,18 +44,14 @@ vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic() = default;
 void vtkInteractorStyleHaptic::SetSession(vtkHapticSession* session)
 {
   this->Session = session;
-  vtkPolyData* body = session ? session->GetBody() : nullptr;
-  if (!body)
+  this->Locator = nullptr;
+  this->Body = nullptr;
+  if (session && session->GetBody())
   {
-    this->Body = nullptr;
-    this->Locator = nullptr;
-    return;
+    this->Body =
+      vtkSmartPointer<vtkPolyData>::New(); // a locator builds links; not in the session's
+    this->Body->ShallowCopy(session->GetBody());
   }
-  this->Body = vtkSmartPointer<vtkPolyData>::New(); // a locator builds links; not in the session's
-  this->Body->ShallowCopy(body);
-  this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-  this->Locator->SetDataSet(this->Body);
-  this->Locator->BuildLocator();
 }
 
 void vtkInteractorStyleHaptic::SetScene(vtkContactScene* scene)
@@ -82,9 +78,15 @@ bool vtkInteractorStyleHaptic::PickSurface(double point[3], double normal[3])
 {
   const int* position = this->Interactor->GetEventPosition();
   this->FindPokedRenderer(position[0], position[1]);
-  if (!this->CurrentRenderer || !this->Locator)
+  if (!this->CurrentRenderer || !this->Body)
   {
     return false;
+  }
+  if (!this->Locator)
+  {
+    this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    this->Locator->SetDataSet(this->Body);
+    this->Locator->BuildLocator();
   }
   double nearPoint[3];
   double farPoint[3];
@@ -123,15 +125,27 @@ bool vtkInteractorStyleHaptic::Steer()
   {
     return false;
   }
-  const double height = this->Pressing ? -this->PressDepth : this->HoverHeight;
+  this->SteerTo(point, normal, this->Pressing ? -this->PressDepth : this->HoverHeight);
+  return true;
+}
+
+void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double normal[3])
+{
+  this->SteerTo(point, normal, this->HoverHeight);
+}
+
+void vtkInteractorStyleHaptic::SteerTo(const double point[3], const double normal[3], double height)
+{
   double tip[3];
   for (int k = 0; k < 3; ++k)
   {
     tip[k] = point[k] + height * normal[k];
   }
   std::copy_n(normal, 3, this->HoverNormal);
-  this->Session->SteerTo(tip);
-  return true;
+  if (this->Session)
+  {
+    this->Session->SteerTo(tip);
+  }
 }
 
 void vtkInteractorStyleHaptic::OnMouseMove()

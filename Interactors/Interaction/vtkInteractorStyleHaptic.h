@@ -42,7 +42,8 @@ public:
     ToolChosenEvent = vtkCommand::UserEvent + 401
   };
 
-  /** The session that is steered; its body must be set. */
+  /** The session that is steered; its body must be set. The search structure for picking is built
+   * at the first pick. */
   void SetSession(vtkHapticSession* session);
   /** The scene the newest tick is shown in. */
   void SetScene(vtkContactScene* scene);
@@ -62,6 +63,9 @@ public:
   vtkSetMacro(HoverHeight, double);
   vtkGetMacro(HoverHeight, double);
   ///@}
+
+  /** Steers the tool to hover above a point of the surface with outward unit normal `normal`. */
+  void HoverAt(const double point[3], const double normal[3]);
 
   /** Whether the left button presses the tool now. */
   bool IsPressing() const { return this->Pressing; }
@@ -90,6 +94,7 @@ private:
 
   bool PickSurface(double point[3], double normal[3]);
   bool Steer();
+  void SteerTo(const double point[3], const double normal[3], double height);
 
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkContactScene> Scene;

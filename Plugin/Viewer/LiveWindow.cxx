@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveWindow.h"
 
+#include "Pictures.h"
 #include "ResponseSet.h"
 
 #include "vtkCallbackCommand.h"
@@ -8,9 +9,9 @@
 #include "vtkDataArray.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPressPath.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -62,21 +63,29 @@ public:
     this->observeTools();
   }
 
-  /// Puts the tool above the first site of the scene, so that there is something to see.
-  std::string placeTool()
+  /// Shows the body with the tool above the first site of the scene.
+  void open()
   {
-    vtkNew<vtkPressPath> path;
-    path->SetInputData(this->Responses.body);
-    path->SetCenter(this->Scene.center[0], this->Scene.center[1], this->Scene.center[2]);
-    const Direction& to = this->Scene.directions.front();
-    path->AddDirection(to[0], to[1], to[2]);
-    path->SetApproach(this->Style->GetHoverHeight());
-    const std::string error = updateQuietly(path);
-    if (error.empty())
+    vtkPolyData* body = this->Responses.body;
+    const vtkIdType site = this->siteOf(this->Scene.directions.front());
+    double point[3];
+    double normal[3];
+    body->GetPoint(site, point);
+    body->GetPointData()->GetArray("ResponseNormal")->GetTuple(site, normal);
+    this->Style->HoverAt(point, normal);
+    double tip[3];
+    for (int k = 0; k < 3; ++k)
     {
-      this->Session->SteerTo(path->GetOutput()->GetPoint(0));
+      tip[k] = point[k] + this->Style->GetHoverHeight() * normal[k];
     }
-    return error;
+    const double none[3] = { 0.0, 0.0, 0.0 };
+    this->chooseLook(0);
+    this->Interactor->Initialize();
+    this->View->ShowContact(tip, point, normal, none, 0.0, -1);
+    this->View->LookAtBody(this->Scene.viewFrom.data(), this->Scene.up.data());
+    this->Window->Render();
+    std::printf("window open\n");
+    std::fflush(stdout);
   }
 
   /// Switches tool: the session begins anew with its responses, where the tip is.
@@ -93,29 +102,61 @@ public:
       this->Session->SteerTo(tip);
     }
     this->Session->SetResponseName(this->Responses.names[tool]);
-    vtkContactTool* chosen = this->Responses.tools[tool];
-    this->View->SetTool(chosen);
-    std::printf("tool: %s\n", chosen->GetDescription().c_str());
-    this->View->SetFieldRadius(
-      FieldRadii * chosen->GetContactRadius(this->Style->GetMaximumDepth()));
+    this->chooseLook(tool);
+    std::printf("tool: %s\n", this->Responses.tools[tool]->GetDescription().c_str());
+    std::fflush(stdout);
     return this->Session->Start();
   }
 
-  void run()
+  /// Until the window is closed; then writes its last picture, if asked to.
+  std::string run(const std::string& screenshot)
   {
-    this->Interactor->Initialize();
-    this->Style->OnTimer();
-    this->View->LookAtBody(this->Scene.viewFrom.data(), this->Scene.up.data());
-    this->Window->Render();
     this->Style->StartUpdates();
     this->Interactor->Start();
+    std::string error;
+    if (!screenshot.empty())
+    {
+      error = writePicture(this->Window, screenshot);
+    }
     this->Session->Stop();
     this->printSummary();
+    return error;
   }
 
   void setLargestForce(double force) { this->View->SetLargestForce(force); }
 
 private:
+  /// The outermost point of the body within two degrees of a direction from the centre.
+  vtkIdType siteOf(const Direction& direction) const
+  {
+    constexpr double cosine = 0.9994;
+    vtkPolyData* body = this->Responses.body;
+    const double length = vtkMath::Norm(direction.data());
+    vtkIdType best = 0;
+    double farthest = 0.0;
+    for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      body->GetPoint(i, point);
+      vtkMath::Subtract(point, this->Scene.center.data(), point);
+      const double along = vtkMath::Dot(point, direction.data()) / length;
+      if (along > farthest && along > cosine * vtkMath::Norm(point))
+      {
+        farthest = along;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  void chooseLook(std::size_t tool)
+  {
+    vtkContactTool* chosen = this->Responses.tools[tool];
+    this->View->SetTool(chosen);
+    this->View->SetFieldRadius(
+      FieldRadii * chosen->GetContactRadius(this->Style->GetMaximumDepth()));
+  }
+
   void printSummary()
   {
     std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
@@ -180,22 +221,18 @@ double largestForce(const ResponseSet& responses)
 std::string runLive(const ViewerOptions& options, const TouchScene& scene)
 {
   ResponseSet responses;
-  std::string error = prepareResponses(options, scene, responses);
+  const std::string error = prepareResponses(options, scene, responses);
   if (!error.empty())
   {
     return error;
   }
   LiveTouch live(options, scene, responses);
   live.setLargestForce(largestForce(responses));
-  error = live.placeTool();
-  if (error.empty() && !live.choose(0))
+  live.open();
+  if (!live.choose(0))
   {
-    error = "the session did not start";
+    return "the session did not start";
   }
-  if (error.empty())
-  {
-    live.run();
-  }
-  return error;
+  return live.run(options.screenshot);
 }
 } // namespace palpate

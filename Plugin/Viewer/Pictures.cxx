@@ -30,19 +30,6 @@ constexpr int Width = 1280;
 constexpr int Height = 960;
 constexpr double CloseUpDistance = 120.0; // mm
 
-std::string writePicture(vtkRenderWindow* window, const std::string& file)
-{
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(file.c_str());
-  writer->Write();
-  return writer->GetErrorCode() == 0 ? std::string() : "cannot write '" + file + "'";
-}
-
 /// A window that shows one or more contact scenes.
 struct Stage
 {
@@ -130,6 +117,19 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
   return best;
 }
 } // namespace
+
+std::string writePicture(vtkRenderWindow* window, const std::string& file)
+{
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  return writer->GetErrorCode() == 0 ? std::string() : "cannot write '" + file + "'";
+}
 
 std::string drawOverview(const std::string& file, const TouchScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)

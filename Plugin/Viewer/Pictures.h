@@ -9,6 +9,7 @@
 #include <vector>
 
 class vtkPolyData;
+class vtkRenderWindow;
 
 namespace palpate
 {
@@ -22,6 +23,9 @@ struct PicturedMoment
 
 // Each draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG. Returns an
 // error naming the file, or "".
+
+/// What a window shows.
+std::string writePicture(vtkRenderWindow* window, const std::string& file);
 
 /// The body, the tool, the force arrow and the dent.
 std::string drawOverview(const std::string& file, const TouchScene& scene,

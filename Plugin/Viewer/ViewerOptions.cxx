@@ -96,6 +96,8 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     "also write the body with the first tool's responses for loops without VTK, a .palpate");
   app.add_flag("--window", options.window,
     "open a window in which the mouse moves the tool, instead of writing pictures");
+  app.add_option("--screenshot", options.screenshot,
+    "with --window: a picture of the window as it was when it closed, a .png");
 
   for (const char* option :
     { "--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",

@@ -32,6 +32,7 @@ struct ViewerOptions
   std::string save;
   std::string exportTo;
   bool window = false;
+  std::string screenshot;
 };
 
 /// Reads the command line. Returns an exit code when the program is to end here (help, version, or

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: BSD-3-Clause
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+run("${CMAKE_COMMAND}" --install "${PALPATE_BUILD}" --prefix "${WORK}/first")
+file(RENAME "${WORK}/first" "${WORK}/moved")
+set(prefix "${WORK}/moved")
+
+# A body for the programs without VTK, by the installed viewer.
+run("${prefix}/bin/palpate" --scene cylinder --tool sphere:6.35 --output "${WORK}/session"
+  --export "${WORK}/cylinder.palpate")
+
+foreach(consumer IN ITEMS vtk loop c)
+  run("${CMAKE_COMMAND}" -G Ninja -S "${CONSUMERS}/${consumer}" -B "${WORK}/${consumer}"
+    "-DCMAKE_PREFIX_PATH=${prefix};${PREFIX_PATH}" -DCMAKE_BUILD_TYPE=Release)
+  run("${CMAKE_COMMAND}" --build "${WORK}/${consumer}")
+  run("${WORK}/${consumer}/consumer" "${WORK}/cylinder.palpate")
+endforeach()
+
+# A loop without VTK must not bring VTK in.
+execute_process(COMMAND ldd "${WORK}/loop/consumer" OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
+if(libraries MATCHES "vtk")
+  message(FATAL_ERROR "The program without VTK is linked with it:\n${libraries}")
+endif()
+
+# The installed Python package, from its new place.
+run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${PYTHON_SUBDIRECTORY}:$ENV{PYTHONPATH}"
+  /usr/bin/python3 -c
+  "import palpate; t = palpate.vtkContactTool(); t.SetSpecification('flat:2'); assert t.GetForce(1, 1) == 4")

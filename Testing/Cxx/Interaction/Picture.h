@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A window to draw into off screen, its picture, and how far it is from another or a baseline.
+#ifndef palpate_testing_Picture_h
+#define palpate_testing_Picture_h
+
+#include "Response/FilterChecks.h"
+
+#include "vtkImageData.h"
+#include "vtkImageDifference.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTesting.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+namespace palpate::testing
+{
+/**
+ * Grey levels, summed over red, green and blue, that a pixel may differ by from the pixels around
+ * it in the other picture. vtkTesting forgives 105, which hides all that is translucent: a tool in
+ * another direction makes no difference there.
+ */
+constexpr int ForgivenLevels = 10;
+
+/**
+ * The largest difference from a baseline that passes: pixels that differ by full white, summed.
+ *
+ * The same code gives the same pixels on every run and for any number of threads. Another
+ * rasteriser, Mesa's softpipe, makes no difference either, by this measure, but for the bar of the
+ * legend, which it leaves out. The smallest fault that the tests put into their scenes makes 17;
+ * checkFaultShows demands 10.
+ */
+constexpr double PictureThreshold = 5.0;
+
+/// An off-screen window of fixed size without multisampling: the same pixels on every run.
+struct Picture
+{
+  vtkNew<vtkRenderWindow> window;
+
+  Picture(int width, int height)
+  {
+    this->window->SetOffScreenRendering(1);
+    this->window->SetMultiSamples(0);
+    this->window->SetSize(width, height);
+  }
+
+  vtkSmartPointer<vtkRenderer> addRenderer(double left = 0.0, double right = 1.0)
+  {
+    auto renderer = vtkSmartPointer<vtkRenderer>::New();
+    renderer->SetViewport(left, 0.0, right, 1.0);
+    this->window->AddRenderer(renderer);
+    return renderer;
+  }
+};
+
+inline vtkSmartPointer<vtkImageData> draw(vtkRenderWindow* window)
+{
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+
+inline void writePicture(vtkImageData* picture, const std::string& file)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetFileName(file.c_str());
+  writer->Write();
+}
+
+/// In the unit of PictureThreshold. The difference image goes to `file`, unless that is empty.
+inline double difference(vtkImageData* one, vtkImageData* other, const std::string& file = "")
+{
+  if (!std::equal(one->GetDimensions(), one->GetDimensions() + 3, other->GetDimensions()))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  vtkNew<vtkImageDifference> compare;
+  compare->SetThreshold(ForgivenLevels);
+  compare->SetInputData(one);
+  compare->SetImageData(other);
+  compare->Update();
+  if (!file.empty())
+  {
+    writePicture(compare->GetOutput(), file);
+  }
+  return compare->GetThresholdedError();
+}
+
+/// Compares with the baseline of the command line (-V FILE); -T FOLDER gets the picture under the
+/// baseline's name, to be looked at and copied, and, if they differ, the difference image.
+inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
+{
+  vtkNew<vtkTesting> arguments;
+  arguments->AddArguments(argc, argv);
+  const std::filesystem::path baseline = arguments->GetValidImageFileName();
+  const std::filesystem::path folder = arguments->GetTempDirectory();
+  const auto picture = draw(window);
+  writePicture(picture, (folder / baseline.filename()).string());
+  const bool exists = std::filesystem::exists(baseline);
+  double found = std::numeric_limits<double>::infinity();
+  if (exists)
+  {
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(baseline.c_str());
+    reader->Update();
+    const std::string name = baseline.stem().string() + ".difference.png";
+    found = difference(reader->GetOutput(), picture, (folder / name).string());
+  }
+  std::cout << baseline.filename().string() << ": image difference " << found << ", at most "
+            << PictureThreshold << " passes; picture in " << folder << std::endl;
+  PALPATE_CHECK(exists); // see Testing/Baseline/README.md
+  PALPATE_CHECK(found <= PictureThreshold);
+}
+
+/// A scene with a fault must be told from the sound one, with a margin of two. Prints by how much.
+inline void checkFaultShows(const std::string& fault, vtkImageData* sound, vtkRenderWindow* window)
+{
+  const double found = difference(sound, draw(window));
+  std::cout << "fault: " << fault << ": image difference " << found << std::endl;
+  PALPATE_CHECK(found > 2.0 * PictureThreshold);
+}
+
+/// What was changed for a fault has been put back.
+inline void checkSound(vtkImageData* sound, vtkRenderWindow* window)
+{
+  PALPATE_CHECK(difference(sound, draw(window)) == 0.0);
+}
+} // namespace palpate::testing
+
+#endif

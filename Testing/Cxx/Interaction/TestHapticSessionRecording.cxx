@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a session records is what vtkToolContactProbe says of the same tips, to the bit.
+#include "Response/FilterChecks.h"
+#include "SceneBodies.h"
+#include "ServoStep.h"
+
+#include "vtkHapticSession.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <cstring>
+
+namespace
+{
+using namespace palpate::testing;
+
+/// The bumpy sphere with a vertex cell and a line before its triangles, which shift the cell ids.
+Body bodyWithOtherCells()
+{
+  Body body = withResponse(bumpySphere(), "sphere:6.35");
+  vtkNew<vtkCellArray> vertex;
+  vertex->InsertNextCell({ vtkIdType(0) });
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
+  body->SetVerts(vertex);
+  body->SetLines(line);
+  return body;
+}
+
+void checkSameArray(vtkDataArray* one, vtkDataArray* other, const char* name)
+{
+  const bool alike = one && other && one->GetDataType() == other->GetDataType() &&
+    one->GetNumberOfComponents() == other->GetNumberOfComponents() &&
+    one->GetNumberOfTuples() == other->GetNumberOfTuples();
+  PALPATE_CHECK(alike);
+  if (alike)
+  {
+    const std::size_t bytes = static_cast<std::size_t>(one->GetNumberOfValues()) *
+      static_cast<std::size_t>(one->GetDataTypeSize());
+    const bool same = std::memcmp(one->GetVoidPointer(0), other->GetVoidPointer(0), bytes) == 0;
+    PALPATE_CHECK(same);
+    if (!same)
+    {
+      std::cerr << "  array " << name << std::endl;
+    }
+  }
+}
+
+void checkProbeAgrees(vtkPolyData* body, vtkPolyData* recording)
+{
+  Body tips = Body::New();
+  tips->CopyStructure(recording);
+  const Body expected = probed(body, tips);
+  for (const char* name : { "Force", "NormalForce", "FrictionForce", "Deflection", "Normal",
+         "ContactPoint", "ContactCell", "ContactState" })
+  {
+    checkSameArray(
+      recording->GetPointData()->GetArray(name), expected->GetPointData()->GetArray(name), name);
+  }
+}
+
+/// Newest values and statistics against the arrays.
+void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
+{
+  vtkPointData* data = recording->GetPointData();
+  double peakForce = 0.0;
+  double peakDeflection = 0.0;
+  double inContact = 0.0;
+  for (vtkIdType i = 0; i < recording->GetNumberOfPoints(); ++i)
+  {
+    peakForce = std::max(peakForce, vtkMath::Norm(data->GetArray("Force")->GetTuple3(i)));
+    peakDeflection = std::max(peakDeflection, data->GetArray("Deflection")->GetTuple1(i));
+    inContact += data->GetArray("ContactCell")->GetTuple1(i) >= 0.0 ? 1.0 : 0.0;
+    // 6.35 mm into E* = 3.45 MPa at 1 mm: above the 10 N the device is good for.
+    const double applied = vtkMath::Norm(data->GetArray("AppliedForce")->GetTuple3(i));
+    const double wanted = vtkMath::Norm(data->GetArray("Force")->GetTuple3(i));
+    PALPATE_CHECK_NEAR(applied, std::min(wanted, 10.0), 1e-12);
+  }
+  PALPATE_CHECK(peakForce > 10.0 && peakDeflection > 0.9);
+  vtkNew<vtkTable> statistics;
+  session->GetStatistics(statistics);
+  const auto value = [&statistics](const char* column)
+  { return statistics->GetValueByName(0, column).ToDouble(); };
+  PALPATE_CHECK(statistics->GetNumberOfRows() == 1);
+  PALPATE_CHECK(value("Ticks") == static_cast<double>(recording->GetNumberOfPoints()));
+  PALPATE_CHECK(value("TicksInContact") == inContact);
+  PALPATE_CHECK_NEAR(value("PeakForce (N)"), peakForce, 1e-14 * peakForce);
+  PALPATE_CHECK(value("PeakDeflection (mm)") == peakDeflection);
+  PALPATE_CHECK(value("MedianTick (ns)") > 0.0);
+  PALPATE_CHECK(value("Percentile99Tick (ns)") >= value("MedianTick (ns)"));
+
+  const vtkIdType last = recording->GetNumberOfPoints() - 1;
+  double tip[3];
+  double contact[3];
+  session->GetTip(tip);
+  session->GetContactPoint(contact);
+  PALPATE_CHECK(std::equal(tip, tip + 3, recording->GetPoint(last)));
+  PALPATE_CHECK(std::equal(contact, contact + 3, data->GetArray("ContactPoint")->GetTuple3(last)));
+  PALPATE_CHECK(session->GetDeflection() == data->GetArray("Deflection")->GetTuple1(last));
+  PALPATE_CHECK(session->GetContactState() == data->GetArray("ContactState")->GetTuple1(last));
+}
+} // namespace
+
+int TestHapticSessionRecording(int, char*[])
+{
+  const Body body = bodyWithOtherCells();
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetPath(slidePath(body, { -0.5, -0.8, 0.6 }, { 0.6, -0.8, 0.5 }, 1.0));
+
+  // Nothing is recorded before the start, and that is no error.
+  vtkNew<vtkPolyData> recording;
+  vtkNew<vtkTable> statistics;
+  Messages messages(session);
+  session->GetRecording(recording);
+  session->GetStatistics(statistics);
+  PALPATE_CHECK(recording->GetNumberOfPoints() == 0 && recording->GetNumberOfCells() == 0);
+  PALPATE_CHECK(statistics->GetValueByName(0, "Ticks").ToDouble() == 0.0);
+  PALPATE_CHECK(session->Start());
+
+  // While it touches, and when all is over.
+  for (const double seconds : { 1.7, session->GetPathDuration() - 1.7 })
+  {
+    session->Step(seconds);
+    session->GetRecording(recording);
+    PALPATE_CHECK(recording->GetNumberOfLines() == 1);
+    PALPATE_CHECK(
+      recording->GetNumberOfPoints() == static_cast<vtkIdType>(session->GetTicks().size()));
+    for (vtkIdType i = 0; i < recording->GetNumberOfPoints(); ++i)
+    {
+      PALPATE_CHECK(recording->GetPointData()->GetArray("Time")->GetTuple1(i) ==
+        session->GetTicks()[static_cast<std::size_t>(i)].time);
+    }
+    checkProbeAgrees(body, recording);
+    checkSummary(session, recording);
+  }
+  PALPATE_CHECK(messages.none());
+  return palpate::testing::result();
+}

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Small bodies and scans, and files of them in the formats that the viewer reads."""
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOImage import vtkNIFTIImageWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter)
+
+import numpy
+
+
+def sphere(radius=25.0):
+    """Closed, outward; vertices about 1 mm apart at the pole +z, where sessions press by default."""
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(64)
+    source.SetPhiResolution(64)
+    source.Update()
+    return source.GetOutput()
+
+
+def image(values, spacing=(1.0, 1.0, 1.0)):
+    """An image of an array indexed [x, y, z]."""
+    data = vtkImageData()
+    data.SetDimensions(values.shape)
+    data.SetSpacing(spacing)
+    array = numpy_to_vtk(values.ravel(order="F").astype(numpy.float32), deep=1)
+    array.SetName("Grey")
+    data.GetPointData().SetScalars(array)
+    return data
+
+
+def distances(size, centre):
+    """Of every voxel of a cube of `size` voxels of 1 mm from a point, mm."""
+    x, y, z = numpy.ogrid[:size, :size, :size]
+    return numpy.sqrt((x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2)
+
+
+def ball_grey(size=48, radius=16.3, centre=None):
+    """Grey levels of a ball: 100 inside, 0 outside, a ramp of 2 mm, 50 at the radius."""
+    centre = centre or (0.5 * (size - 1),) * 3
+    return numpy.clip(50.0 + 50.0 * (radius - distances(size, centre)), 0.0, 100.0)
+
+
+def block():
+    """Tetrahedra that fill a block of 30 x 30 x 20 mm."""
+    cut = vtkDataSetTriangleFilter()
+    cut.SetInputData(image(numpy.zeros((21, 21, 11)), (1.5, 1.5, 2.0)))
+    cut.Update()
+    return cut.GetOutput()
+
+
+WRITERS = {
+    ".stl": vtkSTLWriter, ".ply": vtkPLYWriter, ".obj": vtkOBJWriter, ".vtk": vtkDataSetWriter,
+    ".vtp": vtkXMLPolyDataWriter, ".vtu": vtkXMLUnstructuredGridWriter,
+    ".vti": vtkXMLImageDataWriter, ".nii.gz": vtkNIFTIImageWriter,
+}
+
+
+def write(data, path, **settings):
+    """Writes `data` in the format of the file name; settings: DataMode=..., FileType=..."""
+    extension = ".nii.gz" if path.name.endswith(".nii.gz") else path.suffix.lower()
+    writer = WRITERS[extension]()
+    writer.SetFileName(str(path))
+    for name, value in settings.items():
+        getattr(writer, f"Set{name}")(value)
+    writer.SetInputData(data)
+    writer.Write()  # what it returns depends on the writer
+    if writer.GetErrorCode() != 0 or path.stat().st_size == 0:
+        raise OSError(f"cannot write {path}")
+    return path

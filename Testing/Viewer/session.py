@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the executable `palpate` as a user would; base of the tests of the viewer.
+
+PALPATE names the executable. Without an X server of the tests' own the programs use DISPLAY.
+"""
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import bodies
+
+PALPATE = os.environ.get("PALPATE", "palpate")
+TIME_OUT = 100  # s
+CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # not the user's
+
+
+def run(*arguments, environment=None):
+    """The finished process, with its output as text. `environment`: name -> value, None to unset."""
+    settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
+    for name, value in (environment or {}).items():
+        settings.pop(name, None)
+        if value is not None:
+            settings[name] = value
+    return subprocess.run([PALPATE, *map(str, arguments)], env=settings, capture_output=True,
+                          text=True, errors="replace", timeout=TIME_OUT, check=False)
+
+
+def vertices(result):
+    """Of the body, as the summary says."""
+    return int(re.search(r"body\s+(\d+) vertices", result.stdout).group(1))
+
+
+def peak_force(result):
+    """N, as the summary says."""
+    return float(re.search(r"peak\s+force ([\d.e+-]+) N", result.stdout).group(1))
+
+
+class SessionCase(unittest.TestCase):
+    """A folder of its own for each test, which is gone afterwards."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="palpate test ")
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.output = self.folder / "out"
+
+    def files(self):
+        """File name -> time it was written, in the output folder."""
+        paths = self.output.iterdir() if self.output.is_dir() else ()
+        return {path.name: path.stat().st_mtime_ns for path in paths}
+
+    def succeed(self, *arguments, pictures=("overview", "deflection", "curves"), **more):
+        """Runs into self.output; all files must be there, and nothing else."""
+        result = run(*arguments, "--output", self.output, **more)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        files = {f"{picture}.png" for picture in pictures} | {"trajectory.csv"}
+        self.assertEqual(set(self.files()), files)
+        return result
+
+    def press(self, data, name, *arguments, **settings):
+        """Writes the body into a file and presses a sphere of 3 mm into it, E = 0.1 MPa."""
+        path = bodies.write(data, self.folder / name, **settings)
+        return self.succeed(path, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45",
+                            *arguments)
+
+    def refuse(self, *arguments, words=(), **more):
+        """Must end with an error that has all the words, by its own will, and leave no file."""
+        before = self.files()
+        result = run(*arguments, "--output", self.output, **more)
+        self.assertGreater(result.returncode, 0, f"ended by a signal: {result.stderr}")
+        self.assertLess(result.returncode, 128, f"ended by a signal: {result.stderr}")
+        for word in words:
+            self.assertIn(str(word), result.stderr + result.stdout)
+        self.assertEqual(self.files(), before, "files of a run that failed")
+        return result

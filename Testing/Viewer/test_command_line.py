@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the command line says of itself, and what it says to what makes no sense."""
+import re
+import unittest
+
+from session import SessionCase, run
+
+OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--poisson", "--depth",
+           "--max-deflection", "--length-unit", "--resolution", "--contour", "--closing", "--site",
+           "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot")
+NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
+           "--contour", "--closing", "--rate")
+
+
+class CommandLine(SessionCase):
+    def test_help_names_every_option_unit_and_example(self):
+        result = run("--help")
+        self.assertEqual(result.returncode, 0)
+        for word in (*OPTIONS, "BODY", "Units: mm, N, MPa, s", "sphere:R", "flat:R", "cone:DEGREES",
+                     ".vtp", ".stl", ".nii.gz", "Examples:", "palpate --scene cylinder",
+                     "liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45",
+                     "phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5"):
+            self.assertIn(word, result.stdout)
+
+    def test_help_lists_no_option_unknown_to_this_test(self):
+        self.assertEqual(set(re.findall(r"--[a-z-]+", run("--help").stdout)), set(OPTIONS))
+
+    def test_version(self):
+        result = run("--version")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stdout, r"^\d+\.\d+\.\d+\n$")
+
+    def test_help_and_version_need_no_display(self):
+        for option in ("--help", "--version"):
+            self.assertEqual(run(option, environment={"DISPLAY": None}).returncode, 0)
+
+    def test_what_makes_no_sense_is_named(self):
+        for arguments, word in (
+                (("--tool", "spere:3"), "spere"),
+                (("--tool", "sphere:-3"), "-3"),
+                (("--tool", "sphere:0"), "sphere:0"),
+                (("--tool", "sphere"), "sphere"),
+                (("--tool", "sphere:3mm"), "3mm"),
+                (("--tool", "cone:90"), "90"),
+                (("--tool", "flat:nan"), "nan"),
+                (("--young", "0"), "--young"),
+                (("--young", "-1"), "--young"),
+                (("--young", "soft"), "--young"),
+                (("--poisson", "0.6"), "--poisson"),
+                (("--poisson", "-0.1"), "--poisson"),
+                (("--depth", "-1"), "--depth"),
+                (("--max-deflection", "0"), "--max-deflection"),
+                (("--length-unit", "furlong"), "furlong"),
+                (("--resolution", "-1"), "--resolution"),
+                (("--closing", "-1"), "--closing"),
+                (("--rate", "0"), "--rate"),
+                (("--scene", "moon"), "moon"),
+                (("--site", "0,0"), "--site"),
+                (("--colour", "red"), "--colour"),
+                (("one.stl", "two.stl"), "two.stl"),
+                (("--young",), "--young")):
+            with self.subTest(arguments=arguments):
+                self.refuse("--scene", "cylinder", *arguments, words=(word,))
+
+    def test_numbers_must_be_finite(self):
+        for option in NUMBERS:
+            for value in ("nan", "inf", "-nan"):
+                with self.subTest(option=option, value=value):
+                    self.refuse("--scene", "cylinder", f"{option}={value}", words=(option,))
+        self.refuse("--scene", "cylinder", "--site", "nan,0,1", words=("--site",))
+        self.refuse("--scene", "cylinder", "--slide-to", "0,0,inf", words=("--slide-to",))
+
+
+if __name__ == "__main__":
+    unittest.main()

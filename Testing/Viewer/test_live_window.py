@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The live window under real mouse and key events: press, slide, deeper, another tool, quit.
+
+    test_live_window.py PALPATE_EXECUTABLE FOLDER
+
+Needs a display of its own (the pointer is there once) and xdotool; exit code 77 without xdotool. The
+test waits for what the program prints, and gives its window a bounded time to follow the mouse.
+"""
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+import unittest
+
+PROGRAM, FOLDER = sys.argv[1], sys.argv[2]
+FOLLOW = 3.0  # seconds for a few frames, software-rendered on a busy machine
+
+
+def xdotool(*words):
+    subprocess.run(["xdotool", *map(str, words)], check=True, timeout=30)
+
+
+class LiveWindow(unittest.TestCase):
+    def setUp(self):
+        os.makedirs(FOLDER, exist_ok=True)
+        self.picture = os.path.join(FOLDER, "live.png")
+        self.log = os.path.join(FOLDER, "live.txt")
+        with open(self.log, "w", encoding="utf-8") as log:
+            self.program = subprocess.Popen(
+                [PROGRAM, "--window", "--scene", "cylinder", "--screenshot", self.picture],
+                stdout=log, stderr=subprocess.STDOUT)
+        while "tool: " not in self.said():  # the window is open and the session runs
+            self.assertIsNone(self.program.poll(), "the program ended early: " + self.said())
+            time.sleep(0.1)
+        time.sleep(FOLLOW)
+
+    def tearDown(self):
+        self.program.kill()
+        self.program.wait()
+
+    def said(self):
+        with open(self.log, encoding="utf-8") as log:
+            return log.read()
+
+    def quit(self):
+        xdotool("key", "q")
+        self.assertEqual(self.program.wait(timeout=60), 0, self.said())
+        return self.said()
+
+    def strongest_force(self, said):
+        return float(re.search(r"strongest force (\S+) N", said).group(1))
+
+    def test_pressing_sliding_and_switching_tools(self):
+        xdotool("mousemove", 600, 330)
+        xdotool("mousedown", 1)
+        time.sleep(FOLLOW)
+        xdotool("mousemove", 640, 340)
+        time.sleep(FOLLOW)
+        xdotool("key", "2")
+        time.sleep(FOLLOW)
+        xdotool("click", 4, "click", 4, "click", 4, "click", 4, "click", 4)  # 0.1 mm deeper each
+        time.sleep(FOLLOW)
+        said = self.quit()
+        self.assertIn("tool: flat, radius 1.6 mm", said)
+        self.assertIn("tool: sphere, radius 6.35 mm", said)
+        ticks = int(re.search(r"(\d+) ticks", said).group(1))
+        self.assertGreater(ticks, 1000)
+        # Hertz: 4/3 E* sqrt(R) d^1.5 at d = 1.5 mm, less 2 % for the exact sphere. The hand presses along
+        # blended normals over facets, so that the depth is only nearly 1.5 mm.
+        hertz = 4.0 / 3.0 * 3.45 * math.sqrt(6.35) * 1.5 ** 1.5
+        self.assertAlmostEqual(self.strongest_force(said), 0.98 * hertz, delta=0.06 * hertz)
+        self.assertTrue(self.shows_force_and_dent(), "see " + self.picture)
+
+    def test_hovering_touches_nothing(self):
+        xdotool("mousemove", 600, 330)
+        time.sleep(FOLLOW)
+        xdotool("mousemove", 640, 340)
+        time.sleep(FOLLOW)
+        self.assertEqual(self.strongest_force(self.quit()), 0.0)
+
+    def shows_force_and_dent(self):
+        """The picture has the red of the force and the violet of a dent."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOImage import vtkPNGReader
+        reader = vtkPNGReader()
+        reader.SetFileName(self.picture)
+        reader.Update()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
+        width = reader.GetOutput().GetDimensions()[0]
+        pixels = pixels.reshape(-1, width, pixels.shape[1])[:, : int(0.8 * width)]  # without legend
+        red, green, blue = pixels[..., 0], pixels[..., 1], pixels[..., 2]
+        force = ((red > 150) & (green < 80) & (blue < 60)).sum()
+        dent = ((red - green > 40) & (blue - green > 15)).sum()
+        print("pixels of force:", force, "of dent:", dent)
+        return force > 50 and dent > 20
+
+
+if __name__ == "__main__":
+    if not shutil.which("xdotool"):
+        print("xdotool is not installed: no real mouse events")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--save: the body with the responses of all its tools, which is a body like any other."""
+import unittest
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import bodies
+from session import SessionCase, peak_force, vertices
+
+
+class Saving(SessionCase):
+    def test_save(self):
+        saved = self.folder / "saved.vtp"
+        first = self.press(bodies.sphere(), "body.stl", "--tool", "flat:2", "--save", saved)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(saved))
+        reader.Update()
+        body = reader.GetOutput()
+        self.assertEqual(body.GetNumberOfPoints(), vertices(first))
+        for prefix, tool in (("Response", "sphere"), ("Response2", "flat")):
+            data = body.GetPointData()
+            self.assertEqual(data.GetArray(f"{prefix}Force").GetNumberOfComponents(), 8)
+            self.assertEqual(data.GetArray(f"{prefix}Force").GetDataTypeAsString(), "float")
+            for suffix, components in (("Stiffness", 8), ("Normal", 3), ("Range", 1), ("Status", 1),
+                                       ("Validity", 1), ("Limit", 1)):
+                array = data.GetArray(prefix + suffix)
+                self.assertEqual(array.GetNumberOfComponents(), components, prefix + suffix)
+            self.assertEqual(data.GetArray(f"{prefix}Status").GetRange(), (0.0, 0.0))
+            field = body.GetFieldData()
+            self.assertIn(tool, field.GetAbstractArray(f"{prefix}Tool").GetValue(0))
+            self.assertEqual(field.GetAbstractArray(f"{prefix}Units").GetValue(0), "mm,N,MPa")
+        again = self.succeed(  # a body like any other
+            saved, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45")
+        self.assertAlmostEqual(peak_force(again), peak_force(first), delta=1e-3 * peak_force(first))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkSkinSurface on synthetic scans: a ball with a cavity, a channel, cut by the field of view."""
+import unittest
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataConnectivityFilter
+
+from bodies import ball_grey, distances, image
+from palpate import vtkSkinSurface
+
+SIZE = 64
+RADIUS = 20.3
+CENTRE = numpy.array([31.2, 30.7, 31.5])  # off the voxels
+CONTOUR = 50.0
+SUB_VOXEL = 0.06  # mm, of voxels of 1 mm
+
+
+def ball(centre=CENTRE):
+    return ball_grey(SIZE, RADIUS, tuple(centre))
+
+
+def skin(values, spacing=(1.0, 1.0, 1.0), **settings):
+    filter_ = skin_filter(image(values, spacing), **settings)
+    filter_.Update()
+    return filter_.GetOutput()
+
+
+def skin_filter(data, **settings):
+    filter_ = vtkSkinSurface()
+    filter_.SetInputData(data)
+    filter_.SetContourValue(CONTOUR)
+    filter_.SetClosingRadius(0.0)
+    for name, value in settings.items():
+        getattr(filter_, f"Set{name}")(value)
+    return filter_
+
+
+def points(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+
+
+def radii(surface, centre=CENTRE):
+    return numpy.linalg.norm(points(surface) - centre, axis=1)
+
+
+def border_edges(surface):
+    edges = vtkFeatureEdges()
+    edges.SetInputData(surface)
+    edges.FeatureEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.Update()
+    return edges.GetOutput()
+
+
+def errors_of(data, **settings):
+    filter_ = skin_filter(data, **settings)
+    found = []
+
+    def note(_caller, _event, text):
+        found.append(text)
+
+    note.CallDataType = "string0"
+    filter_.AddObserver("ErrorEvent", note)
+    filter_.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    filter_.Update()
+    return "".join(found), filter_.GetOutput().GetNumberOfPoints()
+
+
+class SkinSurface(unittest.TestCase):
+    def check_ball(self, surface, radius=RADIUS, tolerance=SUB_VOXEL):
+        found = radii(surface)
+        self.assertAlmostEqual(found.mean(), radius, delta=0.5 * tolerance)
+        self.assertLess(abs(found - radius).max(), 2.0 * tolerance)
+        self.assertEqual(border_edges(surface).GetNumberOfCells(), 0)
+        regions = vtkPolyDataConnectivityFilter()
+        regions.SetInputData(surface)
+        regions.SetExtractionModeToAllRegions()
+        regions.Update()
+        self.assertEqual(regions.GetNumberOfExtractedRegions(), 1)
+
+    def check_normals(self, surface, centre=CENTRE):
+        """Unit, outward, and as the triangles wind."""
+        normals = vtk_to_numpy(surface.GetPointData().GetNormals()).astype(float)
+        outward = points(surface) - centre
+        outward /= numpy.linalg.norm(outward, axis=1)[:, None]
+        numpy.testing.assert_allclose(numpy.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
+        self.assertGreater((normals * outward).sum(axis=1).min(), 0.99)
+        triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        a, b, c = (points(surface)[triangles[:, k]] for k in range(3))
+        winding = numpy.cross(b - a, c - a)
+        self.assertTrue(((winding * outward[triangles[:, 0]]).sum(axis=1) > 0.0).all())
+
+    def test_ball(self):
+        surface = skin(ball())
+        self.check_ball(surface)
+        self.check_normals(surface)
+        self.assertEqual(surface.GetPointData().GetNumberOfArrays(), 1)
+
+    def test_cavity_is_not_part_of_the_surface(self):
+        values = numpy.minimum(ball(), 100.0 - ball_grey(SIZE, 9.0, tuple(CENTRE)))
+        self.check_ball(skin(values))
+
+    def test_channel_to_the_cavity_is_closed(self):
+        values = numpy.minimum(ball(), 100.0 - ball_grey(SIZE, 9.0, tuple(CENTRE)))
+        x, y, _ = numpy.ogrid[:SIZE, :SIZE, :SIZE]
+        channel = (numpy.hypot(x - CENTRE[0], y - CENTRE[1]) < 2.0) & (numpy.arange(SIZE) > CENTRE[2])
+        values[channel] = 0.0
+        self.assertLess(radii(skin(values)).min(), 10.0)  # open: the cavity belongs to the surface
+        closed = skin(values, ClosingRadius=4.0)
+        found = radii(closed)
+        self.assertGreater(found.min(), RADIUS - 1.0)  # flat over the mouth of 4 mm, but closed
+        away = points(closed)[:, 2] < CENTRE[2]
+        self.assertLess(abs(found[away] - RADIUS).max(), 2.0 * SUB_VOXEL)  # the rest has not moved
+        self.assertEqual(border_edges(closed).GetNumberOfCells(), 0)
+
+    def test_island_is_left_out(self):
+        values = numpy.maximum(ball(), ball_grey(SIZE, 3.0, (6.0, 6.0, 6.0)))
+        self.check_ball(skin(values))
+
+    def test_resolution(self):
+        whole, half = skin(ball(), Resolution=1.0), skin(ball(), Resolution=0.5)
+        self.check_ball(half)
+        self.check_normals(half)
+        ratio = half.GetNumberOfPoints() / whole.GetNumberOfPoints()
+        self.assertAlmostEqual(ratio, 4.0, delta=0.3)
+        self.check_ball(skin(ball(), Resolution=2.0), tolerance=4.0 * SUB_VOXEL)
+
+    def test_spacing_of_the_scan(self):
+        surface = skin(ball(), spacing=(0.5, 0.5, 0.5))
+        found = radii(surface, 0.5 * CENTRE)
+        self.assertAlmostEqual(found.mean(), 0.5 * RADIUS, delta=0.5 * SUB_VOXEL)
+
+    def test_field_of_view_cuts(self):
+        centre = numpy.array([31.2, 30.7, 8.5])  # the ball reaches 12 mm beyond the first slice
+        surface = skin(ball(centre))
+        border = border_edges(surface)
+        self.assertGreater(border.GetNumberOfCells(), 50)
+        self.assertAlmostEqual(abs(points(border)[:, 2]).max(), 0.0, delta=0.01)
+        rim = numpy.linalg.norm(points(border)[:, :2] - centre[:2], axis=1)
+        self.assertLess(abs(rim - numpy.sqrt(RADIUS ** 2 - centre[2] ** 2)).max(), 0.2)
+        # Not capped: nothing within the rim at the first slice.
+        low = points(surface)[:, 2] < 0.5
+        self.assertGreater(radii(surface, centre)[low].min(), RADIUS - 0.3)
+        self.check_normals(surface, centre)
+
+    def test_threads_do_not_matter(self):
+        values = numpy.minimum(ball(), 100.0 - ball_grey(SIZE, 9.0, tuple(CENTRE)))
+        before = vtkSMPTools.GetBackend()
+        self.addCleanup(vtkSMPTools.SetBackend, before)
+        vtkSMPTools.SetBackend("STDThread")
+        results = []
+        for threads in (1, 2, 2):
+            vtkSMPTools.Initialize(threads)
+            self.assertEqual(vtkSMPTools.GetEstimatedNumberOfThreads(), threads)
+            surface = skin(values, ClosingRadius=3.0, Resolution=0.7)
+            results.append((
+                vtk_to_numpy(surface.GetPoints().GetData()).tobytes(),
+                vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).tobytes(),
+                vtk_to_numpy(surface.GetPointData().GetNormals()).tobytes()))
+        vtkSMPTools.Initialize(0)
+        self.assertTrue(results[0] == results[1] == results[2])
+
+    def test_what_is_not_finite_is_air(self):
+        values = ball()
+        away = distances(SIZE, tuple(CENTRE)) > RADIUS + 6.0
+        values[away] = numpy.nan
+        values[:2] = numpy.inf
+        self.check_ball(skin(values))
+
+    def test_input_is_left_alone(self):
+        values = numpy.minimum(ball(), 100.0 - ball_grey(SIZE, 9.0, tuple(CENTRE)))
+        data = image(values)
+        before = data.GetMTime()
+        skin_filter(data, ClosingRadius=3.0).Update()
+        self.assertEqual(data.GetMTime(), before)
+        kept = vtk_to_numpy(data.GetPointData().GetScalars())
+        self.assertTrue((kept == values.ravel(order="F").astype(numpy.float32)).all())
+
+    def test_errors(self):
+        data = image(ball())
+        bare = vtkImageData()
+        bare.SetDimensions(8, 8, 8)
+        colours = vtkImageData()
+        colours.SetDimensions(8, 8, 8)
+        colours.AllocateScalars(3, 3)  # three unsigned chars
+        for scan, settings, words in (
+                (bare, {}, ("no point scalars",)),
+                (colours, {}, ("3 components",)),
+                (image(ball()[:, :, :1]), {}, ("three dimensions", "64 x 64 x 1")),
+                (data, {"ContourValue": 100.0}, ("ContourValue 100", "0 to 100")),
+                (data, {"ContourValue": -5.0}, ("ContourValue -5",)),
+                (data, {"ContourValue": float("nan")}, ("ContourValue nan",)),
+                (data, {"ClosingRadius": -1.0}, ("ClosingRadius", "-1")),
+                (data, {"Resolution": -1.0}, ("Resolution", "-1")),
+                (data, {"Resolution": 1e-4}, ("0.0001 mm is too fine",))):
+            with self.subTest(words=words):
+                message, count = errors_of(scan, **settings)
+                for word in words:
+                    self.assertIn(word, message)
+                self.assertEqual(count, 0)
+
+    def test_bubble_in_tissue_has_no_skin(self):
+        message, count = errors_of(image(100.0 - ball()))
+        self.assertIn("no air", message)
+        self.assertEqual(count, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""trajectory.csv and the summary: columns, one row per tick, numbers that fit together."""
+import re
+import unittest
+
+import numpy
+
+import bodies
+from session import SessionCase
+
+COLUMNS = ("time_s,tip_x_mm,tip_y_mm,tip_z_mm,contact_x_mm,contact_y_mm,contact_z_mm,deflection_mm,"
+           "normal_force_N,friction_x_N,friction_y_N,friction_z_N,ideal_force_N,state").split(",")
+RADIUS = 25.0
+FACETS = 0.05  # mm: the facets lie up to this much within the sphere
+
+
+def read(path):
+    """Column name -> values. Every line must have all columns, and only numbers."""
+    lines = path.read_text().splitlines()
+    names = lines[0].split(",")
+    rows = [[float(word) for word in line.split(",")] for line in lines[1:]]
+    if any(len(row) != len(names) for row in rows):
+        raise ValueError("a row with another number of columns")
+    return names, dict(zip(names, numpy.array(rows).T))
+
+
+def number(pattern, text):
+    return float(re.search(pattern, text).group(1))
+
+
+class Trajectory(SessionCase):
+    def press(self, *arguments):
+        path = bodies.write(bodies.sphere(RADIUS), self.folder / "body.vtp")
+        result = self.succeed(path, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45",
+                              "--site", "0,0,1", "--slide-to", "0.5,0,1", *arguments)
+        names, table = read(self.output / "trajectory.csv")
+        self.assertEqual(names, COLUMNS)
+        return result, table
+
+    @staticmethod
+    def points(table, name):
+        return numpy.stack([table[f"{name}_{axis}_mm"] for axis in "xyz"], axis=1)
+
+    def test_rows_are_ticks(self):
+        for rate in (1000, 250):
+            with self.subTest(rate=rate):
+                result, table = self.press("--rate", rate)
+                ticks = len(table["time_s"])
+                self.assertEqual(number(r"session\s+(\d+) ticks", result.stdout), ticks)
+                numpy.testing.assert_allclose(table["time_s"], numpy.arange(ticks) / rate, atol=1e-12)
+                # 5 mm down, 1 mm in at 5 mm/s, a slide of 0.46 rad at 40 mm/s, two rests of 0.25 s
+                expected = 2 * 6.0 / 5.0 + numpy.arctan(0.5) * RADIUS / 40.0 + 0.5
+                self.assertAlmostEqual(ticks / rate, expected, delta=0.01)
+
+    def test_numbers_fit_together(self):
+        result, table = self.press()
+        tip, contact = self.points(table, "tip"), self.points(table, "contact")
+        depth, force, state = table["deflection_mm"], table["normal_force_N"], table["state"]
+        touching = state > 0
+        self.assertEqual(set(state), {0.0, 2.0})
+        self.assertEqual(number(r"(\d+) in contact", result.stdout), touching.sum())
+        # In contact exactly when the tip is inside; the deflection is its distance from the contact.
+        outside = numpy.linalg.norm(tip, axis=1) > RADIUS
+        self.assertFalse((touching & outside).any())
+        self.assertTrue(touching[numpy.linalg.norm(tip, axis=1) < RADIUS - FACETS].all())
+        numpy.testing.assert_allclose(
+            numpy.linalg.norm(tip - contact, axis=1)[touching], depth[touching], atol=1e-12)
+        self.assertTrue((depth[touching] > 0.0).all() and (force[touching] > 0.0).all())
+        for name in COLUMNS[4:13]:
+            self.assertTrue((table[name][~touching] == 0.0).all(), name)
+        for axis in "xyz":
+            self.assertTrue((table[f"friction_{axis}_N"] == 0.0).all())
+        numpy.testing.assert_allclose(table["ideal_force_N"], force, rtol=1e-14)
+        # The summary tells the peaks, rounded to four digits.
+        self.assertAlmostEqual(number(r"force ([\d.e+-]+) N", result.stdout), force.max(), delta=1e-3)
+        self.assertAlmostEqual(number(r"deflection ([\d.e+-]+) mm", result.stdout), depth.max(),
+                               delta=1e-3)
+        self.assertAlmostEqual(depth.max(), 1.0, delta=FACETS)
+
+    def test_force_is_the_tools_law(self):
+        from palpate import vtkContactTool
+        tool = vtkContactTool()
+        tool.SetShapeToSphere()
+        tool.SetRadius(3.0)
+        _, table = self.press()
+        reduced = 0.1 / (1.0 - 0.45 ** 2)
+        touching = table["state"] > 0
+        for depth, force in zip(table["deflection_mm"][touching], table["normal_force_N"][touching]):
+            self.assertAlmostEqual(force, tool.GetForce(depth, reduced), delta=2e-3 * force + 1e-9)
+
+    def test_deeper_than_the_response_reaches(self):
+        _, table = self.press("--max-deflection", "0.5")
+        deep = table["deflection_mm"] > 0.5
+        self.assertTrue((table["state"][deep] == 3.0).all())
+        self.assertEqual(set(table["state"][~deep]), {0.0, 2.0})
+
+
+if __name__ == "__main__":
+    unittest.main()
