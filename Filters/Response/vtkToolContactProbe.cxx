@@ -2,11 +2,10 @@
 #include "vtkToolContactProbe.h"
 
 #include "BodyConversion.h"
+#include "ContactArrays.h"
 #include "ToolContact.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -14,70 +13,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <vector>
 
 namespace
 {
-/// The output arrays, one value per tip; zero-filled, so that "no contact" needs no writing.
-struct ProbeArrays
-{
-  vtkNew<vtkDoubleArray> Force;
-  vtkNew<vtkDoubleArray> NormalForce;
-  vtkNew<vtkDoubleArray> FrictionForce;
-  vtkNew<vtkDoubleArray> Deflection;
-  vtkNew<vtkDoubleArray> Normal;
-  vtkNew<vtkDoubleArray> ContactPoint;
-  vtkNew<vtkIdTypeArray> ContactCell;
-  vtkNew<vtkUnsignedCharArray> ContactState;
-
-  explicit ProbeArrays(vtkIdType tips)
-  {
-    allocate(this->Force.Get(), "Force", 3, tips);
-    allocate(this->NormalForce.Get(), "NormalForce", 1, tips);
-    allocate(this->FrictionForce.Get(), "FrictionForce", 3, tips);
-    allocate(this->Deflection.Get(), "Deflection", 1, tips);
-    allocate(this->Normal.Get(), "Normal", 3, tips);
-    allocate(this->ContactPoint.Get(), "ContactPoint", 3, tips);
-    allocate(this->ContactCell.Get(), "ContactCell", 1, tips);
-    allocate(this->ContactState.Get(), "ContactState", 1, tips);
-  }
-
-  void store(vtkIdType tip, const palpate::ToolContactForce& contact, vtkIdType firstPoly)
-  {
-    this->Force->SetTypedTuple(tip, contact.force.data());
-    this->NormalForce->SetValue(tip, contact.normalForce);
-    this->FrictionForce->SetTypedTuple(tip, contact.friction.data());
-    this->Deflection->SetValue(tip, contact.deflection);
-    this->Normal->SetTypedTuple(tip, contact.normal.data());
-    this->ContactPoint->SetTypedTuple(tip, contact.contactPoint.data());
-    this->ContactCell->SetValue(
-      tip, contact.triangle < 0 ? -1 : firstPoly + static_cast<vtkIdType>(contact.triangle));
-    this->ContactState->SetValue(tip, static_cast<unsigned char>(contact.state));
-  }
-
-  void attach(vtkPolyData* output)
-  {
-    for (vtkDataArray* array :
-      std::initializer_list<vtkDataArray*>{ this->Force, this->NormalForce, this->FrictionForce,
-        this->Deflection, this->Normal, this->ContactPoint, this->ContactCell, this->ContactState })
-    {
-      output->GetPointData()->AddArray(array);
-    }
-  }
-
-private:
-  static void allocate(vtkDataArray* array, const char* name, int components, vtkIdType tips)
-  {
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(tips);
-    array->Fill(0.0);
-  }
-};
-
 /// The tip moved inward along the blended normal at its closest point.
 palpate::Vector3 pressedTip(
   const palpate::ContactBody& body, const palpate::Vector3& tip, double indentation)
@@ -194,7 +135,7 @@ int vtkToolContactProbe::RequestData(
   const auto form = static_cast<palpate::ForceForm>(this->ForceForm);
   const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
   const vtkIdType count = tips->GetNumberOfPoints();
-  ProbeArrays arrays(count);
+  palpate::ContactArrays arrays(count);
   const auto evaluate = [&](palpate::ToolContact& contact, vtkIdType tip)
   {
     palpate::Vector3 position;

@@ -6,17 +6,11 @@
 #include "ServoStep.h"
 #include "SimulatedDevice.h"
 #include "SteeredDevice.h"
+#include "TickRecording.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <chrono>
@@ -288,103 +282,15 @@ const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks() const
   return this->Active ? this->Active->ticks : none;
 }
 
-namespace
-{
-template <class Array>
-vtkSmartPointer<Array> newArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
-} // namespace
-
 void vtkHapticSession::GetRecording(vtkPolyData* recording)
 {
-  const std::vector<palpate::ServoTick>& ticks = this->GetTicks();
-  const auto count = static_cast<vtkIdType>(ticks.size());
-  recording->Initialize();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  vtkNew<vtkCellArray> line;
-  line->InsertNextCell(static_cast<int>(count));
-  auto time = newArray<vtkDoubleArray>("Time", 1, count);
-  auto force = newArray<vtkDoubleArray>("Force", 3, count);
-  auto applied = newArray<vtkDoubleArray>("AppliedForce", 3, count);
-  auto normalForce = newArray<vtkDoubleArray>("NormalForce", 1, count);
-  auto friction = newArray<vtkDoubleArray>("FrictionForce", 3, count);
-  auto deflection = newArray<vtkDoubleArray>("Deflection", 1, count);
-  auto normal = newArray<vtkDoubleArray>("Normal", 3, count);
-  auto contact = newArray<vtkDoubleArray>("ContactPoint", 3, count);
-  auto cell = newArray<vtkIdTypeArray>("ContactCell", 1, count);
-  auto state = newArray<vtkUnsignedCharArray>("ContactState", 1, count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const palpate::ServoTick& tick = ticks[static_cast<std::size_t>(i)];
-    points->SetPoint(i, tick.tip.data());
-    line->InsertCellPoint(i);
-    time->SetValue(i, tick.time);
-    force->SetTypedTuple(i, tick.contact.force.data());
-    applied->SetTypedTuple(i, tick.deviceForce.data());
-    normalForce->SetValue(i, tick.contact.normalForce);
-    friction->SetTypedTuple(i, tick.contact.friction.data());
-    deflection->SetValue(i, tick.contact.deflection);
-    normal->SetTypedTuple(i, tick.contact.normal.data());
-    contact->SetTypedTuple(i, tick.contact.contactPoint.data());
-    cell->SetValue(i,
-      tick.contact.triangle < 0 ? -1
-                                : this->FirstPoly + static_cast<vtkIdType>(tick.contact.triangle));
-    state->SetValue(i, static_cast<unsigned char>(tick.contact.state));
-  }
-  recording->SetPoints(points);
-  if (count > 0)
-  {
-    recording->SetLines(line);
-  }
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
-         time, force, applied, normalForce, friction, deflection, normal, contact, cell, state })
-  {
-    recording->GetPointData()->AddArray(array);
-  }
+  palpate::fillRecording(this->GetTicks(), this->FirstPoly, recording);
 }
 
 void vtkHapticSession::GetStatistics(vtkTable* statistics)
 {
-  statistics->Initialize();
-  const std::vector<palpate::ServoTick>& ticks = this->GetTicks();
-  double inContact = 0.0;
-  double peakForce = 0.0;
-  double peakDeflection = 0.0;
-  for (const palpate::ServoTick& tick : ticks)
-  {
-    inContact += tick.contact.triangle >= 0 ? 1.0 : 0.0;
-    peakForce = std::max(peakForce, tick.contact.force.norm());
-    peakDeflection = std::max(peakDeflection, tick.contact.deflection);
-  }
-  std::vector<double> sorted = this->Active ? this->Active->nanoseconds : std::vector<double>();
-  std::sort(sorted.begin(), sorted.end());
-  const auto quantile = [&sorted](double q)
-  {
-    return sorted.empty()
-      ? 0.0
-      : sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1))];
-  };
-  const auto add = [statistics](const char* name, double value)
-  {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(name);
-    column->InsertNextValue(value);
-    statistics->AddColumn(column);
-  };
-  add("Ticks", static_cast<double>(ticks.size()));
-  add("TicksInContact", inContact);
-  add("PeakForce (N)", peakForce);
-  add("PeakDeflection (mm)", peakDeflection);
-  add("MedianTick (ns)", quantile(0.5));
-  add("Percentile99Tick (ns)", quantile(0.99));
+  palpate::fillStatistics(
+    this->GetTicks(), this->Active ? this->Active->nanoseconds : std::vector<double>(), statistics);
 }
 
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContactArrays.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <initializer_list>
+
+namespace palpate
+{
+namespace
+{
+void allocate(vtkDataArray* array, const char* name, int components, vtkIdType tips)
+{
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tips);
+  array->Fill(0.0);
+}
+} // namespace
+
+ContactArrays::ContactArrays(vtkIdType tips)
+{
+  allocate(this->Force.Get(), "Force", 3, tips);
+  allocate(this->NormalForce.Get(), "NormalForce", 1, tips);
+  allocate(this->FrictionForce.Get(), "FrictionForce", 3, tips);
+  allocate(this->Deflection.Get(), "Deflection", 1, tips);
+  allocate(this->Normal.Get(), "Normal", 3, tips);
+  allocate(this->ContactPoint.Get(), "ContactPoint", 3, tips);
+  allocate(this->ContactCell.Get(), "ContactCell", 1, tips);
+  allocate(this->ContactState.Get(), "ContactState", 1, tips);
+}
+
+void ContactArrays::store(vtkIdType tip, const ToolContactForce& contact, vtkIdType firstPoly)
+{
+  this->Force->SetTypedTuple(tip, contact.force.data());
+  this->NormalForce->SetValue(tip, contact.normalForce);
+  this->FrictionForce->SetTypedTuple(tip, contact.friction.data());
+  this->Deflection->SetValue(tip, contact.deflection);
+  this->Normal->SetTypedTuple(tip, contact.normal.data());
+  this->ContactPoint->SetTypedTuple(tip, contact.contactPoint.data());
+  this->ContactCell->SetValue(
+    tip, contact.triangle < 0 ? -1 : firstPoly + static_cast<vtkIdType>(contact.triangle));
+  this->ContactState->SetValue(tip, static_cast<unsigned char>(contact.state));
+}
+
+void ContactArrays::attach(vtkPolyData* tips)
+{
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ this->Force, this->NormalForce, this->FrictionForce,
+      this->Deflection, this->Normal, this->ContactPoint, this->ContactCell, this->ContactState })
+  {
+    tips->GetPointData()->AddArray(array);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
+ * Deflection, Normal, ContactPoint, ContactCell, ContactState. What they mean stands in
+ * vtkToolContactProbe.h.
+ */
+#ifndef ContactArrays_h
+#define ContactArrays_h
+
+#include "palpateResponseModule.h" // For export macro
+
+#include "ToolContact.h" // For palpate::ToolContactForce
+
+#include "vtkDoubleArray.h"       // For vtkDoubleArray
+#include "vtkIdTypeArray.h"       // For vtkIdTypeArray
+#include "vtkNew.h"               // For vtkNew
+#include "vtkUnsignedCharArray.h" // For vtkUnsignedCharArray
+
+class vtkPolyData;
+
+namespace palpate
+{
+class PALPATERESPONSE_EXPORT ContactArrays
+{
+public:
+  /// Zeros, ContactCell too, until stored.
+  explicit ContactArrays(vtkIdType tips);
+
+  /// `firstPoly` is the cell id of the body's first triangle. May run for different tips at once.
+  void store(vtkIdType tip, const ToolContactForce& contact, vtkIdType firstPoly);
+
+  void attach(vtkPolyData* tips);
+
+private:
+  vtkNew<vtkDoubleArray> Force;
+  vtkNew<vtkDoubleArray> NormalForce;
+  vtkNew<vtkDoubleArray> FrictionForce;
+  vtkNew<vtkDoubleArray> Deflection;
+  vtkNew<vtkDoubleArray> Normal;
+  vtkNew<vtkDoubleArray> ContactPoint;
+  vtkNew<vtkIdTypeArray> ContactCell;
+  vtkNew<vtkUnsignedCharArray> ContactState;
+};
+} // namespace palpate
+
+#endif
