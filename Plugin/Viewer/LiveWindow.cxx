@@ -200,10 +200,10 @@ private:
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
 
-/// The largest stored force of any tool, N.
+/// The largest stored force of any tool, N; 1 where the curves are stored in the compact form.
 double largestForce(const ResponseSet& responses)
 {
-  double largest = 1e-9;
+  double largest = 0.0;
   for (const std::string& name : responses.names)
   {
     vtkDataArray* force = responses.body->GetPointData()->GetArray((name + "Force").c_str());
@@ -214,7 +214,7 @@ double largestForce(const ResponseSet& responses)
       largest = std::max(largest, range[1]);
     }
   }
-  return largest;
+  return largest > 0.0 ? largest : 1.0;
 }
 } // namespace
 

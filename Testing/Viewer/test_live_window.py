@@ -26,8 +26,11 @@ def xdotool(*words):
 class LiveWindow(unittest.TestCase):
     def setUp(self):
         os.makedirs(FOLDER, exist_ok=True)
-        self.picture = os.path.join(FOLDER, "live.png")
-        self.log = os.path.join(FOLDER, "live.txt")
+        self.open("live")
+
+    def open(self, name):
+        self.picture = os.path.join(FOLDER, name + ".png")
+        self.log = os.path.join(FOLDER, name + ".txt")
         with open(self.log, "w", encoding="utf-8") as log:
             self.program = subprocess.Popen(
                 [PROGRAM, "--window", "--scene", "cylinder", "--screenshot", self.picture],
@@ -81,8 +84,22 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         self.assertEqual(self.strongest_force(self.quit()), 0.0)
 
-    def shows_force_and_dent(self):
-        """The picture has the red of the force and the violet of a dent."""
+    def test_dragging_beside_the_body_orbits(self):
+        self.quit()
+        before = self.pixels()
+        self.open("orbit")
+        xdotool("mousemove", 80, 150)
+        xdotool("mousedown", 1)
+        xdotool("mousemove", 200, 220)
+        time.sleep(FOLLOW)
+        xdotool("mouseup", 1)
+        self.assertEqual(self.strongest_force(self.quit()), 0.0)
+        moved = (abs(self.pixels() - before).sum(axis=2) > 60).mean()
+        print("share of the picture that changed:", moved)
+        self.assertGreater(moved, 0.05)
+
+    def pixels(self):
+        """The picture as rows of (red, green, blue), without the legend."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOImage import vtkPNGReader
         reader = vtkPNGReader()
@@ -90,7 +107,11 @@ class LiveWindow(unittest.TestCase):
         reader.Update()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
         width = reader.GetOutput().GetDimensions()[0]
-        pixels = pixels.reshape(-1, width, pixels.shape[1])[:, : int(0.8 * width)]  # without legend
+        return pixels.reshape(-1, width, pixels.shape[1])[:, : int(0.8 * width), :3]
+
+    def shows_force_and_dent(self):
+        """The picture has the red of the force and the violet of a dent."""
+        pixels = self.pixels()
         red, green, blue = pixels[..., 0], pixels[..., 1], pixels[..., 2]
         force = ((red > 150) & (green < 80) & (blue < 60)).sum()
         dent = ((red - green > 40) & (blue - green > 15)).sum()
