@@ -13,18 +13,20 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// w > 0 with w tanh w = depth, by Newton's method from a lower bound of w.
+/// w > 0 with w tanh w = depth, by Newton's method, started from the series of w² in the depth or,
+/// for deep ones, from tanh w ≈ 1.
 double solveDepth(double depth)
 {
-  double w = std::max(std::sqrt(depth), depth);
-  for (int iteration = 0; iteration < 50; ++iteration)
+  double w = depth < 1.0 ? std::sqrt(depth * (1.0 + depth * (1.0 / 3.0 + depth * (4.0 / 45.0))))
+                         : depth * (1.0 + 2.0 * std::exp(-2.0 * depth));
+  for (int iteration = 0; iteration < 20; ++iteration)
   {
     const double t = std::tanh(w);
     const double step = (w * t - depth) / (t + w * (1.0 - t * t));
     w -= step;
-    if (!(std::abs(step) > 1e-16 * w))
+    if (!(std::abs(step) > 1e-8 * w))
     {
-      break;
+      break; // the next step would be its square
     }
   }
   return w;
