@@ -36,7 +36,7 @@
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
- * point and core, 33 µs for the exact Sphere. Threaded by vtkSMPTools; the same bits for any number
+ * point and core, 7 µs for the exact Sphere. Threaded by vtkSMPTools; the same bits for any number
  * of threads. Abort leaves no output.
  *
  * @sa vtkContactTool vtkToolContactProbe
