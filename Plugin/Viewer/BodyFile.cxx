@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyFile.h"
 
-#include "FlatBodyConversion.h"
-
+#include "BodyConversion.h"
 #include "CollectingWindow.h"
+#include "FlatBodyConversion.h"
 #include "MeshFileCheck.h"
 #include "PromptReader.h"
 
@@ -11,12 +11,9 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataSetReader.h"
 #include "vtkDataSetSurfaceFilter.h"
-#include "vtkFeatureEdges.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
@@ -247,35 +244,8 @@ void scale(vtkPolyData* body, double factor)
 /** Closed, with its triangles wound so that the enclosed volume is negative. */
 bool isInsideOut(vtkPolyData* body)
 {
-  double centre[3];
-  body->GetCenter(centre);
-  double volume = 0.0;
-  auto cell = vtk::TakeSmartPointer(body->GetPolys()->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    cell->GetCurrentCell(size, ids);
-    double p[3][3];
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      body->GetPoint(ids[corner], p[corner]);
-      vtkMath::Subtract(p[corner], centre, p[corner]);
-    }
-    volume += vtkMath::Determinant3x3(p[0], p[1], p[2]);
-  }
-  if (volume >= 0.0)
-  {
-    return false;
-  }
-  vtkNew<vtkFeatureEdges> border;
-  border->SetInputData(body);
-  border->BoundaryEdgesOn();
-  border->FeatureEdgesOff();
-  border->NonManifoldEdgesOff();
-  border->ManifoldEdgesOff();
-  border->Update();
-  return border->GetOutput()->GetNumberOfCells() == 0;
+  const palpate::BodyMesh mesh = palpate::makeBodyMesh(body);
+  return mesh.isClosed() && mesh.enclosedVolume() < 0.0;
 }
 
 /** Reads `path` into `result`; returns what went wrong, "" if nothing. */
@@ -285,7 +255,7 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   const Format* format = findFormat(path);
   if (!format)
   {
-    std::string known;
+    std::string known = " .palpate";
     for (const Format& one : formats)
     {
       known += join(" ", one.extension);
