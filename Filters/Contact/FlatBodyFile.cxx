@@ -18,7 +18,6 @@ namespace
 constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
 constexpr std::uint32_t ByteOrderMark = 0x01020304;
 constexpr std::uint64_t Alignment = 64;
-constexpr int LargestSampleCount = 256;
 constexpr int LargestLawCount = 4096;
 
 enum Section : std::size_t
@@ -180,10 +179,10 @@ std::string faultOf(const Header& header, std::uint64_t size)
   }
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
   if (header.version < 1 || header.points == 0 || header.points > most || header.triangles == 0 ||
-    header.triangles > most / 3 || header.samples < 2 || header.samples > LargestSampleCount ||
-    header.laws < 0 || header.laws > LargestLawCount ||
-    !(header.exponent > 0.0 && header.exponent <= 10.0) || header.tool.back() != '\0' ||
-    header.model.back() != '\0')
+    header.triangles > most / 3 || header.samples < 2 ||
+    header.samples > ResponseSampling::LargestCount || header.laws < 0 ||
+    header.laws > LargestLawCount || !(header.exponent > 0.0 && header.exponent <= 10.0) ||
+    header.tool.back() != '\0' || header.model.back() != '\0')
   {
     return "has a damaged header";
   }

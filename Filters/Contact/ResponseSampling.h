@@ -29,7 +29,10 @@ struct ResponseValue
 class ResponseSampling
 {
 public:
-  /// n >= 2 samples; m > 0 finite.
+  /// More samples than this are taken for a damaged file or a slip.
+  static constexpr int LargestCount = 256;
+
+  /// 2 to LargestCount samples; m > 0 finite.
   ResponseSampling(int samples, double exponent);
 
   int samples() const noexcept { return this->Samples; }

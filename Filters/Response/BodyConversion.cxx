@@ -25,7 +25,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int LargestSampleCount = 256;
 
 std::string describe(vtkAbstractArray* array)
 {
@@ -233,7 +232,7 @@ bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
   double samples = 0.0;
-  if (!fetchNumber(body, name + "Samples", 2, LargestSampleCount, samples, error) ||
+  if (!fetchNumber(body, name + "Samples", 2, ResponseSampling::LargestCount, samples, error) ||
     !fetchNumber(body, name + "Exponent", 0.1, 10.0, arrays.exponent, error))
   {
     return false;
@@ -254,6 +253,18 @@ bool viewResponse(
     ? fetch<vtkUnsignedCharArray>(points, name + "Status", "unsigned char", 1, count, error)
     : nullptr;
   return arrays.status != nullptr;
+}
+
+bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,
+  const unsigned char*& limit, std::string& error)
+{
+  vtkPointData* points = body->GetPointData();
+  const vtkIdType count = body->GetNumberOfPoints();
+  validity = fetch<vtkFloatArray>(points, name + "Validity", "float", 1, count, error);
+  limit = validity
+    ? fetch<vtkUnsignedCharArray>(points, name + "Limit", "unsigned char", 1, count, error)
+    : nullptr;
+  return limit != nullptr;
 }
 
 std::unique_ptr<ResponseField> makeResponseField(

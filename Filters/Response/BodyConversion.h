@@ -38,6 +38,11 @@ PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 PALPATERESPONSE_EXPORT bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 
+/// Validity and Limit of the response with prefix `name`, where they lie, one value per point;
+/// false and an error if one is missing or of another type. Not needed to evaluate a response.
+PALPATERESPONSE_EXPORT bool viewValidity(vtkPolyData* body, const std::string& name,
+  const float*& validity, const unsigned char*& limit, std::string& error);
+
 /// The response arrays with prefix `name`, both forms; null and an error if they break the
 /// contract.
 PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(

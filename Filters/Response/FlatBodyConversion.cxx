@@ -71,18 +71,10 @@ std::string writeFlatBody(vtkPolyData* body, const std::string& name, const std:
 {
   std::string error = checkTriangles(body);
   FlatBody flat;
-  if (!error.empty() || !viewResponse(body, name, flat.response, error))
+  if (!error.empty() || !viewResponse(body, name, flat.response, error) ||
+    !viewValidity(body, name, flat.validity, flat.limit, error))
   {
     return error;
-  }
-  vtkPointData* data = body->GetPointData();
-  auto* validity = vtkFloatArray::FastDownCast(data->GetAbstractArray((name + "Validity").c_str()));
-  auto* limit =
-    vtkUnsignedCharArray::FastDownCast(data->GetAbstractArray((name + "Limit").c_str()));
-  if (!validity || !limit || validity->GetNumberOfValues() != body->GetNumberOfPoints() ||
-    limit->GetNumberOfValues() != body->GetNumberOfPoints())
-  {
-    return "array '" + name + "Validity' (float) or '" + name + "Limit' (uint8) is missing";
   }
   const std::vector<std::int32_t> corners = copyTriangles(body);
   const std::vector<double> coordinates = copyPoints(body);
@@ -90,8 +82,6 @@ std::string writeFlatBody(vtkPolyData* body, const std::string& name, const std:
   flat.triangles = corners.size() / 3;
   flat.coordinates = coordinates.data();
   flat.corners = corners.data();
-  flat.validity = validity->GetPointer(0);
-  flat.limit = limit->GetPointer(0);
   flat.tool = responseText(body, name, "Tool");
   flat.model = responseText(body, name, "Model");
   return FlatBodyFile::write(path, flat);

@@ -27,7 +27,6 @@
 
 namespace
 {
-constexpr int LargestSampleCount = 256;
 constexpr vtkIdType ProgressBlocks = 20;
 
 enum ArrayIndex
@@ -209,10 +208,11 @@ bool vtkToolContactResponse::CheckProperties()
                   << this->MaximumDeflection << ".");
     return false;
   }
-  if (this->NumberOfSamples < 2 || this->NumberOfSamples > LargestSampleCount)
+  if (this->NumberOfSamples < 2 || this->NumberOfSamples > palpate::ResponseSampling::LargestCount)
   {
-    vtkErrorMacro(<< "NumberOfSamples must lie between 2 and " << LargestSampleCount << ", but is "
-                  << this->NumberOfSamples << ".");
+    vtkErrorMacro(<< "NumberOfSamples must lie between 2 and "
+                  << palpate::ResponseSampling::LargestCount << ", but is " << this->NumberOfSamples
+                  << ".");
     return false;
   }
   if (this->ResponseName.empty())

@@ -229,14 +229,14 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
   vtkDataArray* normal = data->GetArray("Normal");
   vtkDataArray* contact = data->GetArray("ContactPoint");
   vtkDataArray* deflection = data->GetArray("Deflection");
-  if (!force || !normal || !contact || !deflection || !data->GetArray("ContactCell") || index < 0 ||
+  vtkDataArray* cell = data->GetArray("ContactCell");
+  if (!force || !normal || !contact || !deflection || !cell || index < 0 ||
     index >= probed->GetNumberOfPoints())
   {
     vtkErrorMacro(<< "Tip " << index << " of " << probed->GetNumberOfPoints()
                   << ": not a tip of a vtkToolContactProbe's output.");
     return false;
   }
-  vtkDataArray* cell = data->GetArray("ContactCell");
   std::array<double, 3> tip{};
   std::array<double, 3> forceNow{};
   std::array<double, 3> normalNow{};

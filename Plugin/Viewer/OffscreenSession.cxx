@@ -220,11 +220,10 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   PicturedMoment moment;
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
+  moment.largestForce = 1e-9; // N: an arrow needs a scale even where nothing was touched
   for (const ServoTick& tick : session->GetTicks())
   {
-    moment.largestForce =
-      std::max(&tick == &session->GetTicks().front() ? 1e-9 : moment.largestForce,
-        tick.contact.force.norm());
+    moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }
   error = drawPictures(scene, responses, moment, options.output);
   if (error.empty())

@@ -69,6 +69,16 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
   const std::string tool = responseText(scene.body, "Response", "Tool");
   if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio)
   {
+    ResponseArrays arrays;
+    const float* validity = nullptr;
+    const unsigned char* limit = nullptr;
+    std::string error;
+    if (!viewResponse(scene.body, "Response", arrays, error) ||
+      !viewValidity(scene.body, "Response", validity, limit, error))
+    {
+      return options.body + ": its response cannot be used: " + error +
+        "; give --tool for a new one";
+    }
     scene.stored = true;
     scene.tools = { tool };
     scene.materialSource = "not used: the file brings its response";

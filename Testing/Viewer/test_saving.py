@@ -2,6 +2,7 @@
 """--save: the body with the responses of all its tools, which is a body like any other."""
 import unittest
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import bodies
@@ -32,6 +33,21 @@ class Saving(SessionCase):
         again = self.succeed(  # a body like any other
             saved, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45")
         self.assertAlmostEqual(peak_force(again), peak_force(first), delta=1e-3 * peak_force(first))
+
+    def test_a_stored_response_that_lacks_an_array_is_refused(self):
+        saved = self.folder / "saved.vtp"
+        self.press(bodies.sphere(), "body.stl", "--save", saved)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(saved))
+        for missing in ("ResponseForce", "ResponseNormal", "ResponseValidity", "ResponseLimit"):
+            reader.Modified()
+            reader.Update()
+            body = vtkPolyData()
+            body.ShallowCopy(reader.GetOutput())
+            body.GetPointData().RemoveArray(missing)
+            broken = bodies.write(body, self.folder / "broken.vtp")
+            self.refuse(broken, words=("broken.vtp", missing))
+            self.succeed(broken, "--tool", "sphere:3")  # a new response needs none of it
 
 
 if __name__ == "__main__":
