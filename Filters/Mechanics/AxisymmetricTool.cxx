@@ -21,6 +21,17 @@ double rimStep(double deflection, double reducedProfile)
 }
 } // namespace
 
+IndentationPoint AxisymmetricTool::evaluate(double deflection, double reducedModulus) const
+{
+  if (!(deflection > 0.0))
+  {
+    const double none = std::isnan(deflection) ? NaN : 0.0;
+    return { none, none, none };
+  }
+  const double a = this->radiusAt(deflection);
+  return { reducedModulus * this->forcePerModulus(a, deflection), 2.0 * reducedModulus * a, a };
+}
+
 double AxisymmetricTool::contactRadius(double deflection) const
 {
   if (!(deflection > 0.0))
@@ -32,11 +43,7 @@ double AxisymmetricTool::contactRadius(double deflection) const
 
 double AxisymmetricTool::force(double deflection, double reducedModulus) const
 {
-  if (!(deflection > 0.0))
-  {
-    return std::isnan(deflection) ? NaN : 0.0;
-  }
-  return reducedModulus * this->forcePerModulus(deflection);
+  return this->evaluate(deflection, reducedModulus).force;
 }
 
 double AxisymmetricTool::stiffness(double deflection, double reducedModulus) const
@@ -82,7 +89,7 @@ SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
   }
   // Every circular load draws the surface inward by its load inside r (Johnson 1985, eq. 3.18).
   const double load =
-    r < a ? this->loadInside(r, a, deflection) : this->forcePerModulus(deflection);
+    r < a ? this->loadInside(r, a, deflection) : this->forcePerModulus(a, deflection);
   const double radial =
     -(1.0 - 2.0 * poissonsRatio) / (2.0 * Pi * (1.0 - poissonsRatio)) * load / r;
   return { radial, normal };

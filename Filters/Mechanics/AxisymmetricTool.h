@@ -2,7 +2,10 @@
 #ifndef palpate_AxisymmetricTool_h
 #define palpate_AxisymmetricTool_h
 
+#include "IndentationLaw.h"
+
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -28,11 +31,9 @@ struct SurfaceDisplacement
  * modulus E* = E/(1-ν²), see ReducedModulus.h. Linear elasticity at small strain: see
  * depthAtStrain. Immutable and safe to call from any number of threads.
  */
-class AxisymmetricTool
+class AxisymmetricTool : public IndentationLaw
 {
 public:
-  virtual ~AxisymmetricTool() = default;
-
   /// The tool as on a command line, "sphere:6.35": lossless, parsed by parseTool.
   virtual std::string specification() const = 0;
 
@@ -51,6 +52,16 @@ public:
   /// larger (smaller) than a at every depth.
   virtual double depthAtContactRadius(double a) const = 0;
 
+  /// g(x), mm, for smallestContactRadius <= x < largestContactRadius; 0 below.
+  virtual double reducedProfile(double x) const = 0;
+  /// Contact radius at first touch: that of the flat end, or 0. mm.
+  virtual double smallestContactRadius() const { return 0.0; }
+  /// Contact radius that no depth exceeds: that of the outer wall, or +inf. mm.
+  virtual double largestContactRadius() const = 0;
+  /// Radii > 0 (mm, ascending) at which g is not analytic, the smallest contact radius among them.
+  virtual std::vector<double> kinks() const { return {}; }
+
+  IndentationPoint evaluate(double deflection, double reducedModulus) const final;
   double contactRadius(double deflection) const;
   double force(double deflection, double reducedModulus) const;
   /// dF/dδ, N/mm.
@@ -64,7 +75,7 @@ public:
 protected:
   // What a shape provides, called with δ > 0 and finite; `a` is contactRadius(δ).
   virtual double radiusAt(double deflection) const = 0;
-  virtual double forcePerModulus(double deflection) const = 0;
+  virtual double forcePerModulus(double a, double deflection) const = 0;
   /// p/E* at 0 <= r <= a.
   virtual double pressurePerModulus(double r, double a, double deflection) const;
   /// u_z at r > a.
@@ -72,8 +83,7 @@ protected:
   /// Load carried inside r over E*, mm², at 0 < r < a.
   virtual double loadInside(double r, double a, double deflection) const;
 
-  /// g(x) and g'(x), mm, for the general path; 0 <= x < the largest contact radius.
-  virtual double reducedProfile(double x) const = 0;
+  /// g'(x), for the general path; 0 <= x < the largest contact radius.
   virtual double reducedSlope(double x) const = 0;
 };
 } // namespace palpate

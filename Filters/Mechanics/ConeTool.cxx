@@ -45,7 +45,7 @@ double ConeTool::radiusAt(double deflection) const
   return 2.0 * deflection / (Pi * this->Slope);
 }
 
-double ConeTool::forcePerModulus(double deflection) const
+double ConeTool::forcePerModulus(double, double deflection) const
 {
   return 2.0 / (Pi * this->Slope) * deflection * deflection;
 }
@@ -66,7 +66,7 @@ double ConeTool::loadInside(double r, double a, double deflection) const
 {
   const double root = std::sqrt((a - r) * (a + r));
   const double q = (r / a) * (r / a);
-  return this->forcePerModulus(deflection) * q * (std::acosh(a / r) + a / (a + root));
+  return this->forcePerModulus(a, deflection) * q * (std::acosh(a / r) + a / (a + root));
 }
 
 double ConeTool::reducedProfile(double x) const

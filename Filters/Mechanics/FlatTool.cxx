@@ -44,9 +44,9 @@ double FlatTool::radiusAt(double) const
   return this->Radius;
 }
 
-double FlatTool::forcePerModulus(double deflection) const
+double FlatTool::forcePerModulus(double a, double deflection) const
 {
-  return 2.0 * this->Radius * deflection;
+  return 2.0 * a * deflection;
 }
 
 double FlatTool::pressurePerModulus(double r, double a, double deflection) const
@@ -63,6 +63,6 @@ double FlatTool::loadInside(double r, double a, double deflection) const
 {
   // F (1 - √(1-q)) with q = (r/a)², written so that nothing cancels at small r.
   const double q = (r / a) * (r / a);
-  return this->forcePerModulus(deflection) * q / (1.0 + std::sqrt(1.0 - q));
+  return this->forcePerModulus(a, deflection) * q / (1.0 + std::sqrt(1.0 - q));
 }
 } // namespace palpate

@@ -20,14 +20,17 @@ public:
   double forceExponent() const override { return 1.0; }
   double depthAtStrain(double ratio) const override;
   double depthAtContactRadius(double a) const override;
+  double reducedProfile(double) const override { return 0.0; }
+  double smallestContactRadius() const override { return this->Radius; }
+  double largestContactRadius() const override { return this->Radius; }
+  std::vector<double> kinks() const override { return { this->Radius }; }
 
 protected:
   double radiusAt(double deflection) const override;
-  double forcePerModulus(double deflection) const override;
+  double forcePerModulus(double a, double deflection) const override;
   double pressurePerModulus(double r, double a, double deflection) const override;
   double normalDisplacementOutside(double r, double a, double deflection) const override;
   double loadInside(double r, double a, double deflection) const override;
-  double reducedProfile(double) const override { return 0.0; }
   double reducedSlope(double) const override { return 0.0; }
 
 private:

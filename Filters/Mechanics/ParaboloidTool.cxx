@@ -42,9 +42,9 @@ double ParaboloidTool::radiusAt(double deflection) const
   return std::sqrt(this->Radius * deflection);
 }
 
-double ParaboloidTool::forcePerModulus(double deflection) const
+double ParaboloidTool::forcePerModulus(double a, double deflection) const
 {
-  return 4.0 / 3.0 * deflection * this->radiusAt(deflection);
+  return 4.0 / 3.0 * deflection * a;
 }
 
 double ParaboloidTool::pressurePerModulus(double r, double a, double) const
@@ -71,6 +71,6 @@ double ParaboloidTool::loadInside(double r, double a, double deflection) const
 {
   // F [1 - (1-q)^1.5] with q = (r/a)², without cancellation at small r.
   const double q = (r / a) * (r / a);
-  return -this->forcePerModulus(deflection) * std::expm1(1.5 * std::log1p(-q));
+  return -this->forcePerModulus(a, deflection) * std::expm1(1.5 * std::log1p(-q));
 }
 } // namespace palpate

@@ -4,6 +4,8 @@
 
 #include "AxisymmetricTool.h"
 
+#include <limits>
+
 namespace palpate
 {
 /**
@@ -21,14 +23,15 @@ public:
   double forceExponent() const override { return 1.5; }
   double depthAtStrain(double ratio) const override;
   double depthAtContactRadius(double a) const override;
+  double reducedProfile(double x) const override { return x * x / this->Radius; }
+  double largestContactRadius() const override { return std::numeric_limits<double>::infinity(); }
 
 protected:
   double radiusAt(double deflection) const override;
-  double forcePerModulus(double deflection) const override;
+  double forcePerModulus(double a, double deflection) const override;
   double pressurePerModulus(double r, double a, double deflection) const override;
   double normalDisplacementOutside(double r, double a, double deflection) const override;
   double loadInside(double r, double a, double deflection) const override;
-  double reducedProfile(double x) const override { return x * x / this->Radius; }
   double reducedSlope(double x) const override { return 2.0 * x / this->Radius; }
 
 private:

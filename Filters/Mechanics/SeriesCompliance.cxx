@@ -7,7 +7,7 @@
 namespace palpate
 {
 SeriesPoint seriesResponse(
-  const AxisymmetricTool& tool, double reducedModulus, double compliance, double deflection)
+  const IndentationLaw& local, double reducedModulus, double compliance, double deflection)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   SeriesPoint point;
@@ -25,20 +25,20 @@ SeriesPoint seriesResponse(
   bool last = false;
   for (int iteration = 0; iteration < 100; ++iteration)
   {
-    point.force = tool.force(x, reducedModulus);
-    const double local = tool.stiffness(x, reducedModulus);
-    const double slope = 1.0 + compliance * local;
+    const IndentationPoint at = local.evaluate(x, reducedModulus);
+    const double slope = 1.0 + compliance * at.stiffness;
     if (!(slope > 0.0))
     {
       return { nan, nan, nan, false };
     }
-    point.stiffness = local / slope;
+    point.force = at.force;
+    point.stiffness = at.stiffness / slope;
     point.localDeflection = x;
     if (last)
     {
       return point;
     }
-    const double next = (deflection + compliance * (local * x - point.force)) / slope;
+    const double next = (deflection + compliance * (at.stiffness * x - at.force)) / slope;
     last = !((compliance < 0.0 ? next - x : x - next) > 1e-15 * x);
     x = next;
   }

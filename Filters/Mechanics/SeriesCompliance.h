@@ -2,7 +2,7 @@
 #ifndef palpate_SeriesCompliance_h
 #define palpate_SeriesCompliance_h
 
-#include "AxisymmetricTool.h"
+#include "IndentationLaw.h"
 
 namespace palpate
 {
@@ -20,13 +20,13 @@ struct SeriesPoint
  * Local and global deformation in series: δ = δ_local(F; tool) + C F.
  *
  * The body as a whole yields by its structural compliance C (mm/N), whatever the tool
- * (St. Venant, Castigliano); the neighbourhood of the contact by the half-space law of the tool.
+ * (St. Venant, Castigliano); the neighbourhood of the contact by the law of the tool on it.
  * Negative C (a near rigid base) is allowed until 1 + C dF/dδ_local = 0, where the curve folds.
  * Solved by Newton's method, monotone because F(δ_local) is convex. Cost: about five evaluations of
- * the half-space law.
+ * the local law.
  */
 SeriesPoint seriesResponse(
-  const AxisymmetricTool& tool, double reducedModulus, double compliance, double deflection);
+  const IndentationLaw& local, double reducedModulus, double compliance, double deflection);
 } // namespace palpate
 
 #endif

@@ -66,10 +66,10 @@ double SphereTool::radiusAt(double deflection) const
   return this->Radius * std::tanh(solveDepth(deflection / this->Radius));
 }
 
-double SphereTool::forcePerModulus(double deflection) const
+double SphereTool::forcePerModulus(double a, double deflection) const
 {
-  const double w = solveDepth(deflection / this->Radius);
-  const double t = std::tanh(w);
+  const double t = a / this->Radius;
+  const double w = deflection / a;
   double bracket = (t * t + 1.0) * w - t;
   if (t < 0.1)
   {

@@ -24,11 +24,12 @@ public:
   double forceExponent() const override { return 1.5; }
   double depthAtStrain(double ratio) const override;
   double depthAtContactRadius(double a) const override;
+  double reducedProfile(double x) const override;
+  double largestContactRadius() const override { return this->Radius; }
 
 protected:
   double radiusAt(double deflection) const override;
-  double forcePerModulus(double deflection) const override;
-  double reducedProfile(double x) const override;
+  double forcePerModulus(double a, double deflection) const override;
   double reducedSlope(double x) const override;
 
 private:

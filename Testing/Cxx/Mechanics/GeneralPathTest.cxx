@@ -33,10 +33,12 @@ public:
   double depthAtStrain(double) const override { return 0.0; }
   double depthAtContactRadius(double a) const override { return this->Given.g(a); }
 
+  double reducedProfile(double x) const override { return this->Given.g(x); }
+  double largestContactRadius() const override { return std::numeric_limits<double>::infinity(); }
+
 protected:
   double radiusAt(double depth) const override { return this->Given.radius(depth); }
-  double forcePerModulus(double depth) const override { return this->Given.force(depth); }
-  double reducedProfile(double x) const override { return this->Given.g(x); }
+  double forcePerModulus(double, double depth) const override { return this->Given.force(depth); }
   double reducedSlope(double x) const override { return this->Given.slope(x); }
 
 private:

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_IndentationLaw_h
+#define palpate_IndentationLaw_h
+
+namespace palpate
+{
+/// One point of a force-deflection curve.
+struct IndentationPoint
+{
+  double force = 0.0;         ///< N
+  double stiffness = 0.0;     ///< dF/dδ, N/mm
+  double contactRadius = 0.0; ///< mm
+};
+
+/**
+ * The force one tool feels pressed δ deep into one body, for any modulus of that body: F and dF/dδ
+ * are proportional to E* = E/(1-ν²).
+ *
+ * F(δ) is convex and grows from 0. δ <= 0 gives zeros, NaN gives NaN; a depth the law cannot answer
+ * gives NaN. Units mm, N, MPa. Immutable and safe to call from any number of threads.
+ */
+class IndentationLaw
+{
+public:
+  virtual ~IndentationLaw() = default;
+  virtual IndentationPoint evaluate(double deflection, double reducedModulus) const = 0;
+};
+} // namespace palpate
+
+#endif
