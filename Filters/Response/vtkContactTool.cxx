@@ -5,8 +5,11 @@
 #include "ReducedModulus.h"
 #include "ToolSpecification.h"
 
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -19,6 +22,60 @@ vtkStandardNewMacro(vtkContactTool);
 vtkContactTool::vtkContactTool() = default;
 vtkContactTool::~vtkContactTool() = default;
 
+void vtkContactTool::SetProfile(vtkPoints* points)
+{
+  if (this->ProfilePoints != points)
+  {
+    this->ProfilePoints = points;
+    this->Modified();
+  }
+}
+
+vtkPoints* vtkContactTool::GetProfilePoints()
+{
+  return this->ProfilePoints;
+}
+
+void vtkContactTool::AddProfilePoint(double r, double f)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  if (this->ProfilePoints)
+  {
+    points->DeepCopy(this->ProfilePoints);
+  }
+  points->InsertNextPoint(r, f, 0.0);
+  this->SetProfile(points);
+}
+
+void vtkContactTool::RemoveAllProfilePoints()
+{
+  this->SetProfile(nullptr);
+}
+
+vtkMTimeType vtkContactTool::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->ProfilePoints ? std::max(own, this->ProfilePoints->GetMTime()) : own;
+}
+
+palpate::ToolSpecification vtkContactTool::MakeSpecification()
+{
+  palpate::ToolSpecification specification;
+  specification.Shape = static_cast<palpate::ToolShape>(this->Shape);
+  specification.Radius = this->Radius;
+  specification.HalfAngle = this->HalfAngle;
+  specification.EdgeRadius = this->EdgeRadius;
+  specification.Exponent = this->Exponent;
+  specification.Coefficient = this->Coefficient;
+  for (vtkIdType i = 0; this->ProfilePoints && i < this->ProfilePoints->GetNumberOfPoints(); ++i)
+  {
+    const double* point = this->ProfilePoints->GetPoint(i);
+    specification.Profile.push_back({ point[0], point[1] });
+  }
+  return specification;
+}
+
 const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
 {
   if (this->KernelTime == this->GetMTime())
@@ -26,14 +83,14 @@ const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
     return this->Kernel.get();
   }
   this->Kernel.reset();
-  if (this->Shape < Flat || this->Shape > Cone)
+  if (this->Shape < Flat || this->Shape > Profile)
   {
     vtkErrorMacro(<< "Shape " << this->Shape
-                  << " is not available: give 0 Flat, 1 Paraboloid, 2 Sphere or 3 Cone.");
+                  << " is unknown: give 0 Flat, 1 Paraboloid, 2 Sphere, 3 Cone, 4 TruncatedCone, "
+                     "5 BluntedCone, 6 RoundedFlat, 7 PowerLaw or 8 Profile.");
     return nullptr;
   }
-  const palpate::ToolSpecification specification = { static_cast<palpate::ToolShape>(this->Shape),
-    this->Shape == Cone ? this->HalfAngle : this->Radius };
+  const palpate::ToolSpecification specification = this->MakeSpecification();
   this->Kernel = palpate::makeTool(specification);
   if (!this->Kernel)
   {
@@ -42,6 +99,19 @@ const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
   }
   this->KernelTime = this->GetMTime();
   return this->Kernel.get();
+}
+
+/// The kernel, if it answers at a deflection; null, after an error, if not.
+const palpate::AxisymmetricTool* vtkContactTool::GetKernelFor(double deflection)
+{
+  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  const std::string fault = tool ? tool->checkDepth(deflection) : std::string();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Too deep: " << fault << ".");
+    return nullptr;
+  }
+  return tool;
 }
 
 bool vtkContactTool::SetSpecification(const std::string& specification)
@@ -53,14 +123,40 @@ bool vtkContactTool::SetSpecification(const std::string& specification)
     vtkErrorMacro(<< error << ".");
     return false;
   }
+  // Parameters the shape does not have keep their values.
   this->SetShape(static_cast<int>(read.Shape));
-  if (this->Shape == Cone)
+  switch (this->Shape)
   {
-    this->SetHalfAngle(read.Parameter);
-  }
-  else
-  {
-    this->SetRadius(read.Parameter);
+    case PowerLaw:
+      this->SetExponent(read.Exponent);
+      this->SetCoefficient(read.Coefficient);
+      break;
+    case Profile:
+    {
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (const palpate::ProfilePoint& point : read.Profile)
+      {
+        points->InsertNextPoint(point.r, point.f, 0.0);
+      }
+      this->SetProfile(points);
+      break;
+    }
+    case Cone:
+      this->SetHalfAngle(read.HalfAngle);
+      break;
+    case TruncatedCone:
+    case BluntedCone:
+      this->SetHalfAngle(read.HalfAngle);
+      this->SetRadius(read.Radius);
+      break;
+    case RoundedFlat:
+      this->SetEdgeRadius(read.EdgeRadius);
+      this->SetRadius(read.Radius);
+      break;
+    default:
+      this->SetRadius(read.Radius);
+      break;
   }
   return true;
 }
@@ -73,17 +169,38 @@ std::string vtkContactTool::GetSpecification()
 
 std::string vtkContactTool::GetDescription()
 {
-  // "name:value" already has the shortest decimals.
-  const std::string specification = this->GetSpecification();
-  const std::size_t colon = specification.find(':');
-  if (colon == std::string::npos)
+  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  if (!tool)
   {
     return {};
   }
-  const std::string name = specification.substr(0, colon);
-  const std::string value = specification.substr(colon + 1);
-  return this->Shape == Cone ? name + ", half angle " + value + " degrees"
-                             : name + ", radius " + value + " mm";
+  const std::string radius = ", radius " + palpate::shortestDecimals(this->Radius) + " mm";
+  const std::string angle =
+    ", half angle " + palpate::shortestDecimals(this->HalfAngle) + " degrees";
+  switch (this->Shape)
+  {
+    case Flat:
+      return "flat" + radius;
+    case Paraboloid:
+      return "paraboloid" + radius;
+    case Sphere:
+      return "sphere" + radius;
+    case Cone:
+      return "cone" + angle;
+    case TruncatedCone:
+      return "truncated cone" + radius + angle;
+    case BluntedCone:
+      return "blunted cone" + radius + angle;
+    case RoundedFlat:
+      return "rounded flat" + radius + ", edge " + palpate::shortestDecimals(this->EdgeRadius) +
+        " mm";
+    case PowerLaw:
+      return "power law, " + palpate::shortestDecimals(this->Coefficient) + " r^" +
+        palpate::shortestDecimals(this->Exponent) + " mm";
+    default:
+      return "profile of " + std::to_string(this->ProfilePoints->GetNumberOfPoints()) +
+        " points, radius " + palpate::shortestDecimals(tool->largestContactRadius()) + " mm";
+  }
 }
 
 bool vtkContactTool::CheckModulus(double reducedModulus)
@@ -99,26 +216,26 @@ bool vtkContactTool::CheckModulus(double reducedModulus)
 
 double vtkContactTool::GetForce(double deflection, double reducedModulus)
 {
-  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  const palpate::AxisymmetricTool* tool = this->GetKernelFor(deflection);
   return tool && this->CheckModulus(reducedModulus) ? tool->force(deflection, reducedModulus) : NaN;
 }
 
 double vtkContactTool::GetStiffness(double deflection, double reducedModulus)
 {
-  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  const palpate::AxisymmetricTool* tool = this->GetKernelFor(deflection);
   return tool && this->CheckModulus(reducedModulus) ? tool->stiffness(deflection, reducedModulus)
                                                     : NaN;
 }
 
 double vtkContactTool::GetContactRadius(double deflection)
 {
-  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  const palpate::AxisymmetricTool* tool = this->GetKernelFor(deflection);
   return tool ? tool->contactRadius(deflection) : NaN;
 }
 
 double vtkContactTool::GetPressure(double r, double deflection, double reducedModulus)
 {
-  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  const palpate::AxisymmetricTool* tool = this->GetKernelFor(deflection);
   return tool && this->CheckModulus(reducedModulus) ? tool->pressure(r, deflection, reducedModulus)
                                                     : NaN;
 }
@@ -127,7 +244,7 @@ void vtkContactTool::GetSurfaceDisplacement(
   double r, double deflection, double poissonRatio, double u[2])
 {
   u[0] = u[1] = NaN;
-  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  const palpate::AxisymmetricTool* tool = this->GetKernelFor(deflection);
   if (!tool)
   {
     return;
@@ -142,6 +259,12 @@ void vtkContactTool::GetSurfaceDisplacement(
   u[1] = found.normal;
 }
 
+double vtkContactTool::GetDepthLimit()
+{
+  const palpate::AxisymmetricTool* tool = this->GetKernel();
+  return tool ? tool->depthLimit().depth : NaN;
+}
+
 double vtkContactTool::GetProfile(double r)
 {
   const palpate::AxisymmetricTool* tool = this->GetKernel();
@@ -154,4 +277,8 @@ void vtkContactTool::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shape: " << this->Shape << "\n";
   os << indent << "Radius: " << this->Radius << " mm\n";
   os << indent << "HalfAngle: " << this->HalfAngle << " degrees\n";
+  os << indent << "EdgeRadius: " << this->EdgeRadius << " mm\n";
+  os << indent << "Exponent: " << this->Exponent << "\n";
+  os << indent << "Coefficient: " << this->Coefficient << " mm^(1-Exponent)\n";
+  os << indent << "ProfilePoints: " << this->ProfilePoints.Get() << "\n";
 }

@@ -6,14 +6,30 @@
  * The tool is pressed `deflection` mm deep, along its axis, without friction, into a half-space of
  * reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
  *
- * | Shape | parameters | contact radius a | force F |
- * |---|---|---|---|
- * | Flat | Radius a | a | 2 a E* δ |
- * | Paraboloid | Radius R, f = r²/2R | √(Rδ) | 4/3 E* √R δ^1.5 |
- * | Sphere | Radius R, exact | δ = (a/2) ln((R+a)/(R-a)) | E* [(a²+R²)/2 ln((R+a)/(R-a)) - aR] |
- * | Cone | HalfAngle α | (2/π) tan α δ | (2/π) E* tan α δ² |
+ * | Shape | parameters | profile f(r) | contact radius a | force F |
+ * |---|---|---|---|---|
+ * | Flat | Radius a | 0, wall at a | a | 2 a E* δ |
+ * | Paraboloid | Radius R | r²/2R | √(Rδ) | 4/3 E* √R δ^1.5 |
+ * | Sphere | Radius R, exact | R - √(R²-r²), wall at R | δ = (a/2) ln((R+a)/(R-a)) | E* [(a²+R²)/2
+ * ln((R+a)/(R-a)) - aR] | | Cone | HalfAngle α | r cot α | (2/π) tan α δ | (2/π) E* tan α δ² | |
+ * TruncatedCone | Radius b of the flat, HalfAngle α | (r-b) cot α beyond b | δ = a A cot α | E* cot
+ * α [a²A + bq] | | BluntedCone | Radius R of the spherical tip, HalfAngle α | Sphere to b = R cos
+ * α, its tangent beyond | δ = a [L + A cot α] beyond b | 2E* (aδ - ½ [(a²-R²) L + Ra - qR/sin α +
+ * a²A cot α]) | | RoundedFlat | Radius b of the flat, EdgeRadius R_e | (r-b)²/2R_e beyond b | δ =
+ * (a/R_e) (q - bA) | E* [(4a²-b²) q - 3a²bA]/(3R_e) | | PowerLaw | Exponent n, Coefficient B | B
+ * r^n | δ = κ B a^n | 2n/(n+1) E* a δ | | Profile | SetProfile: points (r, f) | straight between
+ * them, wall at the last | δ = Σ m_i a A_i | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i]) |
  *
- * (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape dF/dδ = 2 E* a.
+ * A = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
+ * the change of slope at r_i.
+ * (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape dF/dδ = 2 E* a. The strain is
+ * measured by a/R where the tip has a radius R (Paraboloid, Sphere, BluntedCone), else by δ/a.
+ *
+ * **Profiles.** Points taken from a smooth tool give its law with an error that falls with the
+ * square of their spacing. The formulas hold for one full circle of contact. A tool that is not
+ * convex (a shoulder, a groove, a second ring) would from some depth on touch outside it; pressed
+ * deeper, every Get... reports an error that names the deflection and the radius, and gives NaN:
+ * see GetDepthLimit. A ring that lies lower than the tip is refused at once.
  *
  * **On the sphere of Mahvash and Hayward (2002), Table 1.** It stands there as 4/3 √(R E*) δ^1.5,
  * with E* under the root. The right form is 4/3 E* √R δ^1.5: a force is linear in the modulus of a
@@ -23,17 +39,20 @@
  * Sphere is exact at every depth of linear elasticity.
  *
  * A deflection <= 0 gives 0, NaN gives NaN. An invalid tool or argument (a radius that is not
- * positive, a half angle outside 0..90, E* <= 0, ν outside 0..0.5) reports an error and gives NaN.
- * Small strain is assumed: see vtkToolContactResponse, Validity.
+ * positive, a half angle outside 0..90, an exponent outside 1..100, E* <= 0, ν outside 0..0.5)
+ * reports an error and gives NaN. Small strain is assumed: see vtkToolContactResponse, Validity.
  *
- * Cost: below a microsecond for closed forms; pressure and outer displacement of Sphere integrate
- * with 64 points (about 2 µs). Get... functions of one object must not run concurrently with Set...
+ * Cost: force, stiffness and contact radius below a microsecond (Profile: for each ten points);
+ * pressure and outer displacement of the shapes without closed form for them (all but Flat,
+ * Paraboloid and Cone) integrate with about 100 points (3 µs; Profile: for each point). Get...
+ * functions of one object must not run concurrently with Set...
  */
 #ifndef vtkContactTool_h
 #define vtkContactTool_h
 
 #include "palpateResponseModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -41,7 +60,10 @@
 namespace palpate
 {
 class AxisymmetricTool;
-}
+struct ToolSpecification;
+} // namespace palpate
+
+class vtkPoints;
 
 class PALPATERESPONSE_EXPORT vtkContactTool : public vtkObject
 {
@@ -55,7 +77,12 @@ public:
     Flat = 0,
     Paraboloid = 1,
     Sphere = 2,
-    Cone = 3
+    Cone = 3,
+    TruncatedCone = 4,
+    BluntedCone = 5,
+    RoundedFlat = 6,
+    PowerLaw = 7,
+    Profile = 8
   };
 
   ///@{
@@ -66,24 +93,72 @@ public:
   void SetShapeToParaboloid() { this->SetShape(Paraboloid); }
   void SetShapeToSphere() { this->SetShape(Sphere); }
   void SetShapeToCone() { this->SetShape(Cone); }
+  void SetShapeToTruncatedCone() { this->SetShape(TruncatedCone); }
+  void SetShapeToBluntedCone() { this->SetShape(BluntedCone); }
+  void SetShapeToRoundedFlat() { this->SetShape(RoundedFlat); }
+  void SetShapeToPowerLaw() { this->SetShape(PowerLaw); }
+  void SetShapeToProfile() { this->SetShape(Profile); }
   ///@}
 
   ///@{
-  /** Radius of the flat, sphere or paraboloid, mm, > 0. Default 5. */
+  /**
+   * Radius of Flat, of the tip of Sphere, Paraboloid and BluntedCone, or of the flat part of
+   * TruncatedCone and RoundedFlat, mm, > 0. Default 5.
+   */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** Half angle of the cone, degrees from its axis, between 0 and 90. Default 60. */
+  /** Half angle of a cone of any kind, degrees from its axis, between 0 and 90. Default 60. */
   vtkSetMacro(HalfAngle, double);
   vtkGetMacro(HalfAngle, double);
   ///@}
 
+  ///@{
+  /** Radius to which the edge of RoundedFlat is rounded, mm, > 0. Default 1. */
+  vtkSetMacro(EdgeRadius, double);
+  vtkGetMacro(EdgeRadius, double);
+  ///@}
+
+  ///@{
   /**
-   * The tool in writing: "flat:R", "paraboloid:R", "sphere:R" (mm), "cone:DEGREES". Setting reports
-   * an error, returns false and changes nothing when the text is wrong. Getting an invalid tool's
-   * specification reports an error and returns "".
+   * Exponent n of PowerLaw, 1..100. Default 2. Below 1 the tip would be a cusp of infinite slope;
+   * above 100 it is a flat punch.
+   */
+  vtkSetMacro(Exponent, double);
+  vtkGetMacro(Exponent, double);
+  ///@}
+
+  ///@{
+  /** Coefficient B of PowerLaw, mm^(1-n), > 0. Default 0.1: with n = 2 a paraboloid of 5 mm. */
+  vtkSetMacro(Coefficient, double);
+  vtkGetMacro(Coefficient, double);
+  ///@}
+
+  ///@{
+  /**
+   * Points of Profile, mm: x = r, the distance from the axis, increasing; y = f(r) >= 0, the height
+   * above the tip; the first (0, 0); z is ignored. The points are not copied: call their Modified()
+   * after changing them.
+   */
+  virtual void SetProfile(vtkPoints* points);
+  vtkPoints* GetProfilePoints();
+  ///@}
+
+  ///@{
+  /** The same point by point. Points given by SetProfile are left as they are. */
+  void AddProfilePoint(double r, double f);
+  void RemoveAllProfilePoints();
+  ///@}
+
+  /**
+   * The tool in writing: "flat:R", "paraboloid:R", "sphere:R", "cone:DEGREES",
+   * "truncated:R,DEGREES", "blunted:R,DEGREES", "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT",
+   * "profile:FILE.csv" or "profile:r1,f1;r2,f2;…" (mm). A profile is written in the last form, so
+   * that a stored response explains itself; a file has a line r_mm,f_mm per point. Setting reports
+   * an error, returns false and changes nothing when the text or the file is wrong. Getting an
+   * invalid tool's specification reports an error and returns "".
    */
   bool SetSpecification(const std::string& specification);
   std::string GetSpecification();
@@ -99,7 +174,8 @@ public:
   double GetContactRadius(double deflection);
   /**
    * Contact pressure at distance r (mm) from the axis, MPa: 0 outside the contact, +inf at the rim
-   * of Flat and the apex of Cone.
+   * of Flat, the apex of Cone and the edge of TruncatedCone; of Profile +inf at each convex and
+   * -inf at each concave corner under contact, and +inf at its wall.
    */
   double GetPressure(double r, double deflection, double reducedModulus);
   /**
@@ -109,7 +185,14 @@ public:
    */
   void GetSurfaceDisplacement(double r, double deflection, double poissonRatio, double u[2]);
 
-  /** Height of the tool's surface above its tip at distance r from the axis, mm. */
+  /**
+   * Depth (mm) beyond which the tool would touch the body outside the circle of contact, so that no
+   * force can be given: +inf for all shapes but a Profile that is not convex.
+   */
+  double GetDepthLimit();
+
+  /** Height of the tool's surface above its tip at distance r from the axis, mm; +inf beyond its
+   * wall. */
   double GetProfile(double r);
 
   /**
@@ -117,6 +200,9 @@ public:
    * object, valid until it is changed.
    */
   const palpate::AxisymmetricTool* GetKernel();
+
+  /** The profile's points count. */
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkContactTool();
@@ -126,11 +212,17 @@ private:
   vtkContactTool(const vtkContactTool&) = delete;
   void operator=(const vtkContactTool&) = delete;
 
+  palpate::ToolSpecification MakeSpecification();
+  const palpate::AxisymmetricTool* GetKernelFor(double deflection);
   bool CheckModulus(double reducedModulus);
 
   int Shape = Sphere;
   double Radius = 5.0;
   double HalfAngle = 60.0;
+  double EdgeRadius = 1.0;
+  double Exponent = 2.0;
+  double Coefficient = 0.1;
+  vtkSmartPointer<vtkPoints> ProfilePoints;
   std::unique_ptr<palpate::AxisymmetricTool> Kernel;
   vtkMTimeType KernelTime = 0;
 };

@@ -5,6 +5,7 @@
 #include "vtkContactTool.h"
 
 #include "vtkCellArray.h"
+#include "vtkCleanPolyData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -17,15 +18,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int ProfilePoints = 48;
+constexpr int ProfilePoints = 48; // and one more for each kink, at most
 
-/// Radius where the drawn profile ends: its outer wall, or `maximum` if it widens for ever.
+/// Radius where the drawn profile ends: its outer wall, however wide, or `maximum` if it widens for
+/// ever.
 double outerRadius(const palpate::AxisymmetricTool& tool, double maximum, double length)
 {
+  if (std::isfinite(tool.largestContactRadius()))
+  {
+    return tool.largestContactRadius();
+  }
   double inside = 0.0;
   double outside = maximum;
   const auto fits = [&](double r) { return tool.profile(r) <= 0.9 * length; };
@@ -39,6 +46,34 @@ double outerRadius(const palpate::AxisymmetricTool& tool, double maximum, double
     (fits(middle) ? inside : outside) = middle;
   }
   return inside;
+}
+
+/// Radii to draw the profile at: its kinks, and between them points that crowd towards the outer
+/// end, as a sphere's profile asks for.
+std::vector<double> drawnRadii(const palpate::AxisymmetricTool& tool, double outer)
+{
+  std::vector<double> ends;
+  for (const double kink : tool.kinks())
+  {
+    if (kink < outer)
+    {
+      ends.push_back(kink);
+    }
+  }
+  ends.push_back(outer);
+  std::vector<double> radii = { 0.0 };
+  for (const double end : ends)
+  {
+    const double begin = radii.back();
+    const int count =
+      std::max(1, static_cast<int>(std::ceil(ProfilePoints * (end - begin) / outer)));
+    for (int i = 1; i < count; ++i)
+    {
+      radii.push_back(begin + (end - begin) * std::sin(0.5 * Pi * i / count));
+    }
+    radii.push_back(end);
+  }
+  return radii;
 }
 } // namespace
 
@@ -82,19 +117,13 @@ int vtkContactToolSource::RequestData(
     return 0;
   }
 
-  // A tool with a wall is drawn to its wall, however wide.
-  const int shape = this->Tool->GetShape();
-  const bool walled = shape == vtkContactTool::Flat || shape == vtkContactTool::Sphere;
-  const double outer =
-    walled ? this->Tool->GetRadius() : outerRadius(*tool, this->MaximumRadius, this->Length);
+  const double outer = outerRadius(*tool, this->MaximumRadius, this->Length);
   const double top = std::max(this->Length, tool->profile(outer) + 1e-3 * this->Length);
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (int i = 0; i <= ProfilePoints; ++i)
+  for (const double r : drawnRadii(*tool, outer))
   {
-    // Sine spacing puts points where a sphere's profile turns steep.
-    const double r = i == ProfilePoints ? outer : outer * std::sin(0.5 * Pi * i / ProfilePoints);
     points->InsertNextPoint(r, 0.0, tool->profile(r));
   }
   points->InsertNextPoint(outer, 0.0, top);
@@ -115,8 +144,16 @@ int vtkContactToolSource::RequestData(
   turn->CappingOff();
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(turn->GetOutputPort());
+  // The sweep ends beside its start and turns the axis into many points: merge them, or the shading
+  // shows a seam.
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputConnection(triangles->GetOutputPort());
+  merged->ToleranceIsAbsoluteOn();
+  merged->SetAbsoluteTolerance(1e-6 * top);
+  merged->ConvertPolysToLinesOff();
+  merged->ConvertLinesToPointsOff();
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(triangles->GetOutputPort());
+  normals->SetInputConnection(merged->GetOutputPort());
   normals->SetFeatureAngle(30.0);
   normals->ConsistencyOn();
   normals->AutoOrientNormalsOn();

@@ -4,8 +4,10 @@
  * @brief geometry of a vtkContactTool, for display
  *
  * The tip is at the origin and the tool rises along +z: its profile, then a straight shaft up to
- * Length. Triangles with outward normals, mm. A profile that keeps widening (cone, paraboloid) is
- * cut at MaximumRadius and continued as a shaft.
+ * Length. Triangles with outward normals, mm. A tool with a wall (Flat, Sphere, Profile) is drawn
+ * to it; a profile that keeps widening (the others) is cut at MaximumRadius, or where it reaches
+ * 9/10 of Length, and continued as a shaft. Edges and corners of the profile are points of the
+ * geometry.
  */
 #ifndef vtkContactToolSource_h
 #define vtkContactToolSource_h

@@ -28,7 +28,8 @@ function(palpate_warnings target)
 endfunction()
 
 # A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
-# CLASSES, and what is named besides.
+# CLASSES, and what is named besides. A name may lie in a subfolder; headers are included without it,
+# as they are installed.
 function(palpate_add_kernel name)
   cmake_parse_arguments(arg "" "" "CLASSES;SOURCES;HEADERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
@@ -37,10 +38,16 @@ function(palpate_add_kernel name)
     list(APPEND headers ${class}.h)
     list(APPEND sources ${class}.cxx)
   endforeach()
+  set(folders "")
+  foreach(header IN LISTS headers)
+    get_filename_component(folder "${header}" DIRECTORY)
+    list(APPEND folders "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
   add_library(palpate${name} ${sources} ${headers})
   add_library(Palpate::${name} ALIAS palpate${name})
   target_include_directories(palpate${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+    ${folders}
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
   target_link_libraries(palpate${name} PUBLIC Eigen3::Eigen ${arg_LINK})
   target_compile_features(palpate${name} PUBLIC cxx_std_17)

@@ -34,6 +34,22 @@ TEST(GoldenNumbers, OfThisLibrarysTools)
     { "sphere_exact_R6.35_a(d=0.2)", radius("sphere:6.35", 0.2) },
     { "sphere_exact_R6.35_F(d=1.0)", force("sphere:6.35", 1.0) },
     { "sphere_exact_R6.35_a(d=1.0)", radius("sphere:6.35", 1.0) },
+    { "power_n4_B0.01_F(d=0.2)", force("power:4,0.01", 0.2) },
+    { "power_n4_B0.01_a(d=0.2)", radius("power:4,0.01", 0.2) },
+    { "power_n4_B0.01_F(d=1.0)", force("power:4,0.01", 1.0) },
+    { "power_n4_B0.01_a(d=1.0)", radius("power:4,0.01", 1.0) },
+    { "trunc_cone_b1_60_F(d=0.2)", force("truncated:1,60", 0.2) },
+    { "trunc_cone_b1_60_a(d=0.2)", radius("truncated:1,60", 0.2) },
+    { "trunc_cone_b1_60_F(d=1.0)", force("truncated:1,60", 1.0) },
+    { "trunc_cone_b1_60_a(d=1.0)", radius("truncated:1,60", 1.0) },
+    { "blunt_cone_sph_R1_60_F(d=0.2)", force("blunted:1,60", 0.2) },
+    { "blunt_cone_sph_R1_60_a(d=0.2)", radius("blunted:1,60", 0.2) },
+    { "blunt_cone_sph_R1_60_F(d=1.0)", force("blunted:1,60", 1.0) },
+    { "blunt_cone_sph_R1_60_a(d=1.0)", radius("blunted:1,60", 1.0) },
+    { "rounded_flat_b1.2_Re0.4_F(d=0.2)", force("rounded:1.2,0.4", 0.2) },
+    { "rounded_flat_b1.2_Re0.4_a(d=0.2)", radius("rounded:1.2,0.4", 0.2) },
+    { "rounded_flat_b1.2_Re0.4_F(d=1.0)", force("rounded:1.2,0.4", 1.0) },
+    { "rounded_flat_b1.2_Re0.4_a(d=1.0)", radius("rounded:1.2,0.4", 1.0) },
   };
   const ReferenceTable table("golden.csv");
   std::size_t checked = 0;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every row of punches.csv whose tool the library has.
+// Every row of punches.csv whose tool the library has: eight of the nine shapes, four depths each.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "ReferenceTable.h"
 #include "TestTools.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
 
 using palpate::testing::agrees;
 using palpate::testing::Pi;
@@ -12,24 +16,33 @@ using palpate::testing::Rubber;
 
 namespace
 {
-/// "cone 60deg" → "cone:60"; empty for shapes the library does not have yet.
+/// The numbers of "rounded_flat b=1.2 Re=.4" as on a command line: "1.2,.4".
+std::string numbersOf(const std::string& text)
+{
+  std::string numbers;
+  std::size_t end = text.find(' ');
+  while (true)
+  {
+    const std::size_t begin = text.find_first_of("0123456789.", end);
+    if (begin == std::string::npos)
+    {
+      return numbers;
+    }
+    end = std::min(text.find_first_not_of("0123456789.", begin), text.size());
+    numbers += (numbers.empty() ? "" : ",") + text.substr(begin, end - begin);
+  }
+}
+
+/// "cone 60deg" → "cone:60"; empty for the one shape the library has not: a cone blunted by a
+/// paraboloid.
 std::string commandLineName(const std::string& name)
 {
-  const std::string shape = name.substr(0, name.find(' '));
-  const std::string value = name.substr(name.find_first_of("0123456789", name.find(' ')));
-  if (shape == "sphere_par")
-  {
-    return "paraboloid:" + value;
-  }
-  if (shape == "sphere_exact")
-  {
-    return "sphere:" + value;
-  }
-  if (shape == "flat")
-  {
-    return "flat:" + value;
-  }
-  return shape == "cone" ? "cone:" + value.substr(0, value.find("deg")) : "";
+  const std::map<std::string, std::string> shapes = { { "flat", "flat" },
+    { "sphere_par", "paraboloid" }, { "sphere_exact", "sphere" }, { "cone", "cone" },
+    { "trunc_cone", "truncated" }, { "blunt_cone_sph", "blunted" }, { "rounded_flat", "rounded" },
+    { "power", "power" } };
+  const auto shape = shapes.find(name.substr(0, name.find(' ')));
+  return shape == shapes.end() ? std::string() : shape->second + ":" + numbersOf(name);
 }
 
 struct Row
@@ -56,7 +69,7 @@ void forEachRow(const ReferenceTable& table, Check&& check)
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 28); // flat 4, paraboloids 8, spheres 8, cones 8
+  EXPECT_EQ(checked, 52); // all but the 4 of the cone blunted by a paraboloid
 }
 
 // The table prints 14 digits; its own quadratures agree with closed forms to 3e-11.
@@ -79,12 +92,29 @@ TEST(PunchTable, ContactRadiusForceAndStiffness)
 
 TEST(PunchTable, PressureHalfWayToTheRim)
 {
+  // Under a flat with an edge the table's quadrature of g' is poor: 5e-3 off for the truncated cone
+  // at 0.05 mm. These are (E*/π) ∫_0^q g'(x)/√(x²-r²) (t/x) dt, x² = b² + t², to 30 digits
+  // (mpmath).
+  const std::map<std::string, std::vector<double>> behindAnEdge = {
+    { "trunc_cone b=1 60deg",
+      { 0.06337659244143363, 0.2520995147578876, 0.6207490547514357, 1.352614322238627 } },
+    { "rounded_flat b=1.2 Re=.4",
+      { 0.05143930894512021, 0.1983881055572553, 0.4746252366776895, 0.9055486545766797 } },
+  };
+  const std::vector<double> depths = { 0.05, 0.2, 0.5, 1.0 };
   const ReferenceTable table("punches.csv");
   forEachRow(table,
     [&](const Row& row)
     {
-      EXPECT_TRUE(agrees(row.tool->pressure(0.5 * row.a, row.depth, Rubber),
-        table.number(row.index, "p(a/2)_MPa"), Tolerance));
+      double expected = table.number(row.index, "p(a/2)_MPa");
+      const auto exact = behindAnEdge.find(table.text(row.index, "tool"));
+      if (exact != behindAnEdge.end())
+      {
+        const auto depth = std::find(depths.begin(), depths.end(), row.depth);
+        ASSERT_NE(depth, depths.end());
+        expected = exact->second[static_cast<std::size_t>(depth - depths.begin())];
+      }
+      EXPECT_TRUE(agrees(row.tool->pressure(0.5 * row.a, row.depth, Rubber), expected, Tolerance));
     });
 }
 

@@ -52,6 +52,16 @@ public:
     return 0.5 * (b - a) * sum;
   }
 
+  /// Calls visit(node, weight) of the rule on [0, 1].
+  template <class Visit>
+  void forEachNode(Visit&& visit) const
+  {
+    for (std::size_t i = 0; i < this->Nodes.size(); ++i)
+    {
+      visit(0.5 * (1.0 + this->Nodes[i]), 0.5 * this->Weights[i]);
+    }
+  }
+
 private:
   std::vector<double> Nodes;
   std::vector<double> Weights;

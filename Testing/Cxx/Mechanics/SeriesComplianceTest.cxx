@@ -19,18 +19,11 @@ using palpate::testing::tool;
 namespace
 {
 /// A tool of the table (its spheres are paraboloids), with its size (radius, or tan α) scaled.
-std::unique_ptr<palpate::AxisymmetricTool> scaledTool(const std::string& name, double scale)
+std::unique_ptr<palpate::AxisymmetricTool> sizedTool(const std::string& name, double scale)
 {
-  using palpate::testing::Pi;
-  if (name == "cone60")
-  {
-    const double angle = std::atan(scale * std::tan(Pi / 3.0)) * 180.0 / Pi;
-    return palpate::makeTool({ palpate::ToolShape::Cone, angle });
-  }
-  const bool flat = name.substr(0, 4) == "flat";
-  const double radius = std::stod(name.substr(flat ? 4 : 6));
-  return palpate::makeTool(
-    { flat ? palpate::ToolShape::Flat : palpate::ToolShape::Paraboloid, scale * radius });
+  const std::string shape = name.substr(0, name.find_first_of("0123456789"));
+  const std::string size = name.substr(shape.size());
+  return palpate::scaledTool(*tool((shape == "sphere" ? "paraboloid" : shape) + ":" + size), scale);
 }
 } // namespace
 
@@ -44,7 +37,7 @@ TEST(SeriesCompliance, Table)
     const double compliance = table.number(i, "C_g_mm_per_N");
     const double depth = table.number(i, "delta_mm");
     SCOPED_TRACE(name + ", C = " + std::to_string(compliance));
-    const auto point = seriesResponse(*scaledTool(name, 1.0), Rubber, compliance, depth);
+    const auto point = seriesResponse(*sizedTool(name, 1.0), Rubber, compliance, depth);
     ASSERT_TRUE(point.stable);
     // The reference sheet promises F and λ to 1e-9 and the derivatives to 1e-7.
     EXPECT_TRUE(agrees(point.force, table.number(i, "F_N"), 1e-9));
@@ -52,9 +45,9 @@ TEST(SeriesCompliance, Table)
     EXPECT_TRUE(agrees(point.stiffness, table.number(i, "dFddelta"), 1e-7));
     const double h = 1e-4;
     const double bigger =
-      seriesResponse(*scaledTool(name, std::exp(h)), Rubber, compliance, depth).force;
+      seriesResponse(*sizedTool(name, std::exp(h)), Rubber, compliance, depth).force;
     const double smaller =
-      seriesResponse(*scaledTool(name, std::exp(-h)), Rubber, compliance, depth).force;
+      seriesResponse(*sizedTool(name, std::exp(-h)), Rubber, compliance, depth).force;
     // Central difference: truncation h²/6 = 2e-9, rounding 1e-15/h.
     EXPECT_NEAR(std::log(bigger / smaller) / (2.0 * h), table.number(i, "dlnF_dlnsize"), 1e-7);
   }

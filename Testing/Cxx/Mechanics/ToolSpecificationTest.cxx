@@ -14,14 +14,30 @@ using palpate::ToolSpecification;
 
 namespace
 {
+using S = ToolSpecification;
+
+ToolSpecification shaped(ToolShape shape)
+{
+  ToolSpecification specification;
+  specification.Shape = shape;
+  return specification;
+}
+
 std::string errorOf(const std::string& text)
 {
-  ToolSpecification specification{ ToolShape::Flat, 7.0 };
+  ToolSpecification specification = shaped(ToolShape::Flat);
+  specification.Radius = 7.0;
+  specification.Profile = { { 0.0, 0.0 } };
   std::string error;
   EXPECT_FALSE(parseTool(text, specification, error)) << text;
   // Nothing half-read.
   EXPECT_EQ(specification.Shape, ToolShape::Flat);
-  EXPECT_EQ(specification.Parameter, 7.0);
+  EXPECT_EQ(specification.Radius, 7.0);
+  EXPECT_EQ(specification.HalfAngle, 60.0);
+  EXPECT_EQ(specification.EdgeRadius, 1.0);
+  EXPECT_EQ(specification.Exponent, 2.0);
+  EXPECT_EQ(specification.Coefficient, 0.1);
+  EXPECT_EQ(specification.Profile.size(), 1U);
   return error;
 }
 
@@ -30,51 +46,75 @@ void expectNamed(const std::string& text, const std::string& part)
   EXPECT_NE(errorOf(text).find(part), std::string::npos)
     << "'" << part << "' is not in: " << errorOf(text);
 }
+
+struct NamedShape
+{
+  const char* name;
+  ToolShape shape;
+  std::vector<double S::*> parameters;
+};
+const NamedShape Shapes[] = { { "flat", ToolShape::Flat, { &S::Radius } },
+  { "paraboloid", ToolShape::Paraboloid, { &S::Radius } },
+  { "sphere", ToolShape::Sphere, { &S::Radius } }, { "cone", ToolShape::Cone, { &S::HalfAngle } },
+  { "truncated", ToolShape::TruncatedCone, { &S::Radius, &S::HalfAngle } },
+  { "blunted", ToolShape::BluntedCone, { &S::Radius, &S::HalfAngle } },
+  { "rounded", ToolShape::RoundedFlat, { &S::Radius, &S::EdgeRadius } },
+  { "power", ToolShape::PowerLaw, { &S::Exponent, &S::Coefficient } } };
 } // namespace
 
-TEST(ToolSpecification, ReadsEachShape)
+TEST(ToolSpecification, ReadsEachParameterToItsPlace)
 {
-  const std::pair<const char*, ToolSpecification> cases[] = {
-    { "flat:1.6", { ToolShape::Flat, 1.6 } },
-    { "paraboloid:6.35", { ToolShape::Paraboloid, 6.35 } },
-    { "sphere:5e-1", { ToolShape::Sphere, 0.5 } },
-    { "cone:60", { ToolShape::Cone, 60.0 } },
-  };
-  for (const auto& [text, expected] : cases)
+  for (const NamedShape& each : Shapes)
   {
+    const std::string text =
+      std::string(each.name) + (each.parameters.size() == 1 ? ":1.6" : ":1.6,3e1");
     ToolSpecification read;
     std::string error;
     EXPECT_TRUE(parseTool(text, read, error)) << error;
     EXPECT_TRUE(error.empty());
-    EXPECT_EQ(read.Shape, expected.Shape);
-    EXPECT_EQ(read.Parameter, expected.Parameter);
+    EXPECT_EQ(read.Shape, each.shape);
+    EXPECT_EQ(read.*each.parameters[0], 1.6);
+    EXPECT_EQ(read.*each.parameters.back(), each.parameters.size() == 1 ? 1.6 : 30.0);
   }
 }
 
 TEST(ToolSpecification, RoundTripToTheBit)
 {
   std::mt19937_64 random(20);
-  const char* const names[] = { "flat", "paraboloid", "sphere", "cone" };
-  int tried = 0;
-  while (tried < 4000)
+  const auto anyNumber = [&random]
   {
-    // Any bit pattern that is a legal parameter, over all magnitudes, denormal ones included.
+    // Any bit pattern, over all magnitudes, denormal ones included.
     const std::uint64_t bits = random() & 0x7fffffffffffffffU;
     double value = 0.0;
     std::memcpy(&value, &bits, sizeof value);
-    const ToolSpecification given{ static_cast<ToolShape>(tried % 4), value };
+    return value;
+  };
+  std::uniform_real_distribution<double> angle(0.0, 90.0);
+  std::uniform_real_distribution<double> exponent(1.0, 100.0);
+  for (int tried = 0; tried < 4000;)
+  {
+    const NamedShape& each = Shapes[tried % 8];
+    ToolSpecification given = shaped(each.shape);
+    for (const auto parameter : each.parameters)
+    {
+      given.*parameter = parameter == &S::HalfAngle ? angle(random)
+        : parameter == &S::Exponent                 ? exponent(random)
+                                                    : anyNumber();
+    }
     if (!palpate::checkTool(given).empty())
     {
       continue;
     }
     ++tried;
     const std::string text = palpate::makeTool(given)->specification();
-    EXPECT_EQ(text, palpate::formatTool(names[(tried - 1) % 4], { value }));
     ToolSpecification read;
     std::string error;
     ASSERT_TRUE(parseTool(text, read, error)) << error;
     EXPECT_EQ(read.Shape, given.Shape);
-    EXPECT_EQ(std::memcmp(&read.Parameter, &value, sizeof value), 0) << text;
+    for (const auto parameter : each.parameters)
+    {
+      EXPECT_EQ(std::memcmp(&(read.*parameter), &(given.*parameter), sizeof(double)), 0) << text;
+    }
   }
 }
 
@@ -86,10 +126,16 @@ TEST(ToolSpecification, FormatsShortestDecimals)
 
 TEST(ToolSpecification, UnknownShapesAreNamed)
 {
-  for (const char* text : { "spehre:5", "", ":", "Sphere:5", "sphere", " sphere:5", "cone60" })
+  for (const char* text :
+    { "spehre:5", "", ":", "Sphere:5", "sphere", " sphere:5", "cone60", "trunc:1,60" })
   {
     expectNamed(text, "'" + std::string(text) + "' is not known");
-    expectNamed(text, "flat:R, sphere:R, paraboloid:R (mm) or cone:DEGREES");
+    expectNamed(text, palpate::toolSyntax());
+  }
+  for (const NamedShape& each : Shapes)
+  {
+    EXPECT_NE(
+      std::string(palpate::toolSyntax()).find(std::string(each.name) + ":"), std::string::npos);
   }
 }
 
@@ -101,6 +147,11 @@ TEST(ToolSpecification, BadNumbersAreNamed)
   expectNamed("cone:sixty", "'sixty' is not one number");
   expectNamed("sphere: 5", "' 5' is not one number");
   expectNamed("sphere:1e999", "'1e999' is not one number");
+  expectNamed("truncated:1", "'1' is not two numbers");
+  expectNamed("blunted:1;60", "'1;60' is not two numbers");
+  expectNamed("rounded:1,", "'1,' is not two numbers");
+  expectNamed("power:2,0.1,3", "'2,0.1,3' is not two numbers");
+  expectNamed("power:,0.1", "',0.1' is not two numbers");
 }
 
 TEST(ToolSpecification, ParametersOutOfRangeAreNamed)
@@ -114,6 +165,17 @@ TEST(ToolSpecification, ParametersOutOfRangeAreNamed)
   expectNamed("cone:90", "but is 90");
   expectNamed("cone:-10", "but is -10");
   expectNamed("cone:nan", "but is nan");
+  expectNamed("truncated:0,60", "radius of a truncated cone");
+  expectNamed("truncated:1,90", "half angle of a truncated cone");
+  expectNamed("blunted:-1,60", "radius of a blunted cone");
+  expectNamed("blunted:1,0", "half angle of a blunted cone");
+  expectNamed("rounded:0,1", "the radius of a rounded flat");
+  expectNamed("rounded:1,-0.5", "the edge radius of a rounded flat");
+  expectNamed("rounded:1,-0.5", "but is -0.5");
+  expectNamed("power:0.5,1", "exponent of a power law must lie between 1 and 100, but is 0.5");
+  expectNamed("power:101,1", "but is 101");
+  expectNamed("power:nan,1", "but is nan");
+  expectNamed("power:2,0", "coefficient of a power law");
   // With the whole text, so that a list of tools tells which one.
   expectNamed("cone:95", "tool 'cone:95'");
 }
@@ -123,11 +185,16 @@ TEST(ToolSpecification, MakesNothingOfWhatItRefuses)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double value : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
   {
-    for (const auto shape :
-      { ToolShape::Flat, ToolShape::Paraboloid, ToolShape::Sphere, ToolShape::Cone })
+    for (const NamedShape& each : Shapes)
     {
-      EXPECT_EQ(palpate::makeTool({ shape, value }), nullptr);
+      for (const auto parameter : each.parameters)
+      {
+        ToolSpecification wrong = shaped(each.shape);
+        EXPECT_NE(palpate::makeTool(wrong), nullptr);
+        wrong.*parameter = value;
+        EXPECT_EQ(palpate::makeTool(wrong), nullptr) << each.name;
+      }
     }
   }
-  EXPECT_NE(palpate::makeTool({ ToolShape::Cone, 89.9 }), nullptr);
+  EXPECT_EQ(palpate::makeTool(shaped(ToolShape::Profile)), nullptr); // no points yet
 }

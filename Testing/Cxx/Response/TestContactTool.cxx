@@ -31,7 +31,10 @@ void checkPunches()
   const std::map<std::string, std::string> known = { { "flat a=1.6", "flat:1.6" },
     { "sphere_par R=6.35", "paraboloid:6.35" }, { "sphere_par R=1.6", "paraboloid:1.6" },
     { "sphere_exact R=6.35", "sphere:6.35" }, { "sphere_exact R=1.6", "sphere:1.6" },
-    { "cone 60deg", "cone:60" }, { "cone 30deg", "cone:30" } };
+    { "cone 60deg", "cone:60" }, { "cone 30deg", "cone:30" },
+    { "trunc_cone b=1 60deg", "truncated:1,60" }, { "blunt_cone_sph R=1 60deg", "blunted:1,60" },
+    { "rounded_flat b=1.2 Re=.4", "rounded:1.2,0.4" }, { "power n=1.5 B=.1", "power:1.5,0.1" },
+    { "power n=3 B=.02", "power:3,0.02" }, { "power n=4 B=.01", "power:4,0.01" } };
   const ReferenceTable table("punches.csv");
   vtkNew<vtkContactTool> tool;
   int rows = 0;
@@ -40,7 +43,7 @@ void checkPunches()
     const auto found = known.find(table.text(row, "tool"));
     if (found == known.end())
     {
-      continue; // a shape of a later version
+      continue; // a cone blunted by a paraboloid: not one of the shapes
     }
     ++rows;
     tool->SetSpecification(found->second);
@@ -49,7 +52,12 @@ void checkPunches()
     near(tool->GetContactRadius(depth), a, Closed);
     near(tool->GetForce(depth, Modulus), table.number(row, "F_N(E*=3.45MPa)"), Closed);
     near(tool->GetStiffness(depth, Modulus), table.number(row, "dFddelta=2E*a_N/mm"), Closed);
-    near(tool->GetPressure(0.5 * a, depth, Modulus), table.number(row, "p(a/2)_MPa"), Quadrature);
+    // Behind an edge the table's own quadrature is poor (see PunchTableTest).
+    const int shape = tool->GetShape();
+    const bool edge =
+      shape == vtkContactTool::TruncatedCone || shape == vtkContactTool::RoundedFlat;
+    near(tool->GetPressure(0.5 * a, depth, Modulus), table.number(row, "p(a/2)_MPa"),
+      edge ? 5e-3 : Quadrature);
     double u[2];
     tool->GetSurfaceDisplacement(2.0 * a, depth, 0.3, u);
     near(u[1], table.number(row, "uz(2a)_mm"), Quadrature);
@@ -57,7 +65,7 @@ void checkPunches()
     near(u[0], table.number(row, "ur(a/2)_mm_nu0.3"), Quadrature);
     near(u[1], depth - tool->GetProfile(0.5 * a), Closed); // under the tool: the tool's own shape
   }
-  PALPATE_CHECK(rows == 28);
+  PALPATE_CHECK(rows == 52);
 }
 
 void checkPaperFigure()
@@ -82,6 +90,8 @@ void checkLimits()
 {
   vtkNew<vtkContactTool> tool; // the defaults
   PALPATE_CHECK(tool->GetSpecification() == "sphere:5" && tool->GetHalfAngle() == 60.0);
+  PALPATE_CHECK(tool->GetEdgeRadius() == 1.0 && tool->GetProfilePoints() == nullptr);
+  PALPATE_CHECK(tool->GetExponent() == 2.0 && tool->GetCoefficient() == 0.1);
   for (const double depth : { 0.0, -1.0 })
   {
     PALPATE_CHECK(tool->GetForce(depth, 1.0) == 0.0 && tool->GetStiffness(depth, 1.0) == 0.0);
@@ -104,7 +114,9 @@ void checkSpecification()
 {
   vtkNew<vtkContactTool> tool;
   Messages messages(tool.Get());
-  for (const char* text : { "sphere:6.35", "cone:33.3", "flat:0.1", "paraboloid:1.6" })
+  for (const char* text :
+    { "sphere:6.35", "cone:33.3", "flat:0.1", "paraboloid:1.6", "truncated:0.7,31.5",
+      "blunted:0.8,44.4", "rounded:1.2,0.3", "power:2.5,0.07", "profile:0,0;0.1,0.02;3,1.7" })
   {
     PALPATE_CHECK(tool->SetSpecification(text) && tool->GetSpecification() == text);
   }
@@ -114,8 +126,9 @@ void checkSpecification()
   PALPATE_CHECK(other->SetSpecification(tool->GetSpecification()));
   PALPATE_CHECK(other->GetRadius() == tool->GetRadius() && other->GetShape() == tool->GetShape());
   PALPATE_CHECK(messages.none());
-  for (const char* text : { "", "sphere", "sphere:", "sphere:5x", "sphere:5,6", "ball:5",
-         "sphere:-5", "cone:90", "sphere:nan" })
+  for (const char* text :
+    { "", "sphere", "sphere:", "sphere:5x", "sphere:5,6", "ball:5", "sphere:-5", "cone:90",
+      "sphere:nan", "truncated:1", "power:0.5,1", "profile:0,0;1,-1", "profile:nowhere.csv" })
   {
     PALPATE_CHECK(!tool->SetSpecification(text));
     PALPATE_CHECK_TEXT(messages.takeErrors(), text);
@@ -147,8 +160,19 @@ void checkErrors()
   tool->SetRadius(NaN);
   checkInvalid(tool, messages, "radius", "nan");
   tool->SetRadius(5.0);
-  tool->SetShape(7);
-  checkInvalid(tool, messages, "Shape", "7");
+  tool->SetShape(9);
+  checkInvalid(tool, messages, "Shape", "9");
+  tool->SetShapeToRoundedFlat();
+  tool->SetEdgeRadius(-0.25);
+  checkInvalid(tool, messages, "edge radius", "-0.25");
+  tool->SetShapeToPowerLaw();
+  tool->SetExponent(0.75);
+  checkInvalid(tool, messages, "exponent", "0.75");
+  tool->SetExponent(2.0);
+  tool->SetCoefficient(0.0);
+  checkInvalid(tool, messages, "coefficient", "0");
+  tool->SetShapeToProfile();
+  checkInvalid(tool, messages, "two points or more", "0");
   tool->SetShapeToCone();
   tool->SetHalfAngle(95.0);
   checkInvalid(tool, messages, "half angle", "95");

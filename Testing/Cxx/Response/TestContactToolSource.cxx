@@ -96,7 +96,21 @@ void checkShapes()
     // half a ball and a shaft; the space under a paraboloid or cone is 1/2 or 2/3 of a cylinder
     { "sphere:5", 5.0, pi * 25.0 * (Length - 5.0) + 2.0 / 3.0 * pi * 125.0 },
     { "paraboloid:5", 8.0, pi * 64.0 * (Length - 0.5 * 6.4) },
-    { "cone:60", 8.0, pi * 64.0 * (Length - 2.0 / 3.0 * 8.0 * cot60) } };
+    { "cone:60", 8.0, pi * 64.0 * (Length - 2.0 / 3.0 * 8.0 * cot60) },
+    // the space under a profile f is 2π ∫ f r dr
+    { "truncated:1,60", 8.0, pi * 64.0 * Length - 2.0 * pi * cot60 * (511.0 / 3.0 - 63.0 / 2.0) },
+    { "blunted:4,60", 8.0,
+      // a spherical cap of 4 mm to r = 2, then the cone whose apex lies 4 (1/sin 60° - 1) below
+      pi * 64.0 * Length -
+        (2.0 * pi * (2.0 * 4.0 - (64.0 - std::pow(12.0, 1.5)) / 3.0) +
+          2.0 * pi * (cot60 * 504.0 / 3.0 - 4.0 * (2.0 / std::sqrt(3.0) - 1.0) * 60.0 / 2.0)) },
+    { "rounded:3,4", 8.0,
+      // (r-3)²/8: ∫ s² (s+3) ds / 8 over s = 0..5
+      pi * 64.0 * Length - 2.0 * pi * (625.0 / 4.0 + 125.0) / 8.0 },
+    { "power:3,0.01", 8.0, pi * 64.0 * Length - 2.0 * pi * 0.01 * std::pow(8.0, 5) / 5.0 },
+    { "profile:0,0;2,0.5;6,6.5", 6.0,
+      // slopes 1/4 to r = 2, then 3/2
+      pi * 36.0 * Length - 2.0 * pi * (0.25 * 8.0 / 3.0 + 1.5 * 208.0 / 3.0 - 2.5 * 32.0 / 2.0) } };
   for (const Case& wanted : cases)
   {
     const auto tool = makeTool(wanted.tool);
@@ -117,6 +131,35 @@ void checkShapes()
     PALPATE_CHECK_NEAR(bounds[5], Length, 1e-5);
     PALPATE_CHECK_NEAR(bounds[1], wanted.outer, 1e-5);
     PALPATE_CHECK_NEAR(bounds[0], -wanted.outer, 0.002 * wanted.outer);
+  }
+}
+
+/// Corners of the profile are rings of points.
+void checkCorners()
+{
+  const struct
+  {
+    const char* tool;
+    double r;
+    double z;
+  } corners[] = { { "truncated:1.7,60", 1.7, 0.0 }, { "rounded:1.7,0.4", 1.7, 0.0 },
+    { "blunted:3,60", 1.5, 3.0 - std::sqrt(9.0 - 2.25) }, { "profile:0,0;2.3,0.5;6,6", 2.3, 0.5 },
+    { "profile:0,0;2.3,0.5;6,6", 6.0, 6.0 } };
+  for (const auto& corner : corners)
+  {
+    const auto tool = makeTool(corner.tool);
+    vtkNew<vtkContactToolSource> source;
+    source->SetTool(tool);
+    source->Update();
+    int found = 0;
+    for (vtkIdType i = 0; i < source->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const double* x = source->GetOutput()->GetPoint(i);
+      found +=
+        std::abs(std::hypot(x[0], x[1]) - corner.r) < 1e-5 && std::abs(x[2] - corner.z) < 1e-5 ? 1
+                                                                                               : 0;
+    }
+    PALPATE_CHECK(found >= 64);
   }
 }
 
@@ -162,6 +205,7 @@ void checkErrors()
 int TestContactToolSource(int, char*[])
 {
   checkShapes();
+  checkCorners();
   checkSteep();
   checkErrors();
   return palpate::testing::result();

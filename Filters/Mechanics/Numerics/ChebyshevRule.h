@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ChebyshevRule_h
+#define palpate_ChebyshevRule_h
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace palpate
+{
+/**
+ * Interpolation in the N Chebyshev points of the first kind on [-1, 1], descending from near 1, by
+ * the barycentric formula (Berrut and Trefethen 2004, eq. 4.2 and 5.3). Stable for any N.
+ */
+template <int N>
+class ChebyshevRule
+{
+public:
+  using Values = Eigen::Array<double, N, 1>;
+
+  static const ChebyshevRule& standard()
+  {
+    static const ChebyshevRule rule;
+    return rule;
+  }
+
+  const Values& points() const noexcept { return this->Points; }
+
+  /// What each sample contributes to the interpolant at t; the factors sum to 1.
+  Values factorsAt(double t) const
+  {
+    const Values distance = t - this->Points;
+    if ((distance == 0.0).any())
+    {
+      return (distance == 0.0).template cast<double>();
+    }
+    const Values factors = this->Weights / distance;
+    return factors / factors.sum();
+  }
+
+private:
+  ChebyshevRule()
+  {
+    constexpr double pi = 3.14159265358979323846;
+    for (int i = 0; i < N; ++i)
+    {
+      const double angle = pi * (i + 0.5) / N;
+      this->Points[i] = std::cos(angle);
+      this->Weights[i] = (i % 2 == 0 ? 1.0 : -1.0) * std::sin(angle);
+    }
+  }
+
+  Values Points;
+  Values Weights;
+};
+} // namespace palpate
+
+#endif

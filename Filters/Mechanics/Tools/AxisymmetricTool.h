@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_AxisymmetricTool_h
+#define palpate_AxisymmetricTool_h
+
+#include "DepthLimit.h"
+#include "IndentationLaw.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Displacement of a point of the body's surface, mm: radial (> 0 away from the axis of the tool)
+/// and normal (> 0 into the body).
+struct SurfaceDisplacement
+{
+  double radial;
+  double normal;
+};
+
+/**
+ * A rigid, frictionless tool of revolution, and what it feels pressed into an elastic half-space.
+ *
+ * The tool has the profile z = f(r), f(0) = 0, and is pressed δ deep. By the method of
+ * dimensionality reduction (Galin; Sneddon 1965; Popov and Hess 2015) with
+ *   g(x) = x ∫_0^{π/2} f'(x sin θ) dθ,
+ * the contact radius a solves g(a) = δ, the force is F = 2E* ∫_0^a (δ - g) dx, and for every
+ * profile dF/dδ = 2E* a. Pressure and displacements follow from g as well
+ * (DimensionalityReduction.h); shapes with closed forms override them.
+ *
+ * Units mm, N, MPa. δ <= 0 means no contact: every result is 0. A NaN argument gives NaN. Reduced
+ * modulus E* = E/(1-ν²), see ReducedModulus.h. Linear elasticity at small strain: see
+ * depthAtStrain. Where g is not increasing the formulas fail from some depth on: deeper than
+ * depthLimit every result is NaN. Immutable and safe to call from any number of threads.
+ */
+class AxisymmetricTool : public IndentationLaw
+{
+public:
+  /// The tool as on a command line, "sphere:6.35": lossless, parsed by parseTool.
+  virtual std::string specification() const = 0;
+
+  /// f(r), mm: height of the tool's surface above its tip. +inf beyond its outer wall.
+  virtual double profile(double r) const = 0;
+
+  /// Leading exponent m of F ∝ δ^m at small depth. Of a sampled profile, whose tip is one straight
+  /// segment, the exponent half way to its wall.
+  virtual double forceExponent() const = 0;
+
+  /// Depth (mm) from which the strain measure a/R exceeds `ratio`; a/R is the contact radius over
+  /// the tip radius. Tools without a tip radius use δ/a, which equals a/R for a paraboloid. 0 when
+  /// it does at first touch, +inf when it never does.
+  virtual double depthAtStrain(double ratio) const = 0;
+
+  /// Depth (mm) at which the contact radius reaches a: g(a), or 0 (+inf) when the contact radius is
+  /// larger (smaller) than a at every depth.
+  virtual double depthAtContactRadius(double a) const = 0;
+
+  /// g(x), mm, for smallestContactRadius <= x < largestContactRadius; 0 below.
+  virtual double reducedProfile(double x) const = 0;
+  /// Contact radius at first touch: that of the flat end, or 0. mm.
+  virtual double smallestContactRadius() const { return 0.0; }
+  /// Contact radius that no depth exceeds: that of the outer wall, or +inf. mm.
+  virtual double largestContactRadius() const = 0;
+  /// Radii > 0 (mm, ascending) at which g is not analytic, the smallest contact radius among them.
+  virtual std::vector<double> kinks() const { return {}; }
+
+  /// The depth beyond which the tool would touch the body outside the circle of contact, and where.
+  virtual DepthLimit depthLimit() const { return {}; }
+  /// Why the law does not answer at a deflection, naming both and the radius; empty if it does.
+  std::string checkDepth(double deflection) const;
+
+  IndentationPoint evaluate(double deflection, double reducedModulus) const final;
+  double contactRadius(double deflection) const;
+  double force(double deflection, double reducedModulus) const;
+  /// dF/dδ, N/mm.
+  double stiffness(double deflection, double reducedModulus) const;
+  /// Contact pressure at distance r from the axis, MPa; 0 outside the contact, +inf at a sharp rim
+  /// or apex.
+  double pressure(double r, double deflection, double reducedModulus) const;
+  /// Displacement of the surface point that lay at distance r from the axis.
+  SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonsRatio) const;
+
+protected:
+  // What a shape provides, called with δ > 0 and finite; `a` is contactRadius(δ).
+  virtual double radiusAt(double deflection) const = 0;
+  virtual double forcePerModulus(double a, double deflection) const = 0;
+  // The rest has defaults, by quadrature of g and g'.
+  /// p/E* at 0 <= r <= a.
+  virtual double pressurePerModulus(double r, double a, double deflection) const;
+  /// u_z at r > a.
+  virtual double normalDisplacementOutside(double r, double a, double deflection) const;
+  /// Load carried inside r over E*, mm², at 0 < r < a.
+  virtual double loadInside(double r, double a, double deflection) const;
+
+  /// g'(x), for the general path; 0 <= x < the largest contact radius.
+  virtual double reducedSlope(double x) const = 0;
+
+  /// What a wall carries beyond the smooth contact: δ - g(a), 0 under a smooth rim.
+  double rimStep(double a, double deflection) const;
+
+private:
+  /// Whether the law holds at a depth; false for NaN.
+  bool answers(double deflection) const { return deflection <= this->depthLimit().depth; }
+  /// Whether the contact is hardly wider than the flat it started from.
+  bool isStillFlat(double a) const { return a <= (1.0 + 1e-8) * this->smallestContactRadius(); }
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DepthLimit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Tolerance = 1e-3;          // of the depth, see the header
+constexpr std::size_t LeastSamples = 512;   // of g, in all
+constexpr std::size_t MostCandidates = 512; // radii at which the gap is followed
+
+struct Sample
+{
+  double x;
+  double g;
+};
+
+/// g between the kinks; points crowd behind each kink, where g may start like a square root.
+std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
+  const std::vector<double>& kinks, double outer)
+{
+  std::vector<double> ends;
+  for (const double kink : kinks)
+  {
+    if (kink > 0.0 && kink < outer)
+    {
+      ends.push_back(kink);
+    }
+  }
+  ends.push_back(outer);
+  const std::size_t perPiece = std::max<std::size_t>(8, LeastSamples / ends.size());
+  std::vector<Sample> samples = { { 0.0, 0.0 } };
+  double begin = 0.0;
+  for (const double end : ends)
+  {
+    const double whole = std::sqrt((end - begin) * (end + begin));
+    for (std::size_t i = 1; i <= perPiece; ++i)
+    {
+      const double x = i == perPiece
+        ? end
+        : std::hypot(begin, whole * static_cast<double>(i) / static_cast<double>(perPiece));
+      samples.push_back({ x, reducedProfile(x) });
+    }
+    begin = end;
+  }
+  return samples;
+}
+
+/// Radii where the gap may close: behind each maximum of g, to the end of the dip and as far again.
+std::vector<double> candidates(const std::vector<Sample>& samples)
+{
+  std::vector<double> radii;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+  {
+    const double level = samples[i].g;
+    std::size_t end = i + 1;
+    double lowest = level;
+    while (end < samples.size() && samples[end].g < level)
+    {
+      lowest = std::min(lowest, samples[end].g);
+      ++end;
+    }
+    // The gap is never below the dip: (2/π) ∫ dx/√(r²-x²) <= 1.
+    if (level - lowest > Tolerance * level)
+    {
+      const double dipEnd = samples[std::min(end, samples.size() - 1)].x;
+      const double last = 2.0 * dipEnd - samples[i].x;
+      for (std::size_t k = i + 1; k < samples.size() && samples[k].x <= last; ++k)
+      {
+        radii.push_back(samples[k].x);
+      }
+    }
+    i = end - 1;
+  }
+  const std::size_t stride = radii.size() / MostCandidates + 1;
+  std::vector<double> thinned;
+  for (std::size_t i = 0; i < radii.size(); i += stride)
+  {
+    thinned.push_back(radii[radii.size() - 1 - i]);
+  }
+  return thinned;
+}
+
+/// Depth at which the gap at r closes while the contact grows over the samples: the first at which
+/// δ - f(r) - u_z(r) exceeds the tolerance.
+double closingDepth(const std::vector<Sample>& samples, double r, double height)
+{
+  double integral = 0.0; // ∫_0^x g dx/√(r²-x²), g linear between samples
+  double deepest = 0.0;
+  double before = -height;
+  double depthBefore = 0.0;
+  for (std::size_t i = 0; i + 1 < samples.size() && samples[i + 1].x < r; ++i)
+  {
+    const Sample& p = samples[i];
+    const Sample& q = samples[i + 1];
+    const double slope = (q.g - p.g) / (q.x - p.x);
+    const double rootP = std::sqrt((r - p.x) * (r + p.x));
+    const double rootQ = std::sqrt((r - q.x) * (r + q.x));
+    const double angle = std::asin(q.x / r);
+    integral += (p.g - slope * p.x) * (angle - std::asin(p.x / r)) + slope * (rootP - rootQ);
+    if (q.g <= deepest)
+    {
+      continue; // no contact ends here
+    }
+    deepest = q.g;
+    const double over = q.g * (1.0 - 2.0 / Pi * angle - Tolerance) - height + 2.0 / Pi * integral;
+    if (over > 0.0)
+    {
+      return depthBefore - before * (q.g - depthBefore) / (over - before);
+    }
+    before = over;
+    depthBefore = q.g;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+} // namespace
+
+DepthLimit findDepthLimit(const std::function<double(double)>& profile,
+  const std::function<double(double)>& reducedProfile, const std::vector<double>& kinks,
+  double outer)
+{
+  const std::vector<Sample> samples = sampleBetween(reducedProfile, kinks, outer);
+  DepthLimit limit;
+  for (const double r : candidates(samples))
+  {
+    const double depth = closingDepth(samples, r, profile(r));
+    if (depth < limit.depth)
+    {
+      limit = { depth, r };
+    }
+  }
+  return limit;
+}
+} // namespace palpate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_DepthLimit_h
+#define palpate_DepthLimit_h
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace palpate
+{
+/// Where a half-space law ends: pressed deeper than `depth`, the tool would touch the body again at
+/// `radius`, outside the one circle of contact. mm; +inf and NaN where that never happens.
+struct DepthLimit
+{
+  double depth = std::numeric_limits<double>::infinity();
+  double radius = std::numeric_limits<double>::quiet_NaN();
+};
+
+/**
+ * Depth to which the profile f(r), r <= outer, touches a half-space in one full circle.
+ *
+ * With the reduced profile g and g(a) = δ the gap outside the contact is
+ *   f(r) - δ + (2/π) [δ asin(a/r) + ∫_0^a g dx/√(r²-x²) ... ] = (2/π) ∫_a^r (g-δ) dx/√(r²-x²),
+ * never negative while g does not decrease anywhere. Where g decreases (a shoulder, a groove, a
+ * second ring), the gap closes at some r and δ: that pair is returned.
+ *
+ * A gap may be negative by a thousandth of the depth. Raising the profile by ε where it is cut
+ * makes the law exact, and by comparison the force lies between F(δ) and F(δ+ε): the tolerance
+ * costs at most two thousandths of it. Without it every concave corner of a sampled profile, behind
+ * which g dips by as little as the square of the spacing, would end the law.
+ *
+ * `kinks`: radii, ascending, at which g is not analytic. g is sampled between them, at 500 points
+ * or more; the depth found is good to about 1e-3.
+ */
+DepthLimit findDepthLimit(const std::function<double(double)>& profile,
+  const std::function<double(double)>& reducedProfile, const std::vector<double>& kinks,
+  double outer);
+} // namespace palpate
+
+#endif

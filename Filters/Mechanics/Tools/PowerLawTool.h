@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PowerLawTool_h
+#define palpate_PowerLawTool_h
+
+#include "AxisymmetricTool.h"
+
+#include <limits>
+
+namespace palpate
+{
+/**
+ * Profile f = B r^n: with κ = (√π/2) n Γ(n/2)/Γ((n+1)/2)
+ *   δ = κ B a^n,  F = 2n/(n+1) E* a δ ∝ δ^(1+1/n)
+ * (Galin; Sneddon 1965; Popov and Hess 2015). n = 1 is the cone, n = 2 the paraboloid B = 1/2R.
+ *
+ * 1 <= n <= 100. Below 1 the tip would be a cusp of infinite slope, of which a theory of small
+ * slopes says nothing; above 100 the profile is a flat punch to a few parts in a hundred of its
+ * radius, which RoundedFlatTool describes better.
+ *
+ * No tip radius: the strain is measured by δ/a = κ B a^(n-1), for n = 1 the same at every depth.
+ */
+class PowerLawTool final : public AxisymmetricTool
+{
+public:
+  static constexpr double LargestExponent = 100.0;
+
+  /// Exponent n; coefficient B, mm^(1-n), > 0.
+  PowerLawTool(double exponent, double coefficient);
+
+  std::string specification() const override;
+  double profile(double r) const override;
+  double forceExponent() const override { return 1.0 + 1.0 / this->Exponent; }
+  double depthAtStrain(double ratio) const override;
+  double depthAtContactRadius(double a) const override { return this->reducedProfile(a); }
+  double reducedProfile(double x) const override;
+  double largestContactRadius() const override { return std::numeric_limits<double>::infinity(); }
+
+protected:
+  double radiusAt(double deflection) const override;
+  double forcePerModulus(double a, double deflection) const override;
+  double pressurePerModulus(double r, double a, double deflection) const override;
+  double reducedSlope(double x) const override;
+
+private:
+  double Exponent;
+  double Coefficient;
+  double ReducedCoefficient; ///< κB
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ProfileTool_h
+#define palpate_ProfileTool_h
+
+#include "AxisymmetricTool.h"
+#include "IncreasingRoot.h"
+#include "SlopeStep.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// A point of a tool's profile, mm: distance from the axis, height above the tip.
+struct ProfilePoint
+{
+  double r;
+  double f;
+};
+
+/**
+ * Tool sampled from its axis outward: straight between the points, a vertical wall beyond the last.
+ *
+ * Its slope steps by m_i at r_i, so that in closed form, with A_i = arccos(r_i/a),
+ *   δ = Σ m_i a A_i,  F = 2E* (a δ - ½ Σ m_i [a² A_i - r_i √(a²-r_i²)]),  r_i < a;
+ * pressed deeper than g of the wall it acts as a flat punch on top. Points on a smooth profile give
+ * its law with an error that falls with the square of their spacing. Two points (0, 0), (R, 0) make
+ * a flat punch.
+ *
+ * Where a concave profile would touch outside the circle of contact the law ends (DepthLimit.h).
+ * Next to an edge r_i the pressure is infinite: +inf at a convex, -inf at a concave one.
+ *
+ * No tip radius: the strain is measured by δ/a. Cost: proportional to the number of points, for
+ * force and radius about 30 ns each, for pressure and displacements 2 µs each; once for a profile
+ * that is not convex its square, 0.1 s for a thousand points.
+ */
+class ProfileTool final : public AxisymmetricTool
+{
+public:
+  /// What is wrong with the points, naming the first wrong one; empty if nothing is.
+  static std::string check(const std::vector<ProfilePoint>& points);
+  /// The same of the last point, given that nothing is wrong with those before.
+  static std::string checkLast(const std::vector<ProfilePoint>& points);
+
+  /// Points check() finds no fault with: two or more, the first (0, 0), r increasing, f >= 0.
+  explicit ProfileTool(std::vector<ProfilePoint> points);
+
+  std::string specification() const override;
+  double profile(double r) const override;
+  double forceExponent() const override { return this->MiddleExponent; }
+  double depthAtStrain(double ratio) const override;
+  double depthAtContactRadius(double a) const override;
+  double reducedProfile(double x) const override;
+  double smallestContactRadius() const override;
+  double largestContactRadius() const override { return this->Points.back().r; }
+  std::vector<double> kinks() const override;
+  DepthLimit depthLimit() const override { return this->Limit; }
+
+protected:
+  double radiusAt(double deflection) const override;
+  double forcePerModulus(double a, double deflection) const override;
+  double pressurePerModulus(double r, double a, double deflection) const override;
+  double normalDisplacementOutside(double r, double a, double deflection) const override;
+  double loadInside(double r, double a, double deflection) const override;
+  double reducedSlope(double x) const override;
+
+private:
+  /// A change of slope.
+  struct Step
+  {
+    SlopeStep unit;
+    double change;
+  };
+  /// A place higher in g than all before: x = √(r²+t²), r the radius of the step behind which it
+  /// is.
+  struct Rise
+  {
+    std::size_t step;
+    double t;
+    double level;
+  };
+  ValueAndSlope behind(std::size_t step, double t) const;
+  void findRises();
+
+  std::vector<ProfilePoint> Points;
+  std::vector<Step> Steps; ///< ascending radii
+  std::vector<Rise> Rises; ///< ascending levels
+  DepthLimit Limit;
+  double MiddleExponent = 1.0;
+};
+} // namespace palpate
+
+#endif

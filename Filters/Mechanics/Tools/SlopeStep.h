@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SlopeStep_h
+#define palpate_SlopeStep_h
+
+namespace palpate
+{
+/**
+ * The profile f = max(r-b, 0), whose slope steps from 0 to 1 at radius b >= 0: the unit from which
+ * truncated cones and piecewise linear profiles are summed. At equal contact radius the reduced
+ * profile, pressure, displacement and load of a sum of profiles are the sums of theirs.
+ *
+ *   g(x) = x A, A = arccos(b/x), x > b;  ∫_0^a g dx = (a²A - b q)/2, q = √(a²-b²)
+ * (Popov and Hess 2015). b = 0 is the cone. Results per unit reduced modulus.
+ */
+class SlopeStep
+{
+public:
+  explicit SlopeStep(double radius)
+    : Radius(radius)
+  {
+  }
+  double radius() const noexcept { return this->Radius; }
+
+  double reducedProfile(double x) const;
+  double reducedSlope(double x) const;
+  /// ∫_0^a g dx, mm².
+  double reducedIntegral(double a) const;
+
+  /// At 0 <= r <= a, -; +inf at r = b.
+  double pressure(double r, double a) const;
+  /// u_z at r > a, mm, pressed to δ = g(a).
+  double normalDisplacementOutside(double r, double a) const;
+  /// At 0 < r < a, mm².
+  double loadInside(double r, double a) const;
+
+private:
+  double Radius;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ToolSpecification_h
+#define palpate_ToolSpecification_h
+
+#include "AxisymmetricTool.h"
+#include "ProfileTool.h"
+
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The shapes parseTool and makeTool know, in the order of vtkContactTool's Shape.
+enum class ToolShape
+{
+  Flat,
+  Paraboloid,
+  Sphere,
+  Cone,
+  TruncatedCone,
+  BluntedCone,
+  RoundedFlat,
+  PowerLaw,
+  Profile
+};
+
+/// A tool in writing: a shape and what it needs of the parameters (mm, degrees).
+struct ToolSpecification
+{
+  ToolShape Shape = ToolShape::Sphere;
+  double Radius = 5.0;
+  double HalfAngle = 60.0;
+  double EdgeRadius = 1.0;
+  double Exponent = 2.0;
+  double Coefficient = 0.1;
+  std::vector<ProfilePoint> Profile = {};
+};
+
+/// What parseTool accepts, for help texts: "flat:R, sphere:R, …".
+const char* toolSyntax();
+
+/// What is wrong with the specification, naming the parameter and its value; empty if nothing is.
+std::string checkTool(const ToolSpecification& specification);
+
+/// The tool, or null if checkTool finds fault.
+std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
+
+/**
+ * Reads a tool:
+ *   flat:R  sphere:R  paraboloid:R  cone:DEGREES  truncated:R,DEGREES  blunted:R,DEGREES
+ *   rounded:R,EDGE  power:EXPONENT,COEFFICIENT  profile:FILE.csv  profile:r1,f1;r2,f2;…
+ * in mm and degrees from the axis. The second form of a profile, told by its ';', is the one
+ * specification() writes: a stored response explains itself on another machine. Files: see
+ * ProfileFile.h. Returns false, says in `error` what is wrong, and leaves the specification as it
+ * was.
+ */
+bool parseTool(const std::string& text, ToolSpecification& specification, std::string& error);
+
+/// The same tool with all lengths times `factor` > 0: its force law is F(δ) → factor² F(δ/factor).
+/// A cone, and a power law of exponent 1, have no length: there tan α grows by the factor. Null if
+/// the tool has no writing, or factor times it is none.
+std::unique_ptr<AxisymmetricTool> scaledTool(const AxisymmetricTool& tool, double factor);
+
+/// The shortest decimals that read back to the same bits.
+std::string shortestDecimals(double value);
+/// "name:v1,v2" in shortest decimals.
+std::string formatTool(const std::string& name, std::initializer_list<double> values);
+/// "profile:r1,f1;r2,f2;…" in shortest decimals.
+std::string formatProfile(const std::vector<ProfilePoint>& points);
+} // namespace palpate
+
+#endif

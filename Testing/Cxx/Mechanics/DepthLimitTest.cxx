@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The depth beyond which a profile touches outside its circle of contact, against the gap computed
+// by the tests' own quadrature of the exact reduced profile.
+#include "DepthLimit.h"
+
+#include "Agreement.h"
+#include "GeneralTool.h"
+#include "Quadrature.h"
+#include "TestTools.h"
+
+using palpate::testing::agrees;
+using palpate::testing::Pi;
+using palpate::testing::Quadrature;
+using palpate::testing::tool;
+
+namespace
+{
+// A cone of 45° with a shoulder: f = min(r, 1), to r = 20.
+const char* const Shoulder = "profile:0,0;1,1;20,1";
+
+/// Its δ - f - u_z at r > 1 with the contact on the cone, a = 2δ/π: how far the shoulder
+/// penetrates.
+double penetration(double depth, double r)
+{
+  const double a = 2.0 * depth / Pi;
+  const double x = a / r;
+  const double outside =
+    2.0 / Pi * depth * (std::asin(x) + (std::sqrt(1.0 - x * x) - 1.0) / x); // the cone's u_z, c = 1
+  return depth - 1.0 - outside;
+}
+} // namespace
+
+TEST(DepthLimit, OfAConeWithAShoulder)
+{
+  const auto t = tool(Shoulder);
+  // The reference sheet: at δ = 1.1, a = 0.70 and the shoulder penetrates by 0.088 at r = 20.
+  EXPECT_NEAR(2.0 * 1.1 / Pi, 0.70, 0.005);
+  EXPECT_NEAR(penetration(1.1, 20.0), 0.088, 0.0005);
+  EXPECT_TRUE(std::isnan(t->force(1.1, 1.0)));
+
+  // The gap closes first at the far end; bisect it there, a thousandth of δ allowed.
+  double low = 0.5;
+  double high = 1.5;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (penetration(middle, 20.0) > 1e-3 * middle ? high : low) = middle;
+  }
+  const palpate::DepthLimit limit = t->depthLimit();
+  EXPECT_EQ(limit.radius, 20.0);
+  EXPECT_TRUE(agrees(limit.depth, low, 1e-3)); // g is sampled at 500 points
+}
+
+TEST(DepthLimit, EveryAnswerBeyondItIsNaN)
+{
+  const auto t = tool(Shoulder);
+  const double limit = t->depthLimit().depth;
+  EXPECT_TRUE(std::isnan(t->force(1.001 * limit, 1.0)));
+  EXPECT_TRUE(std::isnan(t->stiffness(1.001 * limit, 1.0)));
+  EXPECT_TRUE(std::isnan(t->contactRadius(1.001 * limit)));
+  EXPECT_TRUE(std::isnan(t->pressure(0.1, 1.001 * limit, 1.0)));
+  EXPECT_TRUE(std::isnan(t->surfaceDisplacement(0.1, 1.001 * limit, 0.3).normal));
+  EXPECT_TRUE(std::isnan(t->surfaceDisplacement(50.0, 1.001 * limit, 0.3).radial));
+  const std::string text = t->checkDepth(1.1);
+  EXPECT_NE(text.find("1.1 mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("r = 20 mm"), std::string::npos) << text;
+  // Up to it the cone's law.
+  EXPECT_EQ(t->checkDepth(0.999 * limit), "");
+  EXPECT_TRUE(
+    agrees(t->force(0.999 * limit, 1.0), tool("cone:45")->force(0.999 * limit, 1.0), 1e-14));
+}
+
+TEST(DepthLimit, IsTheRootOfTheGapOfAnyProfile)
+{
+  // A wavy cone, its waves too deep to be filled at once. At the depth found the surface the law
+  // itself gives must touch the tool, but for the thousandth allowed, and nowhere outside before.
+  const auto t = tool("profile:0,0;1,0.6;1.5,0.5;2,1;3,1.8;4,1.7;5,2.6");
+  const palpate::DepthLimit limit = t->depthLimit();
+  ASSERT_TRUE(std::isfinite(limit.depth));
+  const auto largest = [&](double depth)
+  {
+    double worst = -1.0;
+    for (int i = 1; i <= 2000; ++i)
+    {
+      const double r = 5.0 * i / 2000;
+      if (r > t->contactRadius(depth))
+      {
+        const double over = depth - t->profile(r) - t->surfaceDisplacement(r, depth, 0.3).normal;
+        worst = std::max(worst, over / depth);
+      }
+    }
+    return worst;
+  };
+  // Found to 1e-3, on a gap that closes at a rate below 1: 1e-3 of the depth either way.
+  EXPECT_NEAR(largest(limit.depth), 1e-3, 1e-3);
+  EXPECT_LT(largest(0.99 * limit.depth), 0.0);
+}
+
+TEST(DepthLimit, ARingAsLowAsTheTipAllowsNothing)
+{
+  const auto t = tool("profile:0,0;0.5,0.5;1,0;2,2");
+  EXPECT_LT(t->depthLimit().depth, 1e-6);
+  EXPECT_NEAR(t->depthLimit().radius, 1.0, 0.01);
+  EXPECT_TRUE(std::isnan(t->force(0.01, 1.0)));
+}
+
+TEST(DepthLimit, ConvexProfilesHaveNone)
+{
+  for (const char* name : { "flat:1", "sphere:2", "paraboloid:2", "cone:60", "truncated:1,60",
+         "blunted:1,60", "rounded:1,0.5", "power:1.5,1", "profile:0,0;1,0.2;2,1", "profile:0,0;1,0",
+         "profile:0,0;1,0;2,1;3,3" })
+  {
+    EXPECT_TRUE(std::isinf(tool(name)->depthLimit().depth)) << name;
+    EXPECT_EQ(tool(name)->checkDepth(1e9), "") << name;
+  }
+}
+
+TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
+{
+  // f = sin r + 0.1 r is concave all over, but g rises to r = 1.2 and beyond. Its samples have a
+  // concave corner each: at none of them may the law end.
+  palpate::GeneralTool::Shape shape{ [](double r) { return std::sin(r) + 0.1 * r; },
+    [](double r) { return std::cos(r) + 0.1; }, [](double r) { return -std::sin(r); }, {}, 0.0,
+    1.2 };
+  const palpate::GeneralTool smooth(shape);
+  EXPECT_TRUE(std::isinf(smooth.depthLimit().depth));
+  std::vector<palpate::ProfilePoint> points;
+  for (int i = 0; i <= 100; ++i)
+  {
+    points.push_back({ 0.012 * i, shape.profile(0.012 * i) });
+  }
+  const palpate::ProfileTool sampled(points);
+  EXPECT_TRUE(std::isinf(sampled.depthLimit().depth));
+  for (const double depth : { 0.1, 0.5, 1.0, 3.0 })
+  {
+    // Second order: (r/100)² and a factor.
+    EXPECT_TRUE(agrees(sampled.force(depth, 1.0), smooth.force(depth, 1.0), 1e-4)) << depth;
+    EXPECT_TRUE(agrees(sampled.contactRadius(depth), smooth.contactRadius(depth), 1e-2)) << depth;
+  }
+}
+
+TEST(DepthLimit, CostsAtMostTwoThousandthsOfTheForce)
+{
+  // The force is monotone in the profile. Filling the dips of g (its running maximum) is the law of
+  // a higher profile, in contact all over, hence a lower bound; what the tolerance lets pass lies
+  // between.
+  const auto t = tool("profile:0,0;1,0.3;2,0.59;3,0.87;4,1.6");
+  ASSERT_TRUE(std::isinf(t->depthLimit().depth));
+  const Quadrature rule(4000);
+  for (const double depth : { 0.6, 1.0, 1.4 })
+  {
+    const double filled = 2.0 *
+      rule.integrate(
+        0.0, t->contactRadius(depth), [&](double x) { return depth - t->depthAtContactRadius(x); });
+    EXPECT_NEAR(filled / t->force(depth, 1.0), 1.0, 2e-3) << depth;
+    EXPECT_LT(filled, t->force(depth, 1.0)) << depth;
+  }
+}
