@@ -32,12 +32,24 @@ struct ResponseStorage
   void attach(vtkPolyData* output);
 };
 
-/// The stiffness of the body at each point.
+/// The body under each point: constants, and arrays that override them where they are not null.
 struct ResponseMaterial
 {
-  double constantModulus = 0.0;           ///< E*, MPa
-  const double* reducedModulus = nullptr; ///< per point; null: the constant
-  const double* compliance = nullptr;     ///< mm/N per point; null: none
+  ContactSpot constant;
+  const double* reducedModulus = nullptr; ///< MPa
+  const double* poissonsRatio = nullptr;
+  const double* compliance = nullptr; ///< mm/N
+  const double* thickness = nullptr;  ///< mm, 0 for a half-space
+
+  ContactSpot at(vtkIdType i) const
+  {
+    const auto pick = [i](const double* array, double otherwise)
+    { return array ? array[i] : otherwise; };
+    return { pick(this->reducedModulus, this->constant.reducedModulus),
+      pick(this->poissonsRatio, this->constant.poissonsRatio),
+      pick(this->compliance, this->constant.compliance),
+      pick(this->thickness, this->constant.thickness) };
+  }
 };
 
 /**
@@ -55,14 +67,15 @@ public:
   void fill(vtkIdType first, vtkIdType last) const;
 
 private:
-  unsigned char fillCurve(vtkIdType i, double curvature, double modulus, double compliance) const;
-  void fillValidity(vtkIdType i, double curvature, double modulus, double compliance) const;
+  unsigned char fillCurve(vtkIdType i, double curvature, const ContactSpot& spot) const;
+  void fillValidity(vtkIdType i, double curvature, const ContactSpot& spot) const;
 
   const AxisymmetricTool& Tool;
   const ResponseLaw& Law;
   const CurvatureBound& Curvature;
   ResponseMaterial Material;
-  double StrainDepth;
+  double StrainDepth;  ///< on a half-space
+  double StrainRadius; ///< the contact radius there
   float Range;
   // The storage.
   int Samples;

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseLaw.h"
 
-#include "AxisymmetricTool.h"
 #include "SeriesCompliance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace palpate
 {
 namespace
 {
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int ErrorProbes = 200;
+// The local part of a series is kept in more samples than are stored: its own storage error is
+// (8/64)⁴ of theirs. A negative compliance drives the local part beyond the range.
+constexpr int LocalSamples = 64;
+constexpr double LocalDepths = 3.0;
 
 struct FloatCurve
 {
@@ -23,65 +28,192 @@ struct FloatCurve
     return static_cast<double>(stiffnesses[static_cast<std::size_t>(i)]);
   }
 };
+
+std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
+{
+  std::vector<double> depths;
+  for (int i = 0; i < sampling.samples(); ++i)
+  {
+    depths.push_back(sampling.depth(i, range));
+  }
+  return depths;
+}
 } // namespace
+
+/// A curve for E* = 1 as a law to be put in series; its contact radius is not known.
+class ResponseLaw::SampledLaw final : public IndentationLaw
+{
+public:
+  SampledLaw(UnitCurve curve, const ResponseSampling& sampling, double range)
+    : Curve(std::move(curve))
+    , Sampling(sampling)
+    , Range(range)
+  {
+  }
+
+  IndentationPoint evaluate(double deflection, double reducedModulus) const override
+  {
+    const ResponseValue value = this->Sampling.evaluate(this->Curve, this->Range, deflection);
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return value.beyondRange
+      ? IndentationPoint{ unknown, unknown, unknown }
+      : IndentationPoint{ reducedModulus * value.force, reducedModulus * value.stiffness, unknown };
+  }
+
+private:
+  UnitCurve Curve;
+  const ResponseSampling& Sampling;
+  double Range;
+};
 
 ResponseLaw::ResponseLaw(const AxisymmetricTool& tool, double range, int samples)
   : Tool(tool)
   , Range(range)
   , Samples(samples)
+  , LocalSampling(LocalSamples, tool.forceExponent())
+  , LocalRange(range)
 {
-  const ResponseSampling sampling(samples, tool.forceExponent());
-  for (int i = 0; i < samples; ++i)
+  for (const double depth : depthsOf(ResponseSampling(samples, 1.0), range))
   {
-    const double depth = sampling.depth(i, range);
-    this->UnitForce.push_back(tool.force(depth, 1.0));
-    this->UnitStiffness.push_back(tool.stiffness(depth, 1.0));
+    const IndentationPoint at = tool.evaluate(depth, 1.0);
+    this->HalfSpace.forces.push_back(at.force);
+    this->HalfSpace.stiffnesses.push_back(at.stiffness);
   }
 }
 
-void ResponseLaw::sample(double reducedModulus, float* force, float* stiffness) const
+void ResponseLaw::prepareLayers(const LayerTable::Layers& layers, bool stiffening)
+{
+  this->LocalRange = stiffening ? LocalDepths * this->Range : this->Range;
+  this->Stored = std::make_unique<LayerTable>(
+    this->Tool, layers, depthsOf(ResponseSampling(this->Samples, 1.0), this->Range));
+  this->Local = std::make_unique<LayerTable>(
+    this->Tool, layers, depthsOf(this->LocalSampling, this->LocalRange));
+}
+
+ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerTable& table, const ContactSpot& spot)
+{
+  const LayerTable::Curve curve = table.sample(spot.thickness, spot.poissonsRatio);
+  const Eigen::Index n = curve.rows();
+  return { { curve.data(), curve.data() + n }, { curve.data() + n, curve.data() + 2 * n } };
+}
+
+ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float* stiffness) const
+{
+  ResponseStatus status = ResponseStatus::Valid;
+  if (spot.thickness > 0.0)
+  {
+    const LayerTable& table = spot.compliance == 0.0 ? *this->Stored : *this->Local;
+    status = !table.answers(spot.thickness) ? ResponseStatus::OutOfReach
+      : spot.compliance == 0.0
+      ? this->scale(layerCurve(table, spot), spot.reducedModulus, force, stiffness)
+      : this->solve(SampledLaw(layerCurve(table, spot), this->LocalSampling, this->LocalRange),
+          spot, force, stiffness);
+  }
+  else
+  {
+    status = spot.compliance == 0.0
+      ? this->scale(this->HalfSpace, spot.reducedModulus, force, stiffness)
+      : this->solve(this->Tool, spot, force, stiffness);
+  }
+  if (status != ResponseStatus::Valid)
+  {
+    std::fill_n(force, this->Samples, 0.0F);
+    std::fill_n(stiffness, this->Samples, 0.0F);
+  }
+  return status;
+}
+
+ResponseStatus ResponseLaw::scale(
+  const UnitCurve& curve, double reducedModulus, float* force, float* stiffness) const
 {
   for (int i = 0; i < this->Samples; ++i)
   {
-    const auto k = static_cast<std::size_t>(i);
-    force[i] = static_cast<float>(reducedModulus * this->UnitForce[k]);
-    stiffness[i] = static_cast<float>(reducedModulus * this->UnitStiffness[k]);
+    force[i] = static_cast<float>(reducedModulus * curve.force(i));
+    stiffness[i] = static_cast<float>(reducedModulus * curve.stiffness(i));
   }
+  return ResponseStatus::Valid;
 }
 
-bool ResponseLaw::sampleSeries(
-  double reducedModulus, double compliance, float* force, float* stiffness) const
+ResponseStatus ResponseLaw::solve(
+  const IndentationLaw& local, const ContactSpot& spot, float* force, float* stiffness) const
 {
   const ResponseSampling sampling(this->Samples, 1.0);
   for (int i = 0; i < this->Samples; ++i)
   {
     const SeriesPoint point =
-      seriesResponse(this->Tool, reducedModulus, compliance, sampling.depth(i, this->Range));
+      seriesResponse(local, spot.reducedModulus, spot.compliance, sampling.depth(i, this->Range));
     if (!point.stable)
     {
-      std::fill_n(force, this->Samples, 0.0F);
-      std::fill_n(stiffness, this->Samples, 0.0F);
-      return false;
+      return ResponseStatus::Folded;
     }
     force[i] = static_cast<float>(point.force);
     stiffness[i] = static_cast<float>(point.stiffness);
   }
-  return true;
+  return ResponseStatus::Valid;
 }
 
-double ResponseLaw::totalDeflection(
-  double reducedModulus, double compliance, double localDepth) const
+IndentationPoint ResponseLaw::evaluate(const ContactSpot& spot, double deflection) const
 {
-  return localDepth + compliance * this->Tool.force(localDepth, reducedModulus);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const bool layer = spot.thickness > 0.0;
+  if (layer && !this->Local->answers(spot.thickness))
+  {
+    return { unknown, unknown, unknown };
+  }
+  const SeriesPoint point = layer
+    ? seriesResponse(
+        SampledLaw(layerCurve(*this->Local, spot), this->LocalSampling, this->LocalRange),
+        spot.reducedModulus, spot.compliance, deflection)
+    : seriesResponse(this->Tool, spot.reducedModulus, spot.compliance, deflection);
+  return { point.force, point.stiffness, unknown };
 }
 
-double ResponseLaw::storageError(double exponent, double reducedModulus, double compliance) const
+double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a) const
+{
+  if (!(spot.thickness > 0.0))
+  {
+    return this->totalDeflection(spot, this->Tool.depthAtContactRadius(a));
+  }
+  // On a layer a is nearly straight over √δ: so between the samples.
+  const LayerTable::Curve curve = this->Stored->sample(spot.thickness, spot.poissonsRatio);
+  double radius = this->Tool.smallestContactRadius();
+  double root = 0.0;
+  for (int i = 0; i < this->Samples; ++i)
+  {
+    const double nextRadius = curve(i, 2);
+    const double nextRoot = static_cast<double>(i + 1) / this->Samples;
+    if (nextRadius > a)
+    {
+      root += std::max(0.0, a - radius) / (nextRadius - radius) * (nextRoot - root);
+      return this->totalDeflection(spot, this->Range * root * root);
+    }
+    radius = nextRadius;
+    root = nextRoot;
+  }
+  return Infinity;
+}
+
+double ResponseLaw::totalDeflection(const ContactSpot& spot, double localDepth) const
+{
+  if (spot.compliance == 0.0 || !std::isfinite(localDepth))
+  {
+    return localDepth;
+  }
+  const double force = spot.thickness > 0.0
+    ? SampledLaw(layerCurve(*this->Local, spot), this->LocalSampling, this->LocalRange)
+        .evaluate(localDepth, spot.reducedModulus)
+        .force
+    : this->Tool.force(localDepth, spot.reducedModulus);
+  return localDepth + spot.compliance * force;
+}
+
+double ResponseLaw::storageError(double exponent, const ContactSpot& spot) const
 {
   std::vector<float> forces(static_cast<std::size_t>(this->Samples));
   std::vector<float> stiffnesses(static_cast<std::size_t>(this->Samples));
-  if (!this->sampleSeries(reducedModulus, compliance, forces.data(), stiffnesses.data()))
+  if (this->sample(spot, forces.data(), stiffnesses.data()) != ResponseStatus::Valid)
   {
-    return std::numeric_limits<double>::infinity();
+    return Infinity;
   }
   const ResponseSampling sampling(this->Samples, exponent);
   const FloatCurve curve{ forces, stiffnesses };
@@ -89,7 +221,7 @@ double ResponseLaw::storageError(double exponent, double reducedModulus, double 
   for (int i = 2; i <= ErrorProbes; ++i)
   {
     const double depth = this->Range * i / ErrorProbes;
-    const double exact = seriesResponse(this->Tool, reducedModulus, compliance, depth).force;
+    const double exact = this->evaluate(spot, depth).force;
     const double stored = sampling.evaluate(curve, this->Range, depth).force;
     largest = std::max(largest, std::abs(stored / exact - 1.0));
   }

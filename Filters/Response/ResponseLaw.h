@@ -2,18 +2,30 @@
 #ifndef ResponseLaw_h
 #define ResponseLaw_h
 
-#include "ResponseSampling.h"
+#include "AxisymmetricTool.h"
+#include "LayerTable.h"
+#include "ResponseField.h"
 
+#include <memory>
 #include <vector>
 
 namespace palpate
 {
-class AxisymmetricTool;
+/// The body under one point of its surface.
+struct ContactSpot
+{
+  double reducedModulus = 0.0; ///< E*, MPa
+  double poissonsRatio = 0.0;  ///< of the layer; the half-space knows E* alone
+  double compliance = 0.0;     ///< in series, mm/N
+  double thickness = 0.0;      ///< of the layer, mm; 0 for a half-space
+};
 
 /**
- * The half-space law of one tool, sampled for storage: evaluated once for E* = 1 and scaled by the
- * modulus of each point. Points of finite global compliance are solved one by one
- * (SeriesCompliance.h).
+ * The law of one tool, sampled for storage.
+ *
+ * Half-space: evaluated once for E* = 1 and scaled. Layer: interpolated over the thickness
+ * (LayerTable.h) and scaled. Points of finite global compliance are solved one by one
+ * (SeriesCompliance.h). Safe to use from any number of threads.
  */
 class ResponseLaw
 {
@@ -21,25 +33,53 @@ public:
   /// `tool` must outlive the law. Range (mm) is the depth of the last sample.
   ResponseLaw(const AxisymmetricTool& tool, double range, int samples);
 
-  /// Writes n forces (N) and n stiffnesses (N/mm) of a half-space. Safe from any number of threads.
-  void sample(double reducedModulus, float* force, float* stiffness) const;
+  /// Makes ready for spots with a layer. `stiffening`: some have a negative compliance, too, which
+  /// drives the layer deeper than the range.
+  void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
-  /// The same in series with a compliance (mm/N). False, and zeros, where the curve folds.
-  bool sampleSeries(double reducedModulus, double compliance, float* force, float* stiffness) const;
+  /// Writes n forces (N) and n stiffnesses (N/mm). Zeros, and why, where there is no curve: Folded
+  /// by the compliance, OutOfReach for a layer too thin for the range.
+  ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// Deflection of the whole series at a depth of its local part, mm.
-  double totalDeflection(double reducedModulus, double compliance, double localDepth) const;
+  /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm), to 1e-6 on a layer; NaN
+  /// where there is no stable contact.
+  IndentationPoint evaluate(const ContactSpot& spot, double deflection) const;
+
+  /// The deflection (mm) at which the contact radius reaches a; +inf if it never does, or, on a
+  /// layer, not within the range.
+  double deflectionAtContactRadius(const ContactSpot& spot, double a) const;
+  /// The deflection of the whole series at a depth of its local part, mm.
+  double totalDeflection(const ContactSpot& spot, double localDepth) const;
 
   /// Largest relative error of force between 1 and 100 % of the range, of float samples evaluated
   /// as the kernel does, against the law itself; +inf if it cannot be sampled.
-  double storageError(double exponent, double reducedModulus, double compliance) const;
+  double storageError(double exponent, const ContactSpot& spot) const;
 
 private:
+  /// F and dF/dδ for E* = 1 at the depths of a sampling.
+  struct UnitCurve
+  {
+    std::vector<double> forces;
+    std::vector<double> stiffnesses;
+    double force(int i) const { return this->forces[static_cast<std::size_t>(i)]; }
+    double stiffness(int i) const { return this->stiffnesses[static_cast<std::size_t>(i)]; }
+  };
+  class SampledLaw;
+
+  static UnitCurve layerCurve(const LayerTable& table, const ContactSpot& spot);
+  ResponseStatus scale(
+    const UnitCurve& curve, double reducedModulus, float* force, float* stiffness) const;
+  ResponseStatus solve(
+    const IndentationLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
+
   const AxisymmetricTool& Tool;
   double Range;
   int Samples;
-  std::vector<double> UnitForce;
-  std::vector<double> UnitStiffness;
+  UnitCurve HalfSpace;
+  std::unique_ptr<LayerTable> Stored; ///< layers at the depths of the samples
+  std::unique_ptr<LayerTable> Local;  ///< layers in more samples, to be solved in series
+  ResponseSampling LocalSampling;
+  double LocalRange;
 };
 } // namespace palpate
 

@@ -3,11 +3,14 @@
 
 #include "AxisymmetricTool.h"
 #include "BodyConversion.h"
+#include "LayerContact.h"
+#include "LayerSurface.h"
 #include "ReducedModulus.h"
 #include "SurfacePatch.h"
 #include "vtkContactTool.h"
 
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -50,6 +53,22 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, TipContact& contact)
   points->GetTuple(index, contact.point.data());
   normals->GetTuple(index, contact.normal.data());
   return {};
+}
+
+/// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, which
+/// is what a base stiffens by, and 0 where there is none.
+double thicknessAt(const palpate::BodyMesh& mesh, std::int32_t triangle,
+  const palpate::Vector3& contact, vtkDataArray* thickness)
+{
+  const auto& corners = mesh.corners(triangle);
+  const palpate::Vector3 weights = mesh.project(contact, triangle).weights;
+  double inverse = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double h = thickness->GetTuple1(corners[i]);
+    inverse += h > 0.0 ? weights[static_cast<Eigen::Index>(i)] / h : 0.0;
+  }
+  return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 } // namespace
 
@@ -119,6 +138,33 @@ const palpate::BodyMesh& vtkContactDeflection::PrepareMesh(vtkPolyData* body)
   return *this->Mesh;
 }
 
+vtkContactDeflection::Field vtkContactDeflection::MakeField(
+  vtkPolyData* body, const palpate::AxisymmetricTool& tool, double thickness, double deflection)
+{
+  if (!(thickness > 0.0))
+  {
+    return [&tool, deflection, nu = this->PoissonRatio](double r)
+    { return tool.surfaceDisplacement(r, deflection, nu); };
+  }
+  vtkDataArray* stored = body->GetFieldData()->GetArray((this->ResponseName + "LayerBase").c_str());
+  const auto base = stored && stored->GetNumberOfValues() == 1 && stored->GetTuple1(0) == 1.0
+    ? palpate::LayerBase::Slip
+    : palpate::LayerBase::Bonded;
+  if (!this->Kernel || this->Kernel->poissonsRatio() != this->PoissonRatio ||
+    this->Kernel->base() != base)
+  {
+    this->Kernel = std::make_shared<const palpate::LayerKernel>(this->PoissonRatio, base);
+  }
+  auto layer = std::make_shared<const palpate::LayerContact>(tool, this->Kernel, thickness);
+  if (deflection > layer->deepest())
+  {
+    vtkWarningMacro(<< "No field: the layer of " << thickness
+                    << " mm at the contact is thinner than a tenth of the contact radius.");
+  }
+  auto surface = std::make_shared<const palpate::LayerSurface>(*layer, deflection);
+  return [layer, surface](double r) { return surface->at(r); };
+}
+
 int vtkContactDeflection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -182,16 +228,19 @@ int vtkContactDeflection::RequestData(
     if (palpate::responseText(body, this->ResponseName, "Model").find("compliance") !=
       std::string::npos)
     {
-      vtkWarningMacro(<< "The response has a global compliance; the field shows the half-space "
+      vtkWarningMacro(<< "The response has a global compliance; the field shows the local "
                          "part alone, at the whole deflection.");
     }
-    palpate::visitSurfacePatch(this->PrepareMesh(body),
-      static_cast<std::int32_t>(contact.cell - firstPoly), contact.point, contact.normal,
-      this->MaximumDistance,
+    const palpate::BodyMesh& mesh = this->PrepareMesh(body);
+    const auto triangle = static_cast<std::int32_t>(contact.cell - firstPoly);
+    vtkDataArray* layers =
+      body->GetPointData()->GetArray((this->ResponseName + "LayerThickness").c_str());
+    const Field field = this->MakeField(body, *law,
+      layers ? thicknessAt(mesh, triangle, contact.point, layers) : 0.0, contact.deflection);
+    palpate::visitSurfacePatch(mesh, triangle, contact.point, contact.normal, this->MaximumDistance,
       [&](std::int32_t id, double distance, const palpate::Vector3& away)
       {
-        const palpate::SurfaceDisplacement u =
-          law->surfaceDisplacement(distance, contact.deflection, this->PoissonRatio);
+        const palpate::SurfaceDisplacement u = field(distance);
         const Eigen::Vector3f vector = (u.radial * away - u.normal * contact.normal).cast<float>();
         displacement->SetTypedTuple(id, vector.data());
       });

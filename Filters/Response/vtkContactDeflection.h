@@ -16,8 +16,11 @@
  * around cylinders.
  *
  * Tool: if none is set, the one named in the body's response (ResponseName, field array `Tool`).
- * PoissonRatio scales u_r alone. On a body whose response has a global compliance the field shows
- * the half-space part at the whole deflection; a warning says so.
+ * On a half-space PoissonRatio scales u_r alone. Where the response has layers (its point array
+ * `LayerThickness` and field array `LayerBase`), the field is that of a layer as thick as at the
+ * contact (palpate::LayerSurface), in which PoissonRatio decides how the surface bulges beside the
+ * tool; it must be that of the response. On a body whose response has a global compliance the field
+ * shows the local part at the whole deflection; a warning says so.
  *
  * Cost: the mesh is linked once per change of its points or triangles, O(n); then one evaluation of
  * the law per point within the field.
@@ -29,15 +32,19 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
+#include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
+#include <string>     // For std::string
 
 class vtkContactTool;
 
 namespace palpate
 {
+class AxisymmetricTool;
 class BodyMesh;
-}
+class LayerKernel;
+struct SurfaceDisplacement;
+} // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkContactDeflection : public vtkPolyDataAlgorithm
 {
@@ -98,6 +105,10 @@ private:
 
   vtkSmartPointer<vtkContactTool> FindTool(vtkPolyData* body);
   const palpate::BodyMesh& PrepareMesh(vtkPolyData* body);
+  /// The displacement at a distance from the contact. `tool` must outlive it.
+  using Field = std::function<palpate::SurfaceDisplacement(double)>;
+  Field MakeField(
+    vtkPolyData* body, const palpate::AxisymmetricTool& tool, double thickness, double deflection);
 
   vtkSmartPointer<vtkContactTool> Tool;
   vtkIdType TipIndex = -1;
@@ -109,6 +120,8 @@ private:
   std::unique_ptr<palpate::BodyMesh> Mesh;
   vtkMTimeType MeshPointsTime = 0;
   vtkMTimeType MeshPolysTime = 0;
+
+  std::shared_ptr<const palpate::LayerKernel> Kernel; ///< of the last layer
 };
 
 #endif

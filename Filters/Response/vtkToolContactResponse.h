@@ -11,33 +11,38 @@
  * `Response`), samples i = 1..n at δ_i = MaximumDeflection (i/n)²:
  * - point data `Force` (float n, N), `Stiffness` (float n, dF/dδ, N/mm), `Normal` (float 3, unit,
  *   outward), `Range` (float, mm, the depth of the last sample), `Status` (uint8: 0 Valid,
- *   1 Degenerate: no triangle with an area meets or the normal is zero, 2 NotFinite, 3 Folded),
+ *   1 Degenerate: no triangle with an area meets or the normal is zero, 2 NotFinite, 3 Folded,
+ *   4 OutOfReach: the layer is thinner than a tenth of the contact radius at MaximumDeflection),
  *   `Validity` (float, mm) and `Limit` (uint8);
- * - field data `Exponent` (double m), `Samples` (int n), `Tool`, `Model`, `Units` (strings).
+ * - field data `Exponent` (double m), `Samples` (int n), `Tool`, `Model`, `Units` (strings);
+ * - where there are layers, point data `LayerThickness` (float, mm, 0 for a half-space) and field
+ *   data `LayerBase` (uint8), so that vtkContactDeflection knows the field.
  * See palpate/contract.py for how they are evaluated.
  *
  * **Validity** is the depth at which the first assumption of the law breaks, at most Range, and
- * **Limit** says which: 0 none within Range, 1 strain, 2 curvature. Strain: a/R exceeds 0.4, the
- * contact radius over the tip radius (for Flat and Cone, which have no tip radius, δ/a, which
- * equals a/R for a paraboloid; a 60° cone exceeds it at any depth). Curvature: the body's normal
- * turns by more than 0.2 rad under the contact radius, by the largest normal curvature along the
- * edges at the point; beyond it the body no longer looks like a half-space to the tool.
+ * **Limit** says which: 0 none within Range, 1 strain, 2 curvature, 3 thickness. Strain: a/R
+ * exceeds 0.4, the contact radius over the tip radius (for Flat and Cone, which have no tip radius,
+ * δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any depth). Curvature: the
+ * body's normal turns by more than 0.2 rad under the contact radius, by the largest normal
+ * curvature along the edges at the point; beyond it the body no longer looks flat to the tool.
+ * Thickness: δ exceeds 20 % of a layer's thickness.
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
- * thickness (not available yet: an error), 2 global compliance (mm/N), 3 Poisson's ratio. An index
+ * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio. An index
  * that was never set, or set to an empty name, means the constant property, whatever arrays the
  * body has; one that was set but is not there is an error. So is a value out of range, naming
  * array, index and value.
  *
- * The law is the tool's on an elastic half-space (vtkContactTool), in series with the global
+ * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
+ * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global
  * compliance where there is one: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 where that
  * stores the curve better. The active point normals are used if present, otherwise angle-weighted
  * ones are computed; a closed surface that is then found inside out is an error.
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
- * point and core, 7 µs for the exact Sphere. Threaded by vtkSMPTools; the same bits for any number
- * of threads. Abort leaves no output.
+ * point and core, 4 µs for the exact Sphere; on layers about 1 µs for any tool. Threaded by
+ * vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
  *
  * @sa vtkContactTool vtkToolContactProbe
  */
@@ -78,6 +83,40 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Thickness h of an elastic layer on a rigid base, mm, of points without an array. 0, the
+   * default, means a half-space.
+   */
+  vtkSetMacro(LayerThickness, double);
+  vtkGetMacro(LayerThickness, double);
+  ///@}
+
+  enum LayerBaseType
+  {
+    Bonded = 0,
+    Slip = 1
+  };
+
+  ///@{
+  /** How layers rest on their base: Bonded (default) or Slip, without friction. */
+  vtkSetClampMacro(LayerBase, int, Bonded, Slip);
+  vtkGetMacro(LayerBase, int);
+  void SetLayerBaseToBonded() { this->SetLayerBase(Bonded); }
+  void SetLayerBaseToSlip() { this->SetLayerBase(Slip); }
+  ///@}
+
+  ///@{
+  /**
+   * Declares that the global compliance was found without the layers' base, so that both count.
+   * Default off: a body with layers and a compliance is an error, since a compliance found on the
+   * body as it stands contains the base already.
+   */
+  vtkSetMacro(ComplianceExcludesLayer, bool);
+  vtkGetMacro(ComplianceExcludesLayer, bool);
+  vtkBooleanMacro(ComplianceExcludesLayer, bool);
+  ///@}
+
+  ///@{
   /** Depth of the last sample, mm, > 0. Default 2. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
@@ -107,15 +146,14 @@ private:
   vtkToolContactResponse(const vtkToolContactResponse&) = delete;
   void operator=(const vtkToolContactResponse&) = delete;
 
-  struct Material;
-
   bool CheckProperties();
-  bool ReadMaterial(vtkPolyData* body, Material& material);
-  bool FetchArray(vtkPolyData* body, int index, vtkDataArray*& array);
 
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;
+  double LayerThickness = 0.0;
+  int LayerBase = Bonded;
+  bool ComplianceExcludesLayer = false;
   double MaximumDeflection = 2.0;
   int NumberOfSamples = 8;
   std::string ResponseName = "Response";

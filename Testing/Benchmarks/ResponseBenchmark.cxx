@@ -30,7 +30,7 @@ constexpr vtkIdType PointCount = Side * Side;
 constexpr vtkIdType TriangleCount = 2 * (Side - 1) * (Side - 1);
 constexpr std::size_t Samples = 8;
 
-/// A wavy square with normals and arrays `E` (MPa) and `C` (mm/N). Built once.
+/// A wavy square with normals and arrays `E` (MPa), `C` (mm/N) and `h` (mm). Built once.
 vtkPolyData* grid()
 {
   static const vtkNew<vtkPolyData> body;
@@ -49,6 +49,9 @@ vtkPolyData* grid()
   vtkNew<vtkFloatArray> compliance;
   compliance->SetName("C");
   compliance->SetNumberOfTuples(PointCount);
+  vtkNew<vtkFloatArray> thickness;
+  thickness->SetName("h");
+  thickness->SetNumberOfTuples(PointCount);
   vtkNew<vtkTypeInt64Array> corners;
   corners->SetNumberOfValues(3 * TriangleCount);
   vtkIdType next = 0;
@@ -64,6 +67,7 @@ vtkPolyData* grid()
       normals->SetTuple3(id, -slope / length, 0.0, 1.0 / length);
       young->SetValue(id, 0.1F + 0.001F * static_cast<float>(id % 101));
       compliance->SetValue(id, 0.01F * static_cast<float>(id % 11));
+      thickness->SetValue(id, 2.0F + 0.001F * static_cast<float>(id % 9973));
       if (i + 1 < Side && j + 1 < Side)
       {
         for (const vtkIdType corner : { id, id + 1, id + Side + 1, id, id + Side + 1, id + Side })
@@ -80,6 +84,7 @@ vtkPolyData* grid()
   body->GetPointData()->SetNormals(normals);
   body->GetPointData()->AddArray(young);
   body->GetPointData()->AddArray(compliance);
+  body->GetPointData()->AddArray(thickness);
   return body;
 }
 
@@ -147,17 +152,19 @@ double clearSeconds()
   return seconds;
 }
 
-enum class Arrays
+/// `array`: which array to process the filter is given, and its name; an empty name for none.
+struct Given
 {
-  None,
-  Young,
-  Compliance
+  int index = 0;
+  const char* array = "";
+  const char* tool = "sphere:5";
 };
 
-void response(benchmark::State& state, Arrays arrays)
+void response(benchmark::State& state, const Given& given)
 {
   vtkPolyData* body = grid();
   vtkNew<vtkContactTool> tool;
+  tool->SetSpecification(given.tool);
   double filterSeconds = 0.0;
   double clearing = 0.0;
   double peak = 0.0;
@@ -167,11 +174,8 @@ void response(benchmark::State& state, Arrays arrays)
     filter->SetInputData(body);
     filter->SetTool(tool);
     filter->SetNumberOfSamples(static_cast<int>(Samples));
-    if (arrays != Arrays::None)
-    {
-      filter->SetInputArrayToProcess(arrays == Arrays::Young ? 0 : 2, 0, 0,
-        vtkDataObject::FIELD_ASSOCIATION_POINTS, arrays == Arrays::Young ? "E" : "C");
-    }
+    filter->SetInputArrayToProcess(
+      given.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, given.array);
     forgetFreedMemory();
     resetPeakMemory();
     const double before = memory("VmRSS");
@@ -203,18 +207,35 @@ void response(benchmark::State& state, Arrays arrays)
 
 void ResponseOfConstants(benchmark::State& state)
 {
-  response(state, Arrays::None);
+  response(state, {});
 }
 void ResponseOfModulusArray(benchmark::State& state)
 {
-  response(state, Arrays::Young);
+  response(state, { 0, "E" });
 }
 void ResponseOfComplianceArray(benchmark::State& state)
 {
-  response(state, Arrays::Compliance);
+  response(state, { 2, "C" });
+}
+/// A layer of its own thickness at each point, 2 to 12 mm.
+void ResponseOfThicknessArray(benchmark::State& state, const char* tool)
+{
+  response(state, { 1, "h", tool });
 }
 } // namespace
 
 BENCHMARK(ResponseOfConstants)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(1.0);
 BENCHMARK(ResponseOfModulusArray)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(1.0);
 BENCHMARK(ResponseOfComplianceArray)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+#define PALPATE_LAYER_BENCHMARK(name, tool)                                                        \
+  BENCHMARK_CAPTURE(ResponseOfThicknessArray, name, tool)                                          \
+    ->UseManualTime()                                                                              \
+    ->Unit(benchmark::kMillisecond)                                                                \
+    ->Iterations(1)
+PALPATE_LAYER_BENCHMARK(flat, "flat:1.6");
+PALPATE_LAYER_BENCHMARK(paraboloid, "paraboloid:6.35");
+PALPATE_LAYER_BENCHMARK(sphere, "sphere:6.35");
+PALPATE_LAYER_BENCHMARK(cone, "cone:60");
+PALPATE_LAYER_BENCHMARK(blunted, "blunted:2,60");
+PALPATE_LAYER_BENCHMARK(rounded, "rounded:2,1");
+PALPATE_LAYER_BENCHMARK(power, "power:4,0.01");

@@ -105,7 +105,7 @@ void checkComplianceWarning()
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
-  PALPATE_CHECK_TEXT(messages.warnings(), "global compliance", "half-space");
+  PALPATE_CHECK_TEXT(messages.warnings(), "global compliance", "local");
 }
 } // namespace
 

@@ -143,14 +143,6 @@ void checkArrays()
       }
     }
   }
-  // Layers come later: never silently a half-space instead.
-  Filter filter = makeFilter(planeBody(10.0, 2));
-  give(filter, 5.0, 0, 1);
-  use(filter, 1);
-  Messages messages(filter.Get());
-  filter->Update();
-  PALPATE_CHECK_TEXT(messages.errors(), "layer", "'Given'", "not available");
-  PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
 void checkCells()

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_LayerContact_h
+#define palpate_LayerContact_h
+
+#include "AxisymmetricTool.h"
+#include "IndentationLaw.h"
+#include "LayerKernel.h"
+#include "ProfileQuadrature.h"
+
+#include <memory>
+
+namespace palpate
+{
+/**
+ * A tool pressed into an elastic layer of thickness h on a rigid base, bonded or slipping.
+ *
+ * The exact linear solution (LayerKernel.h) for any axisymmetric tool: with y₁ the solution for
+ * a flat punch and Γ the resolvent,
+ *   δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt.
+ * E* = E/(1-ν²) with the ν of the kernel. Answers while a <= LayerKernel::LargestRatio h; deeper
+ * gives NaN. Small strain: δ << h besides the tool's own limit (depthAtStrain).
+ *
+ * Cost: 10 to 30 µs per evaluation of a smooth tool. Immutable and safe to use from any number of
+ * threads.
+ */
+class LayerContact final : public IndentationLaw
+{
+public:
+  /// Thickness > 0, mm. `tool` must outlive the contact.
+  LayerContact(
+    const AxisymmetricTool& tool, std::shared_ptr<const LayerKernel> kernel, double thickness);
+
+  IndentationPoint evaluate(double deflection, double reducedModulus) const override;
+  double contactRadius(double deflection) const;
+
+  /// Depth (mm) at which the contact radius reaches a; 0 below the smallest contact radius, +inf
+  /// from the largest on, NaN where a exceeds LargestRatio h.
+  double depthAtContactRadius(double a) const;
+
+  /// The deepest δ it answers, mm; +inf if the contact radius of the tool stays within LargestRatio
+  /// h.
+  double deepest() const noexcept { return this->Deepest; }
+
+  const AxisymmetricTool& tool() const noexcept { return this->Tool; }
+  const LayerKernel& kernel() const noexcept { return *this->Kernel; }
+  const ProfileQuadrature& quadrature() const noexcept { return this->Quadrature; }
+  double thickness() const noexcept { return this->Thickness; }
+
+private:
+  /// What the solution at one contact radius says of the tool.
+  struct Contact
+  {
+    double depth;   ///< δ(a), mm
+    double flat;    ///< ∫_0^a y₁ dt, mm
+    double profile; ///< ∫_0^a y₁ g dt, mm²
+  };
+  Contact contactAt(double a) const;
+  double solveRadius(double deflection, Contact& contact) const;
+
+  const AxisymmetricTool& Tool;
+  std::shared_ptr<const LayerKernel> Kernel;
+  double Thickness;
+  ProfileQuadrature Quadrature;
+  double SmallestRadius;
+  double LargestRadius; ///< that can be answered
+  double LargestDepth;  ///< δ at which it is reached
+  double Deepest;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_LayerSurface_h
+#define palpate_LayerSurface_h
+
+#include "AxisymmetricTool.h"
+#include "LayerKernel.h"
+#include "PiecewiseChebyshev.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+class LayerContact;
+
+/**
+ * Where the surface of an elastic layer goes under one tool at one depth, for display.
+ *
+ * With y of LayerKernel.h, and its continuation outside the contact
+ *   w(x) = (1/πh) ∫_0^a y(t) [M((t+x)/h) + M((t-x)/h)] dt,
+ *   q(x) = (1/πh) ∫_0^a y(t) [L((x+t)/h) + L((x-t)/h)] dt,  L odd,
+ * the surface moves by
+ *   r <= a  u_z = δ - f(r),
+ *   r > a   u_z = (2/π) [∫_0^a (δ-g) dx/√(r²-x²) + ∫_a^r w dx/√(r²-x²)],
+ *   u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r - (2/π) ∫_0^{π/2} q(r sin θ) sin θ dθ,
+ * F(r) the load inside r. Unlike on a half-space the surface bulges: u_z < 0 at some distance if
+ * the layer is nearly incompressible, and everything decays within a few h.
+ *
+ * Built once per contact (about 1 ms), then about 3 µs per point. Immutable and safe to use from
+ * any number of threads.
+ */
+class LayerSurface
+{
+public:
+  /// All zero unless 0 < deflection <= contact.deepest(). `contact` and its tool must outlive this.
+  LayerSurface(const LayerContact& contact, double deflection);
+
+  /// Displacement of the point that lay at distance r >= 0 from the axis, mm.
+  SurfaceDisplacement at(double r) const;
+
+private:
+  double outside(double r) const;
+  double loadInside(double r) const;
+
+  const LayerContact& Contact;
+  double Deflection;
+  double Radius = 0.0;             ///< a; 0 without contact
+  double Reach = 0.0;              ///< beyond it everything has decayed
+  double Integral = 0.0;           ///< ∫_0^a y dt = F/2E*
+  LayerKernel::Samples Correction; ///< (δ - g) - y on the nodes of the kernel
+  PiecewiseChebyshev Normal;       ///< w(x)
+  PiecewiseChebyshev Radial;       ///< q(x)
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerTable.h"
+
+#include "ChebyshevRule.h"
+#include "LayerContact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+/// The thinnest layer on which the tool is answered down to `depth`: a(depth) <= LargestRatio h.
+double thinnestAnswered(
+  const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel, double depth)
+{
+  const auto answered = [&](double thickness)
+  { return LayerContact(tool, kernel, thickness).deepest() >= depth; };
+  double above = tool.contactRadius(depth) / LayerKernel::LargestRatio;
+  for (int i = 0; i < 60 && !answered(above); ++i)
+  {
+    above *= 1.5; // the contact radius on a layer is larger than on a half-space
+  }
+  double below = 0.0;
+  for (int i = 0; i < 60 && above - below > 1e-9 * above; ++i)
+  {
+    const double middle = 0.5 * (below + above);
+    (answered(middle) ? above : below) = middle;
+  }
+  return above;
+}
+} // namespace
+
+LayerTable::LayerTable(
+  const AxisymmetricTool& tool, const Layers& layers, std::vector<double> depths)
+  : Depths(std::move(depths))
+  , Scale(tool.contactRadius(this->Depths.back()))
+  , Ratios(layers.poissonsRatios)
+  , FirstRatio(layers.poissonsRatios.front())
+  , LastRatio(layers.poissonsRatios.back())
+{
+  if (this->Ratios.size() > DistinctRatios)
+  {
+    this->RatiosAreChebyshev = true;
+    this->Ratios.resize(DistinctRatios);
+    for (Eigen::Index i = 0; i < DistinctRatios; ++i)
+    {
+      this->Ratios[static_cast<std::size_t>(i)] = this->FirstRatio +
+        0.5 * (1.0 + RatioRule::standard().points()[i]) * (this->LastRatio - this->FirstRatio);
+    }
+  }
+  std::vector<std::shared_ptr<const LayerKernel>> kernels;
+  this->Thinnest = layers.thinnest;
+  for (const double ratio : this->Ratios)
+  {
+    kernels.push_back(std::make_shared<const LayerKernel>(ratio, layers.base));
+    if (LayerContact(tool, kernels.back(), layers.thinnest).deepest() < this->Depths.back())
+    {
+      this->Thinnest =
+        std::max(this->Thinnest, thinnestAnswered(tool, kernels.back(), this->Depths.back()));
+    }
+  }
+
+  this->Begin = this->Scale / (this->Scale + std::max(layers.thickest, this->Thinnest));
+  this->End = this->Scale / (this->Scale + this->Thinnest);
+  const auto count = static_cast<Eigen::Index>(this->Depths.size());
+  for (const auto& kernel : kernels)
+  {
+    Curves curves(3 * count, static_cast<Eigen::Index>(ThicknessPoints));
+    for (int point = 0; point < ThicknessPoints; ++point)
+    {
+      const LayerContact contact(tool, kernel, this->thicknessAt(point));
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        const IndentationPoint at =
+          contact.evaluate(this->Depths[static_cast<std::size_t>(i)], 1.0);
+        curves(i, point) = at.force;
+        curves(count + i, point) = at.stiffness;
+        curves(2 * count + i, point) = at.contactRadius;
+      }
+    }
+    this->Tables.push_back(std::move(curves));
+  }
+}
+
+double LayerTable::thicknessAt(int point) const
+{
+  const double x = this->Begin +
+    0.5 * (1.0 + ThicknessRule::standard().points()[point]) * (this->End - this->Begin);
+  return this->Scale / x - this->Scale;
+}
+
+LayerTable::ThicknessRule::Values LayerTable::thicknessFactors(double thickness) const
+{
+  const double x = this->Scale / (this->Scale + thickness);
+  const double width = this->End - this->Begin;
+  return ThicknessRule::standard().factorsAt(
+    width > 0.0 ? std::clamp(2.0 * (x - this->Begin) / width - 1.0, -1.0, 1.0) : 0.0);
+}
+
+Eigen::ArrayXd LayerTable::ratioFactors(double poissonsRatio) const
+{
+  if (this->RatiosAreChebyshev)
+  {
+    const double width = this->LastRatio - this->FirstRatio;
+    return RatioRule::standard().factorsAt(2.0 * (poissonsRatio - this->FirstRatio) / width - 1.0);
+  }
+  Eigen::ArrayXd factors = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(this->Ratios.size()));
+  const auto found = std::find(this->Ratios.begin(), this->Ratios.end(), poissonsRatio);
+  if (found == this->Ratios.end())
+  {
+    factors.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  else
+  {
+    factors[found - this->Ratios.begin()] = 1.0;
+  }
+  return factors;
+}
+
+LayerTable::Curve LayerTable::sample(double thickness, double poissonsRatio) const
+{
+  Curve curve(static_cast<Eigen::Index>(this->Depths.size()), 3);
+  if (!this->answers(thickness))
+  {
+    curve.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return curve;
+  }
+  const ThicknessRule::Values factors = this->thicknessFactors(thickness);
+  const Eigen::ArrayXd ratios = this->ratioFactors(poissonsRatio);
+  curve.setZero();
+  Eigen::Map<Eigen::VectorXd> all(curve.data(), curve.size());
+  for (std::size_t k = 0; k < this->Tables.size(); ++k)
+  {
+    const double factor = ratios[static_cast<Eigen::Index>(k)];
+    if (factor != 0.0)
+    {
+      all.noalias() += this->Tables[k] * (factor * factors).matrix();
+    }
+  }
+  return curve;
+}
+} // namespace palpate

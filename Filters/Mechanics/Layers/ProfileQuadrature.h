@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ProfileQuadrature_h
+#define palpate_ProfileQuadrature_h
+
+#include "AxisymmetricTool.h"
+#include "GaussLegendre.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * Quadrature of smooth functions times the reduced profile g of a tool, over contacts [0, a].
+ *
+ * The interval is cut at the kinks of g. Behind a kink b, where g may start like √(x-b), the panel
+ * [b, c] is mapped by x = b + (c-b) u², which makes the integrand smooth again. Panels that lie
+ * wholly inside a contact are evaluated once, here.
+ */
+class ProfileQuadrature
+{
+public:
+  /// `tool` must outlive the quadrature.
+  explicit ProfileQuadrature(const AxisymmetricTool& tool);
+
+  /// Whether g has a kink below a; if not, any rule on [0, a] will do.
+  bool kinkedBelow(double a) const noexcept { return !this->Kinks.empty() && this->Kinks[0] < a; }
+
+  /// Calls visit(x, weight, g(x)) for each node of the rule over [0, a].
+  template <class Visit>
+  void visit(double a, Visit&& visit) const
+  {
+    std::size_t panel = 0;
+    for (; panel < this->Kinks.size() && this->Kinks[panel] <= a; ++panel)
+    {
+      const std::size_t first = panel * static_cast<std::size_t>(this->Rule.nodes().size());
+      for (std::size_t i = first; i < first + static_cast<std::size_t>(this->Rule.nodes().size());
+           ++i)
+      {
+        visit(this->Nodes[i].x, this->Nodes[i].weight, this->Nodes[i].profile);
+      }
+    }
+    const double begin = panel == 0 ? 0.0 : this->Kinks[panel - 1];
+    if (begin < a)
+    {
+      for (Eigen::Index i = 0; i < this->Rule.nodes().size(); ++i)
+      {
+        const Node node = this->nodeOf(begin, a, i);
+        visit(node.x, node.weight, node.profile);
+      }
+    }
+  }
+
+private:
+  struct Node
+  {
+    double x;
+    double weight;
+    double profile;
+  };
+  Node nodeOf(double begin, double end, Eigen::Index i) const;
+
+  const AxisymmetricTool& Tool;
+  std::vector<double> Kinks;
+  GaussLegendre Rule;
+  std::vector<Node> Nodes; ///< of the panels between kinks, one after the other
+};
+} // namespace palpate
+
+#endif
