@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContactRegime.h"
+
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+double regimeIndex(
+  const IndentationLaw& halfSpace, double reducedModulus, double force, double deflection)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (!(force > 0.0 && deflection > 0.0 && std::isfinite(force) && std::isfinite(deflection)))
+  {
+    return nan;
+  }
+  // Newton's method on F(x) = force. F is convex: from the second step on x only falls, and one
+  // that does not fall has reached rounding.
+  double x = deflection;
+  for (int iteration = 0; iteration < 100; ++iteration)
+  {
+    const IndentationPoint at = halfSpace.evaluate(x, reducedModulus);
+    const double next = x - (at.force - force) / at.stiffness;
+    if (iteration > 0 && !(x - next > 1e-15 * x))
+    {
+      return 1.0 - next / deflection;
+    }
+    x = next;
+  }
+  return nan;
+}
+
+RegimeVerdict regimeVerdict(double sensitivity)
+{
+  // F ∝ size^S: 2^S - 1 > 10 %, 4^S - 1 < 5 %.
+  static const double felt = std::log(1.1) / std::log(2.0);
+  static const double unfelt = std::log(1.05) / std::log(4.0);
+  const double s = std::abs(sensitivity);
+  return s > felt ? RegimeVerdict::ShapeMatters
+    : s < unfelt  ? RegimeVerdict::PointForceSuffices
+                  : RegimeVerdict::Mixed;
+}
+} // namespace palpate

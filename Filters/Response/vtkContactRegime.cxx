@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkContactRegime.h"
+
+#include "AxisymmetricTool.h"
+#include "BodyConversion.h"
+#include "BodyMaterial.h"
+#include "ContactRegime.h"
+#include "ResponseField.h"
+#include "ResponseLaw.h"
+#include "ToolSpecification.h"
+#include "vtkContactTool.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace
+{
+// Of the logarithm of the size: the central difference errs by step²/6, about 2e-5.
+constexpr double SizeStep = 0.01;
+constexpr double ResponseAgreement = 0.02;
+constexpr int Samples = 8; // of laws that are never stored
+
+struct PointArrays
+{
+  vtkNew<vtkFloatArray> index;
+  vtkNew<vtkFloatArray> sensitivity;
+  vtkNew<vtkUnsignedCharArray> verdict;
+
+  explicit PointArrays(vtkIdType points)
+  {
+    const auto allocate = [points](vtkDataArray* array, const char* name)
+    {
+      array->SetName(name);
+      array->SetNumberOfTuples(points);
+    };
+    allocate(this->index, "RegimeIndex");
+    allocate(this->sensitivity, "ToolSensitivity");
+    allocate(this->verdict, "RegimeVerdict");
+  }
+};
+
+/// The laws of one tool, and of it a little smaller and larger.
+class NeighbouringLaws
+{
+public:
+  NeighbouringLaws(
+    const palpate::AxisymmetricTool& tool, const palpate::BodyMaterial& material, double deepest)
+    : Smaller(palpate::scaledTool(tool, std::exp(-SizeStep)))
+    , Larger(palpate::scaledTool(tool, std::exp(SizeStep)))
+  {
+    if (!this->Smaller || !this->Larger)
+    {
+      return;
+    }
+    this->Laws.emplace_back(tool, deepest, Samples);
+    this->Laws.emplace_back(*this->Smaller, deepest, Samples);
+    this->Laws.emplace_back(*this->Larger, deepest, Samples);
+    for (palpate::ResponseLaw& law : this->Laws)
+    {
+      if (material.hasLayers())
+      {
+        law.prepareLayers(material.layers(), material.stiffens());
+      }
+    }
+  }
+
+  bool complete() const { return !this->Laws.empty(); }
+  double force(const palpate::ContactSpot& spot, double depth) const
+  {
+    return this->Laws[0].evaluate(spot, depth).force;
+  }
+  double sensitivity(const palpate::ContactSpot& spot, double depth) const
+  {
+    const double smaller = this->Laws[1].evaluate(spot, depth).force;
+    const double larger = this->Laws[2].evaluate(spot, depth).force;
+    return std::log(larger / smaller) / (2.0 * SizeStep);
+  }
+
+private:
+  std::unique_ptr<palpate::AxisymmetricTool> Smaller;
+  std::unique_ptr<palpate::AxisymmetricTool> Larger;
+  std::vector<palpate::ResponseLaw> Laws;
+};
+
+/// What of the stored response is not of this material, or "".
+std::string compare(const palpate::ResponseArrays& arrays, const NeighbouringLaws& laws,
+  const palpate::ResponseMaterial& material, const std::vector<double>& depths)
+{
+  const palpate::ResponseField stored(arrays);
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
+    const double range = arrays.range[i];
+    if (!stored.isValid(point) || depths[i] < 0.01 * range || depths[i] > range)
+    {
+      continue;
+    }
+    const double expected = laws.force(material.at(static_cast<vtkIdType>(i)), depths[i]);
+    const double force = stored.evaluate(point, depths[i]).force;
+    if (std::abs(force - expected) > ResponseAgreement * expected)
+    {
+      return "point " + std::to_string(i) + " at " + std::to_string(depths[i]) + " mm gives " +
+        std::to_string(force) + " N, the material given here " + std::to_string(expected) + " N";
+    }
+  }
+  return {};
+}
+} // namespace
+
+vtkStandardNewMacro(vtkContactRegime);
+
+vtkContactRegime::vtkContactRegime() = default;
+vtkContactRegime::~vtkContactRegime() = default;
+
+void vtkContactRegime::SetTool(vtkContactTool* tool)
+{
+  if (this->Tool != tool)
+  {
+    this->Tool = tool;
+    this->Modified();
+  }
+}
+
+vtkContactTool* vtkContactRegime::GetTool()
+{
+  return this->Tool;
+}
+
+vtkMTimeType vtkContactRegime::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
+}
+
+vtkSmartPointer<vtkContactTool> vtkContactRegime::FindTool(vtkPolyData* body)
+{
+  if (this->Tool)
+  {
+    return this->Tool;
+  }
+  const std::string specification = palpate::responseText(body, this->ResponseName, "Tool");
+  auto named = vtkSmartPointer<vtkContactTool>::New();
+  if (specification.empty() || !named->SetSpecification(specification))
+  {
+    vtkErrorMacro(<< "No Tool is set, and the field array '" << this->ResponseName
+                  << "Tool' names none.");
+    return nullptr;
+  }
+  return named;
+}
+
+bool vtkContactRegime::FindDepths(vtkPolyData* body, std::vector<double>& depths)
+{
+  if (!(std::isfinite(this->Deflection) && this->Deflection >= 0.0))
+  {
+    vtkErrorMacro(<< "Deflection must be finite and not negative (mm, 0 for half of Range), but is "
+                  << this->Deflection << ".");
+    return false;
+  }
+  depths.assign(static_cast<std::size_t>(body->GetNumberOfPoints()), this->Deflection);
+  if (this->Deflection > 0.0)
+  {
+    return true;
+  }
+  vtkDataArray* range = body->GetPointData()->GetArray((this->ResponseName + "Range").c_str());
+  if (!range || range->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro(<< "Deflection is 0, which means half of the point array '" << this->ResponseName
+                  << "Range', but the input has none: attach a response, or set Deflection.");
+    return false;
+  }
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    depths[i] = 0.5 * range->GetTuple1(static_cast<vtkIdType>(i));
+    if (!(depths[i] > 0.0 && std::isfinite(depths[i])))
+    {
+      vtkErrorMacro(<< "Array '" << this->ResponseName << "Range': value of point " << i
+                    << " must be positive and finite (mm), but is " << 2.0 * depths[i] << ".");
+      return false;
+    }
+  }
+  return true;
+}
+
+int vtkContactRegime::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!body || body->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const vtkSmartPointer<vtkContactTool> tool = this->FindTool(body);
+  const palpate::AxisymmetricTool* kernel = tool ? tool->GetKernel() : nullptr;
+  std::vector<double> depths;
+  if (!kernel || !this->FindDepths(body, depths))
+  {
+    return 0;
+  }
+  palpate::BodyMaterial material({ this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
+    static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer });
+  const std::string wrongMaterial = material.read(
+    this, body, [this, body](int index) { return this->GetInputArrayToProcess(index, body); });
+  if (!wrongMaterial.empty())
+  {
+    vtkErrorMacro(<< wrongMaterial << ".");
+    return 0;
+  }
+  const double deepest = *std::max_element(depths.begin(), depths.end());
+  const std::string tooDeep = kernel->checkDepth(deepest);
+  if (!tooDeep.empty())
+  {
+    vtkErrorMacro(<< tooDeep << ".");
+    return 0;
+  }
+  const NeighbouringLaws laws(*kernel, material, deepest);
+  if (!laws.complete())
+  {
+    vtkErrorMacro(<< "Tool '" << kernel->specification() << "' cannot be scaled.");
+    return 0;
+  }
+
+  const palpate::ResponseMaterial spots = material.view();
+  palpate::ResponseArrays stored;
+  std::string noResponse;
+  if (palpate::responseText(body, this->ResponseName, "Tool") == kernel->specification() &&
+    palpate::viewResponse(body, this->ResponseName, stored, noResponse))
+  {
+    const std::string disagreement = compare(stored, laws, spots, depths);
+    if (!disagreement.empty())
+    {
+      vtkErrorMacro(<< "Response '" << this->ResponseName
+                    << "' is of another material: " << disagreement << ".");
+      return 0;
+    }
+  }
+
+  PointArrays arrays(body->GetNumberOfPoints());
+  vtkSMPTools::For(0, body->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const double depth = depths[static_cast<std::size_t>(i)];
+        const palpate::ContactSpot spot = spots.at(i);
+        const double sensitivity = laws.sensitivity(spot, depth);
+        const double index =
+          palpate::regimeIndex(*kernel, spot.reducedModulus, laws.force(spot, depth), depth);
+        arrays.index->SetValue(i, static_cast<float>(index));
+        arrays.sensitivity->SetValue(i, static_cast<float>(sensitivity));
+        arrays.verdict->SetValue(i,
+          std::isnan(index) ? 0 : static_cast<unsigned char>(palpate::regimeVerdict(sensitivity)));
+      }
+    });
+
+  output->ShallowCopy(body);
+  output->GetPointData()->AddArray(arrays.index);
+  output->GetPointData()->AddArray(arrays.sensitivity);
+  output->GetPointData()->AddArray(arrays.verdict);
+  vtkNew<vtkDoubleArray> at;
+  at->SetName("RegimeDeflection");
+  at->InsertNextValue(deepest);
+  output->GetFieldData()->AddArray(at);
+  return 1;
+}
+
+void vtkContactRegime::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tool: " << this->Tool.Get() << "\n";
+  os << indent << "Deflection: " << this->Deflection << " mm\n";
+  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
+  os << indent << "LayerBase: " << this->LayerBase << "\n";
+  os << indent << "ComplianceExcludesLayer: " << this->ComplianceExcludesLayer << "\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkContactRegime
+ * @brief whether a body gives way locally or globally under a tool, and so whether its shape
+ * matters
+ *
+ * Input: the body, with the material that its response was made of: the same properties and arrays
+ * to process as vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance,
+ * 3 Poisson's ratio). Output: the body with, per point and for the tool pressed `Deflection` deep,
+ * - `RegimeIndex` (float): λ = 1 - δ_hs(F)/δ, δ_hs the depth of the same tool under the same force
+ *   on a half-space of the same modulus. At most 1: near 0 where deformation is local, near 1 where
+ *   it is global, negative where a near base stiffens the body;
+ * - `ToolSensitivity` (float): S = dlnF/dln(size) at fixed δ, size the common scale of the tool's
+ *   lengths (sphere: R; flat: its radius; a cone, which has none: tan α);
+ * - `RegimeVerdict` (uint8): 0 shape matters (a tool twice as large changes the force by more than
+ *   10 %, the just noticeable difference), 1 mixed, 2 a point force suffices (a tool four times as
+ *   large changes it by less than 5 %). It rests on S, not on λ: on a layer λ < 0, and size matters
+ *   more than on a half-space. It judges a change of size; a flat beside a sphere may differ a
+ *   little more: 7 % between the paper's tools where all three had verdict 2
+ *   (Testing/Studies/paper, Figure 5).
+ * - field array `RegimeDeflection` (double, mm; the largest, where it follows Range): λ and S
+ *   depend on the load, so a number without its depth says nothing.
+ *
+ * NaN, and verdict 0, where there is no stable contact (compliance folds the curve, layer too
+ * thin).
+ *
+ * Deflection 0 (default): half of the array `<ResponseName>Range` at each point; without that array
+ * an error. Where the body carries the response `ResponseName` of the same tool, its force at
+ * that depth must agree with the material given here to 2 %, otherwise an error names the point:
+ * a regime of another body than the one that is felt is worse than none. (2 %: the storage error of
+ * a response in series; depths below a hundredth of Range are not compared.)
+ *
+ * Sources: St. Venant, Castigliano; Mahvash and Hayward 2002, section 2. Cost: three times that of
+ * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools, same bits for any number.
+ *
+ * @sa vtkToolContactResponse vtkElasticCompliance
+ */
+#ifndef vtkContactRegime_h
+#define vtkContactRegime_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkContactTool;
+
+namespace palpate
+{
+class AxisymmetricTool;
+class BodyMaterial;
+} // namespace palpate
+
+class PALPATERESPONSE_EXPORT vtkContactRegime : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkContactRegime* New();
+  vtkTypeMacro(vtkContactRegime, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The tool; default: the one the response names. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  ///@{
+  /** Depth of the verdict, mm; 0 (default) for half of the response's Range at each point. */
+  vtkSetMacro(Deflection, double);
+  vtkGetMacro(Deflection, double);
+  ///@}
+
+  ///@{
+  /** As in vtkToolContactResponse, with the same defaults. */
+  vtkSetMacro(YoungsModulus, double);
+  vtkGetMacro(YoungsModulus, double);
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  vtkSetMacro(LayerThickness, double);
+  vtkGetMacro(LayerThickness, double);
+  vtkSetClampMacro(LayerBase, int, 0, 1);
+  vtkGetMacro(LayerBase, int);
+  vtkSetMacro(ComplianceExcludesLayer, bool);
+  vtkGetMacro(ComplianceExcludesLayer, bool);
+  vtkBooleanMacro(ComplianceExcludesLayer, bool);
+  ///@}
+
+  ///@{
+  /** Prefix of the response arrays. Default "Response". */
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkContactRegime();
+  ~vtkContactRegime() override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkContactRegime(const vtkContactRegime&) = delete;
+  void operator=(const vtkContactRegime&) = delete;
+
+  vtkSmartPointer<vtkContactTool> FindTool(vtkPolyData* body);
+  bool FindDepths(vtkPolyData* body, std::vector<double>& depths);
+
+  vtkSmartPointer<vtkContactTool> Tool;
+  double Deflection = 0.0;
+  double YoungsModulus = 0.1;
+  double PoissonRatio = 0.45;
+  double LayerThickness = 0.0;
+  int LayerBase = 0;
+  bool ComplianceExcludesLayer = false;
+  std::string ResponseName = "Response";
+};
+
+#endif
