@@ -18,4 +18,5 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/PalpateConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES
   "${CMAKE_BINARY_DIR}/PalpateConfig.cmake" "${CMAKE_BINARY_DIR}/PalpateConfigVersion.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake"
   DESTINATION "${palpate_cmake_dir}")

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ElasticBody_h
+#define palpate_ElasticBody_h
+
+#include "BodySurface.h"
+#include "StiffnessFactor.h"
+
+namespace palpate
+{
+/// What a linear elastic body is made of and what holds it; mm, N, MPa.
+struct ElasticBodyInput
+{
+  VolumeMesh mesh;
+  std::vector<ElasticMaterial> materials; ///< one per element, or one for all
+  std::vector<unsigned char> fixed;       ///< per node: FixedX | FixedY | FixedZ
+};
+
+/**
+ * A linear elastic body under small loads: mesh, surface, stiffness and its factor.
+ *
+ * To be called in this order: assemble(), analyse(), factorise(); then it answers any number of
+ * questions. One that has returned an error is not to be used further.
+ */
+class ElasticBody
+{
+public:
+  /// Takes the input over and sums its stiffness. Returns what is wrong (inverted elements,
+  /// a floating part, E or ν out of range; elements and nodes by index), or "".
+  std::string assemble(ElasticBodyInput input);
+
+  /// Chooses the order of elimination: from then on memoryEstimate() tells what factorise() takes.
+  std::string analyse(StiffnessFactor::Kind kind);
+  double memoryEstimate() const; ///< bytes
+  std::string factorise();
+
+  const VolumeMesh& mesh() const { return this->Input.mesh; }
+  const MeshTopology& topology() const { return this->Topology; }
+  const BodySurface& surface() const { return this->Surface; }
+  const StiffnessFactor& factor() const { return *this->Factor; }
+  int unknowns() const { return static_cast<int>(this->Stiffness.lower.rows()); }
+  /// The unknown of a node's direction, or -1 if it is fixed.
+  int unknown(std::int32_t node, int axis) const
+  {
+    return this->Stiffness.dof[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis)];
+  }
+
+  /// Mean E and ν of the elements that meet at a node.
+  ElasticMaterial materialAt(std::int32_t node) const;
+
+  /// Displacement of every node (3 × nodes, mm) under forces on nodes (3 × nodes, N).
+  Eigen::Matrix3Xd displacement(const Eigen::Matrix3Xd& forces) const;
+
+private:
+  std::string checkInput() const;
+
+  ElasticBodyInput Input;
+  MeshTopology Topology;
+  BodySurface Surface;
+  StiffnessMatrix Stiffness;
+  std::unique_ptr<StiffnessFactor> Factor;
+};
+} // namespace palpate
+
+#endif

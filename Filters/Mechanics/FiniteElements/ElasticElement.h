@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Stiffness of one element of linear isotropic elasticity, small strains; mm, N, MPa.
+ *
+ * Hexahedron: trilinear with the nine incompatible modes 1-ξ², 1-η², 1-ζ² condensed inside the
+ * element (Wilson et al. 1973; the Jacobian at the centre as Taylor, Beresford and Wilson 1976, so
+ * that it passes the patch test). It bends without shear locking, and does not lock as ν → 0.5.
+ * Quadratic tetrahedron: four Gauss points, exact for straight edges; does not lock either.
+ * Linear tetrahedron: constant strain. It locks: far too stiff as ν → 0.5 and in bending; it is
+ * there for meshes that have nothing better.
+ */
+#ifndef palpate_ElasticElement_h
+#define palpate_ElasticElement_h
+
+#include "VolumeMesh.h"
+
+namespace palpate
+{
+/// Young's modulus E (MPa) > 0 and Poisson's ratio 0 <= ν <= LargestPoissonRatio.
+struct ElasticMaterial
+{
+  double youngsModulus = 1.0;
+  double poissonRatio = 0.3;
+};
+
+/// Displacement elements need a compressible material.
+constexpr double LargestPoissonRatio = 0.499;
+
+using ElementNodes = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, LargestNodeCount>;
+using ElementMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * LargestNodeCount,
+  3 * LargestNodeCount>;
+
+/// The positions of an element's nodes, 3 × n.
+ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeElement& element);
+
+/// Stiffness, 3n × 3n, node by node (x, y, z). False when the element is inverted: a Jacobian that
+/// is not positive at an integration point.
+bool elementStiffness(
+  ElementKind kind, const ElementNodes& nodes, const ElasticMaterial& material, ElementMatrix& k);
+
+/// The smallest Jacobian determinant over the integration points; not positive: inverted.
+double smallestJacobian(ElementKind kind, const ElementNodes& nodes);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchCompliance.h"
+
+#include "MissedEnergy.h"
+#include "PatchSelfTerm.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+#include <thread>
+#include <unordered_map>
+
+namespace palpate
+{
+namespace
+{
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Shares of the work: patches and cut-outs, self-terms, body.
+constexpr double CutDone = 0.1;
+constexpr double SelfTermsDone = 0.3;
+
+/// Calls work(i) for i < count on all cores, in blocks between which the observer is asked.
+template <class Work>
+bool forAll(std::size_t count, const WorkObserver& observer, double from, double to, Work&& work)
+{
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  constexpr std::size_t block = 512;
+  for (std::size_t first = 0; first < count; first += block)
+  {
+    const std::size_t last = std::min(first + block, count);
+    std::atomic<std::size_t> next{ first };
+    const auto run = [&]
+    {
+      for (std::size_t i = next++; i < last; i = next++)
+      {
+        work(i);
+      }
+    };
+    std::vector<std::thread> others;
+    for (std::size_t t = 1; t < std::min(threads, last - first); ++t)
+    {
+      others.emplace_back(run);
+    }
+    run();
+    for (std::thread& other : others)
+    {
+      other.join();
+    }
+    if (!observer(from + (to - from) * static_cast<double>(last) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// One point on its way: its two loads, its cut-out by the key.
+struct Site
+{
+  PatchStatus status = PatchStatus::Valid;
+  std::array<PatchLoad, 2> loads;
+  PatchKey key{};
+  double missedShare = 0.0;
+};
+
+double radiusAt(const ElasticBody& body, std::int32_t point, double radius)
+{
+  return radius > 0.0 ? radius : PatchSpacings * body.surface().spacing(point);
+}
+
+bool isFixedAlong(const ElasticBody& body, std::int32_t node, const Eigen::Vector3d& direction)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (body.unknown(node, axis) < 0 && std::abs(direction[axis]) > 1e-6)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void prepareSite(const ElasticBody& body, std::int32_t point, double radius, Site& site)
+{
+  const BodySurface& surface = body.surface();
+  const Eigen::Vector3d& normal = surface.normal(point);
+  if (normal.isZero() || !(surface.spacing(point) > 0.0))
+  {
+    site.status = PatchStatus::Degenerate;
+    return;
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    site.loads[k] = makePatchLoad(
+      body.mesh(), surface, point, (k == 0 ? 1.0 : 2.0) * radiusAt(body, point, radius));
+    if (!site.loads[k].complete)
+    {
+      site.status = PatchStatus::Edge;
+      return;
+    }
+    for (const auto& entry : site.loads[k].nodes)
+    {
+      if (isFixedAlong(body, entry.first, normal))
+      {
+        site.status = PatchStatus::OutOfReach;
+        return;
+      }
+    }
+  }
+}
+
+SparseLoad sparseLoad(
+  const ElasticBody& body, const Eigen::Vector3d& normal, const PatchLoad& patch)
+{
+  SparseLoad load;
+  for (const auto& [node, share] : patch.nodes)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int unknown = body.unknown(node, axis);
+      if (unknown >= 0 && normal[axis] != 0.0)
+      {
+        load.emplace_back(unknown, -share * normal[axis]);
+      }
+    }
+  }
+  return load;
+}
+
+LocalPatch cutAt(
+  const ElasticBody& body, std::int32_t point, double radius, const std::array<PatchLoad, 2>& loads)
+{
+  const BodySurface& surface = body.surface();
+  // A wider patch than the automatic one needs a wider cut.
+  const double unit =
+    std::max(surface.spacing(point), radiusAt(body, point, radius) / PatchSpacings);
+  return cutOut(body.mesh(), body.topology(), surface, point, loads,
+    { CutReach[0] * unit, CutReach[1] * unit }, body.materialAt(surface.node(point)).poissonRatio);
+}
+
+using TermsByKey = std::map<PatchKey, SelfTerms>;
+
+/// The self-terms of all cut-outs, each of the different ones once.
+bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& points, double radius,
+  std::vector<Site>& sites, const WorkObserver& observer, TermsByKey& terms)
+{
+  const MissedEnergy missed(body.mesh());
+  if (!forAll(points.size(), observer, 0.0, CutDone,
+        [&](std::size_t i)
+        {
+          Site& site = sites[i];
+          prepareSite(body, points[i], radius, site);
+          if (site.status == PatchStatus::Valid)
+          {
+            const LocalPatch patch = cutAt(body, points[i], radius, site.loads);
+            site.key = patchKey(patch);
+            site.missedShare = missed.share(body.surface().position(points[i]), patch);
+          }
+        }))
+  {
+    return false;
+  }
+  std::vector<std::pair<std::size_t, SelfTerms*>>
+    jobs; // the first site of each kind stands for all
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if (sites[i].status == PatchStatus::Valid)
+    {
+      const auto [at, isNew] = terms.try_emplace(sites[i].key);
+      if (isNew)
+      {
+        jobs.emplace_back(i, &at->second);
+      }
+    }
+  }
+  return forAll(jobs.size(), observer, CutDone, SelfTermsDone,
+    [&](std::size_t j)
+    {
+      const auto& [site, result] = jobs[j];
+      *result = patchSelfTerms(cutAt(body, points[site], radius, sites[site].loads));
+    });
+}
+} // namespace
+
+PatchCompliances patchCompliances(const ElasticBody& body, const std::vector<std::int32_t>& points,
+  double radius, const WorkObserver& observer)
+{
+  const BodySurface& surface = body.surface();
+  const auto total = static_cast<std::size_t>(surface.pointTotal());
+  std::vector<Site> sites(points.size());
+  TermsByKey terms;
+  if (!findSelfTerms(body, points, radius, sites, observer, terms))
+  {
+    return {};
+  }
+  std::vector<SparseLoad> loads(2 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 2 && sites[i].status == PatchStatus::Valid; ++k)
+    {
+      loads[2 * i + k] = sparseLoad(body, surface.normal(points[i]), sites[i].loads[k]);
+    }
+  }
+  const std::vector<double> whole = body.factor().compliances(loads,
+    [&observer](double done) { return observer(SelfTermsDone + (1.0 - SelfTermsDone) * done); });
+  if (whole.size() != loads.size())
+  {
+    return {};
+  }
+
+  PatchCompliances result;
+  result.compliance.assign(total, NotANumber);
+  result.status.assign(total, PatchStatus::Degenerate);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto point = static_cast<std::size_t>(points[i]);
+    Site& site = sites[i];
+    result.status[point] = site.status;
+    if (site.status != PatchStatus::Valid)
+    {
+      continue;
+    }
+    const double modulus = body.materialAt(surface.node(points[i])).youngsModulus;
+    const SelfTerms& cuts = terms.at(site.key);
+    std::array<double, 2> structural{};
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const double self = cuts[1][k] + site.missedShare * (cuts[1][k] - cuts[0][k]);
+      structural[k] = whole[2 * i + k] - self / modulus;
+    }
+    result.compliance[point] = (4.0 * structural[0] - structural[1]) / 3.0;
+    if (!std::isfinite(result.compliance[point]))
+    {
+      result.compliance[point] = NotANumber;
+      result.status[point] = PatchStatus::Degenerate;
+    }
+  }
+  return result;
+}
+
+Eigen::Matrix3Xd patchForces(const ElasticBody& body, std::int32_t point, double radius)
+{
+  const BodySurface& surface = body.surface();
+  const Eigen::Vector3d inward = -surface.normal(point);
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, body.mesh().nodes.cols());
+  const PatchLoad load = makePatchLoad(body.mesh(), surface, point, radiusAt(body, point, radius));
+  if (!load.complete)
+  {
+    forces.col(surface.node(point)) = inward;
+    return forces;
+  }
+  for (const auto& [node, share] : load.nodes)
+  {
+    forces.col(node) = share * inward;
+  }
+  return forces;
+}
+
+void spreadValidCompliances(const BodySurface& surface, PatchCompliances& compliances)
+{
+  constexpr int wanted = 6;
+  using Entry = std::pair<double, std::int32_t>;
+  const std::vector<double> given = compliances.compliance;
+  const auto isValid = [&compliances](std::int32_t point)
+  { return compliances.status[static_cast<std::size_t>(point)] == PatchStatus::Valid; };
+  for (std::int32_t point = 0; point < surface.pointTotal(); ++point)
+  {
+    if (isValid(point))
+    {
+      continue;
+    }
+    std::unordered_map<std::int32_t, double> distance = { { point, 0.0 } };
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    front.emplace(0.0, point);
+    double sum = 0.0;
+    double weights = 0.0;
+    for (int found = 0; found < wanted && !front.empty();)
+    {
+      const auto [away, at] = front.top();
+      front.pop();
+      if (away > distance.at(at))
+      {
+        continue;
+      }
+      if (isValid(at))
+      {
+        const double weight = 1.0 / std::max(away * away, 1e-300);
+        sum += weight * given[static_cast<std::size_t>(at)];
+        weights += weight;
+        ++found;
+        continue; // what lies behind it is told by it
+      }
+      for (const std::int32_t* t = surface.trianglesBegin(at); t != surface.trianglesEnd(at); ++t)
+      {
+        for (const std::int32_t next : surface.triangle(*t))
+        {
+          const double length = away + (surface.position(next) - surface.position(at)).norm();
+          const auto [known, isNew] = distance.emplace(next, length);
+          if (isNew || length < known->second)
+          {
+            known->second = length;
+            front.emplace(length, next);
+          }
+        }
+      }
+    }
+    compliances.compliance[static_cast<std::size_t>(point)] =
+      weights > 0.0 ? sum / weights : NotANumber;
+  }
+}
+} // namespace palpate

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The compliance a patch load would have on a half-space of the same elements.
+ *
+ * The energy of a patch on a body is that of the patch on a half-space (16/(3π²E*c) for a disc of
+ * radius c, and large) plus what the body's shape and supports add, which is sought. Elements of
+ * the size of the patch miss the large part by per cents, more than all of what is sought. So it is
+ * taken from the same elements: those within `reach` of the point are cut out, flattened so that
+ * their free surface is the plane z = 0 (what curvature adds stays in the body's energy), made of
+ * one material, loaded by the same nodal forces, and given the exact displacement of the half-space
+ * (Boussinesq 1885, summed over the load) wherever they were cut or the body ends. The missing
+ * energy is then the same in both and cancels.
+ *
+ * Linear elements miss some more beyond the cut, h² ∫ r⁻⁶ dV in proportion (the square of the
+ * second derivative of the strain of 1/r). Two cuts, one within the other, tell the factor; the
+ * elements of the body beyond, the integral.
+ *
+ * On regular grids most cut-outs are alike: equal ones (to 1e-7 of the spacing) are computed once.
+ */
+#ifndef palpate_PatchSelfTerm_h
+#define palpate_PatchSelfTerm_h
+
+#include "ElasticElement.h"
+#include "PatchCut.h"
+
+namespace palpate
+{
+/// Compliances (mm/N) for E = 1 MPa, by cut and load; NaN when an element is inverted by
+/// flattening.
+using SelfTerms = std::array<std::array<double, 2>, 2>;
+SelfTerms patchSelfTerms(const LocalPatch& patch);
+} // namespace palpate
+
+#endif

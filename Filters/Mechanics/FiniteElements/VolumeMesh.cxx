@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeMesh.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::array<ElementFace, 6> HexahedronFaces = { { { 4, 4, { 0, 4, 7, 3 } },
+  { 4, 4, { 1, 2, 6, 5 } }, { 4, 4, { 0, 1, 5, 4 } }, { 4, 4, { 3, 7, 6, 2 } },
+  { 4, 4, { 0, 3, 2, 1 } }, { 4, 4, { 4, 5, 6, 7 } } } };
+constexpr std::array<ElementFace, 4> TetrahedronFaces = { { { 3, 3, { 0, 1, 3 } },
+  { 3, 3, { 1, 2, 3 } }, { 3, 3, { 2, 0, 3 } }, { 3, 3, { 0, 2, 1 } } } };
+constexpr std::array<ElementFace, 4> QuadraticFaces = { { { 3, 6, { 0, 1, 3, 4, 8, 7 } },
+  { 3, 6, { 1, 2, 3, 5, 9, 8 } }, { 3, 6, { 2, 0, 3, 6, 7, 9 } },
+  { 3, 6, { 0, 2, 1, 6, 5, 4 } } } };
+
+struct FaceRecord
+{
+  std::array<std::int32_t, 4> corners; // sorted
+  std::int32_t element;
+  int face;
+};
+} // namespace
+
+int nodeCount(ElementKind kind)
+{
+  return kind == ElementKind::Hexahedron ? 8 : kind == ElementKind::Tetrahedron ? 4 : 10;
+}
+
+int faceCount(ElementKind kind)
+{
+  return kind == ElementKind::Hexahedron ? 6 : 4;
+}
+
+const ElementFace& elementFace(ElementKind kind, int face)
+{
+  const auto f = static_cast<std::size_t>(face);
+  return kind == ElementKind::Hexahedron ? HexahedronFaces[f]
+    : kind == ElementKind::Tetrahedron   ? TetrahedronFaces[f]
+                                         : QuadraticFaces[f];
+}
+
+Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const int count = nodeCount(element.kind);
+  for (int i = 0; i < count; ++i)
+  {
+    sum += mesh.nodes.col(element.nodes[static_cast<std::size_t>(i)]);
+  }
+  return sum / count;
+}
+
+std::string MeshTopology::build(const VolumeMesh& mesh)
+{
+  std::vector<FaceRecord> faces;
+  faces.reserve(mesh.elements.size() * 6);
+  this->NodeOffset.assign(static_cast<std::size_t>(mesh.nodeTotal()) + 1, 0);
+  for (std::int32_t e = 0; e < mesh.elementTotal(); ++e)
+  {
+    const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
+    for (int f = 0; f < faceCount(element.kind); ++f)
+    {
+      const ElementFace& face = elementFace(element.kind, f);
+      FaceRecord record{ { -1, -1, -1, -1 }, e, f };
+      for (std::size_t i = 0; i < static_cast<std::size_t>(face.corners); ++i)
+      {
+        record.corners[i] = element.nodes[static_cast<std::size_t>(face.node[i])];
+      }
+      std::sort(record.corners.begin(), record.corners.end());
+      faces.push_back(record);
+    }
+    for (int i = 0; i < nodeCount(element.kind); ++i)
+    {
+      ++this->NodeOffset[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]) + 1];
+    }
+  }
+  // Equal faces side by side, each pair and the boundary in the order of the elements.
+  std::vector<std::size_t> order(faces.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    order[i] = i;
+  }
+  std::sort(order.begin(), order.end(),
+    [&faces](std::size_t a, std::size_t b)
+    { return faces[a].corners != faces[b].corners ? faces[a].corners < faces[b].corners : a < b; });
+
+  this->Across.assign(mesh.elements.size(), { -1, -1, -1, -1, -1, -1 });
+  std::vector<unsigned char> paired(faces.size(), 0);
+  for (std::size_t i = 0; i + 1 < order.size(); ++i)
+  {
+    const FaceRecord& a = faces[order[i]];
+    const FaceRecord& b = faces[order[i + 1]];
+    if (a.corners != b.corners)
+    {
+      continue;
+    }
+    if (i + 2 < order.size() && faces[order[i + 2]].corners == a.corners)
+    {
+      return "more than two cells share a face: cells " + std::to_string(a.element) + ", " +
+        std::to_string(b.element) + ", " + std::to_string(faces[order[i + 2]].element);
+    }
+    this->Across[static_cast<std::size_t>(a.element)][static_cast<std::size_t>(a.face)] = b.element;
+    this->Across[static_cast<std::size_t>(b.element)][static_cast<std::size_t>(b.face)] = a.element;
+    paired[order[i]] = paired[order[i + 1]] = 1;
+  }
+  this->Boundary.clear();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (!paired[i])
+    {
+      this->Across[static_cast<std::size_t>(faces[i].element)][static_cast<std::size_t>(
+        faces[i].face)] = -1 - static_cast<std::int32_t>(this->Boundary.size());
+      this->Boundary.push_back({ faces[i].element, faces[i].face });
+    }
+  }
+
+  for (std::size_t i = 1; i < this->NodeOffset.size(); ++i)
+  {
+    this->NodeOffset[i] += this->NodeOffset[i - 1];
+  }
+  this->NodeElements.resize(this->NodeOffset.back());
+  std::vector<std::size_t> next(this->NodeOffset.begin(), this->NodeOffset.end() - 1);
+  for (std::int32_t e = 0; e < mesh.elementTotal(); ++e)
+  {
+    const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
+    for (int i = 0; i < nodeCount(element.kind); ++i)
+    {
+      this->NodeElements[next[static_cast<std::size_t>(
+        element.nodes[static_cast<std::size_t>(i)])]++] = e;
+    }
+  }
+  return {};
+}
+} // namespace palpate

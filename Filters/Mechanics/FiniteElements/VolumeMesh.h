@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_VolumeMesh_h
+#define palpate_VolumeMesh_h
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Corner and mid-edge nodes are numbered as in VTK_HEXAHEDRON, VTK_TETRA and VTK_QUADRATIC_TETRA.
+enum class ElementKind : std::uint8_t
+{
+  Hexahedron,
+  Tetrahedron,
+  QuadraticTetrahedron
+};
+
+constexpr int LargestNodeCount = 10;
+
+int nodeCount(ElementKind kind);
+int faceCount(ElementKind kind);
+
+/// One side of an element, by the element's own node numbers: corners counter-clockwise seen from
+/// outside, then mid-edge nodes, the first one between the first two corners.
+struct ElementFace
+{
+  int corners = 0; ///< 3 or 4
+  int nodes = 0;   ///< 3, 4 or 6
+  std::array<int, 6> node{};
+};
+const ElementFace& elementFace(ElementKind kind, int face);
+
+struct VolumeElement
+{
+  ElementKind kind = ElementKind::Hexahedron;
+  std::array<std::int32_t, LargestNodeCount> nodes{};
+};
+
+/// A body as nodes (mm) and elements that share them.
+struct VolumeMesh
+{
+  Eigen::Matrix3Xd nodes;
+  std::vector<VolumeElement> elements;
+
+  std::int32_t nodeTotal() const { return static_cast<std::int32_t>(this->nodes.cols()); }
+  std::int32_t elementTotal() const { return static_cast<std::int32_t>(this->elements.size()); }
+};
+
+/// The mean of an element's nodes.
+Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element);
+
+/// A side of the body: face `face` of element `element`.
+struct BoundaryFace
+{
+  std::int32_t element = 0;
+  int face = 0;
+};
+
+/**
+ * Which elements lie beside each other, and which sides are the body's own.
+ *
+ * Two elements are neighbours when a face of one has the corner nodes of a face of the other. A
+ * face of more than two elements is a fault. Cost: one sort of all faces.
+ */
+class MeshTopology
+{
+public:
+  /// Returns what is wrong, or "".
+  std::string build(const VolumeMesh& mesh);
+
+  /// Across a face: the neighbour (>= 0), or -1 - b where b is the index of the boundary face.
+  std::int32_t across(std::int32_t element, int face) const
+  {
+    return this->Across[static_cast<std::size_t>(element)][static_cast<std::size_t>(face)];
+  }
+  const std::vector<BoundaryFace>& boundary() const { return this->Boundary; }
+
+  /// The elements that meet at a node: first and one past the last.
+  const std::int32_t* elementsBegin(std::int32_t node) const
+  {
+    return this->NodeElements.data() + this->NodeOffset[static_cast<std::size_t>(node)];
+  }
+  const std::int32_t* elementsEnd(std::int32_t node) const
+  {
+    return this->NodeElements.data() + this->NodeOffset[static_cast<std::size_t>(node) + 1];
+  }
+
+private:
+  std::vector<std::array<std::int32_t, 6>> Across;
+  std::vector<BoundaryFace> Boundary;
+  std::vector<std::size_t> NodeOffset;
+  std::vector<std::int32_t> NodeElements;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkElasticCompliance
+ * @brief how far a body as a whole gives way per force, at each point of its surface
+ *
+ * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
+ * cells in mm, with the point array `Fixed` (one component; the bits 1, 2, 4 hold a point along x,
+ * y, z). Cells hang together by shared points. Any other cell, an inverted one, a part that its
+ * fixed points leave free to move, and E or ν out of range are errors that name cell and value.
+ * Empty input gives empty output.
+ *
+ * Output: the body's outer surface, inner cavities included, as triangles (quadrilaterals split in
+ * two, quadratic faces in four) with the input's point arrays and
+ * - `GlobalCompliance` (double, mm/N): C_g, to be put in series with the law of a tool on a
+ *   half-space, δ = δ_local(F) + C_g F; array to process 2 of vtkToolContactResponse. Negative
+ * where a near support stiffens the contact;
+ * - `ComplianceStatus` (uint8): 0 Valid; 5 Edge: the surface turns by more than 30° under the
+ * patch; 4 OutOfReach: the patch lies on fixed points; 1 Degenerate. Where it is not 0 the
+ * compliance is interpolated from the six nearest valid points along the surface, weighted by
+ * 1/distance², NaN in a part of the surface that has none;
+ * - `OriginalPointIds` (vtkIdType): the points of the input;
+ * - `LoadedDisplacement` (double 3, mm), if LoadedPoint is set: the motion of the whole surface
+ * under LoadForce on the patch of that point, towards the body. Within about a patch radius of the
+ * point it is that of the patch, not of a tool.
+ *
+ * **Method.** By Castigliano, the mean displacement of a uniform patch of normal load is twice its
+ * energy, bᵀK⁻¹b; what the same patch gives on a half-space of the same elements is taken off, so
+ * that the errors of the elements under the patch cancel (palpate::patchCompliances,
+ * PatchSelfTerm). What remains is C_g with a bias in the square of the patch radius, which two
+ * radii take away. E* of the half-space is that of the point: the mean E and ν of the cells that
+ * meet there. Where E changes within a few cells under the point, the tool's own law on that E* is
+ * no longer local to it, and C_g depends on the mesh.
+ *
+ * **Accuracy.** Layers and plates with six or more hexahedra (three or more quadratic tetrahedra)
+ * through the thickness: within 2 %, second order in the size of the cells. The hexahedron carries
+ * incompatible modes (Wilson et al. 1973, Taylor et al. 1976) and neither locks in bending nor near
+ * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4, nor in bending. Quadratic
+ * tetrahedra lose some per cent beyond ν = 0.47, in the half-space term.
+ *
+ * **Cost.** One Cholesky factorisation and, for all points and both radii of a body of 95 thousand
+ * unknowns, 1.6 times as much again where cells form a regular grid; the half-space terms of
+ * irregular meshes, where no two points are alike, take about 8 ms per point and core
+ * (`./run bench --benchmark_filter=ElasticCompliance`).
+ * CHOLMOD with OpenBLAS if Palpate was built with it, Eigen otherwise, some hundred times slower.
+ * The memory of the factor is known before it is computed, and refused beyond MemoryLimit. Abort is
+ * seen between steps, not during the factorisation. Results do not depend on the number of this
+ * filter's threads; different numbers of BLAS threads may differ by 1e-9.
+ *
+ * @sa vtkVoxelBody vtkToolContactResponse
+ */
+#ifndef vtkElasticCompliance_h
+#define vtkElasticCompliance_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+
+class PALPATERESPONSE_EXPORT vtkElasticCompliance : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkElasticCompliance* New();
+  vtkTypeMacro(vtkElasticCompliance, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SolverKind
+  {
+    Automatic = 0,
+    Supernodal = 1,
+    Simplicial = 2
+  };
+
+  ///@{
+  /** Young's modulus E, MPa, > 0, of cells without an array (array to process 0, cell data, one
+   * component). Default 0.1. */
+  vtkSetMacro(YoungsModulus, double);
+  vtkGetMacro(YoungsModulus, double);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio, 0 to 0.499, of cells without an array (array to process 1, cell data, one
+   * component). Default 0.45. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /** Radius of the smaller patch, mm; the other has twice the radius. 0 (default): 0.75 times the
+   * distance of neighbouring points, at each point. */
+  vtkSetMacro(PatchRadius, double);
+  vtkGetMacro(PatchRadius, double);
+  ///@}
+
+  ///@{
+  /** Bytes the factorisation may take, in MiB; 0 (default): half of the machine's memory. */
+  vtkSetMacro(MemoryLimit, double);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /** Automatic (default): Supernodal, CHOLMOD, if it was built in; otherwise Simplicial, Eigen. */
+  vtkSetMacro(Solver, int);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /** Point of the output whose load is shown in LoadedDisplacement; -1 (default): none. */
+  vtkSetMacro(LoadedPoint, vtkIdType);
+  vtkGetMacro(LoadedPoint, vtkIdType);
+  ///@}
+
+  ///@{
+  /** The force there, N. Default 1. */
+  vtkSetMacro(LoadForce, double);
+  vtkGetMacro(LoadForce, double);
+  ///@}
+
+  /** Estimated memory of the last factorisation, MiB; known also after it was refused. */
+  vtkGetMacro(MemoryEstimate, double);
+
+protected:
+  vtkElasticCompliance() = default;
+  ~vtkElasticCompliance() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkElasticCompliance(const vtkElasticCompliance&) = delete;
+  void operator=(const vtkElasticCompliance&) = delete;
+
+  bool CheckProperties();
+  bool FetchCellArray(vtkUnstructuredGrid* grid, int index, vtkDataArray*& array);
+
+  double YoungsModulus = 0.1;
+  double PoissonRatio = 0.45;
+  double PatchRadius = 0.0;
+  double MemoryLimit = 0.0;
+  int Solver = Automatic;
+  vtkIdType LoadedPoint = -1;
+  double LoadForce = 1.0;
+  double MemoryEstimate = 0.0;
+};
+
+#endif

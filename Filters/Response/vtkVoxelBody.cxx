@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelBody.h"
+
+#include "BodyConversion.h"
+#include "FilterStage.h"
+#include "VoxelGrid.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkCleanPolyData.h"
+#include "vtkFeatureEdges.h"
+#include "vtkGenericCell.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSelectEnclosedPoints.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+/// How deep the core lies, in spacings: room for the layer that reaches the surface.
+constexpr double LayerDepth = 0.4;
+
+/// Edges of the surface that are kept, degrees.
+constexpr double SharpAngle = 45.0;
+
+/// How far outwards the surface is looked for, in distances of the closest point: √3 at a corner.
+constexpr double LongestReach = 1.75;
+
+/// Sides of the box, -x, +x, -y ..., that a text names; false if it names something else.
+bool readFaces(const std::string& text, std::array<bool, 6>& faces, std::string& wrong)
+{
+  std::string words = text;
+  std::replace(words.begin(), words.end(), ',', ' ');
+  std::istringstream stream(words);
+  faces.fill(false);
+  while (stream >> wrong)
+  {
+    const std::size_t axis = wrong.size() == 2 ? std::string("xyz").find(wrong[0]) : 3;
+    if (axis > 2 || (wrong[1] != '-' && wrong[1] != '+'))
+    {
+      return false;
+    }
+    faces[2 * axis + (wrong[1] == '+' ? 1 : 0)] = true;
+  }
+  return true;
+}
+
+palpate::VoxelGrid gridOver(vtkPolyData* body, double spacing)
+{
+  std::array<double, 6> bounds{};
+  body->GetBounds(bounds.data());
+  palpate::VoxelGrid grid;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
+    grid.size[axis] = static_cast<int>(std::max(1.0, std::round(length / spacing)));
+    const auto i = static_cast<Eigen::Index>(axis);
+    grid.origin[i] = bounds[2 * axis];
+    grid.spacing[i] = length / grid.size[axis];
+  }
+  return grid;
+}
+
+/// Points at the same place as one, without arrays.
+vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(body);
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(bare);
+  clean->ToleranceIsAbsoluteOn();
+  clean->SetAbsoluteTolerance(0.0);
+  clean->ConvertPolysToLinesOff();
+  clean->Update();
+  return clean->GetOutput();
+}
+
+Eigen::Vector3d closestPoint(vtkStaticCellLocator* locator, const Eigen::Vector3d& x)
+{
+  vtkNew<vtkGenericCell> cell;
+  Eigen::Vector3d from = x;
+  Eigen::Vector3d at = x;
+  vtkIdType id = -1;
+  int part = 0;
+  double square = 0.0;
+  locator->FindClosestPoint(from.data(), at.data(), cell, id, part, square);
+  return at;
+}
+
+void fixFaces(const palpate::VolumeMesh& mesh, const std::array<bool, 6>& faces, double margin,
+  vtkUnsignedCharArray* fixed)
+{
+  const Eigen::Vector3d lowest = mesh.nodes.rowwise().minCoeff();
+  const Eigen::Vector3d highest = mesh.nodes.rowwise().maxCoeff();
+  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
+  {
+    bool held = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto a = static_cast<Eigen::Index>(axis);
+      held = held || (faces[2 * axis] && mesh.nodes(a, i) < lowest[a] + margin) ||
+        (faces[2 * axis + 1] && mesh.nodes(a, i) > highest[a] - margin);
+    }
+    fixed->SetValue(i, held ? 7 : 0);
+  }
+}
+} // namespace
+
+vtkStandardNewMacro(vtkVoxelBody);
+
+int vtkVoxelBody::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkVoxelBody::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  if (!body || body->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  std::array<bool, 6> faces{};
+  std::string wrong;
+  if (!(this->Spacing > 0.0 && std::isfinite(this->Spacing)))
+  {
+    vtkErrorMacro(<< "Spacing must be positive and finite (mm), but is " << this->Spacing << ".");
+    return 0;
+  }
+  if (!readFaces(this->FixedFaces, faces, wrong))
+  {
+    vtkErrorMacro(<< "FixedFaces knows x-, x+, y-, y+, z- and z+, but not '" << wrong << "'.");
+    return 0;
+  }
+  const std::string fault = palpate::checkTriangles(body);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong input: " << fault << ".");
+    return 0;
+  }
+  const vtkSmartPointer<vtkPolyData> surface = mergePoints(body);
+  {
+    const palpate::BodyMesh mesh = palpate::makeBodyMesh(surface);
+    if (!mesh.isClosed() || mesh.enclosedVolume() <= 0.0)
+    {
+      vtkErrorMacro(<< "Wrong input: the surface "
+                    << (mesh.isClosed() ? "is inside out" : "is not closed")
+                    << ": it cannot be filled.");
+      return 0;
+    }
+  }
+  palpate::VoxelGrid grid = gridOver(surface, this->Spacing);
+  const double total =
+    (grid.size[0] + 1.0) * (grid.size[1] + 1.0) * (grid.size[2] + 1.0); // as size_t it could wrap
+  if (!(total < static_cast<double>(std::numeric_limits<std::int32_t>::max() / 8)))
+  {
+    vtkErrorMacro(<< "Spacing " << this->Spacing << " mm makes " << total
+                  << " points of the bounding box: too many.");
+    return 0;
+  }
+
+  // How deep the nodes of the grid lie; negative outside.
+  vtkNew<vtkPoints> nodes;
+  nodes->SetDataType(VTK_DOUBLE);
+  nodes->SetNumberOfPoints(static_cast<vtkIdType>(grid.nodeTotal()));
+  for (int k = 0; k <= grid.size[2]; ++k)
+  {
+    for (int j = 0; j <= grid.size[1]; ++j)
+    {
+      for (int i = 0; i <= grid.size[0]; ++i)
+      {
+        nodes->SetPoint(
+          static_cast<vtkIdType>(grid.node(i, j, k)), grid.place(i, j, k).eval().data());
+      }
+    }
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(nodes);
+  vtkNew<vtkSelectEnclosedPoints> enclosed;
+  enclosed->SetInputData(cloud);
+  enclosed->SetSurfaceData(surface);
+  enclosed->SetTolerance(1e-9);
+  if (!palpate::runWithin(enclosed, { this, 0.0, 0.6 }))
+  {
+    return 1;
+  }
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->SetFeatureAngle(SharpAngle);
+  edges->BoundaryEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  const bool isSharp = edges->GetOutput()->GetNumberOfCells() > 0;
+  vtkNew<vtkStaticCellLocator> edgeLocator;
+  if (isSharp)
+  {
+    edgeLocator->SetDataSet(edges->GetOutput());
+    edgeLocator->BuildLocator();
+  }
+  // To a sharp edge that lies outwards, otherwise to the closest point.
+  const auto reach = [&](const Eigen::Vector3d& x, const Eigen::Vector3d& outward)
+  {
+    const Eigen::Vector3d near = closestPoint(locator, x);
+    Eigen::Vector3d from = x;
+    Eigen::Vector3d to = x + LongestReach * (near - x).norm() * outward;
+    Eigen::Vector3d at = near;
+    Eigen::Vector3d coordinates;
+    double along = 0.0;
+    int part = 0;
+    if (isSharp &&
+      locator->IntersectWithLine(
+        from.data(), to.data(), 0.0, along, at.data(), coordinates.data(), part))
+    {
+      const Eigen::Vector3d edge = closestPoint(edgeLocator, at);
+      if ((edge - at).norm() < 0.5 * this->Spacing)
+      {
+        return edge;
+      }
+    }
+    return near;
+  };
+  std::vector<double> depth(grid.nodeTotal(), -1.0);
+  for (std::size_t i = 0; i < depth.size(); ++i)
+  {
+    if (enclosed->IsInside(static_cast<vtkIdType>(i)))
+    {
+      Eigen::Vector3d x;
+      nodes->GetPoint(static_cast<vtkIdType>(i), x.data());
+      depth[i] = (closestPoint(locator, x) - x).norm();
+    }
+  }
+  palpate::takeCore(grid, depth, this->Conform ? LayerDepth * grid.spacing.minCoeff() : 0.0);
+  palpate::openPinches(grid);
+  const std::size_t out = palpate::keepLargestPart(grid);
+  palpate::VolumeMesh mesh = palpate::makeVoxelMesh(grid);
+  if (mesh.elements.empty())
+  {
+    vtkErrorMacro(<< "No voxel of " << this->Spacing
+                  << " mm lies inside the surface: Spacing is too coarse.");
+    return 0;
+  }
+  if (out > 0)
+  {
+    vtkWarningMacro(<< out
+                    << " voxels do not hang together with the others by a face and are left "
+                       "out: are there walls thinner than three Spacings?");
+  }
+  if (this->Conform)
+  {
+    palpate::coverWithLayer(mesh, grid, reach);
+  }
+  if (!palpate::FilterStage{ this, 0.6, 1.0 }(0.9))
+  {
+    return 1;
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  points->SetNumberOfPoints(mesh.nodeTotal());
+  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
+  {
+    points->SetPoint(i, mesh.nodes.col(i).data());
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(mesh.elementTotal(), 8 * vtkIdType{ mesh.elementTotal() });
+  for (const palpate::VolumeElement& element : mesh.elements)
+  {
+    std::array<vtkIdType, 8> ids{};
+    std::copy_n(element.nodes.begin(), 8, ids.begin());
+    cells->InsertNextCell(8, ids.data());
+  }
+  vtkNew<vtkUnsignedCharArray> fixed;
+  fixed->SetName("Fixed");
+  fixed->SetNumberOfTuples(mesh.nodeTotal());
+  fixFaces(mesh, faces, 0.5 * this->Spacing, fixed);
+  output->SetPoints(points);
+  output->SetCells(VTK_HEXAHEDRON, cells);
+  output->GetPointData()->AddArray(fixed);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkVoxelBody::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Spacing: " << this->Spacing << " mm\n";
+  os << indent << "FixedFaces: " << this->FixedFaces << "\n";
+  os << indent << "Conform: " << (this->Conform ? "on" : "off") << "\n";
+}
