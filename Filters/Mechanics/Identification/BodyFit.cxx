@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BodyFit.h"
+
+#include "FitResiduals.h"
+#include "LayerContact.h"
+
+#include <Eigen/QR>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int OffsetCandidates = 41;
+constexpr std::size_t FewReadings = 16;
+
+/// The offset and E* of a half-space nearest to a curve, from a scan; E* by linear least squares.
+double scanOffset(const IndentationCurve& curve)
+{
+  const double first = curve.deflection.front();
+  const double range = curve.deflection.back() - first;
+  double best = first;
+  double bestSquares = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < OffsetCandidates; ++k)
+  {
+    const double offset = first + range * (1.4 * k / (OffsetCandidates - 1) - 0.5);
+    double products = 0.0;
+    double squares = 0.0;
+    double total = 0.0;
+    for (std::size_t i = 0; i < curve.force.size(); ++i)
+    {
+      const double unit = curve.tool->force(curve.deflection[i] - offset, 1.0);
+      products += unit * curve.force[i];
+      squares += unit * unit;
+      total += curve.force[i] * curve.force[i];
+    }
+    const double left = squares > 0.0 ? total - products * products / squares : total;
+    if (left < bestSquares)
+    {
+      bestSquares = left;
+      best = offset;
+    }
+  }
+  return best;
+}
+
+/// E* that gives the deepest reading of the first curve its force, the rest of the body as it is.
+double matchModulus(BodyParameters body, const IndentationCurve& curve, double offset,
+  const std::shared_ptr<const LayerKernel>& kernel)
+{
+  body.reducedModulus = 1.0;
+  const double force = curve.force.back();
+  const double local = curve.deflection.back() - offset - body.compliance * force;
+  body.model = body.model == BodyModel::Layer ? body.model : BodyModel::HalfSpace;
+  body.compliance = 0.0;
+  return force / bodyResponse(body, *curve.tool, kernel, local).force;
+}
+
+/// Where to start: from a nearly local to a nearly global body, from a thick to a thin layer.
+std::vector<BodyParameters> startingBodies(BodyModel model, const IndentationCurve& curve,
+  double offset, const std::shared_ptr<const LayerKernel>& kernel)
+{
+  std::vector<BodyParameters> starts;
+  const double depth = curve.deflection.back() - offset;
+  const double radius = curve.tool->contactRadius(depth);
+  for (const double share : { 0.1, 0.4, 0.8 })
+  {
+    BodyParameters body;
+    body.model = model;
+    if (model == BodyModel::GlobalCompliance)
+    {
+      body.compliance = share * depth / curve.force.back();
+    }
+    if (model == BodyModel::Layer)
+    {
+      body.thickness = radius / share;
+    }
+    body.reducedModulus = matchModulus(body, curve, offset, kernel);
+    if (body.reducedModulus > 0.0 && std::isfinite(body.reducedModulus))
+    {
+      starts.push_back(body);
+    }
+    if (model == BodyModel::HalfSpace)
+    {
+      break;
+    }
+  }
+  return starts;
+}
+
+struct Minimum
+{
+  double squares;
+  bool converged;
+};
+
+/// Moves p to the least squares near it; `tolerance` is that of a step, relative.
+Minimum minimize(FitResiduals& residuals, VectorXd& p, double tolerance)
+{
+  using Status = Eigen::LevenbergMarquardtSpace::Status;
+  Eigen::LevenbergMarquardt<FitResiduals> method(residuals);
+  method.parameters.ftol = 1e-2 * tolerance;
+  method.parameters.xtol = tolerance;
+  method.parameters.maxfev = 200;
+  const Status status = method.minimize(p);
+  return { method.fvec.squaredNorm(),
+    status != Status::TooManyFunctionEvaluation && status != Status::ImproperInputParameters };
+}
+
+/// Some of the readings, evenly, the deepest among them.
+IndentationCurve thin(const IndentationCurve& curve)
+{
+  IndentationCurve few;
+  few.tool = curve.tool;
+  few.readings = curve.readings;
+  const std::size_t step = (curve.force.size() + FewReadings - 1) / FewReadings;
+  for (std::size_t i = (curve.force.size() - 1) % step; i < curve.force.size(); i += step)
+  {
+    few.deflection.push_back(curve.deflection[i]);
+    few.force.push_back(curve.force[i]);
+  }
+  return few;
+}
+
+/// Sets separation, and returns the standard errors of the packed parameters per unit residual.
+VectorXd judgeJacobian(const MatrixXd& jacobian, double& separation)
+{
+  const Index n = jacobian.cols();
+  const VectorXd length = jacobian.colwise().norm();
+  separation = 0.0;
+  VectorXd error = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+  if (!(length.minCoeff() > 0.0) || !jacobian.allFinite())
+  {
+    return error;
+  }
+  const MatrixXd unit = jacobian * length.cwiseInverse().asDiagonal();
+  const MatrixXd r = MatrixXd(unit.householderQr().matrixQR().topRows(n));
+  if (!(r.diagonal().cwiseAbs().minCoeff() > 0.0))
+  {
+    return error;
+  }
+  const MatrixXd inverse =
+    r.triangularView<Eigen::Upper>().solve(MatrixXd(MatrixXd::Identity(n, n)));
+  error = inverse.rowwise().norm();
+  separation = 1.0 / error.maxCoeff();
+  return error.cwiseQuotient(length);
+}
+} // namespace
+
+SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
+  const std::shared_ptr<const LayerKernel>& kernel, double deflection)
+{
+  if (body.model == BodyModel::Layer)
+  {
+    const IndentationPoint point =
+      LayerContact(tool, kernel, body.thickness).evaluate(deflection, body.reducedModulus);
+    return { point.force, point.stiffness, deflection, true };
+  }
+  return seriesResponse(tool, body.reducedModulus, body.compliance, deflection);
+}
+
+double BodyFit::residual() const
+{
+  return std::sqrt(this->sumOfSquares / std::max(1, this->degreesOfFreedom));
+}
+
+BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bool findContact,
+  const std::shared_ptr<const LayerKernel>& kernel)
+{
+  FitResiduals residuals(curves, model, findContact, kernel);
+  BodyFit fit;
+  fit.body.model = model;
+  fit.degreesOfFreedom = static_cast<int>(residuals.values() - residuals.inputs());
+  fit.sumOfSquares = std::numeric_limits<double>::infinity();
+  if (fit.degreesOfFreedom < 1)
+  {
+    return fit;
+  }
+  std::vector<double> offsets;
+  std::vector<IndentationCurve> few;
+  for (const IndentationCurve& curve : curves)
+  {
+    offsets.push_back(findContact ? scanOffset(curve) : 0.0);
+    few.push_back(thin(curve));
+  }
+  // Every start is followed on few readings, the best end of them on all.
+  FitResiduals coarse(few, model, findContact, kernel);
+  VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyParameters& start : startingBodies(model, curves.front(), offsets.front(), kernel))
+  {
+    VectorXd p = coarse.pack(start, offsets);
+    const double squares = minimize(coarse, p, 1e-6).squares;
+    if (squares < least && p.allFinite())
+    {
+      least = squares;
+      best = p;
+    }
+  }
+  if (best.size() == 0)
+  {
+    return fit;
+  }
+  best.tail(best.size() - residuals.materialCount()) *= coarse.depth() / residuals.depth();
+  if (model == BodyModel::GlobalCompliance)
+  {
+    best[1] *= coarse.compliance() / residuals.compliance();
+  }
+  const Minimum minimum = minimize(residuals, best, 1e-11);
+  if (!best.allFinite())
+  {
+    return fit;
+  }
+  fit.sumOfSquares = minimum.squares * residuals.force() * residuals.force();
+  fit.converged = minimum.converged;
+  fit.body = residuals.body(best);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    fit.contactOffset.push_back(residuals.offset(best, i));
+  }
+  MatrixXd jacobian(residuals.values(), residuals.inputs());
+  residuals.df(best, jacobian);
+  fit.errorPerNoise = judgeJacobian(jacobian, fit.separation) / residuals.force();
+  if (model == BodyModel::GlobalCompliance)
+  {
+    fit.errorPerNoise[1] *= residuals.compliance();
+  }
+  fit.errorPerNoise.tail(residuals.inputs() - residuals.materialCount()) *= residuals.depth();
+  return fit;
+}
+
+double modulusErrorBesideCompliance(
+  const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact)
+{
+  const FitResiduals residuals(curves, BodyModel::GlobalCompliance, findContact, nullptr);
+  MatrixXd jacobian(residuals.values(), residuals.inputs());
+  residuals.df(residuals.pack(halfSpace.body, halfSpace.contactOffset), jacobian);
+  double separation = 0.0;
+  const VectorXd error = judgeJacobian(jacobian, separation);
+  return separation > 1e-6 ? error[0] / residuals.force() : std::numeric_limits<double>::infinity();
+}
+} // namespace palpate

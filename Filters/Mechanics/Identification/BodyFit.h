@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BodyFit_h
+#define palpate_BodyFit_h
+
+#include "AxisymmetricTool.h"
+#include "LayerKernel.h"
+#include "SeriesCompliance.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// What a site of a body may be.
+enum class BodyModel
+{
+  HalfSpace,        ///< E*
+  GlobalCompliance, ///< E*, and C_g in series
+  Layer             ///< E*, and h over a rigid base
+};
+
+struct BodyParameters
+{
+  BodyModel model = BodyModel::HalfSpace;
+  double reducedModulus = 0.0; ///< E*, MPa
+  double compliance = 0.0;     ///< C_g, mm/N
+  double thickness = 0.0;      ///< h, mm; 0 where there is no layer
+};
+
+/// Loading of one tool: readings of ascending depth, counted from anywhere.
+struct IndentationCurve
+{
+  const AxisymmetricTool* tool = nullptr;
+  std::vector<double> deflection; ///< mm
+  std::vector<double> force;      ///< N
+  double readings = 1.0;          ///< each is the mean of so many
+};
+
+/// The response of a body to a tool; `kernel` is needed for a layer only.
+SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
+  const std::shared_ptr<const LayerKernel>& kernel, double deflection);
+
+/// A body fitted to curves, and how sharply.
+struct BodyFit
+{
+  BodyParameters body;
+  std::vector<double> contactOffset; ///< depth of first contact of each curve, mm
+  double sumOfSquares = 0.0;         ///< of force, each reading for itself, N²
+  int degreesOfFreedom = 0;
+  bool converged = false;
+  /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the offsets; +inf where the
+  /// curves do not determine them.
+  Eigen::VectorXd errorPerNoise;
+  /// The smallest sine of the angle between what one parameter does to the forces and what the
+  /// others can do: 0 where two cannot be told apart.
+  double separation = 0.0;
+
+  /// Reduced to one reading, N.
+  double residual() const;
+};
+
+/**
+ * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, and the depth
+ * of first contact of each curve, which is 0 unless `findContact`.
+ */
+BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bool findContact,
+  const std::shared_ptr<const LayerKernel>& kernel);
+
+/// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
+double modulusErrorBesideCompliance(
+  const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact);
+} // namespace palpate
+
+#endif

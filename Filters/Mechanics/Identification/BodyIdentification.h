@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BodyIdentification_h
+#define palpate_BodyIdentification_h
+
+#include "BodyFit.h"
+#include "ForceNoise.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// A number and its 95 % confidence interval.
+struct Estimate
+{
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double lower = std::numeric_limits<double>::quiet_NaN();
+  double upper = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct IdentificationOptions
+{
+  /// The model to be fitted, where it is known from elsewhere; otherwise the simplest that will do.
+  std::optional<BodyModel> model;
+  double noise = 0.0;         ///< standard deviation of a reading of force, N; 0: estimated
+  double poissonsRatio = 0.5; ///< of a layer
+  LayerBase base = LayerBase::Bonded;
+  bool findContact = true;         ///< false: deflections count from first contact already
+  double largestStrain = 0.4;      ///< contact radius over tip radius: deeper readings are not used
+  double largestMisfit = 0.02;     ///< share of the largest force
+  double largestUncertainty = 0.5; ///< of E*: half the confidence interval, relative
+};
+
+/// A body as one site shows it.
+struct IdentifiedBody
+{
+  /// Why there is no answer; empty if there is one.
+  std::string refusal;
+
+  BodyParameters body;
+  Estimate reducedModulus;             ///< MPa
+  Estimate compliance;                 ///< mm/N, of BodyModel::GlobalCompliance
+  Estimate thickness;                  ///< mm, of BodyModel::Layer
+  std::vector<Estimate> contactOffset; ///< mm, of each curve
+
+  double noise = 0.0;        ///< standard deviation of a reading, N, given or estimated
+  double misfit = 0.0;       ///< of the fit, N, per reading; about the noise if the model is right
+  double largestForce = 0.0; ///< of the readings used, N
+  bool withinNoise = false;  ///< false: the nearest model, which leaves more than noise
+
+  // Where the data that were used end, by the fitted curves.
+  double endForce = 0.0;     ///< N
+  double endStiffness = 0.0; ///< dF/dδ, N/mm
+};
+
+/**
+ * Which elastic body one site is, from the loading curves of one or several tools there.
+ *
+ * Three models are fitted: a half-space (E*), a half-space in series with a global compliance
+ * (E*, C_g > 0), a layer on a rigid base (E*, h; Poisson's ratio given). A model is within the
+ * noise when what it leaves is no larger than the noise (an F test at three standard deviations)
+ * and no richer model takes more away from that than noise would give (a likelihood ratio at 1 %).
+ * The simplest one within the noise is the answer. If none is, the nearest is, as long as it leaves
+ * less than `largestMisfit`, and withinNoise is false.
+ *
+ * The laws are those of small strain. Readings deeper than `largestStrain` allows (StrainWindow.h)
+ * are not used; since that depth depends on the body, fit and choice of readings take turns.
+ *
+ * Refused, with the reason: too few readings; curves that do not tell the parameters apart, as
+ * those of flat punches of one radius, which are straight lines whatever E*, C_g and h; an E* known
+ * to less than `largestUncertainty`, were C_g unknown as well; no model near enough.
+ *
+ * Confidence intervals are those of the linearised problem, from the Jacobian and the noise (given)
+ * or the misfit (Student's t); of E* and h symmetric in the logarithm. Cost: about a millisecond, a
+ * tenth of a second for a layer. Immutable and safe to use from any number of threads.
+ */
+class BodyIdentification
+{
+public:
+  static constexpr std::size_t FewestReadings = 8;
+
+  explicit BodyIdentification(const IdentificationOptions& options);
+
+  /// The readings of a curve need not be sorted. Many are averaged in groups of neighbours.
+  IdentifiedBody identify(std::vector<IndentationCurve> curves) const;
+
+  const IdentificationOptions& options() const noexcept { return this->Options; }
+  const std::shared_ptr<const LayerKernel>& kernel() const noexcept { return this->Kernel; }
+
+private:
+  std::string choose(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
+    BodyFit& chosen, bool& withinNoise) const;
+  struct Judgement
+  {
+    BodyFit fit;
+    bool withinNoise = false;
+    double noise = 0.0;
+    double largestForce = 0.0;
+  };
+  std::string judge(
+    const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const;
+  void report(const std::vector<IndentationCurve>& curves, bool noiseGiven, const BodyFit& fit,
+    IdentifiedBody& result) const;
+  std::string checkDetermined(
+    const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const;
+
+  IdentificationOptions Options;
+  std::shared_ptr<const LayerKernel> Kernel;
+};
+
+/// "half-space", "half-space in series with global compliance", "layer on a rigid base".
+const char* nameOf(BodyModel model);
+} // namespace palpate
+
+#endif

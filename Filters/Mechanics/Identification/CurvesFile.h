@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_CurvesFile_h
+#define palpate_CurvesFile_h
+
+#include "MeasuredCurve.h"
+
+#include <istream>
+#include <string>
+
+namespace palpate
+{
+/**
+ * Reads measured force-deflection curves, or computed ones of any finite-element code:
+ *
+ *   # tool: sphere:6.35
+ *   # synthetic: how they were made              (only if they were not measured)
+ *   site,x_mm,y_mm,z_mm,deflection_mm,force_N,time_s,phase
+ *   A,10,0,50,0.02,0.0013,0.1,loading
+ *
+ * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out; columns may stand in
+ * any order. Other comments of the head are skipped. The rows of a site share its position; they
+ * are in the order in which they were taken, and time does not decrease.
+ *
+ * Returns an error "file:line: what is wrong", or "". After an error `curves` is unchanged.
+ */
+std::string readCurves(const std::string& path, MeasuredCurves& curves);
+
+/// The same from a stream; `name` stands for the file in errors.
+std::string readCurves(std::istream& stream, const std::string& name, MeasuredCurves& curves);
+} // namespace palpate
+
+#endif

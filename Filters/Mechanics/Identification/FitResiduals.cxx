@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FitResiduals.h"
+
+#include "LayerContact.h"
+
+#include <optional>
+
+namespace palpate
+{
+namespace
+{
+constexpr double ThicknessStep = 1e-5; // of ln h; the law is smooth to 1e-10
+
+/// The law of one tool on a body that is being fitted.
+class TrialLaw
+{
+public:
+  TrialLaw(const BodyParameters& body, const AxisymmetricTool& tool,
+    const std::shared_ptr<const LayerKernel>& kernel)
+    : Body(body)
+    , Tool(tool)
+  {
+    if (body.model == BodyModel::Layer)
+    {
+      this->Layer.emplace(tool, kernel, body.thickness);
+      this->Thicker.emplace(tool, kernel, body.thickness * std::exp(ThicknessStep));
+    }
+  }
+
+  Sensitivity at(double deflection) const
+  {
+    Sensitivity result;
+    const double modulus = this->Body.reducedModulus;
+    if (!(deflection > 0.0))
+    {
+      return result;
+    }
+    if (this->Body.model == BodyModel::Layer)
+    {
+      const IndentationPoint point = this->Layer->evaluate(deflection, modulus);
+      const double thicker = this->Thicker->evaluate(deflection, modulus).force;
+      result = { point.force, point.stiffness, point.force,
+        (thicker - point.force) / ThicknessStep };
+    }
+    else
+    {
+      const double compliance = this->Body.compliance;
+      const SeriesPoint point = seriesResponse(this->Tool, modulus, compliance, deflection);
+      // With K the local stiffness, S = K/(1+CK): dF/d ln E* = F/(1+CK), dF/dC = -F S.
+      result = { point.force, point.stiffness, point.force * (1.0 - compliance * point.stiffness),
+        -point.force * point.stiffness };
+    }
+    return result;
+  }
+
+private:
+  BodyParameters Body;
+  const AxisymmetricTool& Tool;
+  std::optional<LayerContact> Layer;
+  std::optional<LayerContact> Thicker;
+};
+} // namespace
+
+int FitResiduals::evaluate(
+  const Eigen::VectorXd& p, Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const
+{
+  constexpr double astray = 1e3; // where the law has no answer: a step the method takes back
+  const BodyParameters trial = this->body(p);
+  const bool usable = trial.reducedModulus > 0.0 && std::isfinite(trial.reducedModulus) &&
+    std::isfinite(trial.compliance) &&
+    (trial.model != BodyModel::Layer || (trial.thickness > 0.0 && std::isfinite(trial.thickness)));
+  if (!usable)
+  {
+    if (residuals)
+    {
+      residuals->setConstant(astray);
+    }
+    if (jacobian)
+    {
+      jacobian->setZero();
+    }
+    return 0;
+  }
+  Eigen::Index row = 0;
+  for (std::size_t c = 0; c < this->Curves.size(); ++c)
+  {
+    const IndentationCurve& curve = this->Curves[c];
+    const TrialLaw law(trial, *curve.tool, this->Kernel);
+    const double weight = std::sqrt(curve.readings) / this->Force;
+    for (std::size_t i = 0; i < curve.force.size(); ++i, ++row)
+    {
+      const Sensitivity at = law.at(curve.deflection[i] - this->offset(p, c));
+      if (residuals)
+      {
+        (*residuals)[row] = std::isfinite(at.force) ? weight * (at.force - curve.force[i]) : astray;
+      }
+      if (jacobian)
+      {
+        this->fillRow(*jacobian, row, c, at, weight);
+      }
+    }
+  }
+  return 0;
+}
+
+void FitResiduals::fillRow(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
+  const Sensitivity& at, double weight) const
+{
+  jacobian.row(row).setZero();
+  if (!std::isfinite(at.force) || !std::isfinite(at.bySecond))
+  {
+    return;
+  }
+  jacobian(row, 0) = weight * at.byLogModulus;
+  if (this->Model != BodyModel::HalfSpace)
+  {
+    jacobian(row, 1) = weight * at.bySecond *
+      (this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0);
+  }
+  if (this->FindContact)
+  {
+    jacobian(row, this->materialCount() + static_cast<Eigen::Index>(curve)) =
+      -weight * at.stiffness * this->Depth;
+  }
+}
+} // namespace palpate

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_IsotonicRegression_h
+#define palpate_IsotonicRegression_h
+
+#include <vector>
+
+namespace palpate
+{
+/// The non-decreasing sequence closest to `values` in the least-squares sense, by pooling adjacent
+/// violators (Ayer et al. 1955). O(n).
+std::vector<double> isotonicRegression(const std::vector<double>& values);
+} // namespace palpate
+
+#endif

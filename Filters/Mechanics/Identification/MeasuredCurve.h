@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MeasuredCurve_h
+#define palpate_MeasuredCurve_h
+
+#include "ToolSpecification.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// What the instrument was doing when it took a reading.
+enum class CurvePhase
+{
+  Unknown,
+  Loading,
+  Unloading,
+  Hold
+};
+
+/**
+ * The readings of one tool at one site, in the order they were taken; possibly several loads.
+ *
+ * Deflection (mm) and force (N) are > 0 into the body. Where the deflection is counted from is the
+ * instrument's affair: the contact point is found later (BodyIdentification.h).
+ */
+struct MeasuredCurve
+{
+  std::string site;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
+  std::vector<double> deflection;
+  std::vector<double> force;
+  std::vector<double> time;      ///< s, never decreasing; empty: not recorded
+  std::vector<CurvePhase> phase; ///< empty: not recorded
+};
+
+/// The curves of one tool, as a file holds them.
+struct MeasuredCurves
+{
+  std::string file;
+  ToolSpecification tool;
+  std::string toolText;  ///< as the file writes it
+  std::string synthetic; ///< how they were made, of computed curves; empty: measured
+  std::vector<MeasuredCurve> curves;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MeasuredSite_h
+#define palpate_MeasuredSite_h
+
+#include "BodyIdentification.h"
+#include "CurvePreparation.h"
+#include "MeasuredCurve.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// One tool's curve at a site.
+struct SiteCurve
+{
+  std::string toolText;
+  std::shared_ptr<const AxisymmetricTool> tool;
+  MeasuredCurve curve;
+  PreparedCurve prepared;
+};
+
+/// All that was measured at one place, and what came of it.
+struct MeasuredSite
+{
+  std::string name;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
+  std::vector<SiteCurve> curves;
+  /// Why the site is of no use; empty if it is.
+  std::string refusal;
+  IdentifiedBody body;
+};
+
+/// Puts together what several files, each of one tool, say of the same sites, in the order in which
+/// they come. An error names the site that two files put at different places.
+std::string collectSites(
+  const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
+
+/// Prepares the curves of the site and identifies its body; sets `refusal` where that fails.
+void identifySite(
+  const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_StrainWindow_h
+#define palpate_StrainWindow_h
+
+#include "BodyFit.h"
+
+#include <memory>
+
+namespace palpate
+{
+/**
+ * The readings of a curve that a linear law may explain, if the body is as it is taken to be: those
+ * up to the depth at which the contact radius reaches `strain` times the tip radius
+ * (AxisymmetricTool::depthAtStrain) and, on a layer, up to half of `strain` times its thickness.
+ *
+ * Tools that exceed the strain from first touch on, as a cone does, keep all their readings: they
+ * have none that is better.
+ */
+IndentationCurve readingsWithin(const IndentationCurve& curve, const BodyParameters& body,
+  double contactOffset, const std::shared_ptr<const LayerKernel>& kernel, double strain);
+} // namespace palpate
+
+#endif

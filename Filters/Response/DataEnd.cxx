@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DataEnd.h"
+
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Storage = 1e-3;
+constexpr int Halvings = 24; // of the interval between two samples: beyond float
+
+struct FloatCurve
+{
+  const float* forces;
+  const float* stiffnesses;
+  double force(int i) const { return static_cast<double>(this->forces[i]); }
+  double stiffness(int i) const { return static_cast<double>(this->stiffnesses[i]); }
+};
+} // namespace
+
+double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,
+  const float* stiffness, const DataEnd& end)
+{
+  const FloatCurve curve{ force, stiffness };
+  const double largestForce = end.force * (1.0 + Storage);
+  const double largestStiffness = end.stiffness * (1.0 + Storage);
+  const auto beyond = [&](double f, double k) { return f > largestForce || k > largestStiffness; };
+  int i = 0;
+  while (i < sampling.samples() && !beyond(curve.force(i), curve.stiffness(i)))
+  {
+    ++i;
+  }
+  if (i == sampling.samples())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  // Force and stiffness grow with depth: one crossing, between sample i - 1 and i.
+  double low = i > 0 ? sampling.depth(i - 1, range) : 0.0;
+  double high = sampling.depth(i, range);
+  for (int k = 0; k < Halvings; ++k)
+  {
+    const double middle = 0.5 * (low + high);
+    const ResponseValue value = sampling.evaluate(curve, range, middle);
+    (beyond(value.force, value.stiffness) ? high : low) = middle;
+  }
+  return low;
+}
+} // namespace palpate

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SiteMeasurement.h"
+
+#include "TriangleTree.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace palpate
+{
+double SiteMeasurement::place(double largestDistance)
+{
+  const TriangleTree tree(*this->Mesh);
+  double squares = 0.0;
+  for (PlacedSite& site : this->Sites)
+  {
+    const SurfacePoint found = tree.closest(site.position);
+    SiteAnchor anchor;
+    site.distance = std::numeric_limits<double>::infinity();
+    if (found.triangle >= 0)
+    {
+      anchor.triangle = found.triangle;
+      anchor.point = found.projection.point;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        anchor.normal += found.projection.weights[static_cast<Eigen::Index>(k)] *
+          this->Mesh->pointNormal(this->Mesh->corners(found.triangle)[k]);
+      }
+      anchor.normal.normalize();
+      site.distance = std::sqrt(found.projection.squaredDistance);
+    }
+    this->Anchors.push_back(anchor);
+    squares += site.distance * site.distance;
+    if (site.distance > largestDistance)
+    {
+      std::ostringstream text;
+      text << "lies " << site.distance << " mm from the surface, more than MaximumSiteDistance, "
+           << largestDistance << " mm";
+      site.measured.refusal = text.str();
+    }
+  }
+  return std::sqrt(squares / static_cast<double>(this->Sites.size()));
+}
+
+std::string SiteMeasurement::describe() const
+{
+  std::set<std::string> models;
+  for (const IdentifiedBody* body : this->Used)
+  {
+    models.insert(nameOf(body->body.model));
+  }
+  std::string text;
+  for (const std::string& model : models)
+  {
+    text += (text.empty() ? "" : " or ") + model;
+  }
+  std::string tools;
+  std::string made;
+  for (const MeasuredCurves& file : this->Files)
+  {
+    tools += (tools.empty() ? "" : " ") + file.toolText;
+    if (!file.synthetic.empty() && made.find(file.synthetic) == std::string::npos)
+    {
+      made += (made.empty() ? "; synthetic: " : ", ") + file.synthetic;
+    }
+  }
+  return text + ", identified from " + (made.empty() ? "measured" : "synthetic") + " curves of " +
+    tools + " at " + std::to_string(this->Used.size()) +
+    (this->Used.size() == 1 ? " site" : " sites") + made;
+}
+} // namespace palpate

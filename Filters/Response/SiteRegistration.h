@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SiteRegistration_h
+#define SiteRegistration_h
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <string>
+
+namespace palpate
+{
+/// A rigid motion from the frame of the instrument to that of the body, mm.
+struct SiteRegistration
+{
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  std::size_t pairs = 0;        ///< 0: given as a matrix
+  double residual = 0.0;        ///< of the pairs, root of the mean square, mm
+  double largestResidual = 0.0; ///< mm
+};
+
+/**
+ * Reads a registration from a file of either kind:
+ * - a matrix: 4 rows of 4 numbers, separated by blanks or commas, the last one 0 0 0 1. It must be
+ *   rigid: rows of unit length, at right angles, right-handed, to 1e-3;
+ * - pairs of points: a CSV with the columns from_x_mm,from_y_mm,from_z_mm,to_x_mm,to_y_mm,to_z_mm,
+ * at least three that are not in line. The motion is that of vtkLandmarkTransform, rigid (Horn
+ * 1987). Lines that begin with # are skipped. Returns an error that names file and line, or "".
+ */
+std::string readRegistration(const std::string& path, SiteRegistration& registration);
+} // namespace palpate
+
+#endif

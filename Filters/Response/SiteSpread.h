@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SiteSpread_h
+#define SiteSpread_h
+
+#include "BodyMesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// Where a site lies on the surface.
+struct SiteAnchor
+{
+  std::int32_t triangle = -1;
+  Vector3 point = Vector3::Zero();
+  Vector3 normal = Vector3::Zero(); ///< unit, outward
+};
+
+/**
+ * Spreads values known at sites over the points of a body.
+ *
+ * A point takes part in a site that lies within `reach` (mm, straight), is connected with it over
+ * the surface within that distance, and faces the same way, to 60° (visitSurfacePatch): so nothing
+ * crosses a thin lobe. The sites of a point are weighed by vtkShepardKernel, 1/d², times
+ * (1 - d/reach)², so that a site leaves without a step at the end of its reach (Franke and Little
+ * 1980).
+ */
+class SiteSpread
+{
+public:
+  SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& sites, double reach);
+
+  /// Whether any site reaches the point.
+  bool reaches(std::int32_t point) const
+  {
+    return this->Start[static_cast<std::size_t>(point)] <
+      this->Start[static_cast<std::size_t>(point) + 1];
+  }
+
+  /// The value at a point that is reached, from one value per site.
+  double at(std::int32_t point, const std::vector<double>& values) const;
+
+private:
+  std::vector<std::size_t> Start; ///< of each point's shares, and the end
+  std::vector<std::int32_t> Site;
+  std::vector<double> Weight;
+};
+} // namespace palpate
+
+#endif

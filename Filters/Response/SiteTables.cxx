@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SiteTables.h"
+
+#include "IsotonicRegression.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+template <class Array, class Row, class Value>
+void addColumn(
+  vtkTable* table, const std::string& name, const std::vector<Row>& rows, const Value& value)
+{
+  vtkNew<Array> column;
+  column->SetName(name.c_str());
+  for (const Row& row : rows)
+  {
+    column->InsertNextValue(value(row));
+  }
+  table->AddColumn(column);
+}
+
+template <class Value>
+void addNumbers(vtkTable* table, const std::string& name, const std::vector<PlacedSite>& sites,
+  const Value& value)
+{
+  addColumn<vtkDoubleArray>(table, name, sites, value);
+}
+
+template <class Value>
+void addEstimate(vtkTable* table, const std::string& name, const std::string& unit,
+  const std::vector<PlacedSite>& sites, const Value& value)
+{
+  addNumbers(table, name + unit, sites, [&](const PlacedSite& s) { return value(s).value; });
+  addNumbers(
+    table, name + " from" + unit, sites, [&](const PlacedSite& s) { return value(s).lower; });
+  addNumbers(
+    table, name + " to" + unit, sites, [&](const PlacedSite& s) { return value(s).upper; });
+}
+
+/// The most of a quantity over the curves of a site; NaN where none has it.
+template <class Value>
+double most(const PlacedSite& site, const Value& value)
+{
+  double largest = NaN;
+  for (const SiteCurve& curve : site.measured.curves)
+  {
+    const double next = value(curve.prepared);
+    largest = std::abs(next) <= std::abs(largest) ? largest : std::isnan(next) ? largest : next;
+  }
+  return largest;
+}
+
+std::string toolsOf(const PlacedSite& site)
+{
+  std::string tools;
+  for (const SiteCurve& curve : site.measured.curves)
+  {
+    tools += (tools.empty() ? "" : " ") + curve.toolText;
+  }
+  return tools;
+}
+
+struct Reading
+{
+  const PlacedSite* site;
+  const SiteCurve* curve;
+  double deflection;
+  double force;
+  double monotone;
+  double model;
+};
+
+void appendReadings(const PlacedSite& site, std::size_t index,
+  const std::shared_ptr<const LayerKernel>& kernel, std::vector<Reading>& readings)
+{
+  const SiteCurve& curve = site.measured.curves[index];
+  const IdentifiedBody& body = site.measured.body;
+  const bool known = site.measured.refusal.empty();
+  const double offset = known ? body.contactOffset[index].value : 0.0;
+  for (const LoadingBranch& load : curve.prepared.loads)
+  {
+    std::vector<std::size_t> order(load.deflection.size());
+    std::iota(order.begin(), order.end(), std::size_t{ 0 });
+    std::stable_sort(order.begin(), order.end(),
+      [&load](std::size_t a, std::size_t b) { return load.deflection[a] < load.deflection[b]; });
+    std::vector<double> forces;
+    for (const std::size_t i : order)
+    {
+      forces.push_back(load.force[i]);
+    }
+    const std::vector<double> monotone = isotonicRegression(forces);
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      const double depth = load.deflection[order[i]] - offset;
+      readings.push_back({ &site, &curve, depth, forces[i], monotone[i],
+        known ? bodyResponse(body.body, *curve.tool, kernel, depth).force : NaN });
+    }
+  }
+}
+} // namespace
+
+void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table)
+{
+  const auto text = [&](const char* name, const auto& value)
+  { addColumn<vtkStringArray>(table, name, sites, value); };
+  text("Site", [](const PlacedSite& s) { return s.measured.name; });
+  text("Verdict",
+    [](const PlacedSite& s)
+    { return s.measured.refusal.empty() ? std::string("identified") : s.measured.refusal; });
+  text("Model",
+    [](const PlacedSite& s)
+    { return std::string(s.measured.refusal.empty() ? nameOf(s.measured.body.body.model) : ""); });
+  text("Tools", toolsOf);
+  for (Eigen::Index k = 0; k < 3; ++k)
+  {
+    addNumbers(table, std::string(1, "XYZ"[k]) + " (mm)", sites,
+      [k](const PlacedSite& s) { return s.position[k]; });
+  }
+  addNumbers(table, "Distance (mm)", sites, [](const PlacedSite& s) { return s.distance; });
+  addEstimate(table, "ReducedModulus", " (MPa)", sites,
+    [](const PlacedSite& s) { return s.measured.body.reducedModulus; });
+  addEstimate(table, "Compliance", " (mm/N)", sites,
+    [](const PlacedSite& s) { return s.measured.body.compliance; });
+  addEstimate(table, "Thickness", " (mm)", sites,
+    [](const PlacedSite& s) { return s.measured.body.thickness; });
+  addEstimate(table, "ContactOffset", " (mm)", sites,
+    [](const PlacedSite& s)
+    {
+      const auto& offsets = s.measured.body.contactOffset;
+      return offsets.empty() ? Estimate() : offsets.front();
+    });
+  const auto identified = [&](const char* name, double IdentifiedBody::*member)
+  { addNumbers(table, name, sites, [=](const PlacedSite& s) { return s.measured.body.*member; }); };
+  identified("Noise (N)", &IdentifiedBody::noise);
+  identified("Misfit (N)", &IdentifiedBody::misfit);
+  identified("LargestForce (N)", &IdentifiedBody::largestForce);
+  addNumbers(table, "WithinNoise", sites,
+    [](const PlacedSite& s) { return s.measured.body.withinNoise ? 1.0 : 0.0; });
+  addNumbers(table, "Hysteresis", sites,
+    [](const PlacedSite& s)
+    { return most(s, [](const PreparedCurve& p) { return p.hysteresis; }); });
+  addNumbers(table, "RateEffect", sites,
+    [](const PlacedSite& s)
+    { return most(s, [](const PreparedCurve& p) { return p.rateEffect; }); });
+}
+
+void tabulateCurves(const std::vector<PlacedSite>& sites,
+  const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table)
+{
+  std::vector<Reading> readings;
+  for (const PlacedSite& site : sites)
+  {
+    for (std::size_t i = 0; i < site.measured.curves.size(); ++i)
+    {
+      appendReadings(site, i, kernel, readings);
+    }
+  }
+  const auto number = [&](const char* name, double Reading::*member) {
+    addColumn<vtkDoubleArray>(table, name, readings, [=](const Reading& r) { return r.*member; });
+  };
+  number("Deflection (mm)", &Reading::deflection);
+  number("Force (N)", &Reading::force);
+  number("MonotoneForce (N)", &Reading::monotone);
+  number("ModelForce (N)", &Reading::model);
+  addColumn<vtkStringArray>(
+    table, "Site", readings, [](const Reading& r) { return r.site->measured.name; });
+  addColumn<vtkStringArray>(
+    table, "Tool", readings, [](const Reading& r) { return r.curve->toolText; });
+}
+} // namespace palpate

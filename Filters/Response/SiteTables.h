@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SiteTables_h
+#define SiteTables_h
+
+#include "MeasuredSite.h"
+
+#include <vector>
+
+class vtkTable;
+
+namespace palpate
+{
+/// A site, and where it came to lie on the body.
+struct PlacedSite
+{
+  MeasuredSite measured;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< registered, mm
+  double distance = 0.0;                              ///< from the surface, mm
+};
+
+/// One row per site: what was identified, or why not (vtkMeasuredContactResponse.h, port 1).
+void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table);
+
+/// One row per reading of a loading, counted from first contact: as measured, made monotone, and by
+/// the identified body (vtkMeasuredContactResponse.h, port 2).
+void tabulateCurves(const std::vector<PlacedSite>& sites,
+  const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);
+} // namespace palpate
+
+#endif

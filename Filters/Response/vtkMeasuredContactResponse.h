@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMeasuredContactResponse
+ * @brief measured with one tool, felt with another
+ *
+ * Input: a body as for vtkToolContactResponse, and files of force-deflection curves taken at sites
+ * of it, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
+ * finite-element code). Sites of one name in several files are one site, measured with several
+ * tools.
+ *
+ * For each site the loading branches are separated, hysteresis and the effect of speed judged, the
+ * depth of first contact found, and the simplest elastic body identified that explains the readings
+ * within their noise: a half-space (E*), one in series with a global compliance (E*, C_g), or a
+ * layer on a rigid base (E*, h). See CurvePreparation.h, BodyIdentification.h. A site is refused,
+ * with the reason, when it is not elastic, not fitted by any model, farther from the surface than
+ * MaximumSiteDistance, or when its curves do not tell the parameters apart, as those of a flat
+ * punch alone. Refused sites are named in a warning; if none is left, that is an error.
+ *
+ * Then any Tool follows from the identified bodies, spread over the surface (vtkShepardKernel)
+ * within Reach mm of a site, connected over the surface and facing the same way, so never across a
+ * thin lobe. E*, C_g and 1/h are interpolated.
+ *
+ * Output port 0: the body with the response arrays of vtkToolContactResponse, and
+ * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
+ *   `IdentifiedThickness` (mm, 0 for a half-space), double;
+ * - `Status` 4 OutOfReach where no site reaches: no response there;
+ * - `Limit` 6, data end: beyond Validity the tool presses harder (force) or strains more of the
+ * body (contact radius, see DataEnd.h) than any tool did when it was measured;
+ * - field data `Model`: what was identified, from what; it says `synthetic` if a file does.
+ * Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
+ * Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance, Thickness,
+ * ContactOffset, each with its 95 % confidence interval, Noise, Misfit, LargestForce (N),
+ * WithinNoise, Hysteresis and RateEffect (shares of the energy; NaN where not recorded). Output
+ * port 2: a vtkTable, a row per reading of a loading: Deflection (mm, from first contact), Force,
+ * MonotoneForce (isotonic regression), ModelForce (N), Site, Tool.
+ *
+ * @warning Small strain, frictionless tools, a body that is homogeneous under each site. A body is
+ * identified by its behaviour under the measuring tools: E* of a site says nothing of layers
+ * thinner than the contact radius that was reached. Force readings are taken to start at zero.
+ *
+ * Cost: up to a tenth of a second per site, on all cores, then that of vtkToolContactResponse.
+ *
+ * @sa vtkToolContactResponse
+ */
+#ifndef vtkMeasuredContactResponse_h
+#define vtkMeasuredContactResponse_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkContactTool;
+
+class PALPATERESPONSE_EXPORT vtkMeasuredContactResponse : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMeasuredContactResponse* New();
+  vtkTypeMacro(vtkMeasuredContactResponse, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The files of curves; at least one. They are read on every update. */
+  void AddFileName(const std::string& fileName);
+  void ClearFileNames();
+  int GetNumberOfFileNames();
+  std::string GetFileName(int index);
+  ///@}
+
+  ///@{
+  /**
+   * A file that carries the instrument's frame to the body's: a rigid 4×4 matrix or pairs of points
+   * (SiteRegistration.h). Empty, the default: the frames are one.
+   */
+  vtkSetMacro(RegistrationFile, std::string);
+  vtkGetMacro(RegistrationFile, std::string);
+  ///@}
+
+  ///@{
+  /** The tool to be felt; required. Its changes count in this filter's modification time. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  enum BodyModelType
+  {
+    Automatic = 0,
+    HalfSpace = 1,
+    GlobalCompliance = 2,
+    Layer = 3
+  };
+
+  ///@{
+  /** The model of every site, where it is known from elsewhere. Default Automatic. */
+  vtkSetClampMacro(BodyModel, int, Automatic, Layer);
+  vtkGetMacro(BodyModel, int);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio, 0 to 0.5; matters to layers only. Default 0.45. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /** How layers rest on their base: 0 Bonded (default) or 1 Slip. */
+  vtkSetClampMacro(LayerBase, int, 0, 1);
+  vtkGetMacro(LayerBase, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the depth of first contact is to be found from the readings. Default on; off where
+   * deflections count from first contact, as from finite elements.
+   */
+  vtkSetMacro(FindContact, bool);
+  vtkGetMacro(FindContact, bool);
+  vtkBooleanMacro(FindContact, bool);
+  ///@}
+
+  ///@{
+  /** Standard deviation of a reading of force, N. 0, the default: estimated from the readings. */
+  vtkSetMacro(Noise, double);
+  vtkGetMacro(Noise, double);
+  ///@}
+
+  ///@{
+  /** Largest share of the loading's energy that unloading may keep. Default 0.2. */
+  vtkSetMacro(MaximumHysteresis, double);
+  vtkGetMacro(MaximumHysteresis, double);
+  ///@}
+
+  ///@{
+  /** Largest difference in energy between a fast and a slow loading, relative. Default 0.1. */
+  vtkSetMacro(MaximumRateEffect, double);
+  vtkGetMacro(MaximumRateEffect, double);
+  ///@}
+
+  ///@{
+  /**
+   * Contact radius over tip radius up to which readings are used, the strain measure of
+   * vtkToolContactResponse; the laws are those of small strain. Default 0.4.
+   */
+  vtkSetMacro(MaximumStrain, double);
+  vtkGetMacro(MaximumStrain, double);
+  ///@}
+
+  ///@{
+  /**
+   * What a model may leave unexplained, more than noise, as a share of the largest force. Default
+   * 0.02.
+   */
+  vtkSetMacro(MaximumMisfit, double);
+  vtkGetMacro(MaximumMisfit, double);
+  ///@}
+
+  ///@{
+  /** Largest half-width of the confidence interval of E*, relative. Default 0.5. */
+  vtkSetMacro(MaximumUncertainty, double);
+  vtkGetMacro(MaximumUncertainty, double);
+  ///@}
+
+  ///@{
+  /** How far a site may lie from the surface, mm. Default 2. */
+  vtkSetMacro(MaximumSiteDistance, double);
+  vtkGetMacro(MaximumSiteDistance, double);
+  ///@}
+
+  ///@{
+  /** How far a site speaks for the surface around it, mm. Default 20. */
+  vtkSetMacro(Reach, double);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /** As of vtkToolContactResponse. */
+  vtkSetMacro(MaximumDeflection, double);
+  vtkGetMacro(MaximumDeflection, double);
+  vtkSetMacro(NumberOfSamples, int);
+  vtkGetMacro(NumberOfSamples, int);
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last update: the root of the mean square by which pairs of points miss each other after
+   * registration (NaN unless registered by pairs), and by which the sites miss the surface, mm.
+   */
+  vtkGetMacro(RegistrationResidual, double);
+  vtkGetMacro(SiteResidual, double);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkMeasuredContactResponse();
+  ~vtkMeasuredContactResponse() override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkMeasuredContactResponse(const vtkMeasuredContactResponse&) = delete;
+  void operator=(const vtkMeasuredContactResponse&) = delete;
+
+  struct Measurement;
+
+  std::string CheckProperties();
+  std::string ReadSites(Measurement& measurement);
+  bool IdentifySites(Measurement& measurement);
+  std::string JudgeSites(const Measurement& measurement);
+  void SpreadSites(vtkPolyData* body, Measurement& measurement, vtkPolyData* spread);
+  bool RespondTo(vtkPolyData* body, vtkPolyData* output);
+  void LimitToData(const Measurement& measurement, vtkPolyData* output);
+
+  std::vector<std::string> FileNames;
+  std::string RegistrationFile;
+  vtkSmartPointer<vtkContactTool> Tool;
+  int BodyModel = Automatic;
+  double PoissonRatio = 0.45;
+  int LayerBase = 0;
+  bool FindContact = true;
+  double Noise = 0.0;
+  double MaximumHysteresis = 0.2;
+  double MaximumRateEffect = 0.1;
+  double MaximumStrain = 0.4;
+  double MaximumMisfit = 0.02;
+  double MaximumUncertainty = 0.5;
+  double MaximumSiteDistance = 2.0;
+  double Reach = 20.0;
+  double MaximumDeflection = 2.0;
+  int NumberOfSamples = 8;
+  std::string ResponseName = "Response";
+  double RegistrationResidual = 0.0;
+  double SiteResidual = 0.0;
+};
+
+#endif

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured with one tool, felt with another: the same arrays as of a body whose material is known.
+#include "FilterChecks.h"
+#include "MeasuredFiles.h"
+
+#include "vtkFieldData.h"
+
+#include <algorithm>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Modulus = 0.05; // E*, MPa
+constexpr double R = 6.35;
+
+vtkDataArray* array(vtkMeasuredContactResponse* filter, const char* name)
+{
+  return filter->GetOutput()->GetPointData()->GetArray(name);
+}
+
+/// The largest relative difference of an array of both bodies.
+double difference(vtkDataArray* a, vtkDataArray* b)
+{
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < a->GetNumberOfComponents(); ++k)
+    {
+      const double x = a->GetComponent(i, k);
+      const double y = b->GetComponent(i, k);
+      largest = std::max(largest, std::abs(x - y) / std::max(std::abs(y), 1e-30));
+    }
+  }
+  return largest;
+}
+
+/// A half-space measured with a paraboloid feels to any tool as the same half-space given.
+void checkHalfSpace(const std::string& folder)
+{
+  const Body body = planeBody(12.0, 8);
+  const std::string file = writeCurves(folder + "/half-space.csv", "paraboloid:6.35",
+    { { "A", { 1.0, -1.0, 0.5 }, hertz(R, Modulus) } }, 1.5, 0.3);
+  for (const char* tool : { "sphere:1.6", "flat:1.6", "cone:60" })
+  {
+    const MeasuredFilter filter = measure(body, file, tool);
+    Messages messages(filter.Get());
+    filter->Update();
+    PALPATE_CHECK(messages.none());
+    vtkNew<vtkToolContactResponse> given;
+    given->SetInputData(body);
+    given->SetTool(makeTool(tool));
+    given->SetPoissonRatio(0.45);
+    given->SetYoungsModulus(Modulus * (1.0 - 0.45 * 0.45));
+    given->Update();
+    for (const char* name :
+      { "ResponseForce", "ResponseStiffness", "ResponseRange", "ResponseNormal" })
+    {
+      // Floats, and 1e-8 of the fit.
+      PALPATE_CHECK(
+        difference(array(filter, name), given->GetOutput()->GetPointData()->GetArray(name)) < 3e-7);
+    }
+  }
+  const MeasuredFilter filter = measure(body, file, "sphere:1.6");
+  filter->Update();
+  PALPATE_CHECK(siteText(filter, 0, "Site") == "A");
+  PALPATE_CHECK(siteText(filter, 0, "Verdict") == "identified");
+  PALPATE_CHECK_TEXT(siteText(filter, 0, "Model"), "half-space");
+  PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ReducedModulus (MPa)"), Modulus, 1e-9);
+  PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ContactOffset (mm)"), 0.3, 1e-7);
+  PALPATE_CHECK_NEAR(siteNumber(filter, 0, "Distance (mm)"), 0.5, 1e-15);
+  PALPATE_CHECK_NEAR(filter->GetSiteResidual(), 0.5, 1e-15);
+  auto* model = vtkStringArray::SafeDownCast(
+    filter->GetOutput()->GetFieldData()->GetAbstractArray("ResponseModel"));
+  PALPATE_CHECK(model != nullptr);
+  PALPATE_CHECK_TEXT(model ? model->GetValue(0) : std::string(), "half-space, identified",
+    "synthetic", "paraboloid:6.35", "1 site", "closed form");
+  PALPATE_CHECK(array(filter, "palpate:YoungsModulus") == nullptr);
+  PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // the input is left alone
+
+  // The curves, from first contact: 71 readings, of which 10 before it.
+  auto* curves = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
+  PALPATE_CHECK(curves->GetNumberOfRows() == 71);
+  for (vtkIdType i = 0; i < curves->GetNumberOfRows(); ++i)
+  {
+    const double depth = curves->GetValueByName(i, "Deflection (mm)").ToDouble();
+    const double force = depth > 0.0 ? hertz(R, Modulus)(depth) : 0.0;
+    PALPATE_CHECK_NEAR(curves->GetValueByName(i, "Force (N)").ToDouble(), force, 1e-7);
+    PALPATE_CHECK_NEAR(curves->GetValueByName(i, "MonotoneForce (N)").ToDouble(), force, 1e-7);
+    PALPATE_CHECK_NEAR(curves->GetValueByName(i, "ModelForce (N)").ToDouble(), force, 1e-7);
+  }
+}
+
+/// Local and global: the curve of a sphere measured, that of a flat by the closed form of series.
+void checkGlobalCompliance(const std::string& folder)
+{
+  const double compliance = 4.0;
+  const auto law = [=](double depth)
+  {
+    double low = 0.0;
+    double high = hertz(R, Modulus)(depth);
+    for (int i = 0; i < 100; ++i)
+    {
+      const double force = 0.5 * (low + high);
+      const double local = std::cbrt(std::pow(0.75 * force / (Modulus * std::sqrt(R)), 2.0));
+      (local + compliance * force < depth ? low : high) = force;
+    }
+    return 0.5 * (low + high);
+  };
+  const std::string file =
+    writeCurves(folder + "/series.csv", "paraboloid:6.35", { { "A", { 0.0, 0.0, 0.0 }, law } });
+  const MeasuredFilter filter = measure(planeBody(12.0, 8), file, "flat:1.6");
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.none());
+  PALPATE_CHECK_NEAR(siteNumber(filter, 0, "Compliance (mm/N)"), compliance, 1e-5);
+  const double local = 2.0 * 1.6 * Modulus;
+  const double stiffness = local / (1.0 + local * compliance);
+  for (int k = 0; k < 8; ++k)
+  {
+    const double depth = 2.0 * (k + 1) * (k + 1) / 64.0;
+    // 1e-6 of the fit, a float of storage.
+    PALPATE_CHECK_NEAR(
+      array(filter, "ResponseForce")->GetComponent(40, k), stiffness * depth, 2e-6 * depth);
+  }
+}
+
+/// Where the data end, by hand: with a paraboloid of 6.35 mm to 0.5 mm deep on E* the force is F₁,
+/// the contact radius a₁ = √(R δ).
+void checkDataEnd(const std::string& folder)
+{
+  const double depth = 0.5;
+  const std::string file = writeCurves(folder + "/end.csv", "paraboloid:6.35",
+    { { "A", { 0.0, 0.0, 0.0 }, hertz(R, Modulus) } }, depth);
+  const double radius = std::sqrt(R * depth); // 1.782 mm
+  const double force = hertz(R, Modulus)(depth);
+  const auto expect = [&](const char* tool, double validity, int limit)
+  {
+    const MeasuredFilter filter = measure(planeBody(12.0, 8), file, tool);
+    filter->Update();
+    // A part in a thousand of force or stiffness is given: 1e-3 to 2e-3 of the depth.
+    PALPATE_CHECK_NEAR(
+      array(filter, "ResponseValidity")->GetTuple1(40), validity, 2.5e-3 * validity + 1e-6);
+    PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(40) == limit);
+  };
+  expect("paraboloid:6.35", depth, 6);
+  // A blunter tip reaches the contact radius first: a² = R δ.
+  expect("paraboloid:50", radius * radius / 50.0, 6);
+  // A sharper one would reach the force first, but a flat its strain limit, δ/a = 0.4, before.
+  expect("paraboloid:4", std::pow(force / (4.0 / 3.0 * Modulus * 2.0), 2.0 / 3.0), 6);
+  expect("flat:1.6", std::min(0.4 * 1.6, force / (2.0 * 1.6 * Modulus)), 6);
+  // Wider than what was ever strained: nothing is known.
+  expect("flat:2", 0.0, 6);
+  // Strain comes first under a sharp tip: a/R = 0.4, δ = a²/R.
+  expect("paraboloid:1", 0.16, 1);
+}
+
+void checkThreads(const std::string& folder)
+{
+  std::vector<MadeSite> sites;
+  for (int i = 0; i < 5; ++i)
+  {
+    sites.push_back(
+      { "S" + std::to_string(i), { 4.0 * i - 8.0, 2.0, 0.0 }, hertz(R, Modulus * (1 + i)) });
+  }
+  const std::string file =
+    writeCurves(folder + "/threads.csv", "paraboloid:6.35", sites, 1.5, 0.1, 0.001);
+  std::vector<vtkSmartPointer<vtkDataArray>> runs;
+  for (const int threads : { 1, 3 })
+  {
+    withThreads(threads,
+      [&]
+      {
+        const MeasuredFilter filter = measure(planeBody(12.0, 20), file, "sphere:1.6");
+        filter->Update();
+        runs.emplace_back(array(filter, "ResponseForce"));
+      });
+  }
+  bool same = true;
+  for (vtkIdType i = 0; i < runs[0]->GetNumberOfValues(); ++i)
+  {
+    same = same && runs[0]->GetVariantValue(i).ToDouble() == runs[1]->GetVariantValue(i).ToDouble();
+  }
+  PALPATE_CHECK(same);
+}
+} // namespace
+
+int TestMeasuredContactResponse(int, char* arguments[])
+{
+  const std::string folder = arguments[1];
+  checkHalfSpace(folder);
+  checkGlobalCompliance(folder);
+  checkDataEnd(folder);
+  checkThreads(folder);
+  return result();
+}
