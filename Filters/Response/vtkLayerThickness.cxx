@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLayerThickness.h"
+
+#include "BaseDepth.h"
+#include "BodyConversion.h"
+#include "FilterStage.h"
+#include "PointNormals.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkImageInterpolator.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkLayerThickness);
+
+namespace
+{
+constexpr double SamplesPerVoxel = 4.0;
+constexpr double LargestTurn = 0.5; // cosine of 60°: beyond, the surface faces elsewhere
+constexpr double MostSamples = 1e6; // of a ray
+constexpr int ProgressBlocks = 10;
+constexpr float NotFound = std::numeric_limits<float>::infinity();
+using Stage = palpate::FilterStage;
+
+double SmallestSpacing(vtkImageData* scan)
+{
+  const double* spacing = scan->GetSpacing();
+  return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+}
+
+double LargestSpacing(vtkImageData* scan)
+{
+  const double* spacing = scan->GetSpacing();
+  return std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+}
+
+/** The points of a body, where they are and whereto they face. */
+struct Surface
+{
+  vtkPoints* points;
+  const float* normals;
+  vtkStaticPointLocator* locator;
+
+  double cosine(vtkIdType a, vtkIdType b) const
+  {
+    return static_cast<double>(vtkMath::Dot(this->normals + 3 * a, this->normals + 3 * b));
+  }
+};
+
+/** Reads the scan along rays into the body. */
+class Rays
+{
+public:
+  Rays(vtkImageData* scan, vtkDataArray* grey, double depth, double edge, double baseValue)
+    : Scan(scan)
+    , Step(SmallestSpacing(scan) / SamplesPerVoxel)
+    , Samples(static_cast<std::size_t>(std::ceil((depth + edge) / this->Step)) + 1)
+    , Depth(depth)
+    , Criteria{ baseValue, static_cast<std::ptrdiff_t>(std::ceil(edge / this->Step)),
+      static_cast<std::ptrdiff_t>(std::ceil(LargestSpacing(scan) / this->Step)) }
+  {
+    // The interpolator reads the active scalars.
+    this->Grey->CopyStructure(scan);
+    this->Grey->GetPointData()->SetScalars(grey);
+    this->Interpolator->SetInterpolationModeToLinear();
+    this->Interpolator->SetTolerance(0.5); // voxels: the skin may end where the scan does
+    this->Interpolator->Initialize(this->Grey);
+  }
+
+  std::size_t samples() const { return this->Samples; }
+
+  /** Depth of the base under a point, mm; +inf if there is none. `grey`: room for the samples. */
+  double operator()(const double point[3], const float* normal, double* grey) const
+  {
+    double from[3];
+    double to[3];
+    double end[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      end[axis] = point[axis] - this->Step * static_cast<double>(normal[axis]);
+    }
+    this->Scan->TransformPhysicalPointToContinuousIndex(point, from);
+    this->Scan->TransformPhysicalPointToContinuousIndex(end, to);
+    std::size_t count = 0;
+    for (; count < this->Samples; ++count)
+    {
+      double index[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        index[axis] = from[axis] + static_cast<double>(count) * (to[axis] - from[axis]);
+      }
+      if (!this->Interpolator->CheckBoundsIJK(index))
+      {
+        break;
+      }
+      this->Interpolator->InterpolateIJK(index, grey + count);
+    }
+    const double depth = this->Step * palpate::findBaseDepth(grey, count, this->Criteria);
+    return depth <= this->Depth ? depth : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  vtkImageData* Scan;
+  double Step;
+  std::size_t Samples;
+  double Depth;
+  palpate::BaseCriteria Criteria;
+  vtkNew<vtkImageData> Grey;
+  vtkNew<vtkImageInterpolator> Interpolator;
+};
+
+/** Whether surface that faces the other way than point `i` lies near a place. */
+bool LeavesBody(
+  const Surface& surface, vtkIdType i, const double place[3], double reach, vtkIdList* near)
+{
+  surface.locator->FindPointsWithinRadius(reach, place, near);
+  return std::any_of(
+    near->begin(), near->end(), [&](vtkIdType j) { return surface.cosine(i, j) < 0.0; });
+}
+
+/** The median around point `i`, itself included. */
+float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>& depth,
+  double radius, vtkIdList* near, std::vector<float>& found)
+{
+  double point[3];
+  surface.points->GetPoint(i, point);
+  surface.locator->FindPointsWithinRadius(radius, point, near);
+  found.clear();
+  for (const vtkIdType j : *near)
+  {
+    if (surface.cosine(i, j) > LargestTurn)
+    {
+      found.push_back(depth[static_cast<std::size_t>(j)]);
+    }
+  }
+  if (found.empty())
+  {
+    return NotFound; // no normal
+  }
+  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+  std::nth_element(found.begin(), middle, found.end());
+  return *middle;
+}
+
+/** Runs a loop over `count` points in blocks; false when aborted. */
+template <class Loop>
+bool ForAll(vtkIdType count, Stage stage, const Loop& loop)
+{
+  for (vtkIdType block = 0; block < ProgressBlocks; ++block)
+  {
+    vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks, loop);
+    if (!stage(static_cast<double>(block + 1) / ProgressBlocks))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkLayerThickness::vtkLayerThickness()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//------------------------------------------------------------------------------
+int vtkLayerThickness::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkLayerThickness::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  // Any piece of the body may need any part of the scan.
+  vtkInformation* info = input[1]->GetInformationObject(0);
+  if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    int whole[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  }
+  return this->Superclass::RequestUpdateExtent(request, input, output);
+}
+
+//------------------------------------------------------------------------------
+/** What is wrong with scan or properties; empty when nothing is. */
+std::string vtkLayerThickness::Problem(vtkImageData* scan, vtkDataArray* grey) const
+{
+  std::ostringstream text;
+  const int* size = scan->GetDimensions();
+  const double smallest = SmallestSpacing(scan);
+  if (!grey)
+  {
+    text << "the scan has no point scalars to read.";
+  }
+  else if (grey->GetNumberOfComponents() != 1 ||
+    grey->GetNumberOfTuples() != scan->GetNumberOfPoints())
+  {
+    text << "the scan's scalars have " << grey->GetNumberOfComponents() << " components and "
+         << grey->GetNumberOfTuples() << " values, 1 and " << scan->GetNumberOfPoints()
+         << " are needed.";
+  }
+  else if (std::min({ size[0], size[1], size[2] }) < 2 || !(smallest > 0.0))
+  {
+    text << "the scan must extend in three dimensions, it has " << size[0] << " x " << size[1]
+         << " x " << size[2] << " voxels, the smallest spacing is " << smallest << " mm.";
+  }
+  else if (!std::isfinite(this->BaseValue))
+  {
+    text << "BaseValue must be finite, it is " << this->BaseValue << ".";
+  }
+  else if (!(this->MaximumDepth > 0.0 && this->EdgeWidth > 0.0 && this->SmoothingRadius >= 0.0 &&
+             std::isfinite(this->MaximumDepth + this->EdgeWidth + this->SmoothingRadius)))
+  {
+    text << "MaximumDepth and EdgeWidth must be positive, SmoothingRadius not negative, and all "
+            "finite (mm); they are "
+         << this->MaximumDepth << ", " << this->EdgeWidth << " and " << this->SmoothingRadius
+         << ".";
+  }
+  else if (!((this->MaximumDepth + this->EdgeWidth) * SamplesPerVoxel / smallest < MostSamples))
+  {
+    text << "MaximumDepth " << this->MaximumDepth << " mm is too deep for voxels of " << smallest
+         << " mm.";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+int vtkLayerThickness::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(input[0]);
+  vtkImageData* scan = vtkImageData::GetData(input[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!body || body->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const std::string fault = palpate::checkTriangles(body);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong input: " << fault << ".");
+    return 0;
+  }
+  vtkDataArray* grey = this->GetInputArrayToProcess(0, input);
+  const std::string problem =
+    scan ? this->Problem(scan, grey) : std::string("a scan is required on port 1.");
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< "Wrong input: " << problem);
+    return 0;
+  }
+  if (!vtkBoundingBox(scan->GetBounds()).Intersects(vtkBoundingBox(body->GetBounds())))
+  {
+    const double* b = body->GetBounds();
+    const double* s = scan->GetBounds();
+    vtkErrorMacro(<< "Wrong input: the body lies outside the scan: x " << b[0] << " to " << b[1]
+                  << ", y " << b[2] << " to " << b[3] << ", z " << b[4] << " to " << b[5]
+                  << " mm, the scan " << s[0] << " to " << s[1] << ", " << s[2] << " to " << s[3]
+                  << ", " << s[4] << " to " << s[5] << " mm.");
+    return 0;
+  }
+
+  const vtkIdType count = body->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(count);
+  vtkNew<vtkUnsignedCharArray> status;
+  status->SetNumberOfTuples(count);
+  const std::string wrongSide = palpate::fillPointNormals(body, normals, status);
+  if (!wrongSide.empty())
+  {
+    vtkErrorMacro(<< "Wrong input: " << wrongSide << ".");
+    return 0;
+  }
+  const unsigned char* states = status->GetPointer(0);
+  const vtkIdType notFinite = std::find(states, states + count,
+                                static_cast<unsigned char>(palpate::ResponseStatus::NotFinite)) -
+    states;
+  if (notFinite < count)
+  {
+    vtkErrorMacro(<< "Wrong input: point " << notFinite << " or its normal is not finite.");
+    return 0;
+  }
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(body);
+  locator->BuildLocator();
+  const Surface surface{ body->GetPoints(), normals->GetPointer(0), locator };
+  const Rays findBase(scan, grey, this->MaximumDepth, this->EdgeWidth, this->BaseValue);
+
+  // The base under each point.
+  std::vector<float> depth(static_cast<std::size_t>(count), NotFound);
+  vtkSMPThreadLocalObject<vtkIdList> lists;
+  vtkSMPThreadLocal<std::vector<double>> samples;
+  vtkSMPThreadLocal<std::vector<float>> neighbours;
+  const bool read = ForAll(count, { this, 0.0, 0.5 },
+    [&](vtkIdType first, vtkIdType last)
+    {
+      std::vector<double>& profile = samples.Local();
+      profile.resize(findBase.samples());
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double place[3];
+        const float* normal = surface.normals + 3 * i;
+        surface.points->GetPoint(i, place);
+        const double below = states[i] == 0 ? findBase(place, normal, profile.data())
+                                            : std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis] -= below * static_cast<double>(normal[axis]);
+        }
+        if (std::isfinite(below) && !LeavesBody(surface, i, place, this->EdgeWidth, lists.Local()))
+        {
+          depth[static_cast<std::size_t>(i)] = static_cast<float>(below);
+        }
+      }
+    });
+
+  // What most points around a point say.
+  vtkNew<vtkFloatArray> thickness;
+  thickness->SetName("LayerThickness");
+  thickness->SetNumberOfTuples(count);
+  const bool done = read &&
+    ForAll(count, { this, 0.5, 1.0 },
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          const float median = this->SmoothingRadius > 0.0
+            ? MedianAround(
+                surface, i, depth, this->SmoothingRadius, lists.Local(), neighbours.Local())
+            : depth[static_cast<std::size_t>(i)];
+          thickness->SetValue(i, std::isfinite(median) ? median : 0.0F);
+        }
+      });
+  if (done)
+  {
+    output->ShallowCopy(body);
+    output->GetPointData()->AddArray(thickness);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkLayerThickness::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BaseValue: " << this->BaseValue << "\n";
+  os << indent << "MaximumDepth: " << this->MaximumDepth << " mm\n";
+  os << indent << "EdgeWidth: " << this->EdgeWidth << " mm\n";
+  os << indent << "SmoothingRadius: " << this->SmoothingRadius << " mm\n";
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkLayerThickness
+ * @brief how thick the soft tissue over the bone is, from a scan, point by point
+ *
+ * Port 0: the body, a vtkPolyData of triangles in mm, as vtkSkinSurface makes it; its active point
+ * normals, or angle-weighted ones, point outward. Port 1: the scan, a three-dimensional
+ * vtkImageData in the same coordinates, with one-component scalars that are bright in soft tissue
+ * and dark in the base (input array 0 to process; default: the active scalars).
+ *
+ * Output: the body with the point array `LayerThickness` (float, mm), 0 where no base was found: as
+ * vtkToolContactResponse takes it, array to process 1, where 0 is a half-space. All else passes
+ * through.
+ *
+ * The steps: (1) from each point a ray goes inward along the normal, MaximumDepth deep, and reads
+ * the scan every quarter of the smallest spacing (trilinear interpolation). (2) The base is the
+ * first run of values below BaseValue that is at least a voxel long and, at its darkest, at most
+ * half as bright as the tissue above it; it begins where the grey falls through the middle between
+ * tissue and base, the brightest and the darkest value within EdgeWidth. (3) A base with surface
+ * facing the other way within EdgeWidth of it is none: the ray left the body, as through an ear.
+ * (4) Median over the points within SmoothingRadius whose normals turn by less than 60°; a point
+ * without base counts as infinitely deep, so that it is found or not by the majority. A ray ends
+ * where the scan ends or is not finite; points of the body that are not finite are an error.
+ *
+ * Accuracy, on sharp edges blurred by voxels: a tenth of a voxel. On a head it is that of the scan:
+ * fat is shifted against water along the read-out axis, typically by up to a voxel.
+ *
+ * @warning
+ * The thickness is that along the normal, and the base is what is dark: air behind thin tissue
+ * (sinuses, nostrils, mouth) looks like bone. On the T1 scan of Colin 27 cortical bone has 10 to
+ * 25, the eyes 38, muscle 60 and more.
+ *
+ * @warning
+ * Points of the body must be closer together than EdgeWidth for step 3, and than SmoothingRadius
+ * for step 4, to do anything.
+ *
+ * Cost: Colin 27 at 0.6 mm, 426 thousand points: 6.5 s of one core, a third of it the rays, the
+ * rest the median, which grows with the points within SmoothingRadius. Threaded by vtkSMPTools; the
+ * same bits for any number of threads. Abort leaves no output.
+ *
+ * @sa vtkSkinSurface vtkToolContactResponse
+ */
+#ifndef vtkLayerThickness_h
+#define vtkLayerThickness_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // For std::string
+
+class vtkImageData;
+
+class PALPATERESPONSE_EXPORT vtkLayerThickness : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkLayerThickness* New();
+  vtkTypeMacro(vtkLayerThickness, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The scan, port 1. */
+  void SetScanConnection(vtkAlgorithmOutput* scan) { this->SetInputConnection(1, scan); }
+  void SetScanData(vtkDataObject* scan) { this->SetInputData(1, scan); }
+  ///@}
+
+  ///@{
+  /**
+   * Grey value below which the scan is base, in the unit of the scalars. Default 35, right for
+   * the T1 scan of Colin 27.
+   */
+  vtkSetMacro(BaseValue, double);
+  vtkGetMacro(BaseValue, double);
+  ///@}
+
+  ///@{
+  /** How deep a base is looked for, mm, > 0. Default 20. */
+  vtkSetMacro(MaximumDepth, double);
+  vtkGetMacro(MaximumDepth, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the scan blurs an edge, mm, > 0: tissue and base are judged within it. Default 3: three
+   * voxels of Colin 27.
+   */
+  vtkSetMacro(EdgeWidth, double);
+  vtkGetMacro(EdgeWidth, double);
+  ///@}
+
+  ///@{
+  /** The median is taken over points as near as this, mm; 0: none is taken. Default 3. */
+  vtkSetMacro(SmoothingRadius, double);
+  vtkGetMacro(SmoothingRadius, double);
+  ///@}
+
+protected:
+  vtkLayerThickness();
+  ~vtkLayerThickness() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkLayerThickness(const vtkLayerThickness&) = delete;
+  void operator=(const vtkLayerThickness&) = delete;
+
+  std::string Problem(vtkImageData* scan, vtkDataArray* grey) const;
+
+  double BaseValue = 35.0;
+  double MaximumDepth = 20.0;
+  double EdgeWidth = 3.0;
+  double SmoothingRadius = 3.0;
+};
+
+#endif
