@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bodies with responses, and a tool pressed into them by a session in virtual time."""
+import numpy as np
+
+from palpate import contract, vtkHapticSession, vtkPressPath, vtkToolContactResponse
+from setting import SPEED, contact_tool
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+
+
+def square(points_per_side=3):
+    """A plane square of 60 mm about the origin, normal +z."""
+    plane, triangles = vtkPlaneSource(), vtkTriangleFilter()
+    plane.SetOrigin(-30, -30, 0)
+    plane.SetPoint1(30, -30, 0)
+    plane.SetPoint2(-30, 30, 0)
+    plane.SetResolution(points_per_side - 1, points_per_side - 1)
+    triangles.SetInputConnection(plane.GetOutputPort())
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def add_array(body, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=1)
+    array.SetName(name)
+    body.GetPointData().AddArray(array)
+
+
+def material(filters, modulus, poisson_ratio, layer=0.0, compliance=None):
+    """Gives a response or a regime filter E* (MPa) and the rest; `compliance` names a point array."""
+    filters.SetYoungsModulus(modulus * (1 - poisson_ratio ** 2))
+    filters.SetPoissonRatio(poisson_ratio)
+    filters.SetLayerThickness(layer)
+    if compliance:
+        filters.SetInputArrayToProcess(2, 0, 0, 0, compliance)
+
+
+def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compliance=None, samples=8):
+    """The body with the response of a tool to `depth` mm."""
+    response = vtkToolContactResponse()
+    response.SetInputData(body)
+    response.SetTool(contact_tool(specification))
+    response.SetMaximumDeflection(depth)
+    response.SetNumberOfSamples(samples)
+    material(response, modulus, poisson_ratio, layer, compliance)
+    response.Update()
+    output = vtkPolyData()
+    output.ShallowCopy(response.GetOutput())
+    if output.GetNumberOfPoints() == 0:
+        raise RuntimeError("no response for " + specification)
+    return output
+
+
+def curve(responding, point, depths):
+    """Force (N) at a point of a body with responses."""
+    return contract.evaluate(contract.load(responding), point, depths)[0]
+
+
+def validity(responding, point):
+    return responding.GetPointData().GetArray("ResponseValidity").GetTuple1(point)
+
+
+def press(responding, depth, approach):
+    """A tool pressed down the z axis at the paper's speed and lifted again, at 1 kHz.
+
+    Returns time (s), displacement of the tip (mm, > 0 into the body) and normal force (N) of each tick.
+    """
+    top = responding.GetBounds()[5]
+    path = vtkPressPath()
+    path.SetInputData(responding)
+    path.SetCenter(0, 0, top - 0.5)
+    path.AddDirection(0, 0, 1)
+    path.SetDepth(depth)
+    path.SetApproach(approach)
+    path.SetPressSpeed(SPEED)
+    path.Update()
+    session = vtkHapticSession()
+    session.SetBody(responding)
+    session.SetDevice("simulated")
+    session.SetPath(path.GetOutput())
+    if not session.Start():
+        raise RuntimeError("the session does not start")
+    session.Step(session.GetPathDuration())
+    session.Stop()
+    recording = vtkPolyData()
+    session.GetRecording(recording)
+    arrays = recording.GetPointData()
+    tips = vtk_to_numpy(recording.GetPoints().GetData())
+    return (vtk_to_numpy(arrays.GetArray("Time")).copy(), top - tips[:, 2],
+            vtk_to_numpy(arrays.GetArray("NormalForce")).copy())

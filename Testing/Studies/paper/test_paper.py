@@ -1,0 +1,271 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The study of the paper, run quickly, and what it left in Data/Studies/paper: the same checks.
+
+    test_paper.py FOLDER [UNITTEST ARGS]       FOLDER: where the quick run goes
+
+The CSV have seven digits: 1e-6 where nothing else is said. Curves that a response stores come from float
+samples: 5e-4, twice the storage error in the README. Finite elements: 2 %, what vtkElasticCompliance
+promises.
+"""
+import math
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+DATA = HERE.parents[2] / "Data"
+sys.path.append(str(HERE.parent / "calculix"))
+
+import castigliano          # noqa: E402
+import local_rubber         # noqa: E402
+import results              # noqa: E402
+import theory               # noqa: E402
+
+FOLDER = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
+E_STAR = 3.45
+SHAPES = {"sphere12.7": ("sphere", 6.35), "sphere3.2": ("sphere", 1.6), "flat3.2": ("flat", 1.6)}
+PICTURES = ("figure1_st_venant", "equation1_castigliano", "figure5_rubber_on_edges", "figure6_local_rubber",
+            "figure7_liver_slab")
+close = np.testing.assert_allclose
+
+
+def quadrature(points):
+    nodes, weights = np.polynomial.legendre.leggauss(points)
+    return 0.5 * (nodes + 1), 0.5 * weights
+
+
+def at(table, name, value):
+    """The one row of a table."""
+    where = np.flatnonzero(np.isclose(table[name], value, rtol=1e-9)) if not isinstance(value, str) \
+        else np.flatnonzero(table[name] == value)
+    assert len(where) == 1, (name, value)
+    return where[0]
+
+
+class StudyChecks:
+    def table(self, name):
+        return results.read_table(self.folder / (name + ".csv"))
+
+    def test_figure1(self):
+        table = self.table("figure1_st_venant")
+        x = table["r_over_a"]
+        # Sneddon: under a flat u_z = (2 δ/π) asin(a/r), F = 2 a E* δ.
+        close(table["flat3.2"], x * np.arcsin(1 / x), rtol=1e-6)
+        for tool in ("sphere12.7", "sphere3.2"):
+            radius = SHAPES[tool][1]
+            depth = theory.half_space_deflection("sphere", radius, E_STAR, 5.0)
+            a = theory.half_space_contact_radius("sphere", radius, depth)
+            # u_z = (2/π) [δ asin(a/r) - ∫ g dx/√(r²-x²)], with x = r sin φ.
+            s, weights = quadrature(60)
+            for ratio, r in zip(table[tool], x * a):
+                end = math.asin(a / r)
+                g = theory.one_dimensional_profile("sphere", radius)(r * np.sin(end * s))
+                u = 2 / math.pi * (depth * end - end * weights @ g)
+                self.assertAlmostEqual(ratio, u * math.pi * E_STAR * r / 5.0, delta=2e-6)
+        for tool in SHAPES:
+            self.assertTrue(np.all(np.diff(table[tool]) < 0))
+            self.assertLess(table[tool][-1], 1.0002)  # 1 + (a/r)²/6 at r/a = 30
+        agree = self.table("figure1_agreement")
+        # x = r/a with x asin(1/x) = 1.01
+        exact = theory.bisect(lambda r: 1.01 - r * math.asin(1 / r), 1.1, 100)
+        close(agree["within_0.01"][at(agree, "tool", "flat3.2")], exact, rtol=1e-6)
+        between = self.table("figure1_between_tools")
+        u = np.array([between["uz_%s_mm" % tool] for tool in SHAPES])
+        apart = u.max(axis=0) / u.min(axis=0) - 1
+        self.assertTrue(np.all(np.diff(apart) < 0))
+        # The grid is wide: 2 % of the distance.
+        close(math.exp(np.interp(-math.log(0.01), -np.log(apart), np.log(between["r_over_widest_a"]))),
+              agree["within_0.01"][at(agree, "tool", "any to any")], rtol=0.02)
+
+    def test_equation1(self):
+        table = self.table("equation1_castigliano")
+        close(table["dUstar_dF_mm"], table["delta_mm"], rtol=1e-6)
+        flat = table["tool"] == "flat"
+        close(table["dU_dF_mm"][flat], table["delta_mm"][flat], rtol=1e-6)
+        # The rest: δ = δ_local + C F, ∂U/∂F = F dδ/dF = ⅔ δ_local + C F.
+        bent, compliant = ~flat, 0.1 * table["force_N"][~flat]
+        close(table["dU_dF_mm"][bent], 2 / 3 * (table["delta_mm"][bent] - compliant) + compliant, rtol=1e-6)
+
+    def test_figure5_compliance(self):
+        table = self.table("figure5_regime")
+        product = dict(zip(table["body"], table["compliance_times_modulus_per_mm"]))
+        close(product["plate"], 7.075, rtol=0.02)  # CalculiX felt 7.06 to 7.09
+        for body, length, width in (("plate", 60, 40), ("strip", 100, 30)):
+            thin = theory.thin_plate_compliance(length, width, 6, 1, 0.45) / (1 - 0.45 ** 2)
+            # Shear adds about (thickness/length)² times a few: 1 to 2 %.
+            self.assertGreater(product[body], thin)
+            self.assertLess(product[body], 1.03 * thin)
+
+    def test_figure5_tools(self):
+        table = self.table("figure5_regime")
+        for i, tool in enumerate(table["tool"]):
+            shape, radius = SHAPES[tool]
+            c, depth = table["compliance_mm_per_N"][i], table["delta_mm"][i]
+            close(table["F_N"][i], theory.series_force(shape, radius, E_STAR, c, depth), rtol=5e-4)
+            local = theory.half_space_deflection(shape, radius, E_STAR, table["F_N"][i])
+            self.assertAlmostEqual(table["lambda"][i], 1 - local / depth, delta=5e-4)
+        spread = dict(zip(table["body"], table["spread"]))
+        self.assertLess(spread["strip"], 0.05)
+        # CalculiX's own spread is 9.2 %.
+        self.assertAlmostEqual(spread["plate"], 0.092, delta=0.006)
+        self.assertTrue(np.all(table["verdict"][table["body"] == "strip"] == 2))
+        self.assertFalse(np.all(table["verdict"][table["body"] == "plate"] == 2))
+        computed = self.table("figure5_calculix")
+        linear = computed["material"] == "linear"
+        # C_g within 2 %, and the forces with it; at depths that CalculiX's contact resolves.
+        deep = linear & (computed["delta_mm"] > 1)
+        close(computed["F_series_N"][deep], computed["F_calculix_N"][deep], rtol=0.02)
+
+    def test_figure5_trajectory(self):
+        table, regime = self.table("figure5_trajectory"), self.table("figure5_regime")
+        depth, force = table["displacement_mm"], table["force_sphere12.7_N"]
+        self.check_trapezium(table["time_s"], depth)
+        strip = np.flatnonzero(regime["body"] == "strip")[0]
+        c = regime["compliance_mm_per_N"][strip]
+        # Nothing above the surface. On the first per cents of the depth a soft body stores less well.
+        self.assertTrue(np.all(force[depth <= 0] == 0))
+        deep = depth > 0.3
+        exact = [theory.series_force("sphere", 6.35, E_STAR, c, d) for d in depth[deep]]
+        close(force[deep], exact, rtol=5e-4)
+
+    def test_figure5_spread(self):
+        table = self.table("figure5_spread")
+        for i in range(0, len(table["spread"]), 7):
+            c = table["compliance_times_modulus_per_mm"][i] / E_STAR
+            forces = [theory.series_force(*SHAPES[tool], E_STAR, c, 3.0) for tool in SHAPES]
+            self.assertAlmostEqual(table["spread"][i], np.ptp(forces) / np.mean(forces), delta=1e-3)
+
+    def test_figure6_curves(self):
+        table = self.table("figure6_curves")
+        oracle = results.read_table(DATA / "Reference" / "paper_fig6_F_of_delta.csv")
+        names = {"F_sphere12.7_N": "F_sphere12.7_exact", "F_sphere3.2_N": "F_sphere3.2_exact",
+                 "F_flat3.2_N": "F_flat3.2mm", "F_sphere12.7_table1_N": "F_sphere12.7mm_parab",
+                 "F_sphere3.2_table1_N": "F_sphere3.2mm_parab"}
+        rows = [(at(table, "delta_mm", d), i) for i, d in enumerate(oracle["delta_mm"]) if d < 1.81]
+        self.assertGreater(len(rows), 10)
+        mine, theirs = np.array(rows).T
+        for name, other in names.items():
+            close(table[name][mine], oracle[other][theirs], rtol=1e-6)
+
+    def test_figure6_at_12N(self):
+        table = self.table("figure6_at_12N")
+        oracle = results.read_table(DATA / "Reference" / "paper_fig6_delta_of_F.csv")
+        row = at(oracle, "F_N", 12.0)
+        large, flat, small = (at(table, "tool", t) for t in ("sphere12.7", "flat3.2", "sphere3.2"))
+        for i, exact, parabola in ((large, "delta_sphere12.7_exact", "delta_sphere12.7mm_parab"),
+                                   (flat, "delta_flat3.2mm", "delta_flat3.2mm"),
+                                   (small, "delta_sphere3.2_exact", "delta_sphere3.2mm_parab")):
+            close(table["delta_mm"][i], oracle[exact][row], rtol=1e-6)
+            close(table["delta_table1_mm"][i], oracle[parabola][row], rtol=1e-6)
+        close(table["a_mm"][small], oracle["a_3.2_exact"][row], rtol=1e-6)
+        self.assertAlmostEqual(table["a_over_R_table1"][small], 1.006, delta=5e-4)  # three decimals printed
+        self.assertLess(table["valid_to_mm"][small], 0.2 * table["delta_mm"][small])
+
+    def test_figure6_trajectory(self):
+        table = self.table("figure6_trajectory")
+        for tool, (shape, radius) in SHAPES.items():
+            rows = table["tool"] == tool
+            time, depth, force = (table[c][rows] for c in ("time_s", "displacement_mm", "force_N"))
+            self.check_trapezium(time, depth)
+            exact = np.array([theory.half_space_force(shape, radius, E_STAR, d) if d > 0 else 0 for d in depth])
+            close(force, exact, rtol=5e-4, atol=1e-4)
+            close(force.max(), 12.0, rtol=5e-4)
+
+    def check_trapezium(self, time, depth):
+        """At 1 mm/s from 0.5 mm above, half a second of rest, and back as it came."""
+        rest = depth > depth.max() - 1e-6
+        end = 0.5 + depth.max()
+        # A tick, 1e-3 s, in the times at which the hand turns.
+        close(depth, np.clip(np.minimum(time - 0.5, 2 * end - time), -0.5, depth.max()), atol=1.1e-3)
+        self.assertAlmostEqual(np.ptp(time[rest]), 0.5, delta=0.1)
+
+    def test_figure7(self):
+        table = self.table("figure7_liver_slab")
+        oracle = results.read_table(DATA / "Reference" / "liver_slab_h10.csv")
+        half = {6.35: "sphere12.7", 1.6: "sphere3.2"}
+        for nu, radius, depth, ratio in zip(*(oracle[c] for c in ("nu", "R_mm", "delta_mm", "F/F_Hertz"))):
+            row = np.flatnonzero(np.isclose(table["nu"], nu) & np.isclose(table["delta_mm"], depth))
+            self.assertEqual(len(row), 1)
+            close(table[half[radius] + "_table1_over_half_space"][row[0]], ratio, rtol=2e-6)
+        last = np.flatnonzero((table["nu"] == 0.5) & (table["delta_mm"] == 5))[0]
+        self.assertAlmostEqual(table["ratio_table1"][last], 3.27, delta=0.005)   # two decimals printed
+        # Many nodes: a/R of the small sphere is near 1. Converged to 1e-7.
+        layer = theory.BondedLayer(10, 0.5, nodes=64)
+        exact = layer.force("sphere", 6.35, 1, 5) / layer.force("sphere", 1.6, 1, 5)
+        close(table["ratio"][last], exact, rtol=2e-6)
+
+    def test_figure7_trajectory(self):
+        table = self.table("figure7_trajectory")
+        self.check_trapezium(table["time_s"], table["displacement_mm"])
+        slab = self.table("figure7_liver_slab")
+        last = np.flatnonzero((slab["nu"] == 0.5) & (slab["delta_mm"] == 5))[0]
+        for name in ("sphere12.7_force_over_modulus_mm2", "sphere3.2_force_over_modulus_mm2"):
+            close(table[name].max(), slab[name][last], rtol=5e-4)
+
+    def test_friction(self):
+        table = self.table("section4.4_friction")
+        row = at(table, "nu", 0.5)
+        for name, number in (("depth_at_14N_mm", 1.95885), ("presliding_mm", 1.46914),
+                             ("presliding_table1_mm", 1.34669)):
+            self.assertAlmostEqual(table[name][row], number, delta=5e-6)         # five decimals printed
+        self.assertAlmostEqual(table["sticking_angle_deg"][row], math.degrees(math.atan(0.75)), places=3)
+        self.assertEqual(table["slip_loss_bound"][row], 0)                       # u_r ~ 1 - 2ν
+        close(table["slip_loss_bound"][at(table, "nu", 0.45)], slip_loss_of_hertz(0.45), rtol=1e-3)
+
+    def test_pictures(self):
+        if results.pyplot is None and self.folder == FOLDER:
+            return  # the tables are all there is without matplotlib
+        for name in PICTURES:
+            picture = self.folder / (name + ".png")
+            self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+
+def slip_loss_of_hertz(nu):
+    """2 ∫∫ μ p |du_r| dA over ∫ F dδ for R = E* = 1, μ = 1/2, from Hertz's own p and load inside r."""
+    r, weights = quadrature(200)
+    a = np.sqrt(np.linspace(0, 1, 4001)[1:, None])
+    inside = np.maximum(0, 1 - (r / a) ** 2)
+    pressure = 2 * a / math.pi * np.sqrt(inside)
+    radial = (1 - 2 * nu) / (2 * math.pi * (1 - nu)) * 4 / 3 * a ** 3 * (1 - inside ** 1.5) / r
+    work = 0.5 * (pressure[1:] + pressure[:-1]) * np.abs(np.diff(radial, axis=0))
+    return 2 * 0.5 * weights @ (2 * math.pi * r * work.sum(axis=0)) / (8 / 15)
+
+
+class TestQuickRun(StudyChecks, unittest.TestCase):
+    folder = FOLDER
+
+    @classmethod
+    def setUpClass(cls):
+        for old in FOLDER.glob("*.*"):
+            old.unlink()
+        subprocess.run([sys.executable, str(HERE / "run.py"), "--quick", "--output", str(FOLDER)], check=True)
+
+
+class TestCommitted(StudyChecks, unittest.TestCase):
+    folder = DATA / "Studies" / "paper"
+
+
+class TestNumbers(unittest.TestCase):
+    """To all the digits that the reference has."""
+
+    def test_castigliano(self):
+        found = castigliano.example()
+        for name, number in (("delta", 1.0708870698), ("complementary", 1.0708870698), ("energy", 0.8805913799)):
+            self.assertAlmostEqual(found[name], number, delta=1e-9, msg=name)
+        self.assertAlmostEqual(found["felt"], 5.0, delta=5.0 * 5e-4)
+
+    def test_crossing(self):
+        depth, force = local_rubber.crossing_point()[:2]
+        self.assertAlmostEqual(depth, 0.9070866142, delta=1e-9)
+        self.assertAlmostEqual(force, 10.0142362205, delta=1e-8)
+
+
+if __name__ == "__main__":
+    if FOLDER is None:
+        sys.exit(__doc__)
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    unittest.main()
