@@ -5,6 +5,7 @@
 #include "ResponseSet.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkToolContactResponse.h"
@@ -19,6 +20,7 @@ namespace palpate
 namespace
 {
 const char* const CacheResponse = "Cached";
+const char* const Thickness = "LayerThickness";
 
 /// The file that holds this scan, or "" where there is no place for one.
 std::string cacheFile(const std::string& path, const BodyFileOptions& options)
@@ -41,6 +43,10 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
       << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
       << '|' << options.contourValue << '|' << options.closingRadius << '|' << PALPATE_VERSION;
+  if (options.baseValue)
+  {
+    key << "|bone below " << *options.baseValue;
+  }
   std::ostringstream name;
   name << "skin-" << std::hex << std::hash<std::string>()(key.str()) << ".palpate";
   const std::filesystem::path base =
@@ -48,8 +54,9 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   return (base / "palpate" / name.str()).string();
 }
 
-/// Makes the response normals the active ones and drops the response itself.
-vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* cached)
+/// Makes the response normals the active ones, its validity the thickness if there is to be one,
+/// and drops the response itself.
+vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness)
 {
   auto body = vtkSmartPointer<vtkPolyData>::New();
   body->CopyStructure(cached);
@@ -57,10 +64,18 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* cached)
     cached->GetPointData()->GetArray((std::string(CacheResponse) + "Normal").c_str());
   normals->SetName("Normals");
   body->GetPointData()->SetNormals(normals);
+  if (thickness)
+  {
+    vtkDataArray* layer =
+      cached->GetPointData()->GetArray((std::string(CacheResponse) + "Validity").c_str());
+    layer->SetName(Thickness);
+    body->GetPointData()->AddArray(layer);
+  }
   return body;
 }
 
-/// The flat file holds a body with a response; which one does not matter here.
+/// The flat file holds a body with a response; which one does not matter here, so that its
+/// validity, a length per point, can carry the thickness of the layer.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   std::error_code failed;
@@ -71,6 +86,14 @@ std::string store(vtkPolyData* body, const std::string& file)
   attach->SetResponseName(CacheResponse);
   attach->SetInputData(body);
   const std::string error = updateQuietly(attach);
+  if (vtkDataArray* thickness = body->GetPointData()->GetArray(Thickness))
+  {
+    const std::string place = std::string(CacheResponse) + "Validity";
+    vtkNew<vtkFloatArray> carried;
+    carried->DeepCopy(thickness);
+    carried->SetName(place.c_str());
+    attach->GetOutput()->GetPointData()->AddArray(carried);
+  }
   return error.empty() ? writeFlatBody(attach->GetOutput(), CacheResponse, file) : error;
 }
 } // namespace
@@ -85,7 +108,7 @@ BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& op
   {
     if (const auto cached = readFlatBody(file, CacheResponse, fault))
     {
-      result.body = withNormals(cached);
+      result.body = withoutResponse(cached, options.baseValue.has_value());
       result.notes.push_back("skin of " + path + " taken from the cache " + file);
       return result;
     }

@@ -11,8 +11,8 @@ namespace palpate
 /**
  * readBodyFile for scans, whose skin takes seconds, with a cache: the body as a flat body file in
  * $XDG_CACHE_HOME/palpate (or ~/.cache/palpate), named by path, size and time of the scan and by
- * the options. The body has the same bits whether it was cached or not. A cache that cannot be read
- * or written is not an error; a note says so.
+ * the options. The body has the same bits whether it was cached or not, LayerThickness included. A
+ * cache that cannot be read or written is not an error; a note says so.
  */
 BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options);
 } // namespace palpate

@@ -7,6 +7,7 @@
 #include "MeshFileCheck.h"
 #include "PromptReader.h"
 
+#include "vtkLayerThickness.h"
 #include "vtkSkinSurface.h"
 
 #include "vtkAlgorithm.h"
@@ -162,6 +163,21 @@ std::string coordinateProblem(vtkDataSet* data)
         " points have a coordinate that is not a finite number, the first is point ", first);
 }
 
+/** Adds LayerThickness to the skin of a scan, in the file's unit of length. */
+vtkSmartPointer<vtkPolyData> withThickness(
+  vtkPolyData* skin, vtkImageData* scan, const palpate::BodyFileOptions& options)
+{
+  vtkNew<vtkLayerThickness> thickness;
+  thickness->SetInputData(0, skin);
+  thickness->SetScanData(scan);
+  thickness->SetBaseValue(*options.baseValue);
+  thickness->SetMaximumDepth(thickness->GetMaximumDepth() / options.lengthScale);
+  thickness->SetEdgeWidth(thickness->GetEdgeWidth() / options.lengthScale);
+  thickness->SetSmoothingRadius(thickness->GetSmoothingRadius() / options.lengthScale);
+  thickness->Update();
+  return thickness->GetOutput();
+}
+
 /** The outer skin of a scan. */
 vtkSmartPointer<vtkPolyData> skinOf(
   vtkImageData* scan, const palpate::BodyFileOptions& options, std::vector<std::string>& notes)
@@ -177,6 +193,10 @@ vtkSmartPointer<vtkPolyData> skinOf(
     " voxels at grey level ", options.contourValue, ", openings up to ",
     2.0 * options.closingRadius, " mm closed: ", skin->GetOutput()->GetNumberOfPoints(),
     " points"));
+  if (options.baseValue)
+  {
+    return withThickness(skin->GetOutput(), scan, options);
+  }
   return skin->GetOutput();
 }
 
@@ -239,6 +259,13 @@ void scale(vtkPolyData* body, double factor)
     scaled->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
   }
   body->SetPoints(scaled);
+  if (vtkDataArray* thickness = body->GetPointData()->GetArray("LayerThickness"))
+  {
+    for (vtkIdType i = 0; i < thickness->GetNumberOfTuples(); ++i)
+    {
+      thickness->SetTuple1(i, factor * thickness->GetTuple1(i));
+    }
+  }
 }
 
 /** Closed, with its triangles wound so that the enclosed volume is negative. */

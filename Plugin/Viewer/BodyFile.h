@@ -5,7 +5,8 @@
  * .palpate: a body with its response, as written by --export; in mm already.
  * .vtp .stl .ply .obj .vtk: surfaces. Polygons and strips are cut into triangles.
  * .vtu .vtk: volume meshes. Their surface is taken.
- * .vti .vtk .nii .nii.gz: scans. Their outer skin is taken, see vtkSkinSurface.
+ * .vti .vtk .nii .nii.gz: scans. Their outer skin is taken, see vtkSkinSurface; if a base value is
+ * given, with the array LayerThickness (mm), see vtkLayerThickness.
  *
  * The body is in millimetres. A .vtp or .vtk of triangles comes out as it is, with all its arrays.
  * Point normals of the file are kept. Without them, a closed surface that is inside out is turned.
@@ -16,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +25,11 @@ namespace palpate
 {
 struct BodyFileOptions
 {
-  double lengthScale = 1.0;   // mm per unit of length of the file
-  double resolution = 0.0;    // of a scan, mm; 0 = its own
-  double contourValue = 30.0; // of a scan: grey level of the skin
-  double closingRadius = 6.0; // of a scan, mm: openings of up to twice this are shut
+  double lengthScale = 1.0;        // mm per unit of length of the file
+  double resolution = 0.0;         // of a scan, mm; 0 = its own
+  double contourValue = 30.0;      // of a scan: grey level of the skin
+  double closingRadius = 6.0;      // of a scan, mm: openings of up to twice this are shut
+  std::optional<double> baseValue; // of a scan: grey level below which it is bone
 };
 
 struct BodyFileResult

@@ -3,6 +3,7 @@
 #include "TouchScene.h"
 
 #include "BodyCache.h"
+#include "LayerModel.h"
 
 #include <filesystem>
 
@@ -26,6 +27,8 @@ std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene)
   file.resolution = options.resolution;
   file.contourValue = options.contourValue;
   file.closingRadius = options.closingRadius;
+  scene.layer = { true, 0.0 };
+  file.baseValue = scanValue(options, scene.layer);
   const BodyFileResult read = readCachedScan(scan, file);
   if (!read.error.empty())
   {
@@ -39,11 +42,10 @@ std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene)
   scene.materialSource =
     "E within the 31-42 kPa of cheek, cheekbone and forehead in vivo (aspiration; Luboz, Promayon "
     "and Payan, HAL hal-01092748); Poisson's ratio assumed nearly incompressible";
-  scene.modelReason =
-    "no layer thickness is used yet; skin over bone is a thin layer, so that the true force is "
-    "higher, the more so the deeper the tool";
+  scene.modelReason = "skin over bone is a thin layer, so that the true force there is higher, the "
+                      "more so the deeper the tool";
   scene.tools = { "sphere:6.35", "flat:1.6", "sphere:1.6" };
-  scene.depth = 1.0;
+  scene.depth = 0.8; // within validity over most of the path
   // +x right, +y to the nose, +z up: from above the left brow over the temple to the left cheek.
   scene.center = { 90.0, 110.0, 85.0 };
   scene.directions = { { -30.0, 89.0, 30.0 }, { -75.0, 55.0, 5.0 }, { -72.0, 55.0, -48.0 },

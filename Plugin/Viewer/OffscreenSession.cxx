@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffscreenSession.h"
 
+#include "LayerModel.h"
 #include "Pictures.h"
 #include "ResponseSet.h"
 #include "ServoStep.h"
+#include "ThicknessPicture.h"
 #include "TrajectoryFile.h"
 
 #include "vtkDataArray.h"
@@ -15,6 +17,7 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -70,6 +73,16 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
+/// Of the contract's codes (README, Response arrays).
+const char* nameOfLimit(double code)
+{
+  static const std::array<const char*, 7> names = { "none", "strain", "curvature", "thickness",
+    "the opposite wall", "an edge", "the end of the data" };
+  return code >= 0.0 && code < static_cast<double>(names.size())
+    ? names[static_cast<std::size_t>(code)]
+    : "unknown";
+}
+
 /// Share of the ticks in contact that stay within Validity at all three vertices, and the first
 /// assumption that breaks elsewhere.
 struct Trust
@@ -104,7 +117,7 @@ Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
     }
     else if (trust.broken.empty())
     {
-      trust.broken = limit->GetTuple1(weakest) == 1.0 ? "strain" : "curvature";
+      trust.broken = nameOfLimit(limit->GetTuple1(weakest));
     }
   }
   trust.share = touching > 0.0 ? trusted / touching : 1.0;
@@ -112,7 +125,7 @@ Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
 }
 
 void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session,
-  const std::string& folder)
+  const std::string& stiffening, const std::string& folder)
 {
   vtkNew<vtkTable> statistics;
   session->GetStatistics(statistics);
@@ -130,8 +143,11 @@ void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapt
     std::printf(" %s", tool.c_str());
   }
   std::printf("; the first one touches\n");
-  std::printf("  model       %s%s\n", scene.stored ? "" : "elastic half-space at every vertex; ",
-    scene.modelReason.c_str());
+  std::printf("  model       %s%s\n", describeLaw(scene).c_str(), scene.modelReason.c_str());
+  if (!stiffening.empty())
+  {
+    std::printf("  layer       in the pictures %s\n", stiffening.c_str());
+  }
   std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
     value("Ticks"), session->GetRate(), value("TicksInContact"));
   std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),
@@ -164,6 +180,10 @@ std::string drawPictures(const TouchScene& scene, const ResponseSet& responses,
   if (error.empty() && scene.sideBySide)
   {
     error = drawSideBySide(folder + "/tools.png", scene, responses, moment);
+  }
+  if (error.empty() && scene.layer.scanned)
+  {
+    error = drawThickness(folder + "/thickness.png", scene);
   }
   return error;
 }
@@ -228,7 +248,9 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   error = drawPictures(scene, responses, moment, options.output);
   if (error.empty())
   {
-    printSummary(scene, responses, session, options.output);
+    const std::string stiffening = describeStiffening(scene, responses,
+      nearestCorner(responses.body, moment), scene.depth, options.maximumDeflection);
+    printSummary(scene, responses, session, stiffening, options.output);
   }
   return error;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures.h"
 
+#include "LayerModel.h"
+#include "MeasuredBody.h"
+
 #include "vtkChartXY.h"
 #include "vtkContactScene.h"
 #include "vtkContextScene.h"
@@ -43,7 +46,8 @@ struct Stage
   }
 
   vtkSmartPointer<vtkContactScene> addScene(const TouchScene& scene, vtkPolyData* body,
-    vtkContactTool* tool, double largestForce, double left, double right)
+    vtkContactTool* tool, const PicturedMoment& moment, double largestForce, double left,
+    double right)
   {
     vtkNew<vtkRenderer> renderer;
     renderer->SetViewport(left, 0.0, right, 1.0);
@@ -56,7 +60,7 @@ struct Stage
     shown->SetPoissonRatio(scene.poissonsRatio);
     shown->SetLargestForce(largestForce);
     shown->SetLargestDeflection(scene.depth);
-    shown->SetTitle(scene.title);
+    shown->SetTitle(scene.title + describeSpot(scene, nearestCorner(body, moment)));
     return shown;
   }
 };
@@ -89,8 +93,8 @@ View besideTheTool(const PicturedMoment& moment, const Direction& viewFrom)
   }
   return view;
 }
+} // namespace
 
-/// The corner of the contact triangle nearest to the contact.
 vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
 {
   vtkPointData* data = moment.recording->GetPointData();
@@ -116,8 +120,6 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
   }
   return best;
 }
-} // namespace
-
 std::string writePicture(vtkRenderWindow* window, const std::string& file)
 {
   window->Render();
@@ -135,8 +137,8 @@ std::string drawOverview(const std::string& file, const TouchScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)
 {
   Stage stage;
-  auto shown =
-    stage.addScene(scene, responses.body, responses.tools.front(), moment.largestForce, 0.0, 1.0);
+  auto shown = stage.addScene(
+    scene, responses.body, responses.tools.front(), moment, moment.largestForce, 0.0, 1.0);
   shown->ShowTip(moment.recording, moment.tick);
   shown->ShowTrail(moment.recording);
   shown->LookAtBody(scene.viewFrom.data(), scene.up.data());
@@ -147,8 +149,8 @@ std::string drawCloseUp(const std::string& file, const TouchScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)
 {
   Stage stage;
-  auto shown =
-    stage.addScene(scene, responses.body, responses.tools.front(), moment.largestForce, 0.0, 1.0);
+  auto shown = stage.addScene(
+    scene, responses.body, responses.tools.front(), moment, moment.largestForce, 0.0, 1.0);
   shown->ShowTip(moment.recording, moment.tick);
   const View view = besideTheTool(moment, scene.viewFrom);
   shown->LookAtContact(CloseUpDistance, view.from.data(), view.up.data());
@@ -187,7 +189,7 @@ std::string drawSideBySide(const std::string& file, const TouchScene& scene,
   for (std::size_t i = 0; i < count; ++i)
   {
     const double share = 1.0 / static_cast<double>(count);
-    auto shown = stage.addScene(scene, responses.body, responses.tools[i], largestForce,
+    auto shown = stage.addScene(scene, responses.body, responses.tools[i], moment, largestForce,
       static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
     shown->ShowTip(probed[i], 0);
     shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
@@ -201,7 +203,8 @@ std::string drawCurves(const std::string& file, const TouchScene& scene,
 {
   const vtkIdType point = nearestCorner(responses.body, moment);
   vtkNew<vtkResponseChart> chart;
-  chart->SetTitle(scene.title + ": tools at one point (dotted: beyond validity)");
+  chart->SetTitle(
+    scene.title + describeSpot(scene, point) + ": tools at one point (dotted: beyond validity)");
   for (std::size_t i = 0; i < responses.tools.size(); ++i)
   {
     vtkNew<vtkResponseCurves> curves;
@@ -216,8 +219,10 @@ std::string drawCurves(const std::string& file, const TouchScene& scene,
     const double valid = responses.body->GetPointData()
                            ->GetArray((responses.names[i] + "Validity").c_str())
                            ->GetTuple1(point);
-    chart->AddCurve(curves->GetOutput(), responses.tools[i]->GetDescription(), valid);
+    chart->AddCurve(
+      curves->GetOutput(), responses.tools[i]->GetDescription() + measuredLabel(scene), valid);
   }
+  addReadings(scene, chart);
   vtkNew<vtkContextView> view;
   view->GetRenderWindow()->SetOffScreenRendering(1);
   view->GetRenderWindow()->SetMultiSamples(0);

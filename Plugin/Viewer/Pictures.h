@@ -5,6 +5,8 @@
 #include "ResponseSet.h"
 #include "TouchScene.h"
 
+#include "vtkType.h"
+
 #include <string>
 #include <vector>
 
@@ -20,6 +22,9 @@ struct PicturedMoment
   vtkIdType tick = 0;
   double largestForce = 1.0;
 };
+
+/// The corner of the contact triangle nearest to the contact; 0 without a contact.
+vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 
 // Each draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG. Returns an
 // error naming the file, or "".

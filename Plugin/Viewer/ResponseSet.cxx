@@ -4,6 +4,7 @@
 #include "CollectingWindow.h"
 #include "FlatBodyConversion.h"
 
+#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkToolContactResponse.h"
@@ -72,6 +73,17 @@ std::string attachResponses(
     attach->SetPoissonRatio(scene.poissonsRatio);
     attach->SetMaximumDeflection(maximumDeflection);
     attach->SetResponseName(name);
+    attach->SetLayerThickness(scene.layer.thickness);
+    if (scene.layer.scanned)
+    {
+      attach->SetInputArrayToProcess(
+        1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "LayerThickness");
+    }
+    if (scene.solid)
+    {
+      attach->SetInputArrayToProcess(
+        2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
+    }
     const std::string error = updateQuietly(attach);
     if (!error.empty())
     {

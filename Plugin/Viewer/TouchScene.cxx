@@ -3,9 +3,30 @@
 
 #include "BodyConversion.h"
 #include "BodyFile.h"
+#include "LayerModel.h"
+#include "MeasuredBody.h"
+#include "VoxelCompliance.h"
 
 namespace palpate
 {
+namespace
+{
+/// --voxel: the scene's surface as a solid.
+std::string fillBody(const ViewerOptions& options, TouchScene& scene)
+{
+  if (scene.stored)
+  {
+    return options.body +
+      ": brings its response, which --voxel cannot change; give --tool for a new "
+      "one";
+  }
+  scene.solid = true;
+  scene.modelReason = "in series with the compliance of the solid, by finite elements";
+  return attachVoxelCompliance(scene.body,
+    { options.voxel, options.fixedFaces, scene.youngsModulus, scene.poissonsRatio }, scene.notes);
+}
+} // namespace
+
 std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
 {
   std::string error;
@@ -44,7 +65,16 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
     }
     scene.viewFrom = from;
   }
-  return {};
+  error = chooseLayer(options, scene);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (options.voxel > 0.0)
+  {
+    return fillBody(options, scene);
+  }
+  return options.measured.empty() ? std::string() : attachMeasured(options, scene);
 }
 
 std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
@@ -54,6 +84,7 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
   file.resolution = options.resolution;
   file.contourValue = options.contourValue;
   file.closingRadius = options.closingRadius;
+  file.baseValue = scanValue(options, {});
   const BodyFileResult read = readBodyFile(options.body, file);
   if (!read.error.empty())
   {
@@ -67,7 +98,8 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
   scene.modelReason = "no layer thickness and no compliance is known for this body";
   scene.tools = { "sphere:6.35" };
   const std::string tool = responseText(scene.body, "Response", "Tool");
-  if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio)
+  if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio &&
+    !options.layer)
   {
     ResponseArrays arrays;
     const float* validity = nullptr;

@@ -6,6 +6,7 @@
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
 
 #include <array>
 #include <string>
@@ -25,7 +26,8 @@ struct TouchScene
   double poissonsRatio = 0.45;
   bool stored = false; ///< the body brings the response "Response", to be used as it is
   std::string materialSource;
-  std::string modelReason; ///< why the half-space law, and how far to trust it
+  LayerChoice layer;       ///< scanned: the body's array LayerThickness
+  std::string modelReason; ///< why this law, and how far to trust it
   std::vector<std::string> tools;
   double depth = 1.0;
   Direction center{};
@@ -33,7 +35,10 @@ struct TouchScene
   double pictureAt = 0.5;            ///< share of the slide at which the pictures are taken
   Direction viewFrom{ 0.0, -1.0, 0.4 };
   Direction up{ 0.0, 0.0, 1.0 };
-  bool sideBySide = false; ///< one picture with all tools
+  vtkSmartPointer<vtkTable> readings; ///< of --measured: vtkMeasuredContactResponse, port 2
+  std::string readSite;               ///< the site whose readings are shown
+  bool solid = false;                 ///< the body has the compliance of --voxel
+  bool sideBySide = false;            ///< one picture with all tools
 };
 
 /// The scene the options ask for; an error that names the missing or wrong thing, or "".

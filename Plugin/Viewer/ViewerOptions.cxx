@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -14,7 +15,9 @@ namespace palpate
 namespace
 {
 const char* const Footer =
-  R"(Units: mm, N, MPa, s. Tools: flat:R, sphere:R, paraboloid:R (mm), cone:DEGREES (from the axis).
+  R"(Units: mm, N, MPa, s. Tools: flat:R, sphere:R, paraboloid:R, cone:DEGREES (from the axis),
+truncated:R,DEGREES (R: of the flat), blunted:R,DEGREES (R: of the tip), rounded:R,EDGE, power:EXPONENT,COEFFICIENT,
+profile:FILE.csv (a line r_mm,f_mm per point, from 0,0 outward).
 
 Files: .palpate (written by --export), .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
 .nii .nii.gz .vti (scans: their outer skin is taken).
@@ -23,6 +26,9 @@ Examples:
   palpate                                    the head of Debian's mricron-data, three tools
   palpate --scene cylinder                   the scene of Mahvash and Hayward 2002, Figure 9
   palpate liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45
+  palpate liver.stl --measured press.csv --tool sphere:1.6   felt with another tool than measured
+  palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
+  palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
   palpate --window                           the head in a window, under the mouse
   palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
 
@@ -31,6 +37,39 @@ std::string checkFinite(const std::string& text)
 {
   return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
                                                            : text + " is not a finite number";
+}
+
+/// --layer: "scan", "none" or a thickness.
+std::optional<LayerChoice> readLayer(const std::string& text)
+{
+  if (text == "scan" || text == "none")
+  {
+    return LayerChoice{ text == "scan", 0.0 };
+  }
+  char* end = nullptr;
+  const double thickness = std::strtod(text.c_str(), &end);
+  const bool good = !text.empty() && !*end && std::isfinite(thickness) && thickness > 0.0;
+  return good ? std::optional<LayerChoice>({ false, thickness }) : std::nullopt;
+}
+
+std::string checkLayer(const std::string& text)
+{
+  return readLayer(text) ? std::string()
+                         : "'" + text + "' is neither scan nor none nor a thickness in mm, > 0";
+}
+
+/// As vtkVoxelBody takes them.
+std::string checkFaces(const std::string& text)
+{
+  const std::vector<std::string> known = { "x-", "x+", "y-", "y+", "z-", "z+" };
+  for (const std::string& face : CLI::detail::split(text, ','))
+  {
+    if (std::find(known.begin(), known.end(), face) == known.end())
+    {
+      return "'" + face + "' is not one of x-, x+, y-, y+, z-, z+";
+    }
+  }
+  return {};
 }
 
 std::string checkToolText(const std::string& text)
@@ -49,6 +88,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   const std::map<std::string, double> units = { { "mm", 1.0 }, { "cm", 10.0 }, { "m", 1000.0 } };
   std::array<double, 3> site{};
   std::array<double, 3> slideTo{};
+  std::string layer;
 
   app.add_option("BODY", options.body, "the body to touch; without one, the --scene");
   app.add_option("--scene", options.scene, "a scene of its own")
@@ -67,6 +107,40 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->check(CLI::PositiveNumber);
   app.add_option("--max-deflection", options.maximumDeflection, "depth the responses reach, mm")
     ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app
+    .add_option("--measured", options.measured,
+      "curves measured on the body, a .csv; the tools follow from what they show. Give several for "
+      "several tools")
+    ->excludes("--young");
+  app
+    .add_option("--register", options.registration,
+      "carries the frame of the curves to the body's: a 4x4 matrix, or a .csv of pairs of points")
+    ->needs("--measured");
+  app.add_option("--reach", options.reach, "how far a measured site speaks for, mm")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app
+    .add_option("--voxel", options.voxel,
+      "fill the closed surface with hexahedra of this side, mm: each point then also gives way "
+      "with "
+      "the body as a whole")
+    ->check(CLI::PositiveNumber)
+    ->excludes("--measured");
+  app
+    .add_option("--fixed", options.fixedFaces,
+      "sides of the bounding box that hold the filled body: x-,x+,y-,y+,z-,z+")
+    ->check(CLI::Validator(checkFaces, "SIDES"))
+    ->needs("--voxel")
+    ->capture_default_str();
+  app
+    .add_option("--layer", layer,
+      "soft tissue on a rigid base: scan (as thick as the scan of the body shows; the head's "
+      "default), none (a half-space), or its thickness everywhere, mm")
+    ->check(CLI::Validator(checkLayer, "scan|none|MM"))
+    ->excludes("--measured")
+    ->excludes("--voxel");
+  app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
     ->capture_default_str();
   app.add_option("--length-unit", options.lengthScale, "unit of length of the file: mm, cm or m")
     ->transform(CLI::Transformer(units))
@@ -101,7 +175,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
 
   for (const char* option :
     { "--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
-      "--contour", "--closing", "--site", "--slide-to", "--rate" })
+      "--contour", "--closing", "--base", "--reach", "--voxel", "--site", "--slide-to", "--rate" })
   {
     app.get_option(option)->check(CLI::Validator(checkFinite, ""));
   }
@@ -117,6 +191,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   if (app.count("--site") > 0)
   {
     options.site = site;
+  }
+  if (app.count("--layer") > 0)
+  {
+    options.layer = readLayer(layer);
   }
   if (app.count("--slide-to") > 0)
   {

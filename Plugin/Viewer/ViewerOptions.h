@@ -9,6 +9,14 @@
 
 namespace palpate
 {
+/// What lies under the surface: a layer on a rigid base, as thick as the scan shows or everywhere
+/// alike; thickness 0 is a half-space.
+struct LayerChoice
+{
+  bool scanned = false;
+  double thickness = 0.0; ///< mm, unless scanned
+};
+
 /// The viewer's command line. Lengths in mm, moduli in MPa. What was not given is left to the
 /// scene.
 struct ViewerOptions
@@ -21,6 +29,13 @@ struct ViewerOptions
   std::optional<double> poissonsRatio;
   std::optional<double> depth;
   double maximumDeflection = 2.0;
+  std::optional<LayerChoice> layer;
+  double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
+  std::vector<std::string> measured; ///< files of curves
+  std::string registration;          ///< of their frame with the body's; empty: one frame
+  double reach = 20.0;               ///< of a measured site, mm
+  double voxel = 0.0; ///< side of the hexahedra a surface is filled with, mm; 0: it is not
+  std::string fixedFaces = "z-"; ///< sides of the bounding box that hold it then
   double lengthScale = 1.0;
   double resolution = 0.0;
   double contourValue = 30.0;

@@ -12,22 +12,38 @@ FLOAT = 5e-7                                                # what storing a flo
 
 PROPERTIES = {                                              # of each proxy: label -> default
     ("contact_tools", "ContactTool"): {
-        "Shape": 2, "Radius (mm)": 5.0, "Half Angle (degrees)": 60.0},
+        "Shape": 2, "Radius (mm)": 5.0, "Half Angle (degrees)": 60.0, "Edge Radius (mm)": 1.0, "Exponent": 2.0,
+        "Coefficient (mm^(1-n))": 0.1, "Profile (mm)": 0.0},
     ("sources", "ContactToolSource"): {
         "Tool": None, "Length (mm)": 40.0, "Maximum Radius (mm)": 8.0, "Resolution": 64},
     ("filters", "ToolContactResponse"): {
         "Input": None, "Tool": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
-        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Global Compliance Array (mm/N)": "None",
-        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
+        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Layer Thickness (mm)": 0.0,
+        "Layer Thickness Array (mm)": "None", "Layer Base": 0, "Global Compliance Array (mm/N)": "None",
+        "Compliance Excludes Layer": 0, "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
+    ("filters", "ContactRegime"): {
+        "Input": None, "Tool": None, "Deflection (mm)": 0.0, "Young's Modulus (MPa)": 0.1,
+        "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None",
+        "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
+        "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Response Name": "Response"},
     ("filters", "ToolContactProbe"): {
         "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Force Form": 1, "Response Name": "Response"},
     ("filters", "ContactDeflection"): {
         "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Response Name": "Response"},
     ("filters", "ResponseCurves"): {
         "Input": None, "Point Ids": 0, "Number Of Rows": 101, "Response Name": "Response"},
+    ("filters", "ElasticCompliance"): {
+        "Input": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45,
+        "Poisson's Ratio Array": "None", "Patch Radius (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0,
+        "Loaded Point": -1, "Load Force (N)": 1.0},
+    ("filters", "VoxelBody"): {
+        "Input": None, "Spacing (mm)": 2.0, "Fixed Faces": "z-", "Conform": 1},
     ("filters", "SkinSurface"): {
         "Input": None, "Grey Values": "", "Contour Value": 30.0, "Closing Radius (mm)": 6.0,
         "Resolution (mm)": 0.0, "Smoothing Iterations": 30},
+    ("filters", "LayerThickness"): {
+        "Body": None, "Scan": None, "Grey Values": "", "Base Value": 35.0, "Maximum Depth (mm)": 20.0,
+        "Edge Width (mm)": 3.0, "Smoothing Radius (mm)": 3.0},
 }
 
 
@@ -142,6 +158,44 @@ def check_tool():
     np.testing.assert_allclose(source.GetDataInformation().GetBounds(), [-4, 4, -4, 4, 0, 30], atol=1e-6)
 
 
+def check_layer():
+    """10 mm of an incompressible body under a sphere, 2 mm deep: 1.66943909743 times the half-space's force
+    (Data/Reference/liver_slab_h10.csv), and a negative regime index: 1 - 1.669^(2/3)."""
+    flat = simple.Triangulate(Input=simple.Plane(XResolution=2, YResolution=2))
+    response = with_response(flat)
+    response.PoissonsRatio = 0.5
+    response.LayerThicknessmm = 10
+    force = fetched(response, "ResponseForce")[0, 7]
+    half_space = direct_tool("paraboloid:6.35").GetForce(2.0, YOUNG / 0.75)
+    np.testing.assert_allclose(force, 1.66943909743 * half_space, rtol=2 * FLOAT)
+    regime = simple.ContactRegime(Input=response, Deflectionmm=2, YoungsModulusMPa=YOUNG, PoissonsRatio=0.5,
+                                  LayerThicknessmm=10)
+    regime.Tool.Shape = "Paraboloid"
+    regime.Tool.Radiusmm = 6.35
+    assert type(regime.GetClientSideObject()) is palpate.vtkContactRegime
+    np.testing.assert_allclose(fetched(regime, "RegimeIndex"), 1 - 1.66943909743 ** (2 / 3), rtol=1e-5)
+    assert np.all(fetched(regime, "RegimeVerdict") == 0)
+
+
+def check_compliance():
+    """A ball on its foot gives way everywhere, and half as much when it is twice as stiff."""
+    ball = simple.Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
+    solid = simple.VoxelBody(Input=ball, Spacingmm=2.5)
+    compliance = simple.ElasticCompliance(Input=solid, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
+    values = fetched(compliance, "GlobalCompliance")
+    assert type(solid.GetClientSideObject()) is palpate.vtkVoxelBody
+    assert type(compliance.GetClientSideObject()) is palpate.vtkElasticCompliance
+    height = vtk_to_numpy(servermanager.Fetch(compliance).GetPoints().GetData())[:, 2]
+    assert np.median(values) > 0, values
+    compliance.YoungsModulusMPa = 2 * YOUNG
+    np.testing.assert_allclose(fetched(compliance, "GlobalCompliance"), values / 2, rtol=1e-6) # cancellation
+    assert not servermanager.Fetch(compliance).GetPointData().HasArray("LoadedDisplacement")
+    compliance.LoadedPoint = int(height.argmax())
+    compliance.LoadForceN = 0.1
+    moved = fetched(compliance, "LoadedDisplacement")
+    assert moved[height.argmax(), 2] < 0, moved
+
+
 def check_skin():
     """Wavelet's values grow towards its centre: the skin is a closed surface around it."""
     scan = simple.Wavelet()
@@ -153,8 +207,26 @@ def check_skin():
     assert skin.GetDataInformation().GetNumberOfCells() > 100
 
 
+def check_thickness():
+    """A ball of 8 mm with a dark core of 4 mm, blurred over 2 mm; and on to the response."""
+    scan = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Grey",
+                             Function="max(0, min(100, 50 + 50*(mag(coords) - 4)))")
+    ball = simple.Sphere(Radius=8, ThetaResolution=60, PhiResolution=60)
+    layer = simple.LayerThickness(Body=ball, Scan=scan)
+    layer.GreyValues = ["POINTS", "Grey"]
+    assert type(layer.GetClientSideObject()) is palpate.vtkLayerThickness
+    np.testing.assert_allclose(fetched(layer, "LayerThickness"), 4, atol=0.25) # of the voxels of 1 mm
+    response = with_response(layer)
+    soft = fetched(response, "ResponseForce")
+    response.LayerThicknessArraymm = ["POINTS", "LayerThickness"]
+    assert np.all(fetched(response, "ResponseForce") > soft)
+
+
 check_properties()
 check_ball()
 check_plane()
 check_tool()
+check_layer()
+check_compliance()
 check_skin()
+check_thickness()

@@ -26,6 +26,8 @@ for name in ("ToolContactProbe", "ContactDeflection"):
     assert accepts(name, response) and accepts(name, ball, "Tips")
     assert not accepts(name, image) and not accepts(name, image, "Tips") and not accepts(name, blocks)
 assert accepts("SkinSurface", image) and not accepts("SkinSurface", ball)
+assert accepts("LayerThickness", ball) and accepts("LayerThickness", image, "Scan")
+assert not accepts("LayerThickness", image) and not accepts("LayerThickness", ball, "Scan")
 assert accepts("ResponseCurves", response) and not accepts("ResponseCurves", image)
 
 # Blocks are taken one by one.

@@ -76,6 +76,30 @@ class Tool(unittest.TestCase):
         self.assertEqual(tool.GetSpecification(), "paraboloid:6.35")
         self.assertAlmostEqual(tool.GetForce(0.5, 3.45), 4.09826182667726, delta=1e-13)  # golden.csv
 
+    def test_every_shape_in_writing(self):
+        tool = vtkContactTool()
+        for shape, text in (("Flat", "flat:1.6"), ("Paraboloid", "paraboloid:2"), ("Sphere", "sphere:2"),
+                            ("Cone", "cone:60"), ("TruncatedCone", "truncated:1,60"),
+                            ("BluntedCone", "blunted:1,60"), ("RoundedFlat", "rounded:1.2,0.4"),
+                            ("PowerLaw", "power:4,0.01"), ("Profile", "profile:0,0;1,0.25;2,1")):
+            self.assertTrue(tool.SetSpecification(text))
+            self.assertEqual(tool.GetShape(), getattr(vtkContactTool, shape))
+            self.assertEqual(tool.GetSpecification(), text)
+            force = tool.GetForce(0.3, 1.0)
+            getattr(tool, "SetShapeTo" + shape)()
+            self.assertEqual(tool.GetForce(0.3, 1.0), force)
+
+    def test_profile_from_points(self):
+        points = vtkPoints()
+        for r, f in ((0, 0), (1, 0.25), (2, 1)):
+            points.InsertNextPoint(r, f, 0)
+        tool = vtkContactTool()
+        tool.SetShapeToProfile()
+        tool.SetProfile(points)
+        self.assertEqual(tool.GetProfile(1.5), 0.625)
+        self.assertEqual(tool.GetProfilePoints().GetNumberOfPoints(), 3)
+        self.assertEqual(tool.GetDepthLimit(), math.inf)
+
     def test_error_becomes_nan_and_an_event(self):
         tool = vtkContactTool()
         seen = []

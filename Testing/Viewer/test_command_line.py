@@ -7,9 +7,10 @@ from session import SessionCase, run
 
 OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--poisson", "--depth",
            "--max-deflection", "--length-unit", "--resolution", "--contour", "--closing", "--site",
-           "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot")
+           "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot",
+           "--voxel", "--fixed", "--layer", "--base", "--measured", "--register", "--reach")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
-           "--contour", "--closing", "--rate")
+           "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach")
 
 
 class CommandLine(SessionCase):
@@ -17,6 +18,8 @@ class CommandLine(SessionCase):
         result = run("--help")
         self.assertEqual(result.returncode, 0)
         for word in (*OPTIONS, "BODY", "Units: mm, N, MPa, s", "sphere:R", "flat:R", "cone:DEGREES",
+                     "truncated:R,DEGREES", "blunted:R,DEGREES", "rounded:R,EDGE",
+                     "power:EXPONENT,COEFFICIENT", "profile:FILE.csv",
                      ".vtp", ".stl", ".nii.gz", "Examples:", "palpate --scene cylinder",
                      "liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45",
                      "phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5"):
@@ -42,6 +45,10 @@ class CommandLine(SessionCase):
                 (("--tool", "sphere"), "sphere"),
                 (("--tool", "sphere:3mm"), "3mm"),
                 (("--tool", "cone:90"), "90"),
+                (("--tool", "rounded:1,-2"), "edge radius"),
+                (("--tool", "power:0.5,1"), "exponent"),
+                (("--tool", "truncated:1"), "two numbers"),
+                (("--tool", "profile:nowhere.csv"), "nowhere.csv"),
                 (("--tool", "flat:nan"), "nan"),
                 (("--young", "0"), "--young"),
                 (("--young", "-1"), "--young"),
@@ -54,6 +61,16 @@ class CommandLine(SessionCase):
                 (("--resolution", "-1"), "--resolution"),
                 (("--closing", "-1"), "--closing"),
                 (("--rate", "0"), "--rate"),
+                (("--voxel", "0"), "--voxel"),
+                (("--layer", "0"), "--layer"),
+                (("--layer", "-3"), "-3"),
+                (("--layer", "5mm"), "5mm"),
+                (("--layer", "thick"), "thick"),
+                (("--layer", ""), "--layer"),
+                (("--layer", "scan"), "no scan"),
+                (("--layer", "5", "--voxel", "2"), "--voxel"),
+                (("--voxel", "2", "--fixed", "q+"), "q+"),
+                (("--fixed", "z-"), "--voxel"),
                 (("--scene", "moon"), "moon"),
                 (("--site", "0,0"), "--site"),
                 (("--colour", "red"), "--colour"),

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_LayerModel_h
+#define palpate_LayerModel_h
+
+#include "ResponseSet.h"
+#include "TouchScene.h"
+
+#include <optional>
+#include <string>
+
+namespace palpate
+{
+/// The grey level below which a scan is bone, if its thickness of soft tissue is wanted: by
+/// --layer, or else by the scene.
+std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene);
+
+/// Settles what lies under the surface of a scene that has its body: --layer, or else the scene's
+/// own choice, where nothing else decides on it. Says so in the reason of the model. Returns an
+/// error, or "": scan wanted where there was none.
+std::string chooseLayer(const ViewerOptions& options, TouchScene& scene);
+
+/// The law in words, for the summary: what is a layer and what a half-space.
+std::string describeLaw(const TouchScene& scene);
+
+/// How thick the layer is under a point of the body, mm; 0 for a half-space.
+double thicknessAt(const TouchScene& scene, vtkIdType point);
+
+/// ": 6.4 mm of soft tissue over bone" or the like; "" where the scene knows of no layer.
+std::string describeSpot(const TouchScene& scene, vtkIdType point);
+
+/// How many times the force of each tool on a half-space the layer under a point makes, at two
+/// depths; "" without a layer.
+std::string describeStiffening(const TouchScene& scene, const ResponseSet& responses,
+  vtkIdType point, double depth, double deep);
+} // namespace palpate
+
+#endif

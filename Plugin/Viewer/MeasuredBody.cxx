@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeasuredBody.h"
+
+#include "BodyConversion.h"
+#include "ResponseSet.h"
+
+#include "vtkContactTool.h"
+#include "vtkDoubleArray.h"
+#include "vtkMeasuredContactResponse.h"
+#include "vtkNew.h"
+#include "vtkResponseChart.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+double number(vtkTable* table, vtkIdType row, const std::string& column)
+{
+  return table->GetValueByName(row, column.c_str()).ToDouble();
+}
+
+std::string text(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetValueByName(row, column).ToString();
+}
+
+/// "E* = 0.05 MPa (0.049 to 0.051)"; "" where there is no such number.
+std::string estimate(vtkTable* sites, vtkIdType row, const char* symbol, const std::string& column,
+  const std::string& unit)
+{
+  const std::string inUnit = " (" + unit + ")";
+  const double value = number(sites, row, column + inUnit);
+  if (std::isnan(value))
+  {
+    return {};
+  }
+  std::array<char, 160> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), ", %s = %.4g %s (%.4g to %.4g)", symbol, value,
+    unit.c_str(), number(sites, row, column + " from" + inUnit),
+    number(sites, row, column + " to" + inUnit));
+  return buffer.data();
+}
+
+std::string share(vtkTable* sites, vtkIdType row, const char* what, const char* column)
+{
+  const double value = number(sites, row, column);
+  if (std::isnan(value))
+  {
+    return std::string(", ") + what + " not recorded";
+  }
+  std::array<char, 80> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), ", %s %.1f %%", what, 100.0 * value);
+  return buffer.data();
+}
+
+std::string describeSite(vtkTable* sites, vtkIdType row)
+{
+  const std::string name = "Site '" + text(sites, row, "Site") + "': ";
+  if (text(sites, row, "Verdict") != "identified")
+  {
+    return name + "refused: " + text(sites, row, "Verdict") + ".";
+  }
+  std::array<char, 120> left{};
+  std::snprintf(left.data(), left.size(), "; leaves %.2g N where the noise is %.2g N",
+    number(sites, row, "Misfit (N)"), number(sites, row, "Noise (N)"));
+  return name + text(sites, row, "Model") + estimate(sites, row, "E*", "ReducedModulus", "MPa") +
+    estimate(sites, row, "C_g", "Compliance", "mm/N") +
+    estimate(sites, row, "h", "Thickness", "mm") +
+    estimate(sites, row, "first contact", "ContactOffset", "mm") +
+    share(sites, row, "hysteresis", "Hysteresis") +
+    share(sites, row, "effect of speed", "RateEffect") + left.data() + ".";
+}
+
+std::string describeRegistration(vtkMeasuredContactResponse* measured)
+{
+  std::array<char, 160> buffer{};
+  const double pairs = measured->GetRegistrationResidual();
+  const int length = std::isnan(pairs)
+    ? std::snprintf(buffer.data(), buffer.size(), "Registration: ")
+    : std::snprintf(
+        buffer.data(), buffer.size(), "Registration: pairs miss each other by %.3g mm, ", pairs);
+  std::snprintf(buffer.data() + length, buffer.size() - static_cast<std::size_t>(length),
+    "sites the surface by %.3g mm (root mean square).", measured->GetSiteResidual());
+  return buffer.data();
+}
+
+/// The first site that was identified; there is one, or the filter had failed.
+vtkIdType firstIdentified(vtkTable* sites)
+{
+  vtkIdType row = 0;
+  while (row + 1 < sites->GetNumberOfRows() && text(sites, row, "Verdict") != "identified")
+  {
+    ++row;
+  }
+  return row;
+}
+} // namespace
+
+std::string attachMeasured(const ViewerOptions& options, TouchScene& scene)
+{
+  vtkNew<vtkMeasuredContactResponse> measured;
+  for (const std::string& file : options.measured)
+  {
+    measured->AddFileName(file);
+  }
+  measured->SetRegistrationFile(options.registration);
+  measured->SetReach(options.reach);
+  measured->SetPoissonRatio(scene.poissonsRatio);
+  measured->SetMaximumDeflection(options.maximumDeflection);
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+  {
+    vtkNew<vtkContactTool> tool;
+    tool->SetSpecification(scene.tools[i]);
+    measured->SetInputData(scene.body);
+    measured->SetTool(tool);
+    measured->SetResponseName("Response" + (i > 0 ? std::to_string(i + 1) : std::string()));
+    const std::string error = updateQuietly(measured);
+    if (!error.empty())
+    {
+      return error;
+    }
+    scene.body = vtkSmartPointer<vtkPolyData>::New();
+    scene.body->ShallowCopy(measured->GetOutput());
+  }
+  auto* sites = vtkTable::SafeDownCast(measured->GetOutputDataObject(1));
+  for (vtkIdType row = 0; row < sites->GetNumberOfRows(); ++row)
+  {
+    scene.notes.push_back(describeSite(sites, row));
+  }
+  scene.notes.push_back(describeRegistration(measured));
+  scene.readings = vtkSmartPointer<vtkTable>::New();
+  scene.readings->ShallowCopy(measured->GetOutputDataObject(2));
+  scene.stored = true;
+  scene.materialSource = "E is not used: the body was identified at its sites";
+  scene.modelReason = responseText(scene.body, "Response", "Model");
+
+  const vtkIdType first = firstIdentified(sites);
+  scene.readSite = text(sites, first, "Site");
+  if (!options.site)
+  {
+    const Direction site = { number(sites, first, "X (mm)"), number(sites, first, "Y (mm)"),
+      number(sites, first, "Z (mm)") };
+    scene.directions.front() = { site[0] - scene.center[0], site[1] - scene.center[1],
+      site[2] - scene.center[2] };
+    scene.directions.resize(options.slideTo ? 2 : 1);
+  }
+  return {};
+}
+
+std::string measuredLabel(const TouchScene& scene)
+{
+  if (!scene.readings)
+  {
+    return {};
+  }
+  return scene.modelReason.find("synthetic") != std::string::npos ? ", from synthetic curves"
+                                                                  : ", from measured curves";
+}
+
+void addReadings(const TouchScene& scene, vtkResponseChart* chart)
+{
+  if (!scene.readings)
+  {
+    return;
+  }
+  const bool synthetic = scene.modelReason.find("synthetic") != std::string::npos;
+  std::set<std::string> tools;
+  for (vtkIdType row = 0; row < scene.readings->GetNumberOfRows(); ++row)
+  {
+    if (text(scene.readings, row, "Site") == scene.readSite)
+    {
+      tools.insert(text(scene.readings, row, "Tool"));
+    }
+  }
+  for (const std::string& tool : tools)
+  {
+    vtkNew<vtkTable> curve;
+    vtkNew<vtkDoubleArray> depth;
+    vtkNew<vtkDoubleArray> force;
+    depth->SetName("Deflection (mm)");
+    force->SetName("Force (N)");
+    for (vtkIdType row = 0; row < scene.readings->GetNumberOfRows(); ++row)
+    {
+      if (text(scene.readings, row, "Site") == scene.readSite &&
+        text(scene.readings, row, "Tool") == tool &&
+        number(scene.readings, row, "Deflection (mm)") >= 0.0)
+      {
+        depth->InsertNextValue(number(scene.readings, row, "Deflection (mm)"));
+        force->InsertNextValue(number(scene.readings, row, "MonotoneForce (N)"));
+      }
+    }
+    curve->AddColumn(depth);
+    curve->AddColumn(force);
+    chart->AddCurve(curve,
+      "readings of " + tool + " at site " + scene.readSite + (synthetic ? " (synthetic)" : ""));
+  }
+}
+} // namespace palpate

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--measured and --register: a body felt with another tool than it was measured with."""
+import os
+import re
+import unittest
+from pathlib import Path
+
+import bodies
+from session import SessionCase, peak_force
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+EXAMPLE = Path(os.environ["PALPATE_DATA"]) / "Examples" / "cylinder_sphere_curves.csv"
+SITES = {"left": (3.45, 0.03), "top": (3.45, 0.04), "right": (3.45, 0.05)}  # E* (MPa), C_g (mm/N)
+MODULUS, RADIUS = 0.05, 25.0  # of the ball below
+
+
+def interval(symbol, line):
+    value, low, high = re.search(symbol + r" = ([\d.e+-]+) \S+ \(([\d.e+-]+) to ([\d.e+-]+)\)", line).groups()
+    return float(low), float(value), float(high)
+
+
+class Measured(SessionCase):
+    def ball(self, *sites, tool="paraboloid:3"):
+        """(body, curves): Hertz's paraboloid of 3 mm on a ball taken for a half-space."""
+        body = bodies.write(bodies.sphere(RADIUS), self.folder / "ball.vtp")
+        curves = self.folder / "curves.csv"
+        lines = [f"# tool: {tool}", "site,x_mm,y_mm,z_mm,deflection_mm,force_N"]
+        for name, x, y, z in sites:
+            lines += [f"{name},{x},{y},{z},{0.5 + i / 50},{4 / 3 * MODULUS * 3 ** 0.5 * max(i, 0) ** 1.5 / 50 ** 1.5:.9g}"
+                      for i in range(-5, 51)]
+        curves.write_text("\n".join(lines) + "\n")
+        return body, curves
+
+    def check_flat(self, result):
+        """A flat of 1 mm has felt 2 a E* δ at the depth it reached, both as printed, to four digits."""
+        depth = float(re.search(r"peak\s+force \S+ N, deflection (\S+) mm", result.stdout).group(1))
+        self.assertAlmostEqual(depth, 0.5, delta=0.01)  # it lies on a facet
+        self.assertAlmostEqual(peak_force(result), 2 * 1 * MODULUS * depth, delta=2e-4 * 0.05)
+
+    def test_example_of_the_cylinder(self):
+        saved = self.folder / "saved.vtp"
+        result = self.succeed("--scene", "cylinder", "--measured", EXAMPLE, "--tool", "sphere:1.6",
+                              "--tool", "flat:1.6", "--save", saved,
+                              pictures=("overview", "deflection", "curves", "tools"))
+        for name, truth in SITES.items():
+            line = re.search(f"Site '{name}': .*", result.stderr).group(0)
+            for symbol, value in zip((r"E\*", "C_g"), truth):
+                low, _, high = interval(symbol, line)
+                self.assertTrue(low < value < high, line)
+            self.assertIn("hysteresis", line)
+        self.assertRegex(result.stdout, "model .*identified from synthetic curves of sphere:6.35 at 3 sites")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(saved))
+        reader.Update()
+        field = reader.GetOutput().GetFieldData()
+        for name in ("ResponseModel", "Response2Model"):
+            self.assertIn("synthetic", field.GetAbstractArray(name).GetValue(0))
+
+    def test_other_tool_is_felt(self):
+        body, curves = self.ball(("pole", 0, 0, RADIUS))
+        result = self.succeed(body, "--measured", curves, "--tool", "flat:1", "--depth", "0.5")
+        self.check_flat(result)
+        self.assertIn("identified from measured curves", result.stdout)
+        self.assertNotIn("synthetic", result.stdout)
+
+    def test_registration(self):
+        body, curves = self.ball(("pole", RADIUS + 10, 0, 0))  # x of the curves is z of the body, and 10 mm off
+        self.refuse(body, "--measured", curves, words=("'pole': lies 10", "mm from the surface"))
+        matrix = self.folder / "matrix.txt"
+        matrix.write_text("0 1 0 0\n0 0 1 0\n1 0 0 -10\n0 0 0 1\n")
+        result = self.succeed(body, "--measured", curves, "--register", matrix, "--tool", "flat:1",
+                              "--depth", "0.5")
+        self.assertIn("Registration: sites the surface by", result.stderr)
+        self.check_flat(result)
+
+    def test_sites_that_cannot_be_used_are_named(self):
+        body, curves = self.ball(("pole", 0, 0, RADIUS), ("astray", 0, 0, 60))
+        result = self.succeed(body, "--measured", curves)
+        self.assertIn("1 of 2 sites are not used: site 'astray': lies 35 mm", result.stderr)
+        body, curves = self.ball(("pole", 0, 0, RADIUS), tool="flat:3")
+        self.refuse(body, "--measured", curves, words=("'pole'",))
+
+    def test_wrong_calls(self):
+        body, curves = self.ball(("pole", 0, 0, RADIUS))
+        self.refuse(body, "--measured", curves, "--young", "0.1", words=("--young",))
+        self.refuse(body, "--register", curves, words=("--measured",))
+        self.refuse(body, "--measured", curves, "--reach", "0", words=("--reach",))
+        self.refuse(body, "--measured", self.folder / "none.csv", words=("none.csv", "cannot be opened"))
+        curves.write_text(curves.read_text().replace("deflection_mm", "depth_mm"))
+        self.refuse(body, "--measured", curves, words=("curves.csv:2", "depth_mm"))
+
+
+if __name__ == "__main__":
+    unittest.main()
