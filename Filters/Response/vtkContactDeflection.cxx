@@ -225,11 +225,12 @@ int vtkContactDeflection::RequestData(
   }
   if (contact.cell >= 0 && contact.deflection > 0.0)
   {
-    if (palpate::responseText(body, this->ResponseName, "Model").find("compliance") !=
-      std::string::npos)
+    const std::string model = palpate::responseText(body, this->ResponseName, "Model");
+    if (model.find("compliance") != std::string::npos && model != this->WarnedOfModel)
     {
       vtkWarningMacro(<< "The response has a global compliance; the field shows the local "
                          "part alone, at the whole deflection.");
+      this->WarnedOfModel = model; // a live display asks for the field many times a second
     }
     const palpate::BodyMesh& mesh = this->PrepareMesh(body);
     const auto triangle = static_cast<std::int32_t>(contact.cell - firstPoly);

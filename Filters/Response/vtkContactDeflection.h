@@ -20,7 +20,7 @@
  * `LayerThickness` and field array `LayerBase`), the field is that of a layer as thick as at the
  * contact (palpate::LayerSurface), in which PoissonRatio decides how the surface bulges beside the
  * tool; it must be that of the response. On a body whose response has a global compliance the field
- * shows the local part at the whole deflection; a warning says so.
+ * shows the local part at the whole deflection; a warning says so, once.
  *
  * Cost: the mesh is linked once per change of its points or triangles, O(n); then one evaluation of
  * the law per point within the field.
@@ -122,6 +122,7 @@ private:
   vtkMTimeType MeshPolysTime = 0;
 
   std::shared_ptr<const palpate::LayerKernel> Kernel; ///< of the last layer
+  std::string WarnedOfModel;
 };
 
 #endif

@@ -3,9 +3,9 @@
 
 #include "BodyConversion.h"
 #include "CurvesFile.h"
-#include "DataEnd.h"
 #include "FilterStage.h"
 #include "InnerMessages.h"
+#include "MeasuredMaterial.h"
 #include "MeasuredSite.h"
 #include "ReducedModulus.h"
 #include "SiteMeasurement.h"
@@ -14,9 +14,7 @@
 #include "vtkContactTool.h"
 #include "vtkToolContactResponse.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -25,7 +23,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,23 +32,6 @@
 namespace
 {
 constexpr double IdentifiedShare = 0.5; // of the work, as progress tells it
-constexpr unsigned char OutOfReach = 4;
-constexpr unsigned char DataEndLimit = 6;
-constexpr double PlaceholderModulus = 1.0; // MPa, of points that get no response
-
-const char* const ModulusArray = "IdentifiedModulus";
-const char* const ComplianceArray = "IdentifiedCompliance";
-const char* const ThicknessArray = "IdentifiedThickness";
-const char* const YoungArray = "palpate:YoungsModulus"; // between this filter and the next
-
-vtkSmartPointer<vtkDoubleArray> addPointArray(vtkPolyData* body, const char* name)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(body->GetNumberOfPoints());
-  body->GetPointData()->AddArray(array);
-  return array;
-}
 } // namespace
 
 /// Everything between the files and the response.
@@ -161,14 +141,14 @@ int vtkMeasuredContactResponse::RequestData(
   }
 
   vtkNew<vtkPolyData> spread;
-  this->SpreadSites(body, measurement, spread);
+  palpate::spreadMaterial(body, this->PoissonRatio, this->Reach, measurement, spread);
   if (!this->RespondTo(spread, output))
   {
     return 0;
   }
   if (output->GetNumberOfPoints() > 0) // not aborted
   {
-    this->LimitToData(measurement, output);
+    palpate::limitToData(measurement, this->ResponseName, this->MaximumDeflection, output);
     palpate::tabulateSites(measurement.Sites, vtkTable::GetData(outputVector, 1));
     palpate::tabulateCurves(
       measurement.Sites, measurement.Identification->kernel(), vtkTable::GetData(outputVector, 2));
@@ -305,54 +285,6 @@ std::string vtkMeasuredContactResponse::JudgeSites(const Measurement& measuremen
   return {};
 }
 
-/// The body with what its points are made of.
-void vtkMeasuredContactResponse::SpreadSites(
-  vtkPolyData* body, Measurement& measurement, vtkPolyData* spread)
-{
-  std::vector<palpate::SiteAnchor> anchors;
-  for (std::size_t i = 0; i < measurement.Sites.size(); ++i)
-  {
-    if (measurement.Sites[i].measured.refusal.empty())
-    {
-      anchors.push_back(measurement.Anchors[i]);
-      measurement.Used.push_back(&measurement.Sites[i].measured.body);
-    }
-  }
-  measurement.Spread =
-    std::make_unique<palpate::SiteSpread>(*measurement.Mesh, anchors, this->Reach);
-
-  std::vector<double> moduli;
-  std::vector<double> compliances;
-  std::vector<double> slenderness; // 1/h, 0 for a half-space
-  for (const palpate::IdentifiedBody* site : measurement.Used)
-  {
-    moduli.push_back(site->body.reducedModulus);
-    compliances.push_back(site->body.compliance);
-    slenderness.push_back(site->body.thickness > 0.0 ? 1.0 / site->body.thickness : 0.0);
-  }
-  spread->ShallowCopy(body);
-  const auto modulus = addPointArray(spread, ModulusArray);
-  const auto compliance = addPointArray(spread, ComplianceArray);
-  const auto thickness = addPointArray(spread, ThicknessArray);
-  const auto young = addPointArray(spread, YoungArray);
-  const double plane = 1.0 - this->PoissonRatio * this->PoissonRatio;
-  vtkSMPTools::For(0, body->GetNumberOfPoints(),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const auto point = static_cast<std::int32_t>(i);
-        const bool reached = measurement.Spread->reaches(point);
-        const double e = reached ? measurement.Spread->at(point, moduli) : 0.0;
-        const double inverse = reached ? measurement.Spread->at(point, slenderness) : 0.0;
-        modulus->SetValue(i, e);
-        young->SetValue(i, plane * (reached ? e : PlaceholderModulus));
-        compliance->SetValue(i, reached ? measurement.Spread->at(point, compliances) : 0.0);
-        thickness->SetValue(i, inverse > 0.0 ? 1.0 / inverse : 0.0);
-      }
-    });
-}
-
 /// False after an error, which has been passed on.
 bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* output)
 {
@@ -372,14 +304,14 @@ bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* outpu
   { response->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name); };
   const auto anywhere = [body](const char* name)
   { return body->GetPointData()->GetArray(name)->GetMaxNorm() > 0.0; };
-  use(0, YoungArray);
-  if (anywhere(ThicknessArray))
+  use(0, palpate::MeasuredMaterial::YoungArray);
+  if (anywhere(palpate::MeasuredMaterial::ThicknessArray))
   {
-    use(1, ThicknessArray);
+    use(1, palpate::MeasuredMaterial::ThicknessArray);
   }
-  if (anywhere(ComplianceArray))
+  if (anywhere(palpate::MeasuredMaterial::ComplianceArray))
   {
-    use(2, ComplianceArray);
+    use(2, palpate::MeasuredMaterial::ComplianceArray);
   }
   palpate::runWithin(response, { this, IdentifiedShare, 1.0 });
   if (!complaints.error.empty())
@@ -392,58 +324,8 @@ bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* outpu
     vtkWarningMacro(<< complaints.warning << ".");
   }
   output->ShallowCopy(response->GetOutput());
-  output->GetPointData()->RemoveArray(YoungArray);
+  output->GetPointData()->RemoveArray(palpate::MeasuredMaterial::YoungArray);
   return true;
-}
-
-/// Takes the response away where no site reaches, and marks where the data end elsewhere.
-void vtkMeasuredContactResponse::LimitToData(const Measurement& measurement, vtkPolyData* output)
-{
-  const auto array = [&](const char* suffix)
-  { return output->GetPointData()->GetArray((this->ResponseName + suffix).c_str()); };
-  auto* force = vtkFloatArray::SafeDownCast(array("Force"));
-  auto* stiffness = vtkFloatArray::SafeDownCast(array("Stiffness"));
-  auto* validity = vtkFloatArray::SafeDownCast(array("Validity"));
-  auto* status = vtkUnsignedCharArray::SafeDownCast(array("Status"));
-  auto* limit = vtkUnsignedCharArray::SafeDownCast(array("Limit"));
-  const double exponent =
-    output->GetFieldData()->GetArray((this->ResponseName + "Exponent").c_str())->GetTuple1(0);
-  const palpate::ResponseSampling sampling(this->NumberOfSamples, exponent);
-  const std::vector<double> forces = measurement.collect(&palpate::IdentifiedBody::endForce);
-  const std::vector<double> stiffnesses =
-    measurement.collect(&palpate::IdentifiedBody::endStiffness);
-  const int n = this->NumberOfSamples;
-  vtkSMPTools::For(0, output->GetNumberOfPoints(),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const auto point = static_cast<std::int32_t>(i);
-        float* f = force->GetPointer(n * i);
-        float* k = stiffness->GetPointer(n * i);
-        if (!measurement.Spread->reaches(point))
-        {
-          std::fill_n(f, n, 0.0F);
-          std::fill_n(k, n, 0.0F);
-          status->SetValue(i, status->GetValue(i) == 0 ? OutOfReach : status->GetValue(i));
-          validity->SetValue(i, 0.0F);
-          limit->SetValue(i, 0);
-        }
-        else if (status->GetValue(i) == 0)
-        {
-          const double depth = palpate::depthOfDataEnd(sampling, this->MaximumDeflection, f, k,
-            { measurement.Spread->at(point, forces), measurement.Spread->at(point, stiffnesses) });
-          if (depth < static_cast<double>(validity->GetValue(i)))
-          {
-            validity->SetValue(i, static_cast<float>(depth));
-            limit->SetValue(i, DataEndLimit);
-          }
-        }
-      }
-    });
-  palpate::describeResponse(output, this->ResponseName,
-    { exponent, n, palpate::responseText(output, this->ResponseName, "Tool"),
-      measurement.describe() });
 }
 
 void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)

@@ -213,9 +213,7 @@ private:
   std::string ReadSites(Measurement& measurement);
   bool IdentifySites(Measurement& measurement);
   std::string JudgeSites(const Measurement& measurement);
-  void SpreadSites(vtkPolyData* body, Measurement& measurement, vtkPolyData* spread);
   bool RespondTo(vtkPolyData* body, vtkPolyData* output);
-  void LimitToData(const Measurement& measurement, vtkPolyData* output);
 
   std::vector<std::string> FileNames;
   std::string RegistrationFile;

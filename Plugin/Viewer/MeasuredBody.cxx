@@ -85,7 +85,7 @@ std::string describeRegistration(vtkMeasuredContactResponse* measured)
     : std::snprintf(
         buffer.data(), buffer.size(), "Registration: pairs miss each other by %.3g mm, ", pairs);
   std::snprintf(buffer.data() + length, buffer.size() - static_cast<std::size_t>(length),
-    "sites the surface by %.3g mm (root mean square).", measured->GetSiteResidual());
+    "sites lie %.3g mm off the surface (root mean square).", measured->GetSiteResidual());
   return buffer.data();
 }
 

@@ -70,7 +70,7 @@ class Measured(SessionCase):
         matrix.write_text("0 1 0 0\n0 0 1 0\n1 0 0 -10\n0 0 0 1\n")
         result = self.succeed(body, "--measured", curves, "--register", matrix, "--tool", "flat:1",
                               "--depth", "0.5")
-        self.assertIn("Registration: sites the surface by", result.stderr)
+        self.assertIn("Registration: sites lie", result.stderr)
         self.check_flat(result)
 
     def test_sites_that_cannot_be_used_are_named(self):

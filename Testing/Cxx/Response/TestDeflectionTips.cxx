@@ -106,6 +106,10 @@ void checkComplianceWarning()
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK_TEXT(messages.warnings(), "global compliance", "local");
+  messages.clear(); // said once, not at each frame of a live display
+  filter->Modified();
+  filter->Update();
+  PALPATE_CHECK(messages.none() && displacement(filter, 0)[2] == -0.5);
 }
 } // namespace
 
