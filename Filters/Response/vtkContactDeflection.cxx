@@ -6,6 +6,7 @@
 #include "LayerContact.h"
 #include "LayerSurface.h"
 #include "ReducedModulus.h"
+#include "ResponseTool.h"
 #include "SurfacePatch.h"
 #include "vtkContactTool.h"
 
@@ -107,23 +108,6 @@ int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-vtkSmartPointer<vtkContactTool> vtkContactDeflection::FindTool(vtkPolyData* body)
-{
-  if (this->Tool)
-  {
-    return this->Tool;
-  }
-  const std::string specification = palpate::responseText(body, this->ResponseName, "Tool");
-  auto named = vtkSmartPointer<vtkContactTool>::New();
-  if (specification.empty() || !named->SetSpecification(specification))
-  {
-    vtkErrorMacro(<< "No Tool is set, and the field array '" << this->ResponseName
-                  << "Tool' names none.");
-    return nullptr;
-  }
-  return named;
-}
-
 const palpate::BodyMesh& vtkContactDeflection::PrepareMesh(vtkPolyData* body)
 {
   // Modification times are unique, so the two name this pair.
@@ -187,7 +171,13 @@ int vtkContactDeflection::RequestData(
                   << ".");
     return 0;
   }
-  const vtkSmartPointer<vtkContactTool> tool = this->FindTool(body);
+  std::string noTool;
+  const vtkSmartPointer<vtkContactTool> tool =
+    palpate::findTool(this->Tool, body, this->ResponseName, noTool);
+  if (!noTool.empty())
+  {
+    vtkErrorMacro(<< noTool << ".");
+  }
   const palpate::AxisymmetricTool* law = tool ? tool->GetKernel() : nullptr;
   if (!law)
   {

@@ -103,7 +103,6 @@ private:
   vtkContactDeflection(const vtkContactDeflection&) = delete;
   void operator=(const vtkContactDeflection&) = delete;
 
-  vtkSmartPointer<vtkContactTool> FindTool(vtkPolyData* body);
   const palpate::BodyMesh& PrepareMesh(vtkPolyData* body);
   /// The displacement at a distance from the contact. `tool` must outlive it.
   using Field = std::function<palpate::SurfaceDisplacement(double)>;

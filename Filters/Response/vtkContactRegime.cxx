@@ -7,6 +7,7 @@
 #include "ContactRegime.h"
 #include "ResponseField.h"
 #include "ResponseLaw.h"
+#include "ResponseTool.h"
 #include "ToolSpecification.h"
 #include "vtkContactTool.h"
 
@@ -146,23 +147,6 @@ vtkMTimeType vtkContactRegime::GetMTime()
   return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
 }
 
-vtkSmartPointer<vtkContactTool> vtkContactRegime::FindTool(vtkPolyData* body)
-{
-  if (this->Tool)
-  {
-    return this->Tool;
-  }
-  const std::string specification = palpate::responseText(body, this->ResponseName, "Tool");
-  auto named = vtkSmartPointer<vtkContactTool>::New();
-  if (specification.empty() || !named->SetSpecification(specification))
-  {
-    vtkErrorMacro(<< "No Tool is set, and the field array '" << this->ResponseName
-                  << "Tool' names none.");
-    return nullptr;
-  }
-  return named;
-}
-
 bool vtkContactRegime::FindDepths(vtkPolyData* body, std::vector<double>& depths)
 {
   if (!(std::isfinite(this->Deflection) && this->Deflection >= 0.0))
@@ -205,7 +189,13 @@ int vtkContactRegime::RequestData(
   {
     return 1;
   }
-  const vtkSmartPointer<vtkContactTool> tool = this->FindTool(body);
+  std::string noTool;
+  const vtkSmartPointer<vtkContactTool> tool =
+    palpate::findTool(this->Tool, body, this->ResponseName, noTool);
+  if (!noTool.empty())
+  {
+    vtkErrorMacro(<< noTool << ".");
+  }
   const palpate::AxisymmetricTool* kernel = tool ? tool->GetKernel() : nullptr;
   std::vector<double> depths;
   if (!kernel || !this->FindDepths(body, depths))

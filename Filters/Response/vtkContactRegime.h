@@ -105,7 +105,6 @@ private:
   vtkContactRegime(const vtkContactRegime&) = delete;
   void operator=(const vtkContactRegime&) = delete;
 
-  vtkSmartPointer<vtkContactTool> FindTool(vtkPolyData* body);
   bool FindDepths(vtkPolyData* body, std::vector<double>& depths);
 
   vtkSmartPointer<vtkContactTool> Tool;

@@ -41,7 +41,7 @@
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
- * point and core, 4 µs for the exact Sphere; on layers about 1 µs for any tool. Threaded by
+ * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool. Threaded by
  * vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
  *
  * @sa vtkContactTool vtkToolContactProbe

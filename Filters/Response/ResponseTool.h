@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ResponseTool_h
+#define ResponseTool_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkContactTool;
+class vtkPolyData;
+
+namespace palpate
+{
+/// `set`, or if that is null the tool that the response `name` of the body says it is of. Null, and
+/// what is missing, if there is none.
+vtkSmartPointer<vtkContactTool> findTool(
+  vtkContactTool* set, vtkPolyData* body, const std::string& name, std::string& error);
+} // namespace palpate
+
+#endif
