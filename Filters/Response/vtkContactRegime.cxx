@@ -97,9 +97,9 @@ private:
   std::vector<palpate::ResponseLaw> Laws;
 };
 
-/// What of the stored response is not of this material, or "".
-std::string compare(const palpate::ResponseArrays& arrays, const NeighbouringLaws& laws,
-  const palpate::ResponseMaterial& material, const std::vector<double>& depths)
+/// Where the stored response is not of the material that gives `forces` at `depths`, or "".
+std::string compare(const palpate::ResponseArrays& arrays, const std::vector<double>& depths,
+  const std::vector<double>& forces)
 {
   const palpate::ResponseField stored(arrays);
   for (std::size_t i = 0; i < depths.size(); ++i)
@@ -110,12 +110,11 @@ std::string compare(const palpate::ResponseArrays& arrays, const NeighbouringLaw
     {
       continue;
     }
-    const double expected = laws.force(material.at(static_cast<vtkIdType>(i)), depths[i]);
     const double force = stored.evaluate(point, depths[i]).force;
-    if (std::abs(force - expected) > ResponseAgreement * expected)
+    if (std::abs(force - forces[i]) > ResponseAgreement * forces[i])
     {
       return "point " + std::to_string(i) + " at " + std::to_string(depths[i]) + " mm gives " +
-        std::to_string(force) + " N, the material given here " + std::to_string(expected) + " N";
+        std::to_string(force) + " N, the material given here " + std::to_string(forces[i]) + " N";
     }
   }
   return {};
@@ -226,12 +225,23 @@ int vtkContactRegime::RequestData(
   }
 
   const palpate::ResponseMaterial spots = material.view();
+  const vtkIdType points = body->GetNumberOfPoints();
+  std::vector<double> forces(depths.size());
+  vtkSMPTools::For(0, points,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const auto k = static_cast<std::size_t>(i);
+        forces[k] = laws.force(spots.at(i), depths[k]);
+      }
+    });
   palpate::ResponseArrays stored;
   std::string noResponse;
   if (palpate::responseText(body, this->ResponseName, "Tool") == kernel->specification() &&
     palpate::viewResponse(body, this->ResponseName, stored, noResponse))
   {
-    const std::string disagreement = compare(stored, laws, spots, depths);
+    const std::string disagreement = compare(stored, depths, forces);
     if (!disagreement.empty())
     {
       vtkErrorMacro(<< "Response '" << this->ResponseName
@@ -240,17 +250,17 @@ int vtkContactRegime::RequestData(
     }
   }
 
-  PointArrays arrays(body->GetNumberOfPoints());
-  vtkSMPTools::For(0, body->GetNumberOfPoints(),
+  PointArrays arrays(points);
+  vtkSMPTools::For(0, points,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        const double depth = depths[static_cast<std::size_t>(i)];
+        const auto k = static_cast<std::size_t>(i);
+        const double depth = depths[k];
         const palpate::ContactSpot spot = spots.at(i);
         const double sensitivity = laws.sensitivity(spot, depth);
-        const double index =
-          palpate::regimeIndex(*kernel, spot.reducedModulus, laws.force(spot, depth), depth);
+        const double index = palpate::regimeIndex(*kernel, spot.reducedModulus, forces[k], depth);
         arrays.index->SetValue(i, static_cast<float>(index));
         arrays.sensitivity->SetValue(i, static_cast<float>(sensitivity));
         arrays.verdict->SetValue(i,
