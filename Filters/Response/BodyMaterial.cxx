@@ -278,13 +278,15 @@ double BodyMaterial::bestExponent(const AxisymmetricTool& tool, const ResponseLa
   extreme.fill(material.at(0));
   const auto softness = [](const ContactSpot& spot)
   { return spot.reducedModulus * spot.compliance; };
+  const auto thinness = [](const ContactSpot& spot) // 0 for a half-space
+  { return spot.thickness > 0.0 ? 1.0 / spot.thickness : 0.0; };
   for (std::size_t i = 1; i < points; ++i)
   {
     const ContactSpot spot = material.at(static_cast<vtkIdType>(i));
     extreme[0] = softness(spot) < softness(extreme[0]) ? spot : extreme[0];
     extreme[1] = softness(spot) > softness(extreme[1]) ? spot : extreme[1];
-    extreme[2] = spot.thickness < extreme[2].thickness ? spot : extreme[2];
-    extreme[3] = spot.thickness > extreme[3].thickness ? spot : extreme[3];
+    extreme[2] = thinness(spot) > thinness(extreme[2]) ? spot : extreme[2];
+    extreme[3] = thinness(spot) < thinness(extreme[3]) ? spot : extreme[3];
   }
   const auto worst = [&](double exponent)
   {
