@@ -44,26 +44,83 @@ public:
     return range * (s * s);
   }
 
+  /**
+   * How force and stiffness at one deflection follow from the samples: for curves of the same
+   * range the same, so it is made once for the three vertices of a triangle. Between samples
+   * `lower` and `lower + 1`: force = Σ force_j v_j and dF/dδ = Σ stiffness_j v_j with
+   * v = (F_lower, K_lower, F_lower+1, K_lower+1). Below the first sample (lower = -1) the curve's
+   * own exponent counts and there is no such sum.
+   */
+  struct Stencil
+  {
+    int lower = -1;
+    bool beyondRange = false;
+    double deflection = 0.0;
+    double range = 0.0;
+    double force[4] = { 0.0, 0.0, 0.0, 0.0 };
+    double stiffness[4] = { 0.0, 0.0, 0.0, 0.0 };
+  };
+
+  /// For δ > 0; range > 0. Filled in place: a copy would wait for what was just stored.
+  void place(Stencil& at, double range, double deflection) const noexcept
+  {
+    at.deflection = deflection;
+    at.range = range;
+    at.beyondRange = deflection > range;
+    at.lower = -1;
+    const int n = this->Samples;
+    if (deflection >= range)
+    {
+      at.lower = n - 2;
+      for (int j = 0; j < 4; ++j)
+      {
+        at.force[j] = j == 2 ? 1.0 : j == 3 ? deflection - range : 0.0;
+        at.stiffness[j] = j == 3 ? 1.0 : 0.0;
+      }
+      return;
+    }
+    // 1/s first: with it, one root and two divisions that do not wait for each other give all.
+    const double inverse = std::sqrt(range / deflection);
+    const double s = deflection / range * inverse;
+    const double position = s * n;
+    const int upper = position < n - 1 ? static_cast<int>(position) : n - 1;
+    if (upper > 0)
+    {
+      this->hermite(at, s, inverse, position, upper);
+    }
+  }
+
   /// `curve.force(i)` and `curve.stiffness(i)` give sample i = 0..n-1.
+  template <class Curve>
+  ResponseValue evaluate(const Curve& curve, const Stencil& at) const noexcept
+  {
+    if (at.lower < 0)
+    {
+      return this->powerStart(curve, at.range, at.deflection);
+    }
+    const double values[4] = { curve.force(at.lower), curve.stiffness(at.lower),
+      curve.force(at.lower + 1), curve.stiffness(at.lower + 1) };
+    ResponseValue value;
+    value.beyondRange = at.beyondRange;
+    for (int j = 0; j < 4; ++j)
+    {
+      value.force += at.force[j] * values[j];
+      value.stiffness += at.stiffness[j] * values[j];
+    }
+    return value;
+  }
+
   template <class Curve>
   ResponseValue evaluate(const Curve& curve, double range, double deflection) const noexcept
   {
     if (!(deflection > 0.0))
     {
-      return { deflection <= 0.0 ? 0.0 : deflection, deflection <= 0.0 ? 0.0 : deflection, false };
+      const double zeroOrNaN = deflection <= 0.0 ? 0.0 : deflection;
+      return { zeroOrNaN, zeroOrNaN, false };
     }
-    const int n = this->Samples;
-    if (deflection >= range)
-    {
-      const double stiffness = curve.stiffness(n - 1);
-      return { curve.force(n - 1) + stiffness * (deflection - range), stiffness,
-        deflection > range };
-    }
-    const double s = std::sqrt(deflection / range);
-    const double position = s * n;
-    const int i = position < n - 1 ? static_cast<int>(position) : n - 1;
-    return i == 0 ? this->powerStart(curve, range, deflection)
-                  : this->hermite(curve, range, s, position, i);
+    Stencil at;
+    this->place(at, range, deflection);
+    return this->evaluate(curve, at);
   }
 
 private:
@@ -81,44 +138,62 @@ private:
     return { value, q * value / deflection, false };
   }
 
-  /// Between samples i-1 and i, 1 <= i < n. With ρ(s) = F/s^(2m), the factor δ_max^m cancels.
-  template <class Curve>
-  ResponseValue hermite(
-    const Curve& curve, double range, double s, double position, int i) const noexcept
+  /// Between samples upper-1 and upper, 1 <= upper < n. With ρ(s) = F/s^(2m), the factor δ_max^m
+  /// cancels; sample i holds ρ_i = w_i F_i and dρ/ds = 2 w_i (δ_max s_i K_i - m F_i/s_i), w_i =
+  /// s_i^(-2m).
+  void hermite(Stencil& at, double s, double inverse, double position, int upper) const noexcept
   {
-    const double h = 1.0 / this->Samples;
-    const double t = position - i;
-    const Node a = this->node(curve, range, i - 1);
-    const Node b = this->node(curve, range, i);
+    const double h = this->Spacing;
+    const double t = position - upper;
     const double t2 = t * t;
     const double t3 = t2 * t;
-    const double rho = (2.0 * t3 - 3.0 * t2 + 1.0) * a.value + (t3 - 2.0 * t2 + t) * h * a.slope +
-      (3.0 * t2 - 2.0 * t3) * b.value + (t3 - t2) * h * b.slope;
-    const double slope = (6.0 * t2 - 6.0 * t) / h * (a.value - b.value) +
-      (3.0 * t2 - 4.0 * t + 1.0) * a.slope + (3.0 * t2 - 2.0 * t) * b.slope;
-    const double power = std::pow(s, 2.0 * this->Exponent);
-    return { power * rho, power * (2.0 * this->Exponent * rho / s + slope) / (2.0 * range * s),
-      false };
+    const double rho[4] = { 2.0 * t3 - 3.0 * t2 + 1.0, h * (t3 - 2.0 * t2 + t), 3.0 * t2 - 2.0 * t3,
+      h * (t3 - t2) };
+    const double steep = (6.0 * t2 - 6.0 * t) * this->Samples;
+    const double slope[4] = { steep, 3.0 * t2 - 4.0 * t + 1.0, -steep, 3.0 * t2 - 2.0 * t };
+    const double power = this->rootPower(s);
+    const double rise = 0.5 / at.range * inverse; // ds/dδ
+    const double growth = 2.0 * this->Exponent * inverse;
+    at.lower = upper - 1;
+    for (int j = 0; j < 4; j += 2)
+    {
+      const Node& node = this->Nodes[static_cast<std::size_t>(j == 0 ? at.lower : at.lower + 1)];
+      const double weight = power * node.weight;
+      const double ofStiffness = weight * 2.0 * at.range * node.root;
+      at.force[j] = weight * (rho[j] + node.ofForce * rho[j + 1]);
+      at.force[j + 1] = ofStiffness * rho[j + 1];
+      at.stiffness[j] =
+        rise * (growth * at.force[j] + weight * (slope[j] + node.ofForce * slope[j + 1]));
+      at.stiffness[j + 1] = rise * (growth * at.force[j + 1] + ofStiffness * slope[j + 1]);
+    }
   }
 
-  struct Node
+  /// s^(2m), by products where 2m is a small whole number.
+  double rootPower(double s) const noexcept
   {
-    double value;
-    double slope;
-  };
-  template <class Curve>
-  Node node(const Curve& curve, double range, int i) const noexcept
-  {
-    const double s = static_cast<double>(i + 1) / this->Samples;
-    const double weight = this->Weights[static_cast<std::size_t>(i)];
-    const double force = curve.force(i);
-    return { weight * force,
-      2.0 * weight * (range * s * curve.stiffness(i) - this->Exponent * force / s) };
+    if (this->WholePower == 0)
+    {
+      return std::pow(s, 2.0 * this->Exponent);
+    }
+    double power = s;
+    for (int i = 1; i < this->WholePower; ++i)
+    {
+      power *= s;
+    }
+    return power;
   }
 
   int Samples;
   double Exponent;
-  std::vector<double> Weights; ///< s_i^(-2m)
+  int WholePower; ///< 2m if that is whole and small, else 0
+  double Spacing; ///< 1/n
+  struct Node
+  {
+    double root;    ///< s_i
+    double weight;  ///< s_i^(-2m)
+    double ofForce; ///< -2m/s_i
+  };
+  std::vector<Node> Nodes;
 };
 } // namespace palpate
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ContactSettings_h
+#define palpate_ContactSettings_h
+
+#include <cstdint>
+
+namespace palpate
+{
+/// How the curves of the three vertices of a triangle become one force.
+enum class ForceForm : std::uint8_t
+{
+  /// Σ n_i f_i U_i (Mahvash and Hayward 2002, eq. 3). The sum of unit normals is shorter than 1, so
+  /// the force loses about h²/(6 R²) in the middle of a facet of size h on a body of radius R.
+  Paper,
+  /// (Σ n_i f_i) along the normalised Σ n_i U_i: magnitude and direction blended apart. On the
+  /// smooth surface along that surface's own normal, so that equal responses have an energy.
+  NormalizedDirection,
+  /// -∇ of the energy Σ n_i e_i, e_i = ∫f_i: Σ n_i f_i n - Σ e_i ∇n_i with the surface's own normal
+  /// n. Closed loops within one contact neither gain nor lose energy, whatever the responses; on
+  /// facets but for what the energy itself jumps by from facet to facet, where responses differ.
+  EnergyConsistent
+};
+
+/// The surface the tip is projected on.
+enum class ContactSurface : std::uint8_t
+{
+  Facets, ///< the triangles as they are
+  Smooth  ///< one patch per triangle through its vertices and their normals, G1 across edges
+};
+
+/// What resists sliding; see Friction.h.
+enum class FrictionModel : std::uint8_t
+{
+  ElastoPlastic, ///< Hayward and Armstrong 2000: stick, creep, slide; no drift below breakaway
+  Dahl,          ///< the same with creep from the first displacement on: drifts
+  ShapeDerived   ///< from the stored response itself (Jaeger; Ciavarella): only μ and ν
+};
+
+struct FrictionSettings
+{
+  FrictionModel model = FrictionModel::ElastoPlastic;
+  /// Coulomb's μ, >= 0; 0: frictionless.
+  double coefficient = 0.0;
+  /// Stiffness of the stuck contact, σ₀, N/mm, > 0. A servo loop of period T at a device of damping
+  /// b is stable only for σ₀ <= 2b/T. Not used by ShapeDerived.
+  double tangentialStiffness = 1.0;
+  /// Share of the sliding limit up to which a stuck contact is elastic and nothing creeps, 0 to 1.
+  /// 0: Hayward and Armstrong's z⁸, which creeps a little under any load. Only used by
+  /// ElastoPlastic.
+  double breakaway = 0.8;
+  /// Share of the limit at which half of a further displacement creeps, z_st/z_max, >= breakaway.
+  /// Only used by ElastoPlastic.
+  double stickRadius = 0.9;
+  /// Of the body, 0 to 0.5. Only used by ShapeDerived.
+  double poissonRatio = 0.5;
+};
+
+/// How a ToolContact turns a tip into a force.
+struct ContactSettings
+{
+  ForceForm form = ForceForm::NormalizedDirection;
+  ContactSurface surface = ContactSurface::Facets;
+  FrictionSettings friction = {};
+};
+} // namespace palpate
+
+#endif

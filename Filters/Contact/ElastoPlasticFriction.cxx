@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ElastoPlasticFriction.h"
+
+#include "StraightStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr int MostPieces = 40;
+constexpr double LongestPiece = 1.0 / 8.0; ///< of z_max
+constexpr double LastBit = 0.005;          ///< of z_max
+constexpr double Ahead = 0.1;              ///< largest slope of z against the path
+constexpr double AtLimit = 1.0 - 1e-9;
+constexpr double Shortest = 1e-150; ///< z_max, mm, whose square is a number
+
+double eighthPower(double square)
+{
+  const double fourth = square * square;
+  return fourth * fourth;
+}
+} // namespace
+
+ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) noexcept
+  : Stiffness(settings.tangentialStiffness)
+  , Breakaway(settings.breakaway)
+  , Breakaway8(std::pow(settings.breakaway, 8))
+  , Width8(std::max(std::pow(settings.stickRadius, 8) - this->Breakaway8, 0.0))
+{
+}
+
+TangentialForce ElastoPlasticFriction::update(const Vector2& displacement, double limit) noexcept
+{
+  const double longest = limit / this->Stiffness;
+  if (!(longest > Shortest))
+  {
+    this->Z.setZero();
+    return {};
+  }
+  StraightStep::clip(this->Z, longest);
+  const StraightStep step(displacement);
+  if (step.length() > 0.0)
+  {
+    Vector2 z = step.toPath(this->Z);
+    double left = StraightStep::moveFreely(z, this->Breakaway * longest, step.length());
+    if (left > 0.0)
+    {
+      left = this->creep(z, longest, left);
+    }
+    if (left > 0.0)
+    {
+      StraightStep::drag(z, longest, left);
+    }
+    this->Z = step.fromPath(z);
+  }
+  const double nearly = AtLimit * longest;
+  const bool sliding = this->Z.squaredNorm() >= nearly * nearly;
+  return { -this->Stiffness * this->Z, sliding };
+}
+
+/// Forwards until z is at the limit; the length that is left.
+double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) const noexcept
+{
+  if (this->finishCreep(z, longest, length))
+  {
+    return length;
+  }
+  double squared = z.squaredNorm();
+  const double nearly = AtLimit * longest;
+  for (int i = 0; i < MostPieces && length > 0.0 && squared < nearly * nearly; ++i)
+  {
+    double piece = std::min(length, LongestPiece * longest);
+    Vector2 next = this->rungeKutta(z, longest, piece);
+    double reached = next.squaredNorm();
+    if (reached > longest * longest)
+    {
+      // Past the limit: the part of the piece before it, by a secant.
+      const double before = std::sqrt(squared);
+      piece *= (longest - before) / (std::sqrt(reached) - before);
+      next = this->rungeKutta(z, longest, piece);
+      reached = next.squaredNorm();
+    }
+    z = next;
+    squared = reached;
+    length -= piece;
+  }
+  if (length > 0.0)
+  {
+    z *= longest / std::sqrt(squared);
+  }
+  StraightStep::clip(z, longest);
+  return length;
+}
+
+/// What a sliding contact under a changing load does in most ticks: the last bit of the way to the
+/// limit, by one step with the creep of its middle. In polar coordinates the bit is
+/// d|z|/dx = (1 - α|z|) cos θ, dθ/dx = -sin θ/|z|; errors are of the second
+/// order in the angle and the third in the bit.
+bool ElastoPlasticFriction::finishCreep(Vector2& z, double longest, double& length) const noexcept
+{
+  const double size = z.norm();
+  const double missing = longest - size;
+  if (missing > LastBit * longest || !(std::abs(z.y()) <= Ahead * z.x()))
+  {
+    return false;
+  }
+  const double middle = 0.5 * (size + longest);
+  const double share = middle / longest;
+  const double w = eighthPower(share * share) - this->Breakaway8;
+  const double elastic = w > 0.0 ? this->Width8 / (w + this->Width8) : 1.0; // 1 - α|z|
+  const double way = missing * size / (elastic * z.x());
+  if (!(way >= 0.0 && way <= length))
+  {
+    return false;
+  }
+  length -= way;
+  const double turn = -way * z.y() / (size * middle);
+  const Vector2 turned(z.x() - turn * z.y(), z.y() + turn * z.x());
+  z = longest / turned.norm() * turned;
+  return true;
+}
+
+Vector2 ElastoPlasticFriction::rate(const Vector2& z, double longest) const noexcept
+{
+  const double squared = z.squaredNorm();
+  const double share = squared / (longest * longest);
+  const double w = eighthPower(share) - this->Breakaway8;
+  if (!(w > 0.0))
+  {
+    return { 1.0, 0.0 };
+  }
+  // α|z| (cos θ, sin θ) cos θ
+  const double plastic = std::sqrt(share) * w / (w + this->Width8) * z.x() / squared;
+  return { 1.0 - plastic * z.x(), -plastic * z.y() };
+}
+
+Vector2 ElastoPlasticFriction::rungeKutta(
+  const Vector2& z, double longest, double length) const noexcept
+{
+  const Vector2 k1 = this->rate(z, longest);
+  const Vector2 k2 = this->rate(z + 0.5 * length * k1, longest);
+  const Vector2 k3 = this->rate(z + 0.5 * length * k2, longest);
+  const Vector2 k4 = this->rate(z + length * k3, longest);
+  return z + length / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+}
+} // namespace palpate

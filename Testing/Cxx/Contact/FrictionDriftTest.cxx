@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Friction in the loop: a mass on a plane, held by friction against a force that swings within the
+// limit, and the stiffness a sampled loop can hold.
+#include "Friction.h"
+#include "FrictionCurves.h"
+
+#include "Agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using palpate::Friction;
+using palpate::FrictionModel;
+using palpate::FrictionSettings;
+using palpate::Vector3;
+using palpate::testing::agrees;
+using palpate::testing::PowerCurve;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Mass = 0.1;    // kg
+constexpr double Period = 1e-3; // s
+constexpr double NormalForce = 1.0;
+const PowerCurve Curve{ 1.0, 1.0, 2.0 }; // 1 N at 1 mm
+
+/// A free mass with damping b (N·s/m), moved exactly under a force held for one period.
+class HeldMass
+{
+public:
+  explicit HeldMass(double damping)
+    : Damping(damping)
+    , Decay(std::exp(-damping * Period / Mass))
+  {
+  }
+  /// mm.
+  double position() const { return 1e3 * this->X; }
+  void push(double force)
+  {
+    const double end = force / this->Damping;
+    const double excess = this->V - end;
+    this->X += end * Period + excess * Mass / this->Damping * (1.0 - this->Decay);
+    this->V = end + excess * this->Decay;
+  }
+
+private:
+  double Damping;
+  double Decay;
+  double X = 0.0;
+  double V = 0.0;
+};
+
+double tangentialForce(Friction& friction, double x)
+{
+  return friction.update({ x, 0.0, 0.0 }, Vector3::UnitZ(), NormalForce, 1.0, Curve).force.x();
+}
+
+/// z_max = 1 mm under 1 N.
+FrictionSettings settingsOf(FrictionModel model)
+{
+  FrictionSettings settings;
+  settings.model = model;
+  settings.coefficient = 1.0;
+  settings.tangentialStiffness = 1.0;
+  return settings;
+}
+
+/// How far (mm) 0.1 kg goes in 8 s under 0.5 + 0.2 sin(2π 2 t) N, friction's limit being 1 N: from
+/// mean position to mean position of a cycle. The load is put on slowly, and the swing too, so that
+/// nothing rings.
+double drift(const FrictionSettings& settings, double damping)
+{
+  Friction friction(settings);
+  HeldMass mass(damping);
+  std::vector<double> positions;
+  const double rise = 4.0;
+  const auto ticks = static_cast<int>((rise + 8.5) / Period);
+  for (int i = 0; i < ticks; ++i)
+  {
+    const double time = i * Period - rise;
+    const double grown = 0.5 - 0.5 * std::cos(Pi * std::min(1.0 + time / rise, 1.0));
+    const double load = grown * (0.5 + 0.2 * std::sin(2.0 * Pi * 2.0 * time));
+    mass.push(load + tangentialForce(friction, mass.position()));
+    if (time >= 0.0)
+    {
+      positions.push_back(mass.position());
+    }
+  }
+  const std::size_t cycle = 500;
+  double first = 0.0;
+  double last = 0.0;
+  for (std::size_t i = 0; i < cycle; ++i)
+  {
+    first += positions[i] / cycle;
+    last += positions[positions.size() - cycle + i] / cycle;
+  }
+  return last - first;
+}
+
+/// ln of how the amplitude of a stuck mass grows in 200 s.
+double growth(double stiffness, double damping)
+{
+  FrictionSettings settings = settingsOf(FrictionModel::ElastoPlastic);
+  settings.coefficient = 1e9; // never slides
+  settings.tangentialStiffness = 1e-3 * stiffness;
+  Friction friction(settings);
+  HeldMass mass(damping);
+  tangentialForce(friction, 0.0);
+  mass.push(1e-3); // a nudge
+  const auto amplitude = [&]
+  {
+    double largest = 0.0;
+    for (int i = 0; i < 1000; ++i)
+    {
+      mass.push(tangentialForce(friction, mass.position()));
+      largest = std::max(largest, std::abs(mass.position()));
+    }
+    return largest;
+  };
+  const double before = amplitude();
+  double after = before;
+  for (int i = 0; i < 199; ++i)
+  {
+    after = amplitude();
+  }
+  return std::log(after / before);
+}
+} // namespace
+
+TEST(FrictionDrift, DahlPerCycle)
+{
+  // Between z = 0.3 and 0.7 z_max: forwards ln((1-z₁)/(1-z₂)), backwards ln((1+z₂)/(1+z₁)).
+  Friction friction(settingsOf(FrictionModel::Dahl));
+  double x = 0.0;
+  tangentialForce(friction, x);
+  x -= std::log(1.0 - 0.3);
+  EXPECT_TRUE(agrees(tangentialForce(friction, x), -0.3, 1e-14));
+  const double start = x;
+  const int cycles = 20;
+  for (int i = 0; i < cycles; ++i)
+  {
+    x += std::log(0.7 / 0.3);
+    EXPECT_TRUE(agrees(tangentialForce(friction, x), -0.7, 1e-13)); // rounding of x
+    x -= std::log(1.7 / 1.3);
+    EXPECT_TRUE(agrees(tangentialForce(friction, x), -0.3, 1e-13));
+  }
+  EXPECT_TRUE(agrees((x - start) / cycles, 0.5790338738, 1e-10)); // its ten digits
+}
+
+TEST(FrictionDrift, UnderASwingingLoad)
+{
+  for (const double damping : { 1.0, 5.0 })
+  {
+    const double dahl = drift(settingsOf(FrictionModel::Dahl), damping);
+    // 16 cycles of the closed form. Inertia and damping (0.006 and 0.008 N per N·s/m) change the
+    // swing of 0.2 N that friction sees by 3 %, and the drift grows with its square.
+    EXPECT_NEAR(dahl, 16.0 * 0.5790338738, 0.08 * 9.26) << damping;
+
+    FrictionSettings eight = settingsOf(FrictionModel::ElastoPlastic);
+    eight.breakaway = 0.0;
+    const double smooth = drift(eight, damping);
+    EXPECT_GT(dahl, 20.0 * smooth) << damping;
+    EXPECT_GT(smooth, 0.05); // mm: it does creep, about 6 µm per cycle
+    eight.stickRadius = 0.5;
+    EXPECT_GT(drift(eight, damping), 2.0);
+
+    // As it comes, and as stick and slide: not at all, but for what is left of the ringing.
+    EXPECT_LT(std::abs(drift(settingsOf(FrictionModel::ElastoPlastic), damping)), 1e-6);
+    FrictionSettings hard = settingsOf(FrictionModel::ElastoPlastic);
+    hard.breakaway = 1.0;
+    hard.stickRadius = 1.0;
+    EXPECT_LT(std::abs(drift(hard, damping)), 1e-6);
+  }
+}
+
+TEST(FrictionDrift, ShapeDerivedStopsDrifting)
+{
+  // Masing's loops are closed: after the first loading nothing moves on.
+  FrictionSettings settings = settingsOf(FrictionModel::ShapeDerived);
+  EXPECT_LT(std::abs(drift(settings, 1.0)), 1e-3);
+}
+
+TEST(FrictionDrift, StickStiffnessLimit)
+{
+  // Of a mass with damping, the force held for a period (reference: the poles of the discrete
+  // loop): K = b(1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m); 2003.33889 N/m for b = 1 N·s/m, where
+  // passivity asks 2b/T = 2000.
+  const struct
+  {
+    double damping;
+    double limit;
+  } cases[] = { { 0.5, 1000.8340280185877 }, { 1.0, 2003.338892591564 },
+    { 2.0, 4013.377836939064 } };
+  for (const auto& one : cases)
+  {
+    const double e = std::exp(-one.damping * Period / Mass);
+    EXPECT_TRUE(agrees(
+      one.damping * (1.0 - e) / (Mass / one.damping * (1.0 - e) - e * Period), one.limit, 1e-9));
+    // The larger pole has magnitude² e + K/b (...) linear in K: growth per tick (K/K* - 1) bT/2m.
+    for (const double share : { -2e-3, -1e-3, 1e-3, 2e-3 })
+    {
+      const double expected = share * 0.5 * one.damping * Period / Mass * 199000.0;
+      EXPECT_NEAR(
+        growth((1.0 + share) * one.limit, one.damping), expected, 0.05 * std::abs(expected) + 0.01)
+        << one.damping << ' ' << share;
+    }
+    EXPECT_LT(growth(2.0 * one.damping / Period, one.damping), 0.0);
+  }
+}

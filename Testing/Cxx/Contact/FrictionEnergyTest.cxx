@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From first touch on, friction never gives back more energy than it took, however point and depth
+// move and responses differ: the work of the tool against friction is >= 0 at all times.
+#include "Friction.h"
+#include "FrictionCurves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+using palpate::Friction;
+using palpate::FrictionModel;
+using palpate::FrictionSettings;
+using palpate::ShapeFriction;
+using palpate::Vector2;
+using palpate::Vector3;
+using palpate::testing::PowerCurve;
+
+namespace
+{
+constexpr FrictionModel Models[] = { FrictionModel::ElastoPlastic, FrictionModel::Dahl,
+  FrictionModel::ShapeDerived };
+
+struct Contact
+{
+  Vector2 point;
+  double depth;
+  double factor; ///< of the response there
+};
+using Path = std::function<Contact(double)>;
+/// Tangential force on the tool at a contact.
+using Answer = std::function<Vector2(const Contact&)>;
+
+/// The least and the last work done so far, N mm, along the path from t = 0 to the end, by
+/// trapezoids.
+struct Work
+{
+  double least = 0.0;
+  double last = 0.0;
+};
+
+Work workAlong(const Path& path, double end, int ticks, const Answer& answer)
+{
+  Work work;
+  Contact before = path(0.0);
+  Vector2 forceBefore = answer(before);
+  for (int i = 1; i <= ticks; ++i)
+  {
+    const Contact contact = path(end * i / ticks);
+    const Vector2 force = answer(contact);
+    work.last -= 0.5 * (force + forceBefore).dot(contact.point - before.point);
+    work.least = std::min(work.least, work.last);
+    before = contact;
+    forceBefore = force;
+  }
+  return work;
+}
+
+FrictionSettings settingsOf(FrictionModel model)
+{
+  FrictionSettings settings;
+  settings.model = model;
+  settings.coefficient = 0.5;
+  settings.tangentialStiffness = 5.0;
+  return settings;
+}
+
+PowerCurve curveAt(const Contact& contact)
+{
+  PowerCurve curve;
+  curve.factor = contact.factor;
+  return curve;
+}
+
+Answer answerOf(Friction& friction)
+{
+  return [&friction](const Contact& contact) -> Vector2
+  {
+    const PowerCurve curve = curveAt(contact);
+    return friction
+      .update({ contact.point.x(), contact.point.y(), 0.0 }, Vector3::UnitZ(),
+        curve.force(contact.depth), contact.depth, curve)
+      .force.head<2>();
+  };
+}
+
+/// Pre-sliding with σ₀ = μ f_n/z_max, as Hayward and Armstrong have it, stick and slide.
+Answer proportionalStiffness(Vector2& z, Vector2& last)
+{
+  return [&z, &last](const Contact& contact) -> Vector2
+  {
+    z += contact.point - last;
+    z *= std::min(1.0, 0.5 / std::max(z.norm(), 1e-300));
+    last = contact.point;
+    return -0.5 * curveAt(contact).force(contact.depth) / 0.5 * z;
+  };
+}
+
+/// Point and depth of three incommensurable swings each, within `reach` mm and 0.05 … 1.95 mm.
+Path wandering(unsigned seed, double reach, double variation)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  double a[9];
+  double w[9];
+  for (int i = 0; i < 9; ++i)
+  {
+    a[i] = share(random);
+    w[i] = 0.5 + 3.0 * share(random);
+  }
+  return [=](double t) -> Contact
+  {
+    const auto swing = [&](int first)
+    {
+      return (a[first] * std::sin(w[first] * t) + a[first + 1] * std::sin(w[first + 1] * t) +
+               a[first + 2] * std::sin(w[first + 2] * t)) /
+        (a[first] + a[first + 1] + a[first + 2]);
+    };
+    const Vector2 point(reach * swing(0), reach * swing(3));
+    return { point, 1.0 + 0.95 * swing(6), 10.0 * (1.0 + variation * std::sin(8.0 * point.x())) };
+  };
+}
+
+/// Push at a small depth, press, come back at a great depth, lift: the cycle that gains most from a
+/// stiffness that grows with the normal force.
+Path pressAndReturn(double reach)
+{
+  return [=](double t) -> Contact
+  {
+    const double part = std::fmod(t, 4.0);
+    const auto smooth = [](double s)
+    {
+      const double clamped = std::clamp(s, 0.0, 1.0);
+      return clamped * clamped * (3.0 - 2.0 * clamped);
+    };
+    const double out = smooth(part) - smooth(part - 2.0);
+    const double deep = smooth(part - 1.0) - smooth(part - 3.0);
+    return { { reach * out, 0.0 }, 0.5 + deep, 10.0 };
+  };
+}
+} // namespace
+
+TEST(FrictionEnergy, NeverGivenBackMoreThanTaken)
+{
+  for (const FrictionModel model : Models)
+  {
+    for (unsigned seed = 0; seed < 12; ++seed)
+    {
+      const double reach = seed % 3 == 0 ? 0.1 : seed % 3 == 1 ? 0.5 : 3.0;
+      const double variation = seed % 2 == 0 ? 0.0 : 0.3;
+      Friction friction(settingsOf(model));
+      const Work work =
+        workAlong(wandering(seed, reach, variation), 40.0, 40000, answerOf(friction));
+      // Trapezoids over a kink of the force err by σ₀ dx²/8 each, dx < 0.01 mm at worst: 4e-5
+      // once, a part of what 10 N over a hundredth of a millimetre take at the very start.
+      EXPECT_GE(work.least, -1e-5) << static_cast<int>(model) << ' ' << seed;
+      EXPECT_GT(work.last, 0.0);
+    }
+  }
+}
+
+TEST(FrictionEnergy, PressAndReturn)
+{
+  for (const double reach : { 0.05, 0.3, 2.0 })
+  {
+    for (const FrictionModel model : Models)
+    {
+      Friction friction(settingsOf(model));
+      const Work work = workAlong(pressAndReturn(reach), 40.0, 40000, answerOf(friction));
+      EXPECT_GE(work.least, -1e-9) << static_cast<int>(model) << ' ' << reach;
+      // Ten cycles; and one more from there takes energy too.
+      const Work next = workAlong(pressAndReturn(reach), 4.0, 4000, answerOf(friction));
+      EXPECT_GE(next.last, -1e-9) << static_cast<int>(model) << ' ' << reach;
+    }
+  }
+  // What this test is there to find: ½ (μ/z_max) z² ΔF_n per cycle with a stiffness that follows
+  // the normal force.
+  Vector2 z = Vector2::Zero();
+  Vector2 last = Vector2::Zero();
+  const double reach = 0.3;
+  const Work work = workAlong(pressAndReturn(reach), 40.0, 40000, proportionalStiffness(z, last));
+  const PowerCurve curve;
+  const double gained = 0.5 * reach * reach * (curve.force(1.5) - curve.force(0.5));
+  EXPECT_NEAR(work.last, -10.0 * gained, 1e-5); // trapezoids over 1000 ticks
+}
+
+TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
+{
+  // As long as the clip is not met, a constant stiffness takes and gives the same.
+  Friction friction(settingsOf(FrictionModel::ElastoPlastic));
+  const Work work = workAlong(pressAndReturn(0.2), 40.0, 4000, answerOf(friction));
+  EXPECT_NEAR(work.last, 0.0, 1e-14);
+  EXPECT_GE(work.least, -1e-15);
+}
+
+TEST(FrictionEnergy, ShapeDerivedInAStiffeningBody)
+{
+  // Out where it is soft, back where it is stiff, at constant depth and stuck throughout.
+  const Path loop = [](double t) -> Contact
+  {
+    const Vector2 point(0.1 * std::sin(t) * std::cos(t), 0.1 * (1.0 - std::cos(t)));
+    return { point, 1.0, 10.0 * (1.0 + 8.0 * point.x()) };
+  };
+  for (const double turns : { 1.0, -1.0 })
+  {
+    Friction friction(settingsOf(FrictionModel::ShapeDerived));
+    const double end = turns * 10.0 * 3.14159265358979323846;
+    const Work work = workAlong(loop, end, 40000, answerOf(friction));
+    EXPECT_GE(work.least, -1e-9);
+  }
+}

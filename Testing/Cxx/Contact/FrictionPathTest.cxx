@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The three friction models along given paths on a plane: the number of ticks does not matter, and
+// on a circle they do what their differential equations, finely integrated here, say.
+#include "Friction.h"
+#include "FrictionCurves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using palpate::Friction;
+using palpate::FrictionModel;
+using palpate::FrictionSettings;
+using palpate::Vector2;
+using palpate::Vector3;
+using palpate::testing::PowerCurve;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr FrictionModel Models[] = { FrictionModel::ElastoPlastic, FrictionModel::Dahl,
+  FrictionModel::ShapeDerived };
+
+/// A contact pressed 1 mm deep with 10 N: limit 5 N, z_max 2.5 mm; ShapeDerived slides at 0.75 mm.
+class Slider
+{
+public:
+  explicit Slider(FrictionSettings settings)
+    : Model(settings)
+  {
+    this->moveTo({ 0.0, 0.0 });
+  }
+  Vector2 moveTo(const Vector2& point)
+  {
+    const auto result = this->Model.update(
+      { point.x(), point.y(), 0.0 }, Vector3::UnitZ(), this->Curve.force(1.0), 1.0, this->Curve);
+    this->Point = point;
+    this->Sliding = result.sliding;
+    EXPECT_NEAR(result.force.z(), 0.0, 1e-15);
+    return result.force.head<2>();
+  }
+  Vector2 move(const Vector2& displacement, int ticks)
+  {
+    const Vector2 start = this->Point;
+    Vector2 force = Vector2::Zero();
+    for (int i = 1; i <= ticks; ++i)
+    {
+      force = this->moveTo(start + displacement * i / ticks);
+    }
+    return force;
+  }
+  bool sliding() const { return this->Sliding; }
+
+private:
+  PowerCurve Curve;
+  Friction Model;
+  Vector2 Point = Vector2::Zero();
+  bool Sliding = false;
+};
+
+FrictionSettings settingsOf(FrictionModel model)
+{
+  FrictionSettings settings;
+  settings.model = model;
+  settings.coefficient = 0.5;
+  settings.tangentialStiffness = 2.0;
+  return settings;
+}
+
+constexpr double Limit = 5.0;
+constexpr double Longest = 2.5;
+
+Vector2 direction(double angle)
+{
+  return { std::cos(angle), std::sin(angle) };
+}
+
+/// z' = rate(z, d) along the circle of radius rho from its lowest point, by Runge-Kutta. The clip
+/// makes it first order, hence the number of steps.
+Vector2 onCircle(const std::function<Vector2(const Vector2&, const Vector2&)>& rate, double rho,
+  double angle, int steps, bool clipped)
+{
+  Vector2 z = Vector2::Zero();
+  const double h = angle / steps;
+  for (int i = 0; i < steps; ++i)
+  {
+    const auto at = [&](double part, const Vector2& state)
+    { return Vector2(rho * h * rate(state, direction((i + part) * h))); };
+    const Vector2 k1 = at(0.0, z);
+    const Vector2 k2 = at(0.5, z + 0.5 * k1);
+    const Vector2 k3 = at(0.5, z + 0.5 * k2);
+    const Vector2 k4 = at(1.0, z + k3);
+    z += (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+    if (clipped && z.norm() > Longest)
+    {
+      z *= Longest / z.norm();
+    }
+  }
+  return z;
+}
+
+/// The law of ElastoPlasticFriction.h, word by word.
+std::function<Vector2(const Vector2&, const Vector2&)> elastoPlastic(double b, double s)
+{
+  return [=](const Vector2& z, const Vector2& d) -> Vector2
+  {
+    const double r = z.norm() / Longest;
+    const double w = std::max(std::pow(r, 8) - std::pow(b, 8), 0.0);
+    const double alpha = w > 0.0 ? w / (w + std::pow(s, 8) - std::pow(b, 8)) / Longest : 0.0;
+    return r > 0.0 ? Vector2(d - alpha * z * std::max(d.dot(z) / z.norm(), 0.0)) : d;
+  };
+}
+} // namespace
+
+TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
+{
+  for (const FrictionModel model : Models)
+  {
+    // Exact but for the creep of ElastoPlastic: Runge-Kutta in steps of 1/8 z_max, 2e-5 measured.
+    const double tolerance = model == FrictionModel::ElastoPlastic ? 3e-5 * Limit : 1e-12;
+    for (const double before : { 0.0, 0.4, 1.9, 2.2, 10.0 })
+    {
+      for (double angle = 0.0; angle <= Pi; angle += Pi / 12.0)
+      {
+        for (const double length : { 0.1, 0.7, 1.8, 2.4, 5.0, 40.0 })
+        {
+          Vector2 forces[3];
+          const int ticks[3] = { 1, 10, 1000 };
+          for (int i = 0; i < 3; ++i)
+          {
+            Slider slider(settingsOf(model));
+            slider.move({ before, 0.0 }, 100);
+            forces[i] = slider.move(length * direction(angle), ticks[i]);
+          }
+          EXPECT_LE((forces[0] - forces[2]).norm(), tolerance) << before << ' ' << angle;
+          EXPECT_LE((forces[1] - forces[2]).norm(), tolerance) << before << ' ' << angle;
+        }
+      }
+    }
+  }
+}
+
+TEST(FrictionPath, LongWaysSlide)
+{
+  for (const FrictionModel model : Models)
+  {
+    Slider slider(settingsOf(model));
+    slider.move({ 0.0, 2.0 }, 7);
+    const Vector2 force = slider.move({ 100.0, 0.0 }, 1);
+    EXPECT_LE((force - Vector2(-Limit, 0.0)).norm(), 1e-14); // e^-40
+    EXPECT_TRUE(slider.sliding());
+  }
+}
+
+TEST(FrictionPath, SlidesWhenTheLimitIsReached)
+{
+  Slider dahl(settingsOf(FrictionModel::Dahl));
+  dahl.move({ 4.60 * Longest, 0.0 }, 5); // 1 - e^-4.60 = 0.98995
+  EXPECT_FALSE(dahl.sliding());
+  dahl.move({ 0.01 * Longest, 0.0 }, 1);
+  EXPECT_TRUE(dahl.sliding());
+
+  Slider shape(settingsOf(FrictionModel::ShapeDerived));
+  // μcδ = 0.75 at ν = 0.5; the first of the springs touches at 7e-4 mm instead of 0.
+  shape.move({ 0.749, 0.0 }, 3);
+  EXPECT_FALSE(shape.sliding());
+  shape.move({ 0.001, 0.0 }, 1);
+  EXPECT_TRUE(shape.sliding());
+
+  // ∫ dr/(1 - α r) from 0 to 1, by Simpson's rule.
+  const auto slower = [](double r)
+  {
+    const double w = std::max(std::pow(r, 8) - std::pow(0.8, 8), 0.0);
+    return 1.0 / (1.0 - r * w / (w + std::pow(0.9, 8) - std::pow(0.8, 8)));
+  };
+  double way = 0.8;
+  const int n = 1000;
+  for (int i = 0; i < n; ++i)
+  {
+    const double r = 0.8 + 0.2 * i / n;
+    way += 0.2 / n / 6.0 * (slower(r) + 4.0 * slower(r + 0.1 / n) + slower(r + 0.2 / n));
+  }
+  Slider plastic(settingsOf(FrictionModel::ElastoPlastic));
+  // Runge-Kutta's 2e-5 of the force, at a slope of 1 - α = 0.24.
+  plastic.move({ (way - 1e-4) * Longest, 0.0 }, 4);
+  EXPECT_FALSE(plastic.sliding());
+  plastic.move({ 2e-4 * Longest, 0.0 }, 1);
+  EXPECT_TRUE(plastic.sliding());
+  plastic.move({ -1e-6, 0.0 }, 1);
+  EXPECT_FALSE(plastic.sliding());
+}
+
+TEST(FrictionPath, StuckIsASpring)
+{
+  // Below breakaway (4 N) any way there and back: exactly σ₀, and nothing left at its start.
+  Slider slider(settingsOf(FrictionModel::ElastoPlastic));
+  for (int i = 1; i < 400; ++i)
+  {
+    const Vector2 point = 1.99 * std::sin(0.037 * i) * direction(1.3 * i);
+    EXPECT_LE((slider.moveTo(point) + 2.0 * point).norm(), 1e-13);
+    EXPECT_FALSE(slider.sliding());
+  }
+  EXPECT_LE(slider.moveTo({ 0.0, 0.0 }).norm(), 1e-13);
+}
+
+TEST(FrictionPath, SlopeAtReversal)
+{
+  // Elastic for ElastoPlastic; Dahl's is σ₀(1 + z/z_max) there, twice what the loop is stable for.
+  const double h = 1e-6;
+  for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
+  {
+    Slider slider(settingsOf(model));
+    const double before = slider.move({ 100.0, 0.0 }, 10).x();
+    const double after = slider.move({ -h, 0.0 }, 1).x();
+    const double slope = model == FrictionModel::Dahl ? 4.0 : 2.0;
+    // Rounding of 100 mm over h; the second order of Dahl, h/z_max.
+    EXPECT_NEAR((after - before) / h, slope, 1e-6);
+  }
+}
+
+TEST(FrictionPath, CircleAgainstTheEquations)
+{
+  const double rho = 6.0;
+  const auto dahl = [](const Vector2& z, const Vector2& d) { return Vector2(d - z / Longest); };
+  FrictionSettings eight = settingsOf(FrictionModel::ElastoPlastic);
+  eight.breakaway = 0.0;
+  const struct
+  {
+    FrictionSettings settings;
+    std::function<Vector2(const Vector2&, const Vector2&)> rate;
+    bool clipped;
+  } cases[] = { { settingsOf(FrictionModel::Dahl), dahl, false },
+    { settingsOf(FrictionModel::ElastoPlastic), elastoPlastic(0.8, 0.9), true },
+    { eight, elastoPlastic(0.0, 0.9), true } };
+  for (const auto& one : cases)
+  {
+    for (const double angle : { 0.3, 0.45, 1.0, 4.0, 15.0 })
+    {
+      const Vector2 expected = -2.0 *
+        onCircle(one.rate, rho, angle, 5000 + static_cast<int>(15000.0 * angle), one.clipped);
+      double errors[3];
+      const int ticks[3] = { 40, 80, 4000 };
+      for (int k = 0; k < 3; ++k)
+      {
+        Slider slider(one.settings);
+        Vector2 force = Vector2::Zero();
+        for (int i = 1; i <= ticks[k]; ++i)
+        {
+          const double phi = angle * i / ticks[k];
+          force = slider.moveTo({ rho * std::sin(phi), rho * (1.0 - std::cos(phi)) });
+        }
+        errors[k] = (force - expected).norm();
+      }
+      // Chords are shorter than arcs by φ²/24 and turn off by as much; each tick's error decays
+      // over z_max. Where the limit is met within a tick adds 2e-5 of Runge-Kutta.
+      for (int k = 0; k < 3; ++k)
+      {
+        const double chord = angle / ticks[k];
+        EXPECT_LE(errors[k], Limit * (0.5 * chord * chord + 3e-5)) << angle << ' ' << ticks[k];
+      }
+    }
+  }
+}
+
+TEST(FrictionPath, SteadyOnACircle)
+{
+  // Coulomb's force against the direction of motion but for the lag: asin(z_max/ρ) of a stone on a
+  // string; atan(z_max/ρ) for Dahl, and cos of that of the limit.
+  const double rho = 10.0;
+  const int perTurn = 20000;
+  for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
+  {
+    Slider slider(settingsOf(model));
+    Vector2 force = Vector2::Zero();
+    double phi = 0.0;
+    for (int i = 1; i <= 4 * perTurn; ++i)
+    {
+      phi = 2.0 * Pi * i / perTurn;
+      force = slider.moveTo({ rho * std::sin(phi), rho * (1.0 - std::cos(phi)) });
+    }
+    const bool isDahl = model == FrictionModel::Dahl;
+    const double lag = isDahl ? std::atan(Longest / rho) : std::asin(Longest / rho);
+    const Vector2 expected = -Limit * (isDahl ? std::cos(lag) : 1.0) * direction(phi - lag);
+    EXPECT_LE((force - expected).norm(), 1e-6 * Limit); // the square of the 3e-4 a tick turns by
+    EXPECT_TRUE(slider.sliding() || isDahl);
+    EXPECT_NEAR(force.norm(), isDahl ? Limit * std::cos(lag) : Limit, 1e-6);
+  }
+  // Each spring of ShapeDerived lags by its own asin(limit/ρ), the longest by asin(0.75/ρ): the sum
+  // Σ limit_j (sin, cos) with the load density of f = 10 δ^1.5, by the midpoint rule.
+  Slider slider(settingsOf(FrictionModel::ShapeDerived));
+  Vector2 force = Vector2::Zero();
+  double phi = 0.0;
+  for (int i = 1; i <= 2 * perTurn; ++i)
+  {
+    phi = 2.0 * Pi * i / perTurn;
+    force = slider.moveTo({ rho * std::sin(phi), rho * (1.0 - std::cos(phi)) });
+  }
+  Vector2 expected = Vector2::Zero();
+  const int n = 20000;
+  for (int j = 0; j < n; ++j)
+  {
+    const double root = (j + 0.5) / n; // √η; f'' dη = 7.5 η^-½ dη = 15 d√η
+    const double unloaded = 1.0 - root * root;
+    expected -= 0.5 * 15.0 / n * unloaded * direction(phi - std::asin(0.75 * unloaded / rho));
+  }
+  // The lag of the lumped springs: their limits within a cell differ by 1/64, of second order.
+  EXPECT_LE((force - expected).norm(), 1e-5 * Limit);
+  EXPECT_TRUE(slider.sliding());
+}
