@@ -2,40 +2,29 @@
 #ifndef palpate_BodyMesh_h
 #define palpate_BodyMesh_h
 
+#include "TriangleLinks.h"
 #include "TriangleProjection.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace palpate
 {
-/// A closest point of the body: its triangle (-1: none), where on it, and on which side the tip is.
-struct SurfacePoint
-{
-  std::int32_t triangle = -1;
-  TriangleProjection projection;
-  /// Distance from the surface to the tip, mm: > 0 outside, < 0 inside.
-  double signedDistance = 0.0;
-  /// The closest point lies on an open border, where inside and outside are not defined.
-  bool onBorder = false;
-};
-
 /**
- * The undeformed surface of a body: triangles, their neighbours, and which way is out.
+ * The undeformed surface of a body in the order and with the coordinates of its input, for filters
+ * that walk over it: which triangles meet at a point, where it is open, which way is out. A tick
+ * reads the PackedMesh instead.
  *
- * Triangles wind counter-clockwise seen from outside. The side of a tip is the sign of its offset
- * along the angle-weighted pseudonormal of the closest feature - face, edge or corner - which is
- * right for the closest point of any closed 2-manifold (Baerentzen and Aanaes 2005).
+ * Triangles wind counter-clockwise seen from outside. Triangles with a vertex that is not finite,
+ * an index out of range or no area take no part in anything; they are counted.
  *
- * Triangles with a vertex that is not finite, an index out of range or no area take no part in
- * contact; they are counted. An edge shared by more than two triangles, or by two of opposite
- * winding, has no neighbour across and counts as border.
- *
- * Cost: built in O(n), about 110 bytes per triangle. Immutable, safe from any number of threads.
+ * Cost: built in O(n), about 90 bytes per triangle. Immutable, safe from any number of threads.
  */
 class BodyMesh
 {
@@ -53,9 +42,15 @@ public:
   BodyMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount);
 
+  /// As given: x, y, z of each point, three indices of each triangle.
+  const double* coordinates() const noexcept { return this->Points.data(); }
+  const std::int32_t* indices() const noexcept
+  {
+    return this->Triangles.empty() ? nullptr : this->Triangles.front().data();
+  }
   std::size_t pointCount() const noexcept { return this->Points.size() / 3; }
   std::size_t triangleCount() const noexcept { return this->Triangles.size(); }
-  const std::array<std::int32_t, 3>& corners(std::int32_t triangle) const noexcept
+  const TriangleCorners& corners(std::int32_t triangle) const noexcept
   {
     return this->Triangles[static_cast<std::size_t>(triangle)];
   }
@@ -66,7 +61,7 @@ public:
   /// Whether the triangle takes part in contact.
   bool isUsable(std::int32_t triangle) const noexcept
   {
-    return this->Neighbours[static_cast<std::size_t>(triangle)][0] != Unusable;
+    return this->Usable[static_cast<std::size_t>(triangle)];
   }
   /// Unit angle-weighted normal at a point; zero where no usable triangle meets.
   Vector3 pointNormal(std::int32_t index) const noexcept
@@ -77,11 +72,13 @@ public:
   /// The usable triangles around a point: first and one past the last.
   std::array<const std::int32_t*, 2> trianglesAround(std::int32_t index) const noexcept
   {
-    const auto i = static_cast<std::size_t>(index);
-    return { this->Incident.data() + this->IncidentStart[i],
-      this->Incident.data() + this->IncidentStart[i + 1] };
+    return this->Topology->around(index);
   }
   const Defects& defects() const noexcept { return this->Found; }
+  bool hasTriangles() const noexcept
+  {
+    return std::find(this->Usable.begin(), this->Usable.end(), true) != this->Usable.end();
+  }
   /// No border and no defect: the surface encloses a volume.
   bool isClosed() const noexcept;
   /// Volume enclosed by the usable triangles, mm³, negative when they wind inward.
@@ -89,27 +86,16 @@ public:
 
   /// Unsigned closest point of one triangle.
   TriangleProjection project(const Vector3& tip, std::int32_t triangle) const noexcept;
-  /// Adds the side of the tip to a closest point.
-  SurfacePoint orient(
-    const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept;
 
 private:
-  static constexpr std::int32_t Border = -1;
-  static constexpr std::int32_t Unusable = -2;
-
   void findUsable();
-  void linkPoints();
-  void linkNeighbours();
   void computePointNormals();
-  Vector3 faceNormal(std::int32_t triangle) const noexcept;
 
   std::vector<double> Points;
-  std::vector<std::array<std::int32_t, 3>> Triangles;
-  std::vector<std::array<std::int32_t, 3>> Neighbours; ///< across edge i, or Border, or Unusable
-  std::vector<std::size_t> IncidentStart;
-  std::vector<std::int32_t> Incident;
+  std::vector<TriangleCorners> Triangles;
+  std::vector<bool> Usable;
+  std::shared_ptr<const TriangleLinks> Topology; ///< of the usable triangles
   std::vector<double> PointNormals;
-  std::vector<bool> OnBorder;
   Defects Found;
 };
 } // namespace palpate

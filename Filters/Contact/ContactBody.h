@@ -2,28 +2,36 @@
 #ifndef palpate_ContactBody_h
 #define palpate_ContactBody_h
 
-#include "BodyMesh.h"
+#include "PackedMesh.h"
 #include "ResponseField.h"
 #include "TriangleTree.h"
 
-#include <utility>
+#include <cstddef>
+#include <cstdint>
 
 namespace palpate
 {
 /// All a tick needs of a body: its surface, the search tree over it, the response at its points.
-/// Immutable once built; shared by any number of ToolContacts. The response covers every point.
+/// Immutable once built; shared by any number of ToolContacts. Independent of what it was made of.
 struct ContactBody
 {
-  ContactBody(BodyMesh mesh, ResponseField responses)
-    : surface(std::move(mesh))
+  /// `points` (x, y, z each), `triangles` (three point indices each), and a response for every
+  /// point, in the same order.
+  ContactBody(const double* points, std::size_t pointCount, const std::int32_t* triangles,
+    std::size_t triangleCount, const ResponseArrays& responses, const BuildProgress& progress = {})
+    : surface(points, pointCount, triangles, triangleCount, progress)
     , tree(surface)
-    , response(std::move(responses))
+    , response(responses, &surface)
   {
+    if (progress)
+    {
+      progress(1.0);
+    }
   }
   ContactBody(const ContactBody&) = delete;
   ContactBody& operator=(const ContactBody&) = delete;
 
-  const BodyMesh surface;
+  const PackedMesh surface;
   const TriangleTree tree;
   const ResponseField response;
 };

@@ -352,7 +352,6 @@ std::string FlatBodyFile::open(const std::string& path)
 std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body)
 {
   return std::make_shared<const ContactBody>(
-    BodyMesh(body.coordinates, body.points, body.corners, body.triangles),
-    ResponseField(body.response));
+    body.coordinates, body.points, body.corners, body.triangles, body.response);
 }
 } // namespace palpate

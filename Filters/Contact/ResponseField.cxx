@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseField.h"
 
+#include "ParallelRanges.h"
+
 #include <algorithm>
 
 namespace palpate
@@ -12,9 +14,8 @@ constexpr std::size_t HeadSize = 4;
 struct StoredCurve
 {
   const float* samples;
-  int count;
-  double force(int i) const noexcept { return samples[i]; }
-  double stiffness(int i) const noexcept { return samples[count + i]; }
+  double force(int i) const noexcept { return samples[2 * i]; }
+  double stiffness(int i) const noexcept { return samples[2 * i + 1]; }
 };
 
 struct CombinedCurve
@@ -44,33 +45,47 @@ bool isUsable(std::uint8_t status)
 }
 } // namespace
 
-ResponseField::ResponseField(const ResponseArrays& arrays)
+ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh)
   : Sampling(arrays.samples, arrays.exponent)
+  , Energy(this->Sampling)
   , Points(arrays.points)
   , Laws(arrays.basis ? arrays.laws : 0)
+  , Stride(HeadSize + static_cast<std::size_t>(this->Laws > 0 ? this->Laws : 2 * arrays.samples))
+  , Records(this->Stride * this->Points)
+{
+  if (this->Laws > 0)
+  {
+    this->Basis.assign(arrays.basis,
+      arrays.basis +
+        static_cast<std::size_t>(this->Laws) * 2 * static_cast<std::size_t>(arrays.samples));
+  }
+  forRanges(this->Points,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        this->pack(arrays,
+          mesh ? static_cast<std::size_t>(mesh->inputPoint(static_cast<std::int32_t>(i))) : i, i);
+      }
+    });
+}
+
+void ResponseField::pack(const ResponseArrays& arrays, std::size_t input, std::size_t point)
 {
   const auto n = static_cast<std::size_t>(arrays.samples);
   const auto laws = static_cast<std::size_t>(this->Laws);
-  this->Stride = HeadSize + (laws > 0 ? laws : 2 * n);
-  this->Records.resize(this->Stride * this->Points);
+  float* record = this->Records.data() + this->Stride * point;
+  *record++ = isUsable(arrays.status[input]) ? arrays.range[input] : 0.0F;
+  record = std::copy_n(arrays.normal + 3 * input, 3, record);
   if (laws > 0)
   {
-    this->Basis.assign(arrays.basis, arrays.basis + laws * 2 * n);
+    std::copy_n(arrays.coefficient + laws * input, laws, record);
+    return;
   }
-  for (std::size_t i = 0; i < this->Points; ++i)
+  for (std::size_t k = 0; k < n; ++k)
   {
-    float* record = this->Records.data() + this->Stride * i;
-    *record++ = isUsable(arrays.status[i]) ? arrays.range[i] : 0.0F;
-    record = std::copy_n(arrays.normal + 3 * i, 3, record);
-    if (laws > 0)
-    {
-      std::copy_n(arrays.coefficient + laws * i, laws, record);
-    }
-    else
-    {
-      record = std::copy_n(arrays.force + n * i, n, record);
-      std::copy_n(arrays.stiffness + n * i, n, record);
-    }
+    *record++ = arrays.force[n * input + k];
+    *record++ = arrays.stiffness[n * input + k];
   }
 }
 
@@ -80,17 +95,149 @@ Vector3 ResponseField::normal(std::int32_t point) const noexcept
   return { head[1], head[2], head[3] };
 }
 
+Eigen::Vector4d ResponseField::samplesAt(std::int32_t point, int lower) const noexcept
+{
+  const float* samples = this->record(point) + HeadSize + 2 * static_cast<std::size_t>(lower);
+  return Eigen::Map<const Eigen::Vector4f>(samples).cast<double>();
+}
+
 ResponseValue ResponseField::evaluate(std::int32_t point, double deflection) const noexcept
 {
-  const float* record = this->record(point);
-  const double range = record[0];
-  const float* body = record + HeadSize;
-  const int n = this->Sampling.samples();
-  if (this->Laws > 0)
+  if (!(deflection > 0.0))
   {
-    return this->Sampling.evaluate(
-      CombinedCurve{ body, this->Basis.data(), this->Laws, n }, range, deflection);
+    const double zeroOrNaN = deflection <= 0.0 ? 0.0 : deflection;
+    return { zeroOrNaN, zeroOrNaN, false };
   }
-  return this->Sampling.evaluate(StoredCurve{ body, n }, range, deflection);
+  ResponseSampling::Stencil stencil;
+  this->Sampling.place(stencil, this->range(point), deflection);
+  return this->evaluate(point, stencil);
+}
+
+template <class Use>
+auto ResponseField::withCurve(std::int32_t point, const Use& use) const noexcept
+{
+  const float* samples = this->record(point) + HeadSize;
+  return this->Laws > 0
+    ? use(CombinedCurve{ samples, this->Basis.data(), this->Laws, this->Sampling.samples() })
+    : use(StoredCurve{ samples });
+}
+
+ResponseValue ResponseField::evaluate(
+  std::int32_t point, const ResponseSampling::Stencil& stencil) const noexcept
+{
+  return this->withCurve(
+    point, [&](const auto& curve) { return this->Sampling.evaluate(curve, stencil); });
+}
+
+double ResponseField::energy(std::int32_t point, double deflection) const noexcept
+{
+  if (!this->isValid(point))
+  {
+    return 0.0;
+  }
+  return this->withCurve(point,
+    [&](const auto& curve) { return this->Energy.energy(curve, this->range(point), deflection); });
+}
+
+bool ResponseField::haveSameCurve(std::int32_t point, std::int32_t other) const noexcept
+{
+  const float* a = this->record(point);
+  const float* b = this->record(other);
+  return a[0] == b[0] && std::equal(a + HeadSize, a + this->Stride, b + HeadSize);
+}
+
+double BlendedResponse::range() const noexcept
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    sum += this->Weights[static_cast<Eigen::Index>(k)] * this->Field.range(this->Points[k]);
+  }
+  return sum;
+}
+
+std::array<ResponseValue, 3> BlendedResponse::evaluateEach(double deflection) const noexcept
+{
+  std::array<ResponseValue, 3> values;
+  ResponseSampling::Stencil stencil; // of range 0: fits none
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (this->Weights[static_cast<Eigen::Index>(k)] == 0.0)
+    {
+      continue;
+    }
+    const double range = this->Field.range(this->Points[k]);
+    if (range != stencil.range)
+    {
+      this->Field.sampling().place(stencil, range, deflection);
+    }
+    values[k] = this->Field.evaluate(this->Points[k], stencil);
+  }
+  return values;
+}
+
+Vector3 BlendedResponse::energies(double deflection) const noexcept
+{
+  const TriangleCorners& p = this->Points;
+  if (this->Field.haveSameCurve(p[0], p[1]) && this->Field.haveSameCurve(p[1], p[2]))
+  {
+    return Vector3::Zero();
+  }
+  // A corner of weight 0 counts too: its weight is about to change.
+  Vector3 energies(this->Field.energy(p[0], deflection), this->Field.energy(p[1], deflection),
+    this->Field.energy(p[2], deflection));
+  const double blend = this->Weights.dot(energies);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (!this->Field.isValid(p[k]))
+    {
+      energies[static_cast<Eigen::Index>(k)] = blend;
+    }
+  }
+  return energies;
+}
+
+bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& sum) const noexcept
+{
+  const double range = this->Field.range(this->Points[0]);
+  if (!this->Field.isPerPoint() || !(range > 0.0) || this->Field.range(this->Points[1]) != range ||
+    this->Field.range(this->Points[2]) != range)
+  {
+    return false;
+  }
+  ResponseSampling::Stencil stencil;
+  this->Field.sampling().place(stencil, range, deflection);
+  if (stencil.lower < 0)
+  {
+    return false;
+  }
+  Eigen::Vector4d samples = Eigen::Vector4d::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    samples += this->Weights[static_cast<Eigen::Index>(k)] *
+      this->Field.samplesAt(this->Points[k], stencil.lower);
+  }
+  sum.force = samples.dot(Eigen::Map<const Eigen::Vector4d>(stencil.force));
+  sum.stiffness = samples.dot(Eigen::Map<const Eigen::Vector4d>(stencil.stiffness));
+  sum.beyondRange = stencil.beyondRange;
+  return true;
+}
+
+ResponseValue BlendedResponse::evaluate(double deflection) const noexcept
+{
+  ResponseValue sum;
+  if (!(deflection > 0.0) || this->evaluateTogether(deflection, sum))
+  {
+    return sum;
+  }
+  const std::array<ResponseValue, 3> values = this->evaluateEach(deflection);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double weight = this->Weights[static_cast<Eigen::Index>(k)];
+    sum.force += weight * values[k].force;
+    sum.stiffness += weight * values[k].stiffness;
+    sum.beyondRange = sum.beyondRange || values[k].beyondRange;
+  }
+  return sum;
 }
 } // namespace palpate

@@ -2,9 +2,12 @@
 #ifndef palpate_ResponseField_h
 #define palpate_ResponseField_h
 
+#include "LargePages.h"
+#include "PackedMesh.h"
+#include "ResponseEnergy.h"
 #include "ResponseSampling.h"
-#include "TriangleProjection.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -44,34 +47,98 @@ struct ResponseArrays
 };
 
 /**
- * The kernel's own packed copy of a response: one record per point, so that a tick reads one place
- * for each of its three vertices. Immutable, safe from any number of threads.
+ * The kernel's own packed copy of a response: one record per point - 80 bytes with 8 samples - in
+ * the order of the mesh's points, so that a tick reads one place for each of its three vertices.
+ * Immutable, safe from any number of threads.
  */
 class ResponseField
 {
 public:
-  explicit ResponseField(const ResponseArrays& arrays);
+  /// In the order of the mesh's points, the arrays being in that of its input; without a mesh in
+  /// the order of the arrays.
+  explicit ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh = nullptr);
 
   std::size_t pointCount() const noexcept { return this->Points; }
   const ResponseSampling& sampling() const noexcept { return this->Sampling; }
 
   /// Whether the point has a response.
-  bool isValid(std::int32_t point) const noexcept { return this->record(point)[0] > 0.0F; }
+  bool isValid(std::int32_t point) const noexcept { return this->range(point) > 0.0; }
+  /// δ_max, mm; 0 if there is no response.
+  double range(std::int32_t point) const noexcept { return this->record(point)[0]; }
   Vector3 normal(std::int32_t point) const noexcept;
   ResponseValue evaluate(std::int32_t point, double deflection) const noexcept;
+  /// With a stencil of sampling() for the point's range.
+  ResponseValue evaluate(
+    std::int32_t point, const ResponseSampling::Stencil& stencil) const noexcept;
+
+  /// Whether each point has its own samples: the other form combines laws.
+  bool isPerPoint() const noexcept { return this->Laws == 0; }
+  /// F, K of sample `lower` and of the next, of a field that isPerPoint.
+  Eigen::Vector4d samplesAt(std::int32_t point, int lower) const noexcept;
+
+  /// ∫₀^δ F, N mm; 0 for a point without response. O(samples).
+  double energy(std::int32_t point, double deflection) const noexcept;
+  /// Whether two points have the same curve, bit by bit.
+  bool haveSameCurve(std::int32_t point, std::int32_t other) const noexcept;
+
+  /// Asks for the memory of a point ahead of its use.
+  void prefetch(std::int32_t point) const noexcept
+  {
+    __builtin_prefetch(this->record(point));
+    __builtin_prefetch(this->record(point) + this->Stride - 1);
+  }
+  /// Bytes held.
+  std::size_t memory() const noexcept { return this->Records.size() * sizeof(float); }
 
 private:
   const float* record(std::int32_t point) const noexcept
   {
     return this->Records.data() + this->Stride * static_cast<std::size_t>(point);
   }
+  template <class Use>
+  auto withCurve(std::int32_t point, const Use& use) const noexcept;
+  void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
 
   ResponseSampling Sampling;
+  ResponseEnergy Energy;
   std::size_t Points;
   int Laws;
   std::size_t Stride;
-  std::vector<float> Records; ///< range (0: no response), normal, then curve or coefficients
+  /// Range (0: no response), normal, then force and stiffness of sample after sample, or
+  /// coefficients.
+  LargeVector<float> Records;
   std::vector<float> Basis;
+};
+
+/// The curve of a contact: those of three points, blended by area coordinates.
+class BlendedResponse
+{
+public:
+  /// Points of weight 0 have no say; the others must have a response.
+  BlendedResponse(
+    const ResponseField& field, const TriangleCorners& points, const Vector3& weights) noexcept
+    : Field(field)
+    , Points(points)
+    , Weights(weights)
+  {
+  }
+
+  /// Blended δ_max, mm.
+  double range() const noexcept;
+  /// Of each point; zeros for those of weight 0. The deflection is > 0.
+  std::array<ResponseValue, 3> evaluateEach(double deflection) const noexcept;
+  ResponseValue evaluate(double deflection) const noexcept;
+  /// ∫₀^δ F of each point, N mm, but for a common constant: zeros if their curves are the same; of
+  /// a point without response, which has weight 0, that of the blend.
+  Vector3 energies(double deflection) const noexcept;
+
+private:
+  /// Where the three curves have one range, the sum of their samples does.
+  bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
+
+  const ResponseField& Field;
+  TriangleCorners Points;
+  Vector3 Weights;
 };
 } // namespace palpate
 

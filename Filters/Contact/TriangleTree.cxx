@@ -1,132 +1,249 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleTree.h"
 
+#include "ParallelRanges.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace palpate
 {
 namespace
 {
-constexpr std::int32_t LeafSize = 4;
-constexpr std::size_t StackSize = 64;
+/// 8^11 rows of 32 triangles are more than an int32 can count.
+constexpr std::size_t LargestDepth = 12;
 
-Eigen::AlignedBox3d boxOf(const BodyMesh& mesh, std::int32_t triangle)
+constexpr double LargestFloat = static_cast<double>(std::numeric_limits<float>::max());
+
+/// Tips farther off than this many times the body's size are moved to there: from farther away all
+/// distances round to the same, and every triangle would be looked at to find a side by chance.
+constexpr double FarAway = 1e4;
+
+/// What is nearest so far, and the squared distance in float beyond which a box cannot help.
+class Nearest
 {
-  Eigen::AlignedBox3d box;
-  for (const std::int32_t corner : mesh.corners(triangle))
+public:
+  explicit Nearest(const Vector3& tip)
+    : TipRounding(6e-8 * 2.0 * tip.cwiseAbs().maxCoeff()) // of the tip as floats: √3/2 ulp
   {
-    box.extend(mesh.point(corner));
+    this->Best.squaredDistance = std::numeric_limits<double>::infinity();
   }
-  return box;
-}
-} // namespace
 
-TriangleTree::TriangleTree(const BodyMesh& mesh)
-  : Mesh(mesh)
-{
-  const auto count = static_cast<std::int32_t>(mesh.triangleCount());
-  std::vector<Vector3> centres(mesh.triangleCount(), Vector3::Zero());
-  for (std::int32_t t = 0; t < count; ++t)
+  void offer(std::int32_t triangle, const TriangleProjection& candidate) noexcept
   {
-    if (mesh.isUsable(t))
+    if (candidate.squaredDistance < this->Best.squaredDistance)
     {
-      this->Order.push_back(t);
-      centres[static_cast<std::size_t>(t)] = boxOf(mesh, t).center();
+      this->Best = candidate;
+      this->Triangle = triangle;
+      // 1e-6: a dozen roundings of the float distance.
+      const double reach = std::sqrt(candidate.squaredDistance) + this->TipRounding;
+      this->Reach = static_cast<float>(std::min(reach * reach * (1.0 + 1e-6), LargestFloat));
     }
   }
-  if (!this->Order.empty())
-  {
-    this->Nodes.reserve(this->Order.size());
-    this->build(0, static_cast<std::int32_t>(this->Order.size()), centres);
-  }
+  bool canReach(float squaredDistance) const noexcept { return squaredDistance <= this->Reach; }
+
+  std::int32_t triangle() const noexcept { return this->Triangle; }
+  const TriangleProjection& projection() const noexcept { return this->Best; }
+
+private:
+  double TipRounding;
+  TriangleProjection Best;
+  std::int32_t Triangle = -1;
+  float Reach = static_cast<float>(LargestFloat);
+};
+} // namespace
+
+void TriangleTree::Boxes::clear()
+{
+  this->low.fill(Row::Constant(std::numeric_limits<float>::infinity()));
+  this->high.fill(Row::Constant(-std::numeric_limits<float>::infinity()));
 }
 
-std::int32_t TriangleTree::build(
-  std::int32_t first, std::int32_t last, const std::vector<Vector3>& centres)
+TriangleTree::Row TriangleTree::Boxes::squaredDistances(const Eigen::Vector3f& tip) const noexcept
 {
-  const auto index = static_cast<std::int32_t>(this->Nodes.size());
-  this->Nodes.push_back({ {}, first, last - first });
-  Eigen::AlignedBox3d box;
-  Eigen::AlignedBox3d spread;
-  for (std::int32_t i = first; i < last; ++i)
+  Row sum = Row::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const std::int32_t triangle = this->Order[static_cast<std::size_t>(i)];
-    box.extend(boxOf(this->Mesh, triangle));
-    spread.extend(centres[static_cast<std::size_t>(triangle)]);
+    const float t = tip[static_cast<Eigen::Index>(k)];
+    sum += (this->low[k] - t).max(t - this->high[k]).max(0.0F).square();
   }
-  this->Nodes[static_cast<std::size_t>(index)].box = box;
-  if (last - first > LeafSize)
+  return sum;
+}
+
+TriangleTree::TriangleTree(const PackedMesh& mesh)
+  : Mesh(mesh)
+{
+  if (mesh.triangleCount() == 0)
   {
-    Eigen::Index axis = 0;
-    spread.sizes().maxCoeff(&axis);
-    const std::int32_t middle = first + (last - first) / 2;
-    std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
-      this->Order.begin() + last,
-      [&centres, axis](std::int32_t a, std::int32_t b)
+    return;
+  }
+  this->buildLeaves();
+  while (this->Levels.back().size() > 1)
+  {
+    this->buildLevel(this->Levels.back());
+  }
+  double size = 0.0; // largest coordinate
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Boxes& all = this->Levels.back().front();
+    size = std::max({ size, -static_cast<double>(all.low[k].minCoeff()),
+      static_cast<double>(all.high[k].maxCoeff()) });
+  }
+  this->Horizon = FarAway * size;
+}
+
+void TriangleTree::buildLeaves()
+{
+  const std::size_t triangles = this->Mesh.triangleCount();
+  constexpr std::size_t inRow = LeafSize * Width;
+  LargeVector<Boxes> rows((triangles + inRow - 1) / inRow);
+  forRanges(rows.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t r = first; r < last; ++r)
       {
-        const double ca = centres[static_cast<std::size_t>(a)][axis];
-        const double cb = centres[static_cast<std::size_t>(b)][axis];
-        return ca < cb || (ca == cb && a < b);
-      });
-    this->build(first, middle, centres);
-    const std::int32_t right = this->build(middle, last, centres);
-    this->Nodes[static_cast<std::size_t>(index)].first = right;
-    this->Nodes[static_cast<std::size_t>(index)].count = 0;
+        Boxes& boxes = rows[r];
+        boxes.clear();
+        const std::size_t end = std::min(triangles, (r + 1) * inRow);
+        for (std::size_t t = r * inRow; t < end; ++t)
+        {
+          const auto column = static_cast<Eigen::Index>((t - r * inRow) / LeafSize);
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            const Eigen::Vector3f p =
+              this->Mesh.corner(static_cast<std::int32_t>(t), corner).cast<float>(); // exact
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+              float& low = boxes.low[k][column];
+              float& high = boxes.high[k][column];
+              low = std::min(low, p[static_cast<Eigen::Index>(k)]);
+              high = std::max(high, p[static_cast<Eigen::Index>(k)]);
+            }
+          }
+        }
+      }
+    });
+  this->Levels.push_back(std::move(rows));
+}
+
+void TriangleTree::buildLevel(const LargeVector<Boxes>& below)
+{
+  LargeVector<Boxes> rows((below.size() + Width - 1) / Width);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    rows[r].clear();
+    for (std::size_t i = r * Width; i < std::min(below.size(), (r + 1) * Width); ++i)
+    {
+      const auto column = static_cast<Eigen::Index>(i - r * Width);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        rows[r].low[k][column] = below[i].low[k].minCoeff();
+        rows[r].high[k][column] = below[i].high[k].maxCoeff();
+      }
+    }
   }
-  return index;
+  this->Levels.push_back(std::move(rows));
 }
 
 SurfacePoint TriangleTree::closest(const Vector3& tip) const noexcept
 {
-  if (this->Nodes.empty() || !tip.allFinite())
+  SurfacePoint found = this->closestLocal(this->Mesh.toLocal(tip));
+  found.projection.point += this->Mesh.centre();
+  return found;
+}
+
+SurfacePoint TriangleTree::closestLocal(const Vector3& tip) const noexcept
+{
+  if (this->Levels.empty() || !tip.allFinite())
   {
     return {};
   }
+  if (!this->isBeyondHorizon(tip))
+  {
+    return this->closestWithin(tip);
+  }
+  SurfacePoint found = this->closestWithin(tip * (this->Horizon / tip.cwiseAbs().maxCoeff()));
+  const double distance = (tip - found.projection.point).stableNorm();
+  found.projection.squaredDistance = distance * distance;
+  found.signedDistance = std::copysign(distance, found.signedDistance);
+  return found;
+}
+
+SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
+{
   struct Pending
   {
-    std::int32_t node;
-    double squaredDistance;
+    float squaredDistance;
+    std::uint32_t level; ///< of the row
+    std::size_t row;
   };
-  std::array<Pending, StackSize> stack;
+  std::array<Pending, (Width - 1) * LargestDepth + 1> stack;
   std::size_t size = 0;
-  stack[size++] = { 0, this->Nodes[0].box.squaredExteriorDistance(tip) };
-  std::int32_t nearest = -1;
-  TriangleProjection best;
-  best.squaredDistance = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3f rounded = tip.cast<float>();
+  Nearest nearest(tip);
+  stack[size++] = { 0.0F, static_cast<std::uint32_t>(this->Levels.size() - 1), 0 };
   while (size > 0)
   {
     const Pending next = stack[--size];
-    if (next.squaredDistance > best.squaredDistance)
+    if (!nearest.canReach(next.squaredDistance))
     {
       continue;
     }
-    const Node& node = this->Nodes[static_cast<std::size_t>(next.node)];
-    for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+    const Row distances = this->Levels[next.level][next.row].squaredDistances(rounded);
+    // The boxes in reach, nearest last, so that it is taken first from the stack.
+    const std::size_t bottom = size;
+    std::array<Pending, Width> leaves;
+    std::size_t leafCount = 0;
+    for (std::size_t k = 0; k < Width; ++k)
     {
-      const std::int32_t triangle = this->Order[static_cast<std::size_t>(i)];
-      const TriangleProjection candidate = this->Mesh.project(tip, triangle);
-      if (candidate.squaredDistance < best.squaredDistance)
+      const float distance = distances[static_cast<Eigen::Index>(k)];
+      if (!nearest.canReach(distance))
       {
-        best = candidate;
-        nearest = triangle;
+        continue;
       }
+      const Pending child{ distance, next.level - 1, next.row * Width + k };
+      Pending* first = next.level == 0 ? leaves.data() : stack.data() + bottom;
+      std::size_t& count = next.level == 0 ? leafCount : size;
+      Pending* place = next.level == 0 ? first + leafCount : stack.data() + size;
+      ++count;
+      while (place != first && place[-1].squaredDistance < distance)
+      {
+        *place = place[-1];
+        --place;
+      }
+      *place = child;
     }
-    if (node.count == 0)
+    for (std::size_t i = leafCount; i-- > 0;)
     {
-      const auto distanceTo = [&](std::int32_t child)
-      { return this->Nodes[static_cast<std::size_t>(child)].box.squaredExteriorDistance(tip); };
-      Pending left{ next.node + 1, distanceTo(next.node + 1) };
-      Pending right{ node.first, distanceTo(node.first) };
-      if (left.squaredDistance > right.squaredDistance)
+      if (!nearest.canReach(leaves[i].squaredDistance))
       {
-        std::swap(left, right);
+        break;
       }
-      stack[size++] = right;
-      stack[size++] = left;
+      const std::size_t first = leaves[i].row * LeafSize;
+      const std::size_t last = std::min(first + LeafSize, this->Mesh.triangleCount());
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const auto triangle = static_cast<std::int32_t>(t);
+        if (!this->Mesh.isPlaneBeyond(tip, triangle, nearest.projection().squaredDistance))
+        {
+          nearest.offer(triangle, this->Mesh.project(tip, triangle));
+        }
+      }
     }
   }
-  return nearest < 0 ? SurfacePoint{} : this->Mesh.orient(tip, nearest, best);
+  return nearest.triangle() < 0 ? SurfacePoint{}
+                                : this->Mesh.orient(tip, nearest.triangle(), nearest.projection());
+}
+
+std::size_t TriangleTree::memory() const noexcept
+{
+  std::size_t rows = 0;
+  for (const LargeVector<Boxes>& level : this->Levels)
+  {
+    rows += level.size();
+  }
+  return rows * sizeof(Boxes);
 }
 } // namespace palpate

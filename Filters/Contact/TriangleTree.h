@@ -2,44 +2,74 @@
 #ifndef palpate_TriangleTree_h
 #define palpate_TriangleTree_h
 
-#include "BodyMesh.h"
+#include "LargePages.h"
+#include "PackedMesh.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace palpate
 {
 /**
- * Finds the closest point of the whole body: a binary tree of boxes, split at the median.
+ * Finds the closest point of the whole body.
  *
- * Queries neither allocate nor recurse; their stack is bounded by the depth of the tree, which is
- * at most log2 of the number of triangles plus one. Built in O(n log n). Immutable, safe from any
- * number of threads. The mesh must outlive the tree.
+ * A tree of boxes without pointers: the triangles lie along a space-filling curve, so each box of
+ * the lowest level holds the next four of them, and each box of a higher level the next eight boxes
+ * below. Eight boxes are tested at once, in float with a margin for its rounding, so that the
+ * answer is exact in the mesh's coordinates.
+ *
+ * Queries neither allocate nor recurse; their stack is bounded by the number of levels. Built in
+ * O(n), 7 bytes per triangle. Immutable, safe from any number of threads. The mesh must outlive the
+ * tree.
  */
 class TriangleTree
 {
 public:
-  explicit TriangleTree(const BodyMesh& mesh);
+  explicit TriangleTree(const PackedMesh& mesh);
 
-  /// Globally closest point; triangle -1 if the body has no usable triangle or the tip is not
-  /// finite.
+  /// Globally closest point, in the body's frame; triangle -1 if the body has no usable triangle or
+  /// the tip is not finite. For a tip farther off than 10000 times the body's size the point that
+  /// is closest seen from there.
   SurfacePoint closest(const Vector3& tip) const noexcept;
 
-private:
-  struct Node
+  /// The same in the mesh's local frame.
+  SurfacePoint closestLocal(const Vector3& tip) const noexcept;
+
+  /// Whether a tip, local, is that far off.
+  bool isBeyondHorizon(const Vector3& tip) const noexcept
   {
-    Eigen::AlignedBox3d box;
-    std::int32_t first; ///< of a leaf's triangles; of an inner node's right child (left is next)
-    std::int32_t count; ///< 0 for an inner node
+    return tip.cwiseAbs().maxCoeff() > this->Horizon;
+  }
+
+  /// Bytes held.
+  std::size_t memory() const noexcept;
+
+private:
+  static constexpr std::size_t LeafSize = 4; ///< triangles in a box of the lowest level
+  static constexpr std::size_t Width = 8;    ///< boxes tested at once
+  using Row = Eigen::Array<float, Width, 1>;
+
+  /// Eight boxes, coordinate by coordinate; those that are missing are empty.
+  struct Boxes
+  {
+    std::array<Row, 3> low;
+    std::array<Row, 3> high;
+    void clear();
+    /// Squared distance to each box; 0 inside, infinite if it is empty.
+    Row squaredDistances(const Eigen::Vector3f& tip) const noexcept;
   };
 
-  std::int32_t build(std::int32_t first, std::int32_t last, const std::vector<Vector3>& centres);
+  void buildLeaves();
+  void buildLevel(const LargeVector<Boxes>& below);
+  /// Of a tip within the horizon.
+  SurfacePoint closestWithin(const Vector3& tip) const noexcept;
 
-  const BodyMesh& Mesh;
-  std::vector<Node> Nodes;
-  std::vector<std::int32_t> Order;
+  const PackedMesh& Mesh;
+  std::vector<LargeVector<Boxes>> Levels; ///< from the leaves up; the last has one row of boxes
+  double Horizon = 0.0; ///< coordinates of tips beyond which nothing more is to be seen
 };
 } // namespace palpate
 

@@ -12,7 +12,10 @@ namespace palpate
 {
 double SiteMeasurement::place(double largestDistance)
 {
-  const TriangleTree tree(*this->Mesh);
+  const BodyMesh& body = *this->Mesh;
+  const PackedMesh packed(
+    body.coordinates(), body.pointCount(), body.indices(), body.triangleCount());
+  const TriangleTree tree(packed);
   double squares = 0.0;
   for (PlacedSite& site : this->Sites)
   {
@@ -21,12 +24,12 @@ double SiteMeasurement::place(double largestDistance)
     site.distance = std::numeric_limits<double>::infinity();
     if (found.triangle >= 0)
     {
-      anchor.triangle = found.triangle;
+      anchor.triangle = packed.inputTriangle(found.triangle);
       anchor.point = found.projection.point;
       for (std::size_t k = 0; k < 3; ++k)
       {
         anchor.normal += found.projection.weights[static_cast<Eigen::Index>(k)] *
-          this->Mesh->pointNormal(this->Mesh->corners(found.triangle)[k]);
+          body.pointNormal(packed.inputPoint(packed.corners(found.triangle)[k]));
       }
       anchor.normal.normalize();
       site.distance = std::sqrt(found.projection.squaredDistance);

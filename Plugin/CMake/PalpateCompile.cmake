@@ -53,7 +53,9 @@ function(palpate_add_kernel name)
   target_compile_features(palpate${name} PUBLIC cxx_std_17)
   set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON)
   palpate_warnings(palpate${name})
-  target_compile_options(palpate${name} PRIVATE -Wpedantic -Wnull-dereference) # VTK's headers fail both
+  target_compile_options(palpate${name} PRIVATE
+    -Wpedantic -Wnull-dereference # VTK's headers fail both
+    -fno-math-errno)              # a square root is one instruction
   install(TARGETS palpate${name} EXPORT PalpateKernels)
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate")
 endfunction()

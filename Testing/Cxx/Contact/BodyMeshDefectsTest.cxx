@@ -7,6 +7,7 @@
 
 using namespace palpate::testing;
 using palpate::BodyMesh;
+using palpate::PackedMesh;
 using palpate::TriangleTree;
 using palpate::Vector3;
 
@@ -56,7 +57,9 @@ TEST(BodyMeshDefects, EmptyBodies)
   {
     EXPECT_FALSE(mesh.isClosed());
     EXPECT_EQ(mesh.enclosedVolume(), 0.0);
-    EXPECT_EQ(TriangleTree(mesh).closest(Vector3::Zero()).triangle, -1);
+    const PackedMesh packed(
+      mesh.coordinates(), mesh.pointCount(), mesh.indices(), mesh.triangleCount());
+    EXPECT_EQ(TriangleTree(packed).closest(Vector3::Zero()).triangle, -1);
   }
 }
 
@@ -91,10 +94,16 @@ TEST(BodyMeshDefects, CountedAndLeftOut)
   EXPECT_NEAR(mesh.enclosedVolume(), 1000.0, 1e-10);
   EXPECT_EQ(mesh.pointNormal(n - 3), Vector3::Zero()); // no usable triangle meets there
   // Next to the broken triangles, the block is what is found.
-  const TriangleTree tree(mesh);
+  const PackedMesh packed = body.packed();
+  EXPECT_EQ(packed.defects().notFinite, 2u);
+  EXPECT_EQ(packed.defects().badIndex, 3u);
+  EXPECT_EQ(packed.defects().degenerate, 2u);
+  EXPECT_EQ(packed.defects().borderEdges + packed.defects().nonManifoldEdges, 0u);
+  EXPECT_EQ(packed.triangleCount(), static_cast<std::size_t>(sound));
+  const TriangleTree tree(packed);
   const auto found = tree.closest(Vector3(-6, -6, -6));
   EXPECT_EQ(found.projection.point, Vector3::Zero());
-  EXPECT_LT(found.triangle, sound);
+  EXPECT_LT(packed.inputTriangle(found.triangle), sound);
 }
 
 TEST(BodyMeshDefects, BorderOfAnOpenPlate)
@@ -104,7 +113,9 @@ TEST(BodyMeshDefects, BorderOfAnOpenPlate)
   EXPECT_EQ(mesh.defects().borderEdges, 20u);
   EXPECT_EQ(mesh.defects().nonManifoldEdges, 0u);
   EXPECT_FALSE(mesh.isClosed());
-  const TriangleTree tree(mesh);
+  const PackedMesh packed = body.packed();
+  EXPECT_EQ(packed.defects().borderEdges, 20u);
+  const TriangleTree tree(packed);
   EXPECT_TRUE(tree.closest(Vector3(-1, 5.3, -1)).onBorder);   // an edge of the border
   EXPECT_TRUE(tree.closest(Vector3(-1, -1, -1)).onBorder);    // a corner of it
   EXPECT_TRUE(tree.closest(Vector3(-1, 4.0, -1)).onBorder);   // a point of it
@@ -125,7 +136,9 @@ TEST(BodyMeshDefects, NonManifoldEdges)
   EXPECT_EQ(finsMesh.defects().borderEdges, 6u);
   EXPECT_FALSE(finsMesh.isClosed());
   // Nothing is across such an edge: it counts as border.
-  EXPECT_TRUE(TriangleTree(finsMesh).closest(Vector3(0.0, 0.0, 0.5)).onBorder);
+  const PackedMesh packedFins = fins.packed();
+  EXPECT_EQ(packedFins.defects().nonManifoldEdges, 1u);
+  EXPECT_TRUE(TriangleTree(packedFins).closest(Vector3(0.0, 0.0, 0.5)).onBorder);
 
   // Two neighbours of opposite winding.
   Surface flipped;

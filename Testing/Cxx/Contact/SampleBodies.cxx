@@ -22,6 +22,31 @@ BodyMesh Surface::mesh() const
   return BodyMesh(xyz.data(), this->points.size(), corners.data(), this->triangles.size());
 }
 
+PackedMesh Surface::packed() const
+{
+  static_assert(sizeof(Vector3) == 3 * sizeof(double), "points lie side by side");
+  return PackedMesh(this->points.empty() ? nullptr : this->points.front().data(),
+    this->points.size(), this->triangles.empty() ? nullptr : this->triangles.front().data(),
+    this->triangles.size());
+}
+
+Surface Surface::rounded() const
+{
+  const PackedMesh mesh = this->packed();
+  Surface kept = *this;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const auto triangle = static_cast<std::int32_t>(t);
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::int32_t point =
+        mesh.inputPoint(mesh.corners(triangle)[static_cast<std::size_t>(k)]);
+      kept.points[static_cast<std::size_t>(point)] = mesh.centre() + mesh.corner(triangle, k);
+    }
+  }
+  return kept;
+}
+
 Surface subdivided(Surface body, int times)
 {
   for (; times > 0; --times)

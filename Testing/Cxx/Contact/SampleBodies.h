@@ -3,6 +3,7 @@
 #define palpate_testing_SampleBodies_h
 
 #include "BodyMesh.h"
+#include "PackedMesh.h"
 
 #include <Eigen/Core>
 
@@ -19,6 +20,9 @@ struct Surface
   std::vector<std::array<std::int32_t, 3>> triangles;
 
   BodyMesh mesh() const;
+  PackedMesh packed() const;
+  /// With its coordinates as the PackedMesh keeps them: those that an exact oracle must see.
+  Surface rounded() const;
   Vector3 corner(std::int32_t triangle, std::size_t k) const
   {
     return this

@@ -110,7 +110,10 @@ Vector3 ResponseStore::normalOf(std::size_t point) const
 
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store)
 {
-  return std::make_unique<ContactBody>(surface.mesh(), ResponseField(store.arrays()));
+  return std::make_unique<ContactBody>(
+    surface.points.empty() ? nullptr : surface.points.front().data(), surface.points.size(),
+    surface.triangles.empty() ? nullptr : surface.triangles.front().data(),
+    surface.triangles.size(), store.arrays());
 }
 
 void takeMeshNormals(ResponseStore& store, const Surface& surface)

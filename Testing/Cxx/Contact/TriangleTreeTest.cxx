@@ -9,16 +9,17 @@
 #include <random>
 
 using namespace palpate::testing;
-using palpate::BodyMesh;
+using palpate::PackedMesh;
 using palpate::SurfacePoint;
 using palpate::TriangleTree;
 using palpate::Vector3;
 
 namespace
 {
-void compareWithAllTriangles(const Surface& body, int tips)
+void compareWithAllTriangles(const Surface& given, int tips)
 {
-  const BodyMesh mesh = body.mesh();
+  const Surface body = given.rounded();
+  const PackedMesh mesh = body.packed();
   const TriangleTree tree(mesh);
   const std::vector<std::int32_t> all = allTriangles(body);
   // Roundings of the coordinates.
@@ -46,7 +47,8 @@ void compareWithAllTriangles(const Surface& body, int tips)
     ASSERT_GE(found.triangle, 0);
     EXPECT_NEAR(std::abs(found.signedDistance), static_cast<double>(nearest.distance), tolerance);
     // The point it names is on the triangle it names, and at that distance.
-    const Nearest there = nearestOf(body, found.projection.point, { found.triangle });
+    const Nearest there =
+      nearestOf(body, found.projection.point, { mesh.inputTriangle(found.triangle) });
     EXPECT_LE(static_cast<double>(there.distance), tolerance);
     EXPECT_NEAR((tip - found.projection.point).norm(), std::abs(found.signedDistance), tolerance);
   }
@@ -82,13 +84,13 @@ TEST(TriangleTree, ManyTrianglesAtOnePlace)
     pile.points.insert(pile.points.end(), { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
     pile.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
   }
-  const BodyMesh mesh = pile.mesh();
+  const PackedMesh mesh = pile.packed();
   EXPECT_EQ(TriangleTree(mesh).closest(Vector3(0.25, 0.25, 2.0)).signedDistance, 2.0);
 }
 
 TEST(TriangleTree, TipsThatAreNotFinite)
 {
-  const BodyMesh mesh = icosphere(20.0, 1).mesh();
+  const PackedMesh mesh = icosphere(20.0, 1).packed();
   const TriangleTree tree(mesh);
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })

@@ -30,8 +30,8 @@ Vector3 randomIn(std::mt19937& random, const Vector3& low, const Vector3& high)
 void compareSides(const Surface& body, const Vector3& low, const Vector3& high, int tips,
   const std::function<int(const Vector3&)>& side)
 {
-  const palpate::BodyMesh mesh = body.mesh();
-  ASSERT_TRUE(mesh.isClosed());
+  const palpate::PackedMesh mesh = body.packed();
+  ASSERT_EQ(mesh.defects().borderEdges, 0u);
   const TriangleTree tree(mesh);
   std::mt19937 random(5);
   int inside = 0;
@@ -62,10 +62,10 @@ std::function<int(const Vector3&)> byWinding(const Surface& body)
 }
 } // namespace
 
-TEST(BodyMeshSide, Icosphere)
+TEST(PackedMeshSide, Icosphere)
 {
   const double R = 20.0;
-  const Surface body = icosphere(R, 2);
+  const Surface body = icosphere(R, 2).rounded();
   // The facets lie between the radius and their sag below it, h²/8R = 0.6 for h <= 10.
   compareSides(body, Vector3::Constant(-25.0), Vector3::Constant(25.0), 20000,
     [&](const Vector3& tip) { return tip.norm() > R    ? -1
@@ -74,9 +74,9 @@ TEST(BodyMeshSide, Icosphere)
   compareSides(body, Vector3::Constant(-20.0), Vector3::Constant(20.0), 2000, byWinding(body));
 }
 
-TEST(BodyMeshSide, Torus)
+TEST(PackedMeshSide, Torus)
 {
-  const Surface body = torus(20.0, 6.0, 48, 24);
+  const Surface body = torus(20.0, 6.0, 48, 24).rounded();
   // Chords lie within r(1-cos(π/24)) + (R+r)(1-cos(π/48)) = 0.11 of the torus.
   compareSides(body, Vector3(-28, -28, -8), Vector3(28, 28, 8), 20000,
     [](const Vector3& tip)
@@ -87,7 +87,7 @@ TEST(BodyMeshSide, Torus)
   compareSides(body, Vector3(-28, -28, -8), Vector3(28, 28, 8), 1000, byWinding(body));
 }
 
-TEST(BodyMeshSide, AngleBlock)
+TEST(PackedMeshSide, AngleBlock)
 {
   // Coarse and fine: on the coarse one almost every closest feature is an edge or a corner.
   for (const int times : { 0, 2 })
@@ -103,7 +103,7 @@ TEST(BodyMeshSide, AngleBlock)
   }
 }
 
-TEST(BodyMeshSide, GrooveBlock)
+TEST(PackedMeshSide, GrooveBlock)
 {
   const Surface body = grooveBlock();
   compareSides(body, Vector3(-25, -3, -5), Vector3(25, 13, 45), 20000,
@@ -118,9 +118,10 @@ TEST(BodyMeshSide, GrooveBlock)
 namespace
 {
 /// Tips 1e-6 beside every point and every edge's middle, in random directions.
-void compareNextToEdgesAndCorners(const Surface& body)
+void compareNextToEdgesAndCorners(const Surface& given)
 {
-  const palpate::BodyMesh mesh = body.mesh();
+  const Surface body = given.rounded();
+  const palpate::PackedMesh mesh = body.packed();
   const TriangleTree tree(mesh);
   std::mt19937 random(6);
   const auto check = [&](const Vector3& near)
@@ -151,13 +152,13 @@ void compareNextToEdgesAndCorners(const Surface& body)
 }
 } // namespace
 
-TEST(BodyMeshSide, RightNextToEdgesAndCorners)
+TEST(PackedMeshSide, RightNextToEdgesAndCorners)
 {
   compareNextToEdgesAndCorners(angleBlock());
   compareNextToEdgesAndCorners(grooveBlock());
 }
 
-TEST(BodyMeshSide, RightNextToAKnifeEdge)
+TEST(PackedMeshSide, RightNextToAKnifeEdge)
 {
   // 11° sharp, and the same as a notch: beside such an edge the normal of one face alone is wrong
   // for most tips.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MeshRepair_h
+#define palpate_MeshRepair_h
+
+#include "TriangleLinks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * Turns triangles over until neighbours wind alike: in each part that hangs together by edges of
+ * two triangles, the fewer are turned to agree with the more. Returns how many were turned. A part
+ * that cannot agree (a Moebius band) is left as it is.
+ */
+std::size_t makeWindingConsistent(std::vector<TriangleCorners>& triangles);
+
+/**
+ * For each point, the first point with the same coordinates (3 floats per point) among the points
+ * on an edge without neighbour; points elsewhere stand for themselves. Joins the triangles of files
+ * that list every triangle's corners anew, and surfaces split for their normals, but never two
+ * closed bodies that touch.
+ */
+std::vector<std::int32_t> findTwins(
+  const float* coordinates, std::size_t pointCount, const TriangleLinks& topology);
+
+/**
+ * Adds to such a list the ends of edges without length, of triangles from `begin` to `end`: a
+ * contour through a point of its grid comes out of each cell around with a point of its own, tied
+ * to the others by triangles without area.
+ */
+void joinEmptyEdges(const float* coordinates, const TriangleCorners* begin,
+  const TriangleCorners* end, std::vector<std::int32_t>& first);
+} // namespace palpate
+
+#endif

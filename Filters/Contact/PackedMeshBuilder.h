@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PackedMeshBuilder_h
+#define palpate_PackedMeshBuilder_h
+
+#include "PackedMesh.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// Builds a PackedMesh, step by step: sort out the triangles, order them along the curve, number
+/// the points as they come, find neighbours, repair, pack. Not installed.
+class PackedMesh::Builder
+{
+public:
+  Builder(PackedMesh& mesh, const BuildProgress& progress)
+    : Mesh(mesh)
+    , Progress(progress)
+  {
+  }
+  void build(const double* points, std::size_t pointCount, const std::int32_t* triangles,
+    std::size_t triangleCount);
+
+private:
+  enum class Part : std::uint8_t
+  {
+    Usable,
+    WithoutArea, ///< links its neighbours, is no place of contact itself
+    None
+  };
+
+  void report(double done) const;
+  void placeCentre(const double* points, const std::int32_t* triangles, std::vector<Part>& parts);
+  void roundPoints(const double* points);
+  void findParts(const double* points, const std::int32_t* triangles, std::vector<Part>& parts);
+  void orderTriangles(const std::int32_t* triangles, const std::vector<Part>& parts);
+  void numberPoints(const std::int32_t* triangles);
+  void findNeighbours();
+  void joinPoints();
+  void turnTriangles();
+  void packRings();
+  void packRecords();
+  void computePointNormals();
+  void computeBends();
+  float bendOf(std::int32_t triangle) const;
+
+  const std::vector<TriangleCorners>& joined() const
+  {
+    return this->Joined.empty() ? this->Triangles : this->Joined;
+  }
+  std::size_t twinOf(std::size_t point) const
+  {
+    return this->Twins.empty() ? point : static_cast<std::size_t>(this->Twins[point]);
+  }
+
+  PackedMesh& Mesh;
+  const BuildProgress& Progress;
+  std::size_t PointCount = 0;
+  std::vector<float> Coordinates;         ///< local; by input point, then by packed point
+  std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area
+  std::size_t Usable = 0;                 ///< how many of them
+  std::vector<TriangleCorners> Triangles; ///< in that order; packed points
+  std::vector<std::int32_t> Twins;        ///< see findTwins; empty: every point is its own
+  std::vector<TriangleCorners> Joined;    ///< Triangles with twins as one point, if there are any
+  std::unique_ptr<TriangleLinks> Topology; ///< of joined()
+};
+} // namespace palpate
+
+#endif

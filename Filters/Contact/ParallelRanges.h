@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ParallelRanges_h
+#define palpate_ParallelRanges_h
+
+#include <algorithm>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace palpate
+{
+/// How many ranges forRanges makes of `count` items: one per core, none of them small.
+inline std::size_t rangeCount(std::size_t count)
+{
+  constexpr std::size_t smallest = 8192; // below that a thread costs more than it saves
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return std::max<std::size_t>(1, std::min(cores, count / smallest));
+}
+
+/// Calls body(first, last) for contiguous ranges that cover 0..count, each on a thread of its own.
+/// For building, not for the tick. `body` must not throw, and must not write where another range
+/// does.
+template <class Body>
+void forRanges(std::size_t count, const Body& body)
+{
+  const std::size_t ranges = rangeCount(count);
+  const auto run = [&](std::size_t k) { body(k * count / ranges, (k + 1) * count / ranges); };
+  std::vector<std::thread> others;
+  for (std::size_t k = 1; k < ranges; ++k)
+  {
+    others.emplace_back(run, k);
+  }
+  run(0);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+}
+} // namespace palpate
+
+#endif

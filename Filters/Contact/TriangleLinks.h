@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TriangleLinks_h
+#define palpate_TriangleLinks_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+using TriangleCorners = std::array<std::int32_t, 3>;
+
+/**
+ * Which triangles meet at each point, and across each edge. Edge i of a triangle runs from its
+ * corner i to its corner i + 1 (mod 3).
+ *
+ * Two triangles are neighbours if they alone share an edge and wind alike, so that they run along
+ * it in opposite directions. An edge with one triangle is border. One with more than two, or with
+ * two of opposite winding, is not manifold and has no neighbours either. Triangles whose first
+ * corner is negative take no part; the others' corners must be points.
+ *
+ * Cost: O(n); threaded, the same for any number of threads.
+ */
+class TriangleLinks
+{
+public:
+  static constexpr std::int32_t Border = -1;
+  static constexpr std::int32_t NonManifold = -2;
+
+  TriangleLinks(const std::vector<TriangleCorners>& triangles, std::size_t pointCount);
+
+  /// Across edge i, or Border, or NonManifold.
+  const std::array<std::int32_t, 3>& neighbours(std::size_t triangle) const noexcept
+  {
+    return this->Neighbours[triangle];
+  }
+  /// The triangles around a point, in rising order: first and one past the last.
+  std::array<const std::int32_t*, 2> around(std::int32_t point) const noexcept
+  {
+    const auto i = static_cast<std::size_t>(point);
+    return { this->Ring.data() + this->RingStart[i], this->Ring.data() + this->RingStart[i + 1] };
+  }
+  /// Whether an edge without neighbour ends at the point.
+  bool onBorder(std::int32_t point) const noexcept
+  {
+    return this->OnBorder[static_cast<std::size_t>(point)] != 0;
+  }
+  std::size_t borderEdges() const noexcept { return this->BorderEdges; }
+  std::size_t nonManifoldEdges() const noexcept { return this->NonManifoldEdges; }
+  /// Of the latter, edges of just two triangles, which turning one of them over would mend.
+  std::size_t twistedEdges() const noexcept { return this->TwistedEdges; }
+
+private:
+  void linkPoints(const std::vector<TriangleCorners>& triangles, std::size_t pointCount);
+  void linkEdges(const std::vector<TriangleCorners>& triangles);
+  void markBorder(const std::vector<TriangleCorners>& triangles, std::size_t pointCount);
+
+  std::vector<std::array<std::int32_t, 3>> Neighbours;
+  std::vector<std::uint32_t> RingStart;
+  std::vector<std::int32_t> Ring;
+  std::vector<std::uint8_t> OnBorder;
+  std::size_t BorderEdges = 0;
+  std::size_t NonManifoldEdges = 0;
+  std::size_t TwistedEdges = 0;
+};
+} // namespace palpate
+
+#endif

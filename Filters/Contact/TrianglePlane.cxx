@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TrianglePlane.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate
+{
+TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
+  : Corner(corners)
+  , Normal((corners[1] - corners[0]).cross(corners[2] - corners[0]))
+{
+  this->Normal /= this->Normal.norm();
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vector3 edge = corners[(k + 1) % 3] - corners[k];
+    const double length = edge.norm();
+    this->FromEdge[k] = edge.cross(this->Normal) / length;
+    longest = std::max(longest, length);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    // No direction at the tip of a needle: NaN, and no slope follows from it.
+    this->FromCorner[k] = this->FromEdge[k] + this->FromEdge[(k + 2) % 3];
+    this->FromCorner[k] /= this->FromCorner[k].norm();
+  }
+  this->Rounding = 1e-13 * longest;
+}
+
+double TrianglePlane::slopeTo(
+  const std::array<Vector3, 3>& other, std::size_t k, double enough) const
+{
+  std::array<Vector3, 3> offset;
+  std::array<double, 3> depth;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    offset[i] = other[i] - this->Corner[k];
+    depth[i] = -this->Normal.dot(offset[i]);
+  }
+  if (std::max({ depth[0], depth[1], depth[2] }) <= this->Rounding)
+  {
+    return 0.0;
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Vector3* direction :
+    { &this->FromEdge[k], &this->FromCorner[k], &this->FromEdge[(k + 2) % 3] })
+  {
+    smallest = std::min(smallest, this->slopeAlong(*direction, offset, depth));
+    if (smallest <= enough)
+    {
+      break;
+    }
+  }
+  return smallest;
+}
+
+double TrianglePlane::slopeAlong(const Vector3& direction, const std::array<Vector3, 3>& offset,
+  const std::array<double, 3>& depth) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> away;
+  double slope = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    away[i] = direction.dot(offset[i]);
+    if (depth[i] > this->Rounding)
+    {
+      slope = away[i] > this->Rounding ? std::max(slope, depth[i] / away[i]) : infinity;
+    }
+  }
+  for (std::size_t i = 0; i < 3 && slope < infinity; ++i)
+  {
+    slope = slope * away[i] >= depth[i] - this->Rounding ? slope : infinity;
+  }
+  return slope;
+}
+} // namespace palpate

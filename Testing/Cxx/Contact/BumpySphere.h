@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_BumpySphere_h
+#define palpate_testing_BumpySphere_h
+
+#include "SampleBodies.h"
+
+#include <cstddef>
+#include <vector>
+
+/**
+ * A body of any number of triangles to slide over: a sphere of mean radius 100 mm with bumps,
+ *   r(u) = 100 + sin 15x sin 15y cos 15z   (mm; u = (x, y, z) the unit direction),
+ * up to 1 mm high and some 20 mm apart. It is not convex (curvatures from -1/73 mm), yet gentle:
+ * its smallest convex radius of curvature is 30.2 mm, far above any depth of a tip, so that a tip
+ * up to 5 mm deep is closest to the point it was let down from (but for the facets).
+ */
+namespace palpate::testing
+{
+/// Surface point, and outward unit normal there, in the direction of a unit vector from the centre.
+Vector3 bumpyPoint(const Vector3& direction);
+Vector3 bumpyNormal(const Vector3& direction);
+
+/// An octahedron with each face cut in cuts² triangles, pushed out to the bumpy sphere: 8 cuts²
+/// triangles, 4 cuts² + 2 points, row by row as a mesher would leave them. Closed, wound outward.
+/// 4 million triangles take 0.15 s.
+Surface bumpySphere(int cuts);
+
+/// The number of cuts whose bumpy sphere comes closest to this many triangles, at least 1.
+int bumpyCuts(double triangles);
+
+/// The outward unit normals of the smooth body at the points of a bumpy sphere.
+std::vector<Vector3> bumpyNormals(const Surface& body);
+
+/// Extreme principal curvatures of the smooth body, 1/mm, positive where it is convex; among
+/// `samples` directions spread evenly.
+struct CurvatureRange
+{
+  double least;
+  double greatest;
+};
+CurvatureRange bumpyCurvatures(int samples);
+
+/// Direction of a path that winds around the sphere, a new great circle with each turn, tilted by
+/// 0.09 rad, `along` mm from its start and `across` mm beside it (arc length on the mean sphere).
+/// But for the two poles of the tilt it comes back to no place within 21 m.
+Vector3 windingDirection(double along, double across = 0.0);
+
+/// Tip `depth` mm under the smooth body, `along` mm down the winding path.
+Vector3 windingTip(double depth, double along, double across = 0.0);
+
+/// `count` tips `depth` mm deep, `step` mm apart along the winding path.
+std::vector<Vector3> windingTips(std::size_t count, double depth, double step);
+
+/// The same surface with its points and triangles in random order, and each triangle starting at
+/// any of its corners. `pointOf` and `triangleOf`, if given, receive the former ids.
+Surface shuffled(const Surface& body, unsigned seed, std::vector<std::int32_t>* pointOf = nullptr,
+  std::vector<std::int32_t>* triangleOf = nullptr);
+} // namespace palpate::testing
+
+#endif

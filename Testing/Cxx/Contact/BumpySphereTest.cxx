@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The body of the tick's benchmark and of its exactness tests is what it is said to be.
+#include "BruteForce.h"
+#include "BumpySphere.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace palpate::testing
+{
+namespace
+{
+TEST(BumpySphere, IsClosedAndWoundOutward)
+{
+  const Surface body = bumpySphere(20);
+  EXPECT_EQ(body.triangles.size(), 8U * 20 * 20);
+  EXPECT_EQ(body.points.size(), 4U * 20 * 20 + 2);
+  std::set<std::pair<std::int32_t, std::int32_t>> halfEdges;
+  double volume = 0.0;
+  for (std::size_t t = 0; t < body.triangles.size(); ++t)
+  {
+    const auto id = static_cast<std::int32_t>(t);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      EXPECT_TRUE(halfEdges.emplace(body.triangles[t][k], body.triangles[t][(k + 1) % 3]).second);
+    }
+    volume += body.corner(id, 0).cross(body.corner(id, 1)).dot(body.corner(id, 2)) / 6.0;
+  }
+  for (const auto& [from, to] : halfEdges)
+  {
+    EXPECT_EQ(halfEdges.count({ to, from }), 1U);
+  }
+  // The mean sphere's 4/3 π r³ but for facets (about the edge, 12 mm, squared over 4 r²: 0.4 %) and
+  // the bumps' mean square (at most 0.01 %).
+  EXPECT_NEAR(volume / (4.0 / 3.0 * 3.14159265 * 1e6), 1.0, 0.01);
+}
+
+TEST(BumpySphere, NormalIsAcrossTheSurface)
+{
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 u = windingDirection(7.0 * i);
+    const Vector3 normal = bumpyNormal(u);
+    const Vector3 side = u.unitOrthogonal();
+    for (const Vector3& t : { side, Vector3(u.cross(side)) })
+    {
+      constexpr double h = 1e-5; // truncation h² 15³ = 3e-7 mm per 1e-3 mm, rounding 1e-14 / 1e-3
+      const Vector3 moved =
+        bumpyPoint((u + h * t).normalized()) - bumpyPoint((u - h * t).normalized());
+      EXPECT_NEAR(normal.dot(moved) / moved.norm(), 0.0, 1e-6);
+    }
+    EXPECT_GT(normal.dot(u), 0.9);
+  }
+}
+
+TEST(BumpySphere, IsNotConvexAndGentlerThanFiveMillimetres)
+{
+  // Height 1 mm, 15 waves: on the top of a bump 1/100 + 15²/100² per mm, in a trough 1/100 -
+  // 15²/100²; slopes and the bumps' own radius turn that by 3 %.
+  const CurvatureRange range = bumpyCurvatures(100000);
+  EXPECT_NEAR(range.greatest, 0.0325, 0.0010);
+  EXPECT_NEAR(range.least, -0.0125, 0.0015);
+  EXPECT_GT(1.0 / range.greatest, 5.0);
+}
+
+// So the depth of a tip is its distance, by brute force over all facets, that is globally. A facet
+// lies below the smooth body where that is convex, above where it is concave, by at most c²κ/2:
+// c = 2.4 mm (circumradius of an equilateral triangle of the longest edge, 4.2 mm), κ = 0.033 / mm.
+TEST(BumpySphere, TipsAreAsDeepAsTheySay)
+{
+  const Surface body = bumpySphere(60);
+  const std::vector<std::int32_t> all = allTriangles(body);
+  for (const double depth : { 1.0, 5.0 })
+  {
+    for (const Vector3& tip : windingTips(40, depth, 47.0))
+    {
+      const auto distance = static_cast<double>(nearestOf(body, tip, all).distance);
+      EXPECT_NEAR(distance, depth, 2.4 * 2.4 * 0.033 / 2.0);
+    }
+  }
+}
+
+TEST(BumpySphere, ShufflingChangesOnlyTheOrder)
+{
+  const Surface body = bumpySphere(10);
+  std::vector<std::int32_t> pointOf;
+  std::vector<std::int32_t> triangleOf;
+  const Surface mixed = shuffled(body, 5, &pointOf, &triangleOf);
+  ASSERT_EQ(mixed.triangles.size(), body.triangles.size());
+  ASSERT_EQ(mixed.points.size(), body.points.size());
+  std::size_t inPlace = 0;
+  for (std::size_t t = 0; t < mixed.triangles.size(); ++t)
+  {
+    const auto id = static_cast<std::int32_t>(t);
+    std::size_t first = 0;
+    while (first < 3 && mixed.corner(id, 0) != body.corner(triangleOf[t], first))
+    {
+      ++first;
+    }
+    ASSERT_LT(first, 3U);
+    for (std::size_t k = 1; k < 3; ++k)
+    {
+      EXPECT_EQ(mixed.corner(id, k), body.corner(triangleOf[t], (first + k) % 3));
+    }
+    inPlace += triangleOf[t] == id ? 1 : 0;
+  }
+  EXPECT_LT(inPlace, 20U); // of 800; 1 expected
+}
+} // namespace
+} // namespace palpate::testing
