@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContactTracker.h"
 
+#include "BorderFade.h"
+
+#include <cmath>
+
 namespace palpate
 {
 namespace
@@ -17,34 +21,95 @@ ContactTracker::Outcome classify(const SurfacePoint& surface) noexcept
   }
   return surface.onBorder ? ContactTracker::Outcome::Border : ContactTracker::Outcome::Inside;
 }
+
+/// The nearest place so far, in its triangle.
+struct Place
+{
+  std::int32_t triangle;
+  TriangleProjection projection;
+};
+
+/// Moves across the edge the projection lies on, if that is nearer.
+bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
+{
+  const int edge = static_cast<int>(place.projection.feature) - 3;
+  const std::int32_t across = mesh.neighbour(place.triangle, edge);
+  if (across < 0)
+  {
+    return false;
+  }
+  const TriangleProjection candidate = mesh.project(tip, across);
+  if (!(candidate.squaredDistance < place.projection.squaredDistance))
+  {
+    return false;
+  }
+  place = { across, candidate };
+  return true;
+}
+
+/// Moves to the nearest of the triangles around the corners, if it is nearer.
+bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
+{
+  const std::int32_t current = place.triangle;
+  for (const std::int32_t corner : mesh.corners(current))
+  {
+    mesh.visitAround(corner, [&](std::int32_t other) { mesh.prefetch(other); });
+  }
+  for (const std::int32_t corner : mesh.corners(current))
+  {
+    mesh.visitAround(corner,
+      [&](std::int32_t other)
+      {
+        if (other == current || mesh.isPlaneBeyond(tip, other, place.projection.squaredDistance))
+        {
+          return;
+        }
+        const TriangleProjection candidate = mesh.project(tip, other);
+        if (candidate.squaredDistance < place.projection.squaredDistance)
+        {
+          place = { other, candidate };
+        }
+      });
+  }
+  return place.triangle != current;
+}
 } // namespace
 
 SurfacePoint ContactTracker::follow(
-  const BodyMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept
+  const PackedMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept
 {
-  TriangleProjection best = mesh.project(tip, triangle);
+  Place place{ triangle, mesh.project(tip, triangle) };
   for (int step = 0; step < MaximumSteps; ++step)
   {
-    const std::int32_t current = triangle;
-    for (const std::int32_t corner : mesh.corners(current))
+    const TriangleFeature feature = place.projection.feature;
+    const bool onFace = feature == TriangleFeature::Face;
+    const bool onEdge = !onFace && feature >= TriangleFeature::Edge0;
+    if (onEdge && crossEdge(mesh, tip, place))
     {
-      const auto around = mesh.trianglesAround(corner);
-      for (const std::int32_t* other = around[0]; other != around[1]; ++other)
-      {
-        const TriangleProjection candidate = mesh.project(tip, *other);
-        if (candidate.squaredDistance < best.squaredDistance)
-        {
-          best = candidate;
-          triangle = *other;
-        }
-      }
+      continue;
     }
-    if (triangle == current)
+    if (onFace && mesh.isCertainlyNearest(tip, place.triangle, place.projection))
     {
-      break;
+      const double depth = std::sqrt(place.projection.squaredDistance); // it is so only inside
+      return { place.triangle, place.projection, -depth, false };
+    }
+    if (!searchAround(mesh, tip, place))
+    {
+      return mesh.orient(tip, place.triangle, place.projection);
     }
   }
-  return mesh.orient(tip, triangle, best);
+  return {};
+}
+
+bool ContactTracker::isHeld(const Contact& contact, const Vector3& tip) const noexcept
+{
+  if (contact.outcome != Outcome::Border)
+  {
+    return contact.outcome == Outcome::Inside;
+  }
+  const TriangleProjection& border = contact.surface.projection;
+  return BorderFade::at(this->Mesh, contact.surface.triangle, border.weights, tip - border.point)
+           .share > 0.0;
 }
 
 ContactTracker::Contact ContactTracker::update(const Vector3& tip) noexcept
@@ -54,19 +119,20 @@ ContactTracker::Contact ContactTracker::update(const Vector3& tip) noexcept
     this->Triangle = -1;
     return { Outcome::Invalid, {} };
   }
-  if (this->Triangle >= 0)
+  const Vector3 local = this->Mesh.toLocal(tip);
+  Contact contact;
+  if (this->Triangle >= 0 && !this->Tree.isBeyondHorizon(local))
   {
-    const SurfacePoint followed = follow(this->Mesh, tip, this->Triangle);
-    const Outcome outcome = classify(followed);
-    if (outcome != Outcome::Outside)
-    {
-      this->Triangle = outcome == Outcome::Inside ? followed.triangle : -1;
-      return { outcome, followed };
-    }
+    contact.surface = follow(this->Mesh, local, this->Triangle);
+    contact.outcome = contact.surface.triangle < 0 ? Outcome::Outside : classify(contact.surface);
   }
-  const SurfacePoint nearest = this->Tree.closest(tip);
-  const Outcome outcome = classify(nearest);
-  this->Triangle = outcome == Outcome::Inside ? nearest.triangle : -1;
-  return { outcome, nearest };
+  if (contact.outcome == Outcome::Outside)
+  {
+    contact.surface = this->Tree.closestLocal(local);
+    contact.outcome = classify(contact.surface);
+  }
+  this->Triangle = this->isHeld(contact, local) ? contact.surface.triangle : -1;
+  contact.surface.projection.point += this->Mesh.centre();
+  return contact;
 }
 } // namespace palpate

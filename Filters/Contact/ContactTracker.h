@@ -2,7 +2,7 @@
 #ifndef palpate_ContactTracker_h
 #define palpate_ContactTracker_h
 
-#include "BodyMesh.h"
+#include "PackedMesh.h"
 #include "TriangleTree.h"
 
 #include <cstdint>
@@ -13,15 +13,23 @@ namespace palpate
  * Where the tip touches, tick after tick: found globally once, then followed.
  *
  * The first contact is the globally closest point of the body, once the tip is inside. From then on
- * the contact is the local minimum of the distance reached from the last triangle, each step
- * choosing the best of all triangles that share a corner with the current one. So a tip that has
- * passed the middle of a thin slab stays in contact with the side it entered, as a god-object would
- * (Zilles and Salisbury 1995). The contact ends when the tip passes the surface outward there (and
- * another may begin in the same tick), or when the projection reaches an open border.
+ * the contact is the local minimum of the distance reached from the last triangle: it moves across
+ * the edge towards the tip while that is nearer, and stops at a point to which no triangle that
+ * shares a corner with its own is nearer, to the rounding of double arithmetic. That last is
+ * certain from a bound stored with each triangle (PackedMesh::isCertainlyNearest), or tried out.
+ * (Stopping where no triangle across an edge is nearer would not do: under a convex pair of facets
+ * each has such a point.)
  *
- * The tick neither allocates nor locks nor throws. Steps per tick are bounded by MaximumSteps; a
- * tip so fast that this is not enough is followed further in the next tick. One tracker serves one
- * thread; mesh and tree may be shared and must outlive it.
+ * So a tip that has passed the middle of a thin slab stays in contact with the side it entered, as
+ * a god-object would (Zilles and Salisbury 1995). The contact ends when the tip passes the surface
+ * outward there (and another may begin in the same tick), or beyond an open border, where nothing
+ * is left of its force (BorderFade).
+ *
+ * The tick neither allocates nor locks nor throws. Steps per tick are bounded by MaximumSteps, a
+ * step being about one triangle: 30 mm on a body of 0.2 mm triangles. A tip that outruns them is
+ * searched for in the whole body, as a new contact is: a point on the way there would be no local
+ * minimum, and its distance no deflection. One tracker serves one thread; mesh and tree may be
+ * shared and must outlive it.
  */
 class ContactTracker
 {
@@ -39,10 +47,10 @@ public:
   struct Contact
   {
     Outcome outcome = Outcome::Outside;
-    SurfacePoint surface;
+    SurfacePoint surface; ///< its point in the body's frame
   };
 
-  ContactTracker(const BodyMesh& mesh, const TriangleTree& tree) noexcept
+  ContactTracker(const PackedMesh& mesh, const TriangleTree& tree) noexcept
     : Mesh(mesh)
     , Tree(tree)
   {
@@ -53,14 +61,20 @@ public:
   /// Forgets the contact; the next update searches the whole body.
   void reset() noexcept { this->Triangle = -1; }
 
-  /// Local minimum of the distance reached from a triangle.
+  /// Of the last contact, -1 if there was none.
+  std::int32_t triangle() const noexcept { return this->Triangle; }
+
+  /// Local minimum of the distance reached from a triangle, in the mesh's local frame; triangle -1
+  /// if that takes more than MaximumSteps.
   static SurfacePoint follow(
-    const BodyMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept;
+    const PackedMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept;
 
 private:
-  const BodyMesh& Mesh;
+  bool isHeld(const Contact& contact, const Vector3& tip) const noexcept;
+
+  const PackedMesh& Mesh;
   const TriangleTree& Tree;
-  std::int32_t Triangle = -1; ///< of the last tick's contact, -1 if there was none
+  std::int32_t Triangle = -1;
 };
 } // namespace palpate
 

@@ -1,80 +1,209 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ToolContact.h"
 
+#include "BorderFade.h"
+#include "EnergyGradient.h"
+
 #include <cmath>
 
 namespace palpate
 {
+namespace
+{
+ToolContactForce withoutForce(ContactState state) noexcept
+{
+  ToolContactForce none;
+  none.state = state;
+  return none;
+}
+
+ContactState stateOf(ContactTracker::Outcome outcome) noexcept
+{
+  switch (outcome)
+  {
+    case ContactTracker::Outcome::Border:
+      return ContactState::LostAtBorder;
+    case ContactTracker::Outcome::Invalid:
+      return ContactState::Invalid;
+    default:
+      return ContactState::None;
+  }
+}
+} // namespace
+
+void ToolContact::reset() noexcept
+{
+  this->Facets.reset();
+  this->Smooth.reset();
+  this->Resistance.reset();
+}
+
 ToolContactForce ToolContact::update(const Vector3& tip) noexcept
 {
-  const ContactTracker::Contact contact = this->Tracker.update(tip);
-  ToolContactForce result;
-  switch (contact.outcome)
+  ContactPlace place;
+  const ContactTracker::Outcome outcome = this->Settings.surface == ContactSurface::Smooth
+    ? this->touchSmooth(tip, place)
+    : this->touchFacets(tip, place);
+  if (outcome == ContactTracker::Outcome::Border)
   {
-    case ContactTracker::Outcome::Outside:
-      break;
-    case ContactTracker::Outcome::Border:
-      result.state = ContactState::LostAtBorder;
-      break;
-    case ContactTracker::Outcome::Invalid:
-      result.state = ContactState::Invalid;
-      break;
-    case ContactTracker::Outcome::Inside:
-      result = this->blend(contact.surface);
-      break;
+    return this->fade(tip, place);
   }
+  if (outcome != ContactTracker::Outcome::Inside)
+  {
+    this->Resistance.reset();
+    return withoutForce(stateOf(outcome));
+  }
+  ToolContactForce result;
+  const BlendedResponse response(
+    this->Body.response, this->Body.surface.corners(place.triangle), place.weights);
+  if (!this->hasResponse(place) || !this->blend(place, response, result))
+  {
+    this->Resistance.reset();
+    return withoutForce(ContactState::Invalid);
+  }
+  this->addFriction(response, result);
   return result;
 }
 
-ToolContactForce ToolContact::blend(const SurfacePoint& surface) const noexcept
+ToolContactForce ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
 {
+  const BorderFade left =
+    BorderFade::at(this->Body.surface, place.triangle, place.weights, tip - place.point);
+  const BlendedResponse response(
+    this->Body.response, this->Body.surface.corners(place.triangle), place.weights);
+  place.signedDistance = -left.depth;
+  place.normal = this->Body.surface.faceNormal(place.triangle);
+  place.weightGradients.setZero();
   ToolContactForce result;
-  result.state = ContactState::Slide;
-  result.triangle = surface.triangle;
-  result.contactPoint = surface.projection.point;
-  result.deflection = -surface.signedDistance;
-  Vector3 direction = Vector3::Zero();
-  Vector3 paperForce = Vector3::Zero();
-  const auto& corners = this->Body.surface.corners(surface.triangle);
-  for (int k = 0; k < 3; ++k)
+  if (!(left.share > 0.0) || !this->hasResponse(place) || !this->blend(place, response, result))
   {
-    const double weight = surface.projection.weights[k];
-    if (weight == 0.0)
+    this->Resistance.reset();
+    return withoutForce(ContactState::LostAtBorder);
+  }
+  result.normalForce *= left.share;
+  result.stiffness *= left.share;
+  result.force *= left.share;
+  this->addFriction(response, result);
+  result.state = ContactState::LostAtBorder;
+  return result;
+}
+
+ContactTracker::Outcome ToolContact::touchFacets(const Vector3& tip, ContactPlace& place) noexcept
+{
+  this->prefetchLast(this->Facets.triangle());
+  const ContactTracker::Contact contact = this->Facets.update(tip);
+  if (contact.surface.triangle < 0 || contact.outcome == ContactTracker::Outcome::Outside)
+  {
+    return contact.outcome;
+  }
+  const SurfacePoint& surface = contact.surface;
+  if (this->Settings.form == ForceForm::EnergyConsistent &&
+    contact.outcome == ContactTracker::Outcome::Inside)
+  {
+    place = ContactPlace::onFacet(this->Body.surface, tip, surface);
+    return contact.outcome;
+  }
+  place.triangle = surface.triangle;
+  place.weights = surface.projection.weights;
+  place.point = surface.projection.point;
+  place.signedDistance = surface.signedDistance;
+  return contact.outcome;
+}
+
+ContactTracker::Outcome ToolContact::touchSmooth(const Vector3& tip, ContactPlace& place) noexcept
+{
+  this->prefetchLast(this->Smooth.triangle());
+  const SmoothTracker::Contact contact = this->Smooth.update(tip);
+  place = contact.place;
+  return contact.outcome;
+}
+
+void ToolContact::prefetchLast(std::int32_t triangle) const noexcept
+{
+  // The contact is likely there again, or next to it: its responses come while it is sought.
+  if (triangle >= 0)
+  {
+    for (const std::int32_t corner : this->Body.surface.corners(triangle))
     {
-      continue; // on an edge, neither neighbour's opposite corner has a say
-    }
-    const std::int32_t corner = corners[static_cast<std::size_t>(k)];
-    if (!this->Body.response.isValid(corner))
-    {
-      ToolContactForce invalid;
-      invalid.state = ContactState::Invalid;
-      return invalid;
-    }
-    const ResponseValue value = this->Body.response.evaluate(corner, result.deflection);
-    const Vector3 normal = this->Body.response.normal(corner);
-    result.normalForce += weight * value.force;
-    result.stiffness += weight * value.stiffness;
-    direction += weight * normal;
-    paperForce += weight * value.force * normal;
-    if (value.beyondRange)
-    {
-      result.state = ContactState::BeyondRange;
+      this->Body.response.prefetch(corner);
     }
   }
-  if (this->Form == ForceForm::Paper)
+}
+
+bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
+{
+  const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
+  bool valid = true;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    result.normalForce = paperForce.norm();
-    direction = result.normalForce > 0.0 ? paperForce : direction;
+    // On an edge, neither neighbour's opposite corner has a say.
+    valid = valid &&
+      (place.weights[static_cast<Eigen::Index>(k)] == 0.0 ||
+        this->Body.response.isValid(corners[k]));
+  }
+  return valid;
+}
+
+bool ToolContact::blend(const ContactPlace& place, const BlendedResponse& response,
+  ToolContactForce& result) const noexcept
+{
+  result.triangle = this->Body.surface.inputTriangle(place.triangle);
+  result.contactPoint = place.point;
+  result.deflection = -place.signedDistance;
+  const ResponseValue value = response.evaluate(result.deflection);
+  result.normalForce = value.force;
+  result.stiffness = value.stiffness;
+  result.state = value.beyondRange ? ContactState::BeyondRange : ContactState::Slide;
+  if (this->Settings.form == ForceForm::EnergyConsistent)
+  {
+    result.normal = place.normal;
+    result.force = EnergyGradient::force(result.normalForce, place.normal, place.weightGradients,
+      response.energies(result.deflection));
+    return result.force.allFinite();
+  }
+  Vector3 direction = place.normal; // a smooth surface has one of its own
+  if (!place.isSmooth)
+  {
+    direction = this->sumOfNormals(place, Vector3::Ones());
+  }
+  if (this->Settings.form == ForceForm::Paper)
+  {
+    const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
+    const Vector3 sum = this->sumOfNormals(place, { each[0].force, each[1].force, each[2].force });
+    result.normalForce = sum.norm();
+    direction = result.normalForce > 0.0 ? sum : direction;
   }
   const double length = direction.norm();
-  if (!(length > 0.0) || !std::isfinite(result.normalForce))
-  {
-    ToolContactForce invalid;
-    invalid.state = ContactState::Invalid;
-    return invalid;
-  }
   result.normal = direction / length;
   result.force = result.normalForce * result.normal;
-  return result;
+  return length > 0.0 && std::isfinite(result.normalForce);
+}
+
+Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept
+{
+  const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const auto i = static_cast<Eigen::Index>(k);
+    sum += place.weights[i] * factors[i] * this->Body.response.normal(corners[k]);
+  }
+  return sum;
+}
+
+void ToolContact::addFriction(const BlendedResponse& response, ToolContactForce& result) noexcept
+{
+  if (!(this->Settings.friction.coefficient > 0.0))
+  {
+    return;
+  }
+  const Friction::Result friction = this->Resistance.update(
+    result.contactPoint, result.normal, result.normalForce, result.deflection, response);
+  result.friction = friction.force;
+  result.force += friction.force;
+  if (!friction.sliding && result.state == ContactState::Slide)
+  {
+    result.state = ContactState::Stick;
+  }
 }
 } // namespace palpate

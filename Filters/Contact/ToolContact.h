@@ -3,7 +3,11 @@
 #define palpate_ToolContact_h
 
 #include "ContactBody.h"
+#include "ContactPlace.h"
+#include "ContactSettings.h"
 #include "ContactTracker.h"
+#include "Friction.h"
+#include "SmoothTracker.h"
 
 #include <cstdint>
 
@@ -19,35 +23,29 @@ enum class ContactState : std::uint8_t
   Invalid
 };
 
-enum class ForceForm : std::uint8_t
-{
-  /// Σ n_i f_i U_i (Mahvash and Hayward 2002, eq. 3). The sum of unit normals is shorter than 1, so
-  /// the force loses about h²/(6 R²) in the middle of a facet of size h on a body of radius R.
-  Paper,
-  /// (Σ n_i f_i) along the normalised Σ n_i U_i: magnitude and direction blended apart.
-  NormalizedDirection
-};
-
 /// What the tool feels in one tick. Body frame; mm, N, N/mm.
 struct ToolContactForce
 {
   ContactState state = ContactState::None;
-  Vector3 force = Vector3::Zero(); ///< total, on the tool
-  Vector3 friction = Vector3::Zero();
+  Vector3 force = Vector3::Zero();    ///< total, on the tool
+  Vector3 friction = Vector3::Zero(); ///< its part that is friction
   double normalForce = 0.0;
   double stiffness = 0.0; ///< Σ n_i dF_i/dδ
   double deflection = 0.0;
-  Vector3 normal = Vector3::Zero(); ///< blended unit normal used
+  Vector3 normal = Vector3::Zero(); ///< unit, outward, along which normalForce acts
   Vector3 contactPoint = Vector3::Zero();
-  std::int32_t triangle = -1;
+  std::int32_t triangle = -1; ///< of the input; -1: none
 };
 
 /**
  * One tick: tip position in, contact force out.
  *
- * The tip is projected on the undeformed surface (ContactTracker), its distance is the deflection
- * δ, and the curves of the triangle's three vertices are blended with the area coordinates n_i of
- * the projection (Mahvash and Hayward 2002, eqs. 3 and 4). Frictionless: a contact slides.
+ * The tip is projected on the undeformed surface (ContactTracker, SmoothTracker), its distance is
+ * the deflection δ, and the curves of the triangle's three vertices are blended with the area
+ * coordinates n_i of the projection (Mahvash and Hayward 2002, eqs. 3 and 4; ForceForm). Friction
+ * follows from how the contact point moves over the undeformed surface (Friction). Frictionless
+ * contacts slide. Beyond an open border the contact is LostAtBorder and its force fades
+ * (BorderFade).
  *
  * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
  * thread; the body may be shared and must outlive it.
@@ -55,22 +53,37 @@ struct ToolContactForce
 class ToolContact
 {
 public:
-  explicit ToolContact(const ContactBody& body, ForceForm form = ForceForm::NormalizedDirection)
+  explicit ToolContact(const ContactBody& body, const ContactSettings& settings = {})
     : Body(body)
-    , Tracker(body.surface, body.tree)
-    , Form(form)
+    , Settings(settings)
+    , Facets(body.surface, body.tree)
+    , Smooth(body.surface, body.tree, body.response)
+    , Resistance(settings.friction)
   {
   }
 
   ToolContactForce update(const Vector3& tip) noexcept;
-  void reset() noexcept { this->Tracker.reset(); }
+  void reset() noexcept;
 
 private:
-  ToolContactForce blend(const SurfacePoint& surface) const noexcept;
+  ContactTracker::Outcome touchFacets(const Vector3& tip, ContactPlace& place) noexcept;
+  ContactTracker::Outcome touchSmooth(const Vector3& tip, ContactPlace& place) noexcept;
+  /// The force on a tip beyond an open border.
+  ToolContactForce fade(const Vector3& tip, ContactPlace& place) noexcept;
+  void prefetchLast(std::int32_t triangle) const noexcept;
+  bool hasResponse(const ContactPlace& place) const noexcept;
+  /// Fills everything but friction; false where the force is not finite or has no direction.
+  bool blend(const ContactPlace& place, const BlendedResponse& response,
+    ToolContactForce& result) const noexcept;
+  /// Σ n_i factor_i U_i.
+  Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
+  void addFriction(const BlendedResponse& response, ToolContactForce& result) noexcept;
 
   const ContactBody& Body;
-  ContactTracker Tracker;
-  ForceForm Form;
+  ContactSettings Settings;
+  ContactTracker Facets;
+  SmoothTracker Smooth;
+  Friction Resistance;
 };
 } // namespace palpate
 

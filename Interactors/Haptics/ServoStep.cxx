@@ -3,9 +3,9 @@
 
 namespace palpate
 {
-ServoStep::ServoStep(
-  const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce, ForceForm form)
-  : Contact(body, form)
+ServoStep::ServoStep(const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce,
+  const ContactSettings& settings)
+  : Contact(body, settings)
   , Mapping(mapping)
   , MaximumForce(maximumForce > 0.0 ? maximumForce : 0.0)
 {

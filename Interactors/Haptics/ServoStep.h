@@ -30,7 +30,7 @@ class ServoStep
 {
 public:
   ServoStep(const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce,
-    ForceForm form = ForceForm::NormalizedDirection);
+    const ContactSettings& settings = {});
 
   ServoTick step(const DeviceSample& sample, double time) noexcept;
   void reset() noexcept { this->Contact.reset(); }

@@ -9,8 +9,8 @@
 #include <functional>
 
 using namespace palpate::testing;
-using palpate::BodyMesh;
 using palpate::ContactTracker;
+using palpate::PackedMesh;
 using palpate::TriangleTree;
 using palpate::Vector3;
 using Outcome = ContactTracker::Outcome;
@@ -18,9 +18,10 @@ using Outcome = ContactTracker::Outcome;
 namespace
 {
 /// Follows the path over t in [0, 1]; returns the number of ticks in contact.
-int followPath(const Surface& body, int ticks, const std::function<Vector3(double)>& path)
+int followPath(const Surface& given, int ticks, const std::function<Vector3(double)>& path)
 {
-  const BodyMesh mesh = body.mesh();
+  const Surface body = given.rounded();
+  const PackedMesh mesh = body.packed();
   const TriangleTree tree(mesh);
   ContactTracker tracker(mesh, tree);
   const double tolerance = 1e-12 * diagonal(body); // roundings of the coordinates
@@ -43,7 +44,7 @@ int followPath(const Surface& body, int ticks, const std::function<Vector3(doubl
         static_cast<long double>(1e3 * tolerance)) // √ of the rounding of a squared distance
         << "tick " << i;
     }
-    last = inside ? contact.surface.triangle : -1;
+    last = inside ? mesh.inputTriangle(contact.surface.triangle) : -1;
   }
   return inContact;
 }

@@ -8,8 +8,8 @@
 #include <limits>
 
 using namespace palpate::testing;
-using palpate::BodyMesh;
 using palpate::ContactTracker;
+using palpate::PackedMesh;
 using palpate::TriangleTree;
 using palpate::Vector3;
 using Outcome = ContactTracker::Outcome;
@@ -19,12 +19,12 @@ namespace
 struct Tracked
 {
   explicit Tracked(const Surface& body)
-    : mesh(body.mesh())
+    : mesh(body.packed())
     , tree(mesh)
     , tracker(mesh, tree)
   {
   }
-  BodyMesh mesh;
+  PackedMesh mesh;
   TriangleTree tree;
   ContactTracker tracker;
 };

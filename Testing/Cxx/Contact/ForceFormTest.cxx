@@ -38,7 +38,7 @@ TEST(ForceForm, LossAtTheCentreOfAFacet)
   const double depth = 0.5;
   for (int times = 0; times <= 3; ++times)
   {
-    const Surface sphere = icosphere(R, times);
+    const Surface sphere = icosphere(R, times).rounded();
     ResponseStore store(sphere.points.size());
     store.normalsFromPoints(sphere);
     const auto body = contactBody(sphere, store);
@@ -47,8 +47,8 @@ TEST(ForceForm, LossAtTheCentreOfAFacet)
     {
       const Facet facet = facetOf(sphere, t);
       const Vector3 tip = facet.centroid - depth * facet.normal;
-      const auto whole = ToolContact(*body, ForceForm::NormalizedDirection).update(tip);
-      const auto paper = ToolContact(*body, ForceForm::Paper).update(tip);
+      const auto whole = ToolContact(*body, { ForceForm::NormalizedDirection }).update(tip);
+      const auto paper = ToolContact(*body, { ForceForm::Paper }).update(tip);
       ASSERT_EQ(whole.triangle, t);
       // Normals are float32: 6e-8 each.
       EXPECT_NEAR(whole.normalForce, force, 1e-12 * force);
@@ -78,8 +78,8 @@ TEST(ForceForm, AgreeAtAPoint)
   {
     // A tip under a convex corner is nearer to a facet; 2e-6 below, it projects 1e-6 beside it.
     const Vector3 tip = sphere.points[i] * (1.0 - 1e-7);
-    const auto whole = ToolContact(*body, ForceForm::NormalizedDirection).update(tip);
-    const auto paper = ToolContact(*body, ForceForm::Paper).update(tip);
+    const auto whole = ToolContact(*body, { ForceForm::NormalizedDirection }).update(tip);
+    const auto paper = ToolContact(*body, { ForceForm::Paper }).update(tip);
     // The loss is weight·h²/R², and the weight of the others 1e-7.
     EXPECT_NEAR(paper.normalForce, whole.normalForce, 1e-6 * whole.normalForce);
     EXPECT_LE((whole.normal - store.normalOf(i)).norm(), 1e-6);
@@ -101,8 +101,8 @@ TEST(ForceForm, DirectionsDifferWhenResponsesDo)
   }
   const auto body = contactBody(sphere, store);
   const Vector3 tip = facet.centroid - 0.5 * facet.normal;
-  const auto whole = ToolContact(*body, ForceForm::NormalizedDirection).update(tip);
-  const auto paper = ToolContact(*body, ForceForm::Paper).update(tip);
+  const auto whole = ToolContact(*body, { ForceForm::NormalizedDirection }).update(tip);
+  const auto paper = ToolContact(*body, { ForceForm::Paper }).update(tip);
   const Vector3 towards = store.normalOf(stiff);
   EXPECT_GT(paper.normal.dot(towards), whole.normal.dot(towards) + 0.01);
   EXPECT_LE((whole.normal - facet.centroid.normalized()).norm(), 1e-2);

@@ -97,7 +97,7 @@ TEST(ToolContactStates, LostAtBorder)
   const auto body = uniformBody(openPlate(10.0, 10));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(9.5, 5.2, -0.5)).state, ContactState::Slide);
-  const ToolContactForce lost = contact.update(Vector3(10.2, 5.2, -0.5));
+  const ToolContactForce lost = contact.update(Vector3(10.6, 5.2, -0.5));
   EXPECT_EQ(lost.state, ContactState::LostAtBorder);
   expectNoForce(lost);
   EXPECT_EQ(contact.update(Vector3(9.5, 5.2, -0.5)).state, ContactState::Slide);
@@ -152,7 +152,7 @@ TEST(ToolContactStates, CurvesThatAreNotFinite)
     const auto body = contactBody(surface, store);
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      const ToolContactForce found = ToolContact(*body, form).update(Vector3(5.2, 5.1, -0.5));
+      const ToolContactForce found = ToolContact(*body, { form }).update(Vector3(5.2, 5.1, -0.5));
       EXPECT_EQ(found.state, ContactState::Invalid);
       expectNoForce(found);
     }

@@ -66,8 +66,9 @@ Expected blend(
   return expected;
 }
 
-void compareWithBruteForce(const Surface& body, double deepest, int tips)
+void compareWithBruteForce(const Surface& given, double deepest, int tips)
 {
+  const Surface body = given.rounded();
   ResponseStore store(body.points.size());
   takeMeshNormals(store, body);
   store.randomizeCurves(13); // heterogeneous
@@ -91,7 +92,7 @@ void compareWithBruteForce(const Surface& body, double deepest, int tips)
     const bool isInside = windingNumber(body, tip) > 0.5;
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      const ToolContactForce found = ToolContact(*contact, form).update(tip);
+      const ToolContactForce found = ToolContact(*contact, { form }).update(tip);
       if (!isInside)
       {
         EXPECT_EQ(found.state, ContactState::None);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The force as the gradient of an energy: the closest point's area coordinates and the energy are
+// differentiated by differences of their own values.
+#include "EnergyGradient.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+using palpate::EnergyGradient;
+using palpate::projectOnTriangle;
+using palpate::TriangleFeature;
+using palpate::TriangleProjection;
+using palpate::Vector3;
+
+namespace
+{
+const Vector3 a(0.1, -0.2, 0.3);
+const Vector3 b(4.2, 0.5, 0.9);
+const Vector3 c(1.3, 3.1, -0.4);
+constexpr double e = 1e-6;
+
+Vector3 weightsAt(const Vector3& tip)
+{
+  return projectOnTriangle(tip, a, b, c).weights;
+}
+
+Vector3 anyTip(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> place(-3.0, 7.0);
+  const double x = place(random);
+  const double y = place(random);
+  return { x, y, place(random) };
+}
+
+/// f_i = k_i δ^1.5 and its work.
+struct Law
+{
+  Vector3 factor;
+  Vector3 force(double depth) const { return this->factor * std::pow(depth, 1.5); }
+  Vector3 energy(double depth) const { return this->factor * std::pow(depth, 2.5) / 2.5; }
+};
+
+double energyAt(const Vector3& tip, const Law& law)
+{
+  const TriangleProjection at = projectOnTriangle(tip, a, b, c);
+  return at.weights.dot(law.energy(std::sqrt(at.squaredDistance)));
+}
+} // namespace
+
+TEST(EnergyGradient, WeightGradientsOfEveryFeature)
+{
+  std::mt19937 random(1);
+  std::array<int, 7> seen{};
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Vector3 tip = anyTip(random);
+    const TriangleFeature feature = projectOnTriangle(tip, a, b, c).feature;
+    const Eigen::Matrix3d found = EnergyGradient::facetWeightGradients(feature, a, b, c);
+    bool sameFeature = true;
+    Eigen::Matrix3d expected;
+    for (Eigen::Index k = 0; k < 3; ++k)
+    {
+      const Vector3 step = e * Vector3::Unit(k);
+      expected.row(k) = (weightsAt(tip + step) - weightsAt(tip - step)) / (2.0 * e);
+      sameFeature = sameFeature && projectOnTriangle(tip + step, a, b, c).feature == feature &&
+        projectOnTriangle(tip - step, a, b, c).feature == feature;
+    }
+    if (sameFeature)
+    {
+      // Linear within a feature: rounding over e.
+      EXPECT_LE((found - expected).norm(), 1e-9);
+      ++seen[static_cast<std::size_t>(feature)];
+    }
+  }
+  for (const int count : seen)
+  {
+    EXPECT_GT(count, 100);
+  }
+}
+
+TEST(EnergyGradient, ForceIsMinusTheGradientOfTheEnergy)
+{
+  const Law law{ Vector3(10.0, 3.0, 25.0) };
+  std::mt19937 random(2);
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Vector3 tip = anyTip(random);
+    const TriangleProjection at = projectOnTriangle(tip, a, b, c);
+    const double depth = std::sqrt(at.squaredDistance);
+    const Vector3 normal = (at.point - tip) / depth;
+    const Vector3 force = EnergyGradient::force(at.weights.dot(law.force(depth)), normal,
+      EnergyGradient::facetWeightGradients(at.feature, a, b, c), law.energy(depth));
+    Vector3 expected;
+    bool sameFeature = true;
+    for (Eigen::Index k = 0; k < 3; ++k)
+    {
+      const Vector3 step = e * Vector3::Unit(k);
+      expected[k] = -(energyAt(tip + step, law) - energyAt(tip - step, law)) / (2.0 * e);
+      sameFeature = sameFeature && projectOnTriangle(tip + step, a, b, c).feature == at.feature &&
+        projectOnTriangle(tip - step, a, b, c).feature == at.feature;
+    }
+    if (sameFeature)
+    {
+      // Rounding of an energy over e, of a force: 1e-16 δ/e.
+      EXPECT_LE((force - expected).norm(), 1e-8 * (1.0 + force.norm()));
+    }
+  }
+}
+
+TEST(EnergyGradient, EqualResponsesGiveTheNormalForceAlone)
+{
+  const Vector3 normal = Vector3(1, 2, 3).normalized();
+  const Eigen::Matrix3d gradients =
+    EnergyGradient::facetWeightGradients(TriangleFeature::Face, a, b, c);
+  const Vector3 force =
+    EnergyGradient::force(7.0, normal, gradients, Vector3::Constant(1e6 + 1.0 / 3.0));
+  EXPECT_EQ(force, Vector3(7.0 * normal)); // to the last bit, however large the energies
+}
