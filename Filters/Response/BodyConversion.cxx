@@ -276,20 +276,47 @@ std::unique_ptr<ResponseField> makeResponseField(
 }
 
 std::shared_ptr<const ContactBody> makeContactBody(
-  vtkPolyData* body, const std::string& name, std::string& error)
+  vtkPolyData* body, const std::string& name, std::string& error, const BuildProgress& progress)
 {
   error = checkTriangles(body);
   if (!error.empty())
   {
     return nullptr;
   }
-  std::unique_ptr<ResponseField> response = makeResponseField(body, name, error);
-  if (!response)
+  ResponseArrays arrays;
+  if (!viewResponse(body, name, arrays, error))
   {
     error = "no response '" + name + "' on the body: " + error;
     return nullptr;
   }
-  return std::make_shared<const ContactBody>(makeBodyMesh(body), std::move(*response));
+  const std::vector<std::int32_t> triangles = copyTriangles(body);
+  const std::vector<double> points = copyPoints(body);
+  return std::make_shared<const ContactBody>(
+    points.data(), points.size() / 3, triangles.data(), triangles.size() / 3, arrays, progress);
+}
+
+std::string describeDefects(const ContactBody& body)
+{
+  const PackedMesh::Defects& found = body.surface.defects();
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* one, const char* many, const char* fate)
+  {
+    if (count > 0)
+    {
+      text += (text.empty() ? "" : "; ") + std::to_string(count) + ' ' + (count == 1 ? one : many) +
+        ": " + fate;
+    }
+  };
+  add(found.turnedTriangles, "triangle wound against its neighbours",
+    "triangles wound against their neighbours", "turned over");
+  add(found.joinedPoints, "point at the place of another on an open border",
+    "points at the place of others on open borders", "joined");
+  add(found.degenerate, "triangle without area", "triangles without area", "left out");
+  add(found.notFinite, "triangle with a coordinate that is not finite",
+    "triangles with a coordinate that is not finite", "left out");
+  add(found.nonManifoldEdges, "edge of more than two triangles or of two that cannot wind alike",
+    "edges of more than two triangles or of two that cannot wind alike", "taken for open borders");
+  return text;
 }
 
 void describeResponse(

@@ -10,6 +10,7 @@
 
 #include "palpateResponseModule.h" // For export macro
 
+#include "BodyMesh.h"    // For palpate::BodyMesh
 #include "ContactBody.h" // For palpate::ContactBody
 
 #include <cstdint> // For std::int32_t
@@ -43,14 +44,18 @@ PALPATERESPONSE_EXPORT bool viewResponse(
 PALPATERESPONSE_EXPORT bool viewValidity(vtkPolyData* body, const std::string& name,
   const float*& validity, const unsigned char*& limit, std::string& error);
 
-/// The response arrays with prefix `name`, both forms; null and an error if they break the
+/// The same as the kernel keeps it, in the order of the points; null and an error if they break the
 /// contract.
 PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
   vtkPolyData* body, const std::string& name, std::string& error);
 
 /// Everything a tick needs of a body; null and an error if a part is missing or wrong.
-PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
-  vtkPolyData* body, const std::string& name, std::string& error);
+PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
+  const std::string& name, std::string& error, const BuildProgress& progress = {});
+
+/// What was wrong with the mesh and what became of it, each fault with its number; "" for a sound
+/// mesh. Open borders are nothing wrong.
+PALPATERESPONSE_EXPORT std::string describeDefects(const ContactBody& body);
 
 /// What a response says of itself in field arrays.
 struct ResponseDescription

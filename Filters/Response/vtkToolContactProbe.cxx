@@ -3,9 +3,11 @@
 
 #include "BodyConversion.h"
 #include "ContactArrays.h"
+#include "GivenSettings.h"
 #include "ToolContact.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -15,10 +17,14 @@
 #include "vtkSMPTools.h"
 
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace
 {
+/// Of the progress, what building the kernel's copy of the body takes.
+constexpr double BuildShare = 0.9;
+
 /// The tip moved inward along the blended normal at its closest point.
 palpate::Vector3 pressedTip(
   const palpate::ContactBody& body, const palpate::Vector3& tip, double indentation)
@@ -41,6 +47,7 @@ palpate::Vector3 pressedTip(
   const double length = normal.norm();
   return length > 0.0 ? palpate::Vector3(tip - indentation / length * normal) : tip;
 }
+
 /// What is wrong with the polylines, or "".
 std::string checkLines(vtkPolyData* tips)
 {
@@ -57,6 +64,46 @@ std::string checkLines(vtkPolyData* tips)
         return "polyline " + std::to_string(line) + " goes through point " +
           std::to_string(points[i]) + ", but there are " +
           std::to_string(tips->GetNumberOfPoints()) + " points";
+      }
+    }
+  }
+  return {};
+}
+
+/// What is wrong with the times along the polylines of tips that have passed checkLines, or "".
+std::string checkTimes(vtkPolyData* tips)
+{
+  vtkCellArray* lines = tips->GetLines();
+  vtkAbstractArray* given = tips->GetPointData()->GetAbstractArray("Time");
+  if (!given || lines->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  auto* times = vtkDataArray::SafeDownCast(given);
+  if (!times || times->GetNumberOfComponents() != 1 ||
+    times->GetNumberOfTuples() != tips->GetNumberOfPoints())
+  {
+    return "the point array 'Time' must hold one number per point";
+  }
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(line, size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const double time = times->GetTuple1(points[i]);
+      const double before = i > 0 ? times->GetTuple1(points[i - 1]) : time;
+      if (!std::isfinite(time) || time < before)
+      {
+        std::ostringstream text;
+        text << "the point array 'Time' is " << time << " at point " << points[i];
+        if (std::isfinite(time))
+        {
+          text << ", after " << before << " at point " << points[i - 1];
+        }
+        text << " (polyline " << line << "), but must be finite and not decrease along a polyline";
+        return text.str();
       }
     }
   }
@@ -87,15 +134,42 @@ bool vtkToolContactProbe::PrepareBody(vtkPolyData* body)
     return true;
   }
   std::string error;
-  this->Body = palpate::makeContactBody(body, this->ResponseName, error);
+  this->Body = palpate::makeContactBody(body, this->ResponseName, error,
+    [this](double share) { this->UpdateProgress(BuildShare * share); });
   if (!this->Body)
   {
     vtkErrorMacro(<< "Wrong body: " << error << ".");
     return false;
   }
+  const bool isNew = this->BodySource != body || this->BodyTime != body->GetMTime();
+  const std::string defects = palpate::describeDefects(*this->Body);
+  if (isNew && !defects.empty())
+  {
+    vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");
+  }
   this->BodySource = body;
   this->BodyTime = body->GetMTime();
   this->BodyResponse = this->ResponseName;
+  return true;
+}
+
+bool vtkToolContactProbe::ReadSettings(palpate::ContactSettings& settings)
+{
+  palpate::GivenSettings given;
+  given.forceForm = this->ForceForm;
+  given.contactSurface = this->ContactSurface;
+  given.frictionModel = this->FrictionModel;
+  given.frictionCoefficient = this->FrictionCoefficient;
+  given.tangentialStiffness = this->TangentialStiffness;
+  given.frictionBreakaway = this->FrictionBreakaway;
+  given.frictionStickRadius = this->FrictionStickRadius;
+  given.poissonRatio = this->PoissonRatio;
+  if (const palpate::SettingFault fault = given.fault())
+  {
+    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+    return false;
+  }
+  settings = given.settings();
   return true;
 }
 
@@ -109,10 +183,9 @@ int vtkToolContactProbe::RequestData(
   {
     return 1;
   }
-  if (this->ForceForm != Paper && this->ForceForm != NormalizedDirection)
+  palpate::ContactSettings settings;
+  if (!this->ReadSettings(settings))
   {
-    vtkErrorMacro(<< "ForceForm must be 0 (Paper) or 1 (NormalizedDirection), but is "
-                  << this->ForceForm << ".");
     return 0;
   }
   if (!std::isfinite(this->Indentation))
@@ -120,7 +193,11 @@ int vtkToolContactProbe::RequestData(
     vtkErrorMacro(<< "Indentation must be finite (mm), but is " << this->Indentation << ".");
     return 0;
   }
-  const std::string fault = checkLines(tips);
+  std::string fault = checkLines(tips);
+  if (fault.empty())
+  {
+    fault = checkTimes(tips);
+  }
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong tips: " << fault << ".");
@@ -132,7 +209,6 @@ int vtkToolContactProbe::RequestData(
   }
 
   const palpate::ContactBody& kernel = *this->Body;
-  const auto form = static_cast<palpate::ForceForm>(this->ForceForm);
   const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
   const vtkIdType count = tips->GetNumberOfPoints();
   palpate::ContactArrays arrays(count);
@@ -150,17 +226,19 @@ int vtkToolContactProbe::RequestData(
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     lines->GetCellAtId(line, size, points);
-    palpate::ToolContact history(kernel, form);
+    palpate::ToolContact history(kernel, settings);
     for (vtkIdType i = 0; i < size; ++i)
     {
       inHistory[static_cast<std::size_t>(points[i])] = 1;
       evaluate(history, points[i]);
     }
   }
+  palpate::ContactSettings frictionless = settings;
+  frictionless.friction.coefficient = 0.0;
   vtkSMPTools::For(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
-      palpate::ToolContact single(kernel, form);
+      palpate::ToolContact single(kernel, frictionless);
       for (vtkIdType tip = first; tip < last; ++tip)
       {
         if (!inHistory[static_cast<std::size_t>(tip)])
@@ -180,6 +258,13 @@ void vtkToolContactProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ForceForm: " << this->ForceForm << "\n";
+  os << indent << "ContactSurface: " << this->ContactSurface << "\n";
+  os << indent << "FrictionCoefficient: " << this->FrictionCoefficient << "\n";
+  os << indent << "FrictionModel: " << this->FrictionModel << "\n";
+  os << indent << "TangentialStiffness: " << this->TangentialStiffness << " N/mm\n";
+  os << indent << "FrictionBreakaway: " << this->FrictionBreakaway << "\n";
+  os << indent << "FrictionStickRadius: " << this->FrictionStickRadius << "\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "Indentation: " << this->Indentation << " mm\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

@@ -5,25 +5,43 @@
  *
  * Port 0: a body with response arrays (vtkToolContactResponse). Port 1: tool tips, the points of a
  * vtkPolyData in the body's frame, mm. A point that belongs to no polyline is an independent query
- * of the whole body; each polyline is one history, in which the contact is followed from point to
- * point as a tool that moves along it would feel it. A point in several polylines holds the value
- * of the last.
+ * of the whole body, without friction; each polyline is one history, in which the contact is
+ * followed from point to point, with friction, as a tool that moves along it would feel it. A point
+ * in several polylines holds the value of the last.
+ *
+ * An optional point array `Time` (s, one number per point) says when the tool is where. Nothing
+ * felt here depends on the rate - friction follows the way, not the speed - so it passes through
+ * and changes no force; but along each polyline it must be finite and not decrease, or the
+ * trajectory was read wrongly: an error.
  *
  * Output: the tips, in input order, with their arrays and
- * - `Force` (double 3, N): total force on the tool, pointing out of the body;
- * - `NormalForce` (double, N), `FrictionForce` (double 3, N; zero: contacts are frictionless here);
+ * - `Force` (double 3, N): total force on the tool: NormalForce along Normal, FrictionForce, and
+ *   with EnergyConsistent a small tangential part where the response differs from point to point;
+ * - `NormalForce` (double, N): the part along Normal, out of the body;
+ * - `FrictionForce` (double 3, N): tangential, against the sliding; zero for single points;
  * - `Deflection` (double, mm): distance from the tip to its contact point on the undeformed body;
  * - `Normal` (double 3): the blended unit normal used;
  * - `ContactPoint` (double 3, mm), `ContactCell` (vtkIdType: cell of the body, -1 for none);
- * - `ContactState` (uint8): 0 none, 2 slide, 3 beyond range, 4 lost at an open border, 5 invalid
- *   (a tip that is not finite, or a vertex without response).
- * Without contact: zeros, -1, 0.
+ * - `ContactState` (uint8): 0 none, 1 stick (friction below Coulomb's limit), 2 slide, 3 beyond
+ *   range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not finite, or
+ * a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
+ * friction slides.
  *
  * The force blends the curves of the triangle's three vertices by area coordinates (Mahvash and
- * Hayward 2002, eqs. 3 and 4), in one of two forms (ForceForm).
+ * Hayward 2002, eqs. 3 and 4), see ForceForm and ContactSurface; friction is set by
+ * FrictionCoefficient and FrictionModel. A setting out of its range is an error, also one that the
+ * chosen model does not use. vtkHapticSession and the C interface (palpate.h) have the same
+ * settings and give the same bits for the same tips.
  *
- * Cost: building the kernel's copy of the body once per change of the body, O(n log n); then about
- * 1 µs per tip. Independent tips are threaded by vtkSMPTools; same bits for any number of threads.
+ * What the kernel finds wrong with the mesh is said in one warning for each state of the body:
+ * triangles that wound against their neighbours and were turned, points of open borders that were
+ * joined because they coincide, triangles without area or with a coordinate that is not finite
+ * (they take no part), edges of more than two triangles (they count as border). Open borders are
+ * nothing wrong.
+ *
+ * Cost: building the kernel's copy of the body once per change of the body, O(n log n), with
+ * progress; then about 1 µs per tip. Independent tips are threaded by vtkSMPTools; same bits for
+ * any number of threads.
  */
 #ifndef vtkToolContactProbe_h
 #define vtkToolContactProbe_h
@@ -37,7 +55,8 @@
 namespace palpate
 {
 struct ContactBody;
-}
+struct ContactSettings;
+} // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkToolContactProbe : public vtkPolyDataAlgorithm
 {
@@ -49,19 +68,100 @@ public:
   enum ForceFormType
   {
     Paper = 0,
-    NormalizedDirection = 1
+    NormalizedDirection = 1,
+    EnergyConsistent = 2
+  };
+
+  enum ContactSurfaceType
+  {
+    Facets = 0,
+    Smooth = 1
+  };
+
+  enum FrictionModelType
+  {
+    ElastoPlastic = 0,
+    Dahl = 1,
+    ShapeDerived = 2
   };
 
   ///@{
   /**
-   * Paper: Σ n_i f_i U_i as printed; since the blended normal is shorter than 1, the force loses up
-   * to h²/(6R²) inside a facet of size h. NormalizedDirection (default): Σ n_i f_i along the
-   * normalised Σ n_i U_i.
+   * How the curves f_i of a triangle's vertices, with normals U_i and area coordinates n_i, become
+   * one force.
+   * Paper: Σ n_i f_i U_i as printed (Mahvash and Hayward 2002, eq. 3); since the blended normal is
+   * shorter than 1, the force loses up to h²/(6R²) inside a facet of size h.
+   * NormalizedDirection (default): Σ n_i f_i along the normalised Σ n_i U_i.
+   * EnergyConsistent: the gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the
+   * surface: closed loops within one contact neither gain nor lose energy.
    */
   vtkSetMacro(ForceForm, int);
   vtkGetMacro(ForceForm, int);
   void SetForceFormToPaper() { this->SetForceForm(Paper); }
   void SetForceFormToNormalizedDirection() { this->SetForceForm(NormalizedDirection); }
+  void SetForceFormToEnergyConsistent() { this->SetForceForm(EnergyConsistent); }
+  ///@}
+
+  ///@{
+  /**
+   * The surface tips are projected on. Facets (default): the triangles. Smooth: one patch per
+   * triangle through its vertices and the response's normals there, with continuous normals across
+   * edges; for bodies that are round where the mesh has facets.
+   */
+  vtkSetMacro(ContactSurface, int);
+  vtkGetMacro(ContactSurface, int);
+  void SetContactSurfaceToFacets() { this->SetContactSurface(Facets); }
+  void SetContactSurfaceToSmooth() { this->SetContactSurface(Smooth); }
+  ///@}
+
+  ///@{
+  /** Coulomb's μ, finite and >= 0. Default 0: no friction. */
+  vtkSetMacro(FrictionCoefficient, double);
+  vtkGetMacro(FrictionCoefficient, double);
+  ///@}
+
+  ///@{
+  /**
+   * What a contact does before it slides at μ times the normal force.
+   * ElastoPlastic (default; Hayward and Armstrong 2000): it sticks elastically with
+   * TangentialStiffness, creeps towards the limit, and stays where it is under less than
+   * FrictionBreakaway of it.
+   * Dahl (1968): creeps from the first displacement on, and so drifts under any changing load.
+   * ShapeDerived: from the stored response f(δ) itself, Q(u) = μ [f(δ) - f(δ - u/(μc))],
+   * c = (2-ν)/(2(1-ν)), slides at u = μcδ (Jaeger 1998; Ciavarella 1998); only μ and PoissonRatio.
+   */
+  vtkSetMacro(FrictionModel, int);
+  vtkGetMacro(FrictionModel, int);
+  void SetFrictionModelToElastoPlastic() { this->SetFrictionModel(ElastoPlastic); }
+  void SetFrictionModelToDahl() { this->SetFrictionModel(Dahl); }
+  void SetFrictionModelToShapeDerived() { this->SetFrictionModel(ShapeDerived); }
+  ///@}
+
+  ///@{
+  /**
+   * Stiffness of the stuck contact, N/mm, finite and > 0. Default 1. In a servo loop of period T at
+   * a device of damping b it should not exceed 2b/T. Not used by ShapeDerived.
+   */
+  vtkSetMacro(TangentialStiffness, double);
+  vtkGetMacro(TangentialStiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * ElastoPlastic only. Breakaway: share of the sliding limit up to which the contact is elastic,
+   * 0 to 1, default 0.8; at 0 it creeps under any load. StickRadius: share at which half of a
+   * further displacement is creep, positive and no less than the breakaway, default 0.9.
+   */
+  vtkSetMacro(FrictionBreakaway, double);
+  vtkGetMacro(FrictionBreakaway, double);
+  vtkSetMacro(FrictionStickRadius, double);
+  vtkGetMacro(FrictionStickRadius, double);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Only used by ShapeDerived friction. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
@@ -95,8 +195,16 @@ private:
   void operator=(const vtkToolContactProbe&) = delete;
 
   bool PrepareBody(vtkPolyData* body);
+  bool ReadSettings(palpate::ContactSettings& settings);
 
   int ForceForm = NormalizedDirection;
+  int ContactSurface = Facets;
+  double FrictionCoefficient = 0.0;
+  int FrictionModel = ElastoPlastic;
+  double TangentialStiffness = 1.0;
+  double FrictionBreakaway = 0.8;
+  double FrictionStickRadius = 0.9;
+  double PoissonRatio = 0.5;
   double Indentation = 0.0;
   std::string ResponseName = "Response";
 

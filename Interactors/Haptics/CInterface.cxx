@@ -2,12 +2,12 @@
 #include "palpate.h"
 
 #include "FlatBodyFile.h"
+#include "GivenSettings.h"
 #include "ServoStep.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
 
 struct palpate_body
@@ -28,6 +28,33 @@ void report(const std::string& reason, char* error, std::size_t size)
   {
     std::snprintf(error, size, "%s", reason.c_str());
   }
+}
+
+/// "FrictionCoefficient" → "friction_coefficient".
+std::string nameInC(const std::string& property)
+{
+  std::string name;
+  for (const char letter : property)
+  {
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    name += isCapital && !name.empty() ? "_" : "";
+    name += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return name;
+}
+
+palpate::GivenSettings given(const palpate_settings& settings)
+{
+  palpate::GivenSettings given;
+  given.forceForm = settings.force_form;
+  given.contactSurface = settings.contact_surface;
+  given.frictionModel = settings.friction_model;
+  given.frictionCoefficient = settings.friction_coefficient;
+  given.tangentialStiffness = settings.tangential_stiffness;
+  given.frictionBreakaway = settings.friction_breakaway;
+  given.frictionStickRadius = settings.friction_stick_radius;
+  given.poissonRatio = settings.poisson_ratio;
+  return given;
 }
 
 void copy(const Eigen::Vector3d& from, double to[3])
@@ -62,9 +89,47 @@ void palpate_body_free(palpate_body* body)
 
 palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force)
 {
-  return body ? new (std::nothrow) palpate_contact{ palpate::ServoStep(
-                  *body->kernel, palpate::WorkspaceMapping(), maximum_force) }
-              : nullptr;
+  return palpate_contact_new_with(body, maximum_force, nullptr, nullptr, 0);
+}
+
+void palpate_settings_default(palpate_settings* settings)
+{
+  const palpate::GivenSettings given;
+  settings->force_form = given.forceForm;
+  settings->contact_surface = given.contactSurface;
+  settings->friction_model = given.frictionModel;
+  settings->friction_coefficient = given.frictionCoefficient;
+  settings->tangential_stiffness = given.tangentialStiffness;
+  settings->friction_breakaway = given.frictionBreakaway;
+  settings->friction_stick_radius = given.frictionStickRadius;
+  settings->poisson_ratio = given.poissonRatio;
+}
+
+palpate_contact* palpate_contact_new_with(const palpate_body* body, double maximum_force,
+  const palpate_settings* settings, char* error, size_t error_size)
+{
+  try
+  {
+    const palpate::GivenSettings wanted = settings ? given(*settings) : palpate::GivenSettings();
+    if (!body)
+    {
+      report("no body is given", error, error_size);
+    }
+    else if (const palpate::SettingFault fault = wanted.fault())
+    {
+      report(nameInC(fault.name) + ' ' + fault.remark, error, error_size);
+    }
+    else
+    {
+      return new palpate_contact{ palpate::ServoStep(
+        *body->kernel, palpate::WorkspaceMapping(), maximum_force, wanted.settings()) };
+    }
+  }
+  catch (const std::exception& failure)
+  {
+    report(std::string("cannot make the contact: ") + failure.what(), error, error_size);
+  }
+  return nullptr;
 }
 
 void palpate_contact_free(palpate_contact* contact)
@@ -82,6 +147,7 @@ void palpate_step(
   copy(felt.deviceForce, tick->device_force);
   copy(felt.tip, tick->tip);
   copy(felt.contact.force, tick->force);
+  copy(felt.contact.friction, tick->friction);
   tick->normal_force = felt.contact.normalForce;
   tick->deflection = felt.contact.deflection;
   copy(felt.contact.normal, tick->normal);

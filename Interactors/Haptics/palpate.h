@@ -32,12 +32,55 @@ extern "C"
     PALPATE_INVALID = 5
   };
 
+  /* How the curves of a triangle's corners become one force. */
+  enum palpate_force_form
+  {
+    PALPATE_PAPER = 0,
+    PALPATE_NORMALIZED_DIRECTION = 1,
+    PALPATE_ENERGY_CONSISTENT = 2
+  };
+
+  /* The surface the tip is projected on. */
+  enum palpate_contact_surface
+  {
+    PALPATE_FACETS = 0,
+    PALPATE_SMOOTH = 1
+  };
+
+  enum palpate_friction_model
+  {
+    PALPATE_ELASTO_PLASTIC = 0,
+    PALPATE_DAHL = 1,
+    PALPATE_SHAPE_DERIVED = 2
+  };
+
+  /* How a contact feels. Begin with palpate_settings_default: members may be added. What the forms,
+   * surfaces and models are stands in ContactSettings.h and vtkToolContactProbe.h. */
+  typedef struct palpate_settings
+  {
+    int force_form;      /* enum palpate_force_form */
+    int contact_surface; /* enum palpate_contact_surface */
+    int friction_model;  /* enum palpate_friction_model */
+    /* Coulomb's, finite and >= 0; 0, the default: no friction. */
+    double friction_coefficient;
+    /* Of the stuck contact, N/mm, finite and > 0. A loop of period T at a device of damping b is
+     * stable only up to 2b/T. Not used by PALPATE_SHAPE_DERIVED. */
+    double tangential_stiffness;
+    /* PALPATE_ELASTO_PLASTIC only: share of the sliding limit below which nothing creeps, 0 to 1;
+     * and share at which half of a further displacement creeps, > 0 and no less than the former. */
+    double friction_breakaway;
+    double friction_stick_radius;
+    /* Of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
+    double poisson_ratio;
+  } palpate_settings;
+
   typedef struct palpate_tick
   {
     double device_force[3];  /* on the hand, N, frame of the device: what to send */
     double tip[3];           /* mm, frame of the body, as all that follows */
-    double force[3];         /* N, on the tool, before the device's limit */
-    double normal_force;     /* N */
+    double force[3];         /* N, on the tool, before the device's limit: normal and friction */
+    double friction[3];      /* N, on the tool, tangential */
+    double normal_force;     /* N, along normal */
     double deflection;       /* mm */
     double normal[3];        /* unit, outward */
     double contact_point[3]; /* mm */
@@ -53,6 +96,14 @@ extern "C"
   /* A contact with the body: device axes are the body's, 1 m is 1000 mm, and device_force is
    * limited to maximum_force (N) in magnitude. Null if body is null or memory is short. */
   palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
+
+  /* The default settings: those of palpate_contact_new. */
+  void palpate_settings_default(palpate_settings* settings);
+
+  /* The same with other settings (null: the default). Null also if one of them is out of its range;
+   * the reason, naming it, its range and its value, goes to error as in palpate_body_load. */
+  palpate_contact* palpate_contact_new_with(const palpate_body* body, double maximum_force,
+    const palpate_settings* settings, char* error, size_t error_size);
   void palpate_contact_free(palpate_contact* contact);
 
   /* One tick at a position (m) and a time (s). A position that is not finite gives zero force. */

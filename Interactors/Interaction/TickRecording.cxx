@@ -75,11 +75,13 @@ void fillStatistics(
 {
   double inContact = 0.0;
   double peakForce = 0.0;
+  double peakFriction = 0.0;
   double peakDeflection = 0.0;
   for (const ServoTick& tick : ticks)
   {
     inContact += tick.contact.triangle >= 0 ? 1.0 : 0.0;
     peakForce = std::max(peakForce, tick.contact.force.norm());
+    peakFriction = std::max(peakFriction, tick.contact.friction.norm());
     peakDeflection = std::max(peakDeflection, tick.contact.deflection);
   }
   std::sort(nanoseconds.begin(), nanoseconds.end());
@@ -87,6 +89,7 @@ void fillStatistics(
   addColumn(statistics, "Ticks", static_cast<double>(ticks.size()));
   addColumn(statistics, "TicksInContact", inContact);
   addColumn(statistics, "PeakForce (N)", peakForce);
+  addColumn(statistics, "PeakFriction (N)", peakFriction);
   addColumn(statistics, "PeakDeflection (mm)", peakDeflection);
   addColumn(statistics, "MedianTick (ns)", quantile(nanoseconds, 0.5));
   addColumn(statistics, "Percentile99Tick (ns)", quantile(nanoseconds, 0.99));

@@ -2,6 +2,7 @@
 #include "vtkHapticSession.h"
 
 #include "BodyConversion.h"
+#include "GivenSettings.h"
 #include "ServoLoop.h"
 #include "ServoStep.h"
 #include "SimulatedDevice.h"
@@ -29,11 +30,11 @@ struct vtkHapticSession::Loop
   std::vector<palpate::ServoTick> ticks;
   std::vector<double> nanoseconds;
 
-  Loop(std::shared_ptr<const palpate::ContactBody> kernel,
+  Loop(std::shared_ptr<const palpate::ContactBody> kernel, const palpate::ContactSettings& settings,
     std::vector<palpate::SimulatedDevice::WayPoint> path, double tickPeriod)
     : body(std::move(kernel))
     , device(std::move(path))
-    , servo(*this->body, this->mapping, this->device.specification().maximumForce)
+    , servo(*this->body, this->mapping, this->device.specification().maximumForce, settings)
     , period(tickPeriod)
   {
   }
@@ -60,12 +61,13 @@ struct vtkHapticSession::Thread
   palpate::SteeredDevice device;
   palpate::ServoLoop servo;
 
-  Thread(
-    std::shared_ptr<const palpate::ContactBody> kernel, const Eigen::Vector3d& start, double rate)
+  Thread(std::shared_ptr<const palpate::ContactBody> kernel,
+    const palpate::ContactSettings& settings, const Eigen::Vector3d& start, double rate)
     : body(std::move(kernel))
     , device(this->mapping.toDevice(start))
     , servo(this->device,
-        palpate::ServoStep(*this->body, this->mapping, this->device.specification().maximumForce),
+        palpate::ServoStep(
+          *this->body, this->mapping, this->device.specification().maximumForce, settings),
         rate)
   {
     this->servo.start();
@@ -108,29 +110,73 @@ bool vtkHapticSession::Start()
 {
   this->Active.reset();
   this->Live.reset();
+  palpate::ContactSettings settings;
+  if (!this->ReadSettings(settings))
+  {
+    return false;
+  }
+  auto kernel = this->ReadBody();
+  if (!kernel)
+  {
+    return false;
+  }
+  this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
+  if (this->RealTime)
+  {
+    this->Live = std::make_unique<Thread>(
+      std::move(kernel), settings, Eigen::Vector3d(this->Steered), this->Rate);
+    return true;
+  }
+  return this->StartVirtual(std::move(kernel), settings);
+}
+
+std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody()
+{
   if (!this->Body)
   {
     vtkErrorMacro(<< "A body is required: call SetBody.");
-    return false;
+    return nullptr;
   }
   std::string error;
   auto kernel = palpate::makeContactBody(this->Body, this->ResponseName, error);
   if (!kernel)
   {
     vtkErrorMacro(<< "Wrong body: " << error << ".");
-    return false;
+    return nullptr;
   }
-  this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
-  if (this->RealTime)
+  const std::string defects = palpate::describeDefects(*kernel);
+  const bool isKnown = this->Unsound == this->Body && this->UnsoundTime == this->Body->GetMTime();
+  if (!defects.empty() && !isKnown)
   {
-    this->Live =
-      std::make_unique<Thread>(std::move(kernel), Eigen::Vector3d(this->Steered), this->Rate);
-    return true;
+    vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");
+    this->Unsound = this->Body;
+    this->UnsoundTime = this->Body->GetMTime();
   }
-  return this->StartVirtual(std::move(kernel));
+  return kernel;
 }
 
-bool vtkHapticSession::StartVirtual(std::shared_ptr<const palpate::ContactBody> kernel)
+bool vtkHapticSession::ReadSettings(palpate::ContactSettings& settings)
+{
+  palpate::GivenSettings given;
+  given.forceForm = this->ForceForm;
+  given.contactSurface = this->ContactSurface;
+  given.frictionModel = this->FrictionModel;
+  given.frictionCoefficient = this->FrictionCoefficient;
+  given.tangentialStiffness = this->TangentialStiffness;
+  given.frictionBreakaway = this->FrictionBreakaway;
+  given.frictionStickRadius = this->FrictionStickRadius;
+  given.poissonRatio = this->PoissonRatio;
+  if (const palpate::SettingFault fault = given.fault())
+  {
+    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+    return false;
+  }
+  settings = given.settings();
+  return true;
+}
+
+bool vtkHapticSession::StartVirtual(
+  std::shared_ptr<const palpate::ContactBody> kernel, const palpate::ContactSettings& settings)
 {
   vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
   if (!times || this->Path->GetNumberOfPoints() == 0)
@@ -152,7 +198,8 @@ bool vtkHapticSession::StartVirtual(std::shared_ptr<const palpate::ContactBody> 
       return false;
     }
   }
-  this->Active = std::make_unique<Loop>(std::move(kernel), std::move(path), 1.0 / this->Rate);
+  this->Active =
+    std::make_unique<Loop>(std::move(kernel), settings, std::move(path), 1.0 / this->Rate);
   return true;
 }
 
@@ -255,6 +302,11 @@ void vtkHapticSession::GetForce(double force[3])
   }
 }
 
+void vtkHapticSession::GetFrictionForce(double force[3])
+{
+  std::copy_n(this->Newest().contact.friction.data(), 3, force);
+}
+
 void vtkHapticSession::GetNormal(double normal[3])
 {
   std::copy_n(this->Newest().contact.normal.data(), 3, normal);
@@ -298,6 +350,14 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Body: " << this->Body.Get() << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
+  os << indent << "ForceForm: " << this->ForceForm << "\n";
+  os << indent << "ContactSurface: " << this->ContactSurface << "\n";
+  os << indent << "FrictionCoefficient: " << this->FrictionCoefficient << "\n";
+  os << indent << "FrictionModel: " << this->FrictionModel << "\n";
+  os << indent << "TangentialStiffness: " << this->TangentialStiffness << " N/mm\n";
+  os << indent << "FrictionBreakaway: " << this->FrictionBreakaway << "\n";
+  os << indent << "FrictionStickRadius: " << this->FrictionStickRadius << "\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "Time: " << this->GetTime() << " s\n";
 }

@@ -16,6 +16,8 @@
  * as from a mouse. Then nothing is recorded, Step does nothing, and the getters give the newest
  * tick.
  *
+ * What is wrong with the mesh of the body is said in one warning, as by vtkToolContactProbe.
+ *
  * Not thread-safe: one thread steers, steps and reads; it never waits for the servo thread but in
  * Stop and Start.
  */
@@ -36,6 +38,7 @@ class vtkTable;
 namespace palpate
 {
 struct ContactBody;
+struct ContactSettings;
 struct ServoTick;
 } // namespace palpate
 
@@ -62,6 +65,29 @@ public:
   /** Prefix of the response arrays. Default "Response". */
   vtkSetMacro(ResponseName, std::string);
   vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * How the contact feels: properties, numbers, ranges and defaults of vtkToolContactProbe. Read at
+   * Start, which fails with an error if one is out of its range.
+   */
+  vtkSetMacro(ForceForm, int);
+  vtkGetMacro(ForceForm, int);
+  vtkSetMacro(ContactSurface, int);
+  vtkGetMacro(ContactSurface, int);
+  vtkSetMacro(FrictionCoefficient, double);
+  vtkGetMacro(FrictionCoefficient, double);
+  vtkSetMacro(FrictionModel, int);
+  vtkGetMacro(FrictionModel, int);
+  vtkSetMacro(TangentialStiffness, double); // N/mm
+  vtkGetMacro(TangentialStiffness, double);
+  vtkSetMacro(FrictionBreakaway, double);
+  vtkGetMacro(FrictionBreakaway, double);
+  vtkSetMacro(FrictionStickRadius, double);
+  vtkGetMacro(FrictionStickRadius, double);
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
@@ -106,12 +132,14 @@ public:
   double GetPathDuration() const;
 
   ///@{
-  /** The newest tick: tip, contact point, force on the tool (before and after the limit of the
-   * device), deflection, contact state as in vtkToolContactProbe. Zeros before the first. */
+  /** The newest tick: tip, contact point, total force on the tool (before and after the limit of
+   * the device), the friction in it, deflection, contact state as in vtkToolContactProbe. Zeros
+   * before the first. */
   void GetTip(double tip[3]);
   void GetContactPoint(double point[3]);
   void GetIdealForce(double force[3]);
   void GetForce(double force[3]);
+  void GetFrictionForce(double force[3]);
   void GetNormal(double normal[3]);
   /** Cell of the body in contact, -1 for none. */
   vtkIdType GetContactCell();
@@ -123,8 +151,8 @@ public:
    * `Time`, `AppliedForce`. */
   void GetRecording(vtkPolyData* recording);
 
-  /** One row: ticks, ticks in contact, peak force (N), peak deflection (mm), median and 99th
-   * percentile of the time per tick (ns, wall clock, so they differ from run to run). */
+  /** One row: ticks, ticks in contact, peak force and friction (N), peak deflection (mm), median
+   * and 99th percentile of the time per tick (ns, wall clock, so they differ from run to run). */
   void GetStatistics(vtkTable* statistics);
 
   /** Every tick since Start, for C++. */
@@ -145,8 +173,23 @@ private:
   std::string ResponseName = "Response";
   double Rate = 1000.0;
 
-  bool StartVirtual(std::shared_ptr<const palpate::ContactBody> kernel);
-  void StartRealTime(std::shared_ptr<const palpate::ContactBody> kernel);
+  int ForceForm = 1;
+  int ContactSurface = 0;
+  double FrictionCoefficient = 0.0;
+  int FrictionModel = 0;
+  double TangentialStiffness = 1.0;
+  double FrictionBreakaway = 0.8;
+  double FrictionStickRadius = 0.9;
+  double PoissonRatio = 0.5;
+
+  // Which state of which body was last found to be unsound.
+  vtkPolyData* Unsound = nullptr;
+  vtkMTimeType UnsoundTime = 0;
+
+  std::shared_ptr<const palpate::ContactBody> ReadBody();
+  bool ReadSettings(palpate::ContactSettings& settings);
+  bool StartVirtual(
+    std::shared_ptr<const palpate::ContactBody> kernel, const palpate::ContactSettings& settings);
 
   bool RealTime = false;
   double Steered[3] = { 0.0, 0.0, 0.0 };

@@ -3,6 +3,7 @@
 
 #include "Pictures.h"
 #include "ResponseSet.h"
+#include "SessionSettings.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkContactScene.h"
@@ -53,6 +54,7 @@ public:
     this->View->SetLargestDeflection(options.maximumDeflection);
     this->Session->SetBody(responses.body);
     this->Session->SetRate(options.rate);
+    chooseContact(options, scene, this->Session);
     this->Session->RealTimeOn();
     this->Style->SetSession(this->Session);
     this->Style->SetScene(this->View);

@@ -5,6 +5,7 @@
 #include "Pictures.h"
 #include "ResponseSet.h"
 #include "ServoStep.h"
+#include "SessionSettings.h"
 #include "ThicknessPicture.h"
 #include "TrajectoryFile.h"
 
@@ -124,8 +125,8 @@ Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
   return trust;
 }
 
-void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session,
-  const std::string& stiffening, const std::string& folder)
+void printSummary(const ViewerOptions& options, const TouchScene& scene,
+  const ResponseSet& responses, vtkHapticSession* session, const std::string& stiffening)
 {
   vtkNew<vtkTable> statistics;
   session->GetStatistics(statistics);
@@ -152,6 +153,11 @@ void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapt
     value("Ticks"), session->GetRate(), value("TicksInContact"));
   std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),
     value("PeakDeflection (mm)"));
+  const std::string friction = describeFriction(options, scene);
+  if (!friction.empty())
+  {
+    std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
+  }
   const Trust trust = judge(responses.body, session->GetTicks());
   std::printf("  validity    %.1f %% of the ticks in contact lie within it%s%s\n",
     100.0 * trust.share, trust.broken.empty() ? "" : "; elsewhere the first to break is ",
@@ -162,7 +168,7 @@ void printSummary(const TouchScene& scene, const ResponseSet& responses, vtkHapt
     value("Percentile99Tick (ns)"));
   std::printf("  memory      responses %.1f MB per tool, peak of the process %.0f MB\n",
     responses.bytesPerTool / 1e6, peakMemory());
-  std::printf("  files       in %s\n", folder.c_str());
+  std::printf("  files       in %s\n", options.output.c_str());
 }
 
 std::string drawPictures(const TouchScene& scene, const ResponseSet& responses,
@@ -222,6 +228,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   session->SetDevice("simulated");
   session->SetPath(path);
   session->SetRate(options.rate);
+  chooseContact(options, scene, session);
   if (!session->Start())
   {
     return "the session did not start";
@@ -250,7 +257,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   {
     const std::string stiffening = describeStiffening(scene, responses,
       nearestCorner(responses.body, moment), scene.depth, options.maximumDeflection);
-    printSummary(scene, responses, session, stiffening, options.output);
+    printSummary(options, scene, responses, session, stiffening);
   }
   return error;
 }

@@ -72,6 +72,49 @@ std::string checkFaces(const std::string& text)
   return {};
 }
 
+/// How the contact feels: names for the numbers of GivenSettings.
+void addContactOptions(CLI::App& app, GivenSettings& contact)
+{
+  using Names = std::map<std::string, int>;
+  const Names forms = { { "paper", 0 }, { "normalized", 1 }, { "energy", 2 } };
+  const Names surfaces = { { "facets", 0 }, { "smooth", 1 } };
+  const Names models = { { "elasto-plastic", 0 }, { "dahl", 1 }, { "shape", 2 } };
+  const auto add = [&app](const char* option, int& value, const char* what, const Names& names)
+  {
+    std::string usual;
+    for (const auto& [name, number] : names)
+    {
+      usual = number == value ? name : usual;
+    }
+    app
+      .add_option_function<std::string>(
+        option, [&value, names](const std::string& name) { value = names.at(name); }, what)
+      ->check(CLI::IsMember(names))
+      ->default_str(usual);
+  };
+  app
+    .add_option(
+      "--friction", contact.frictionCoefficient, "Coulomb's coefficient of friction; 0: none")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  add("--friction-model", contact.frictionModel,
+    "what a contact does before it slides: elasto-plastic (sticks), dahl (creeps), or what shape "
+    "and "
+    "depth of the contact tell",
+    models);
+  app
+    .add_option("--tangential-stiffness", contact.tangentialStiffness,
+      "of the stuck contact, N/mm; not for --friction-model shape")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  add("--force-form", contact.forceForm,
+    "how the curves at a triangle's corners become one force: as the paper prints it, with the "
+    "direction normalized, or so that closed loops neither gain nor lose energy",
+    forms);
+  add("--contact-surface", contact.contactSurface,
+    "what the tip touches: the triangles, or smooth patches through their normals", surfaces);
+}
+
 std::string checkToolText(const std::string& text)
 {
   ToolSpecification tool;
@@ -163,6 +206,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--rate", options.rate, "ticks per second of virtual time")
     ->check(CLI::Range(1.0, 100000.0))
     ->capture_default_str();
+  addContactOptions(app, options.contact);
   app.add_option("--output", options.output, "folder for pictures and trajectory")
     ->capture_default_str();
   app.add_option("--save", options.save, "also write the body with its responses, a .vtp");
@@ -173,9 +217,9 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--screenshot", options.screenshot,
     "with --window: a picture of the window as it was when it closed, a .png");
 
-  for (const char* option :
-    { "--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
-      "--contour", "--closing", "--base", "--reach", "--voxel", "--site", "--slide-to", "--rate" })
+  for (const char* option : { "--young", "--poisson", "--depth", "--max-deflection",
+         "--length-unit", "--resolution", "--contour", "--closing", "--base", "--reach", "--voxel",
+         "--site", "--slide-to", "--rate", "--friction", "--tangential-stiffness" })
   {
     app.get_option(option)->check(CLI::Validator(checkFinite, ""));
   }

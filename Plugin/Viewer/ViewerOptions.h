@@ -2,6 +2,8 @@
 #ifndef palpate_ViewerOptions_h
 #define palpate_ViewerOptions_h
 
+#include "GivenSettings.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -43,6 +45,7 @@ struct ViewerOptions
   std::optional<std::array<double, 3>> site;
   std::optional<std::array<double, 3>> slideTo;
   double rate = 1000.0;
+  GivenSettings contact; ///< its Poisson's ratio is the scene's
   std::string output = "palpate-output";
   std::string save;
   std::string exportTo;

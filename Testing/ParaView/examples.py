@@ -96,6 +96,23 @@ def probe_trajectory():
             close(along / math.hypot(x, y, z), direction / math.hypot(*tip), 0.02)
 
 
+def friction_loop():
+    limit = 0.5 * sphere(5, 1, 0.1 / (1 - 0.45**2))         # of friction, N
+    lines = run("friction_loop.py")
+    assert len(lines) == 41
+    states = [line.split()[-1] for line in lines]
+    xs, friction = zip(*map(numbers, lines))
+    for x, rubs, state in list(zip(xs, friction, states))[1:4]:
+        close(rubs, -0.8 * x, 1e-4)                         # N/mm; up to 0.8 of the limit, four decimals
+        assert state == "sticks"
+    for turn, against in ((8, -1), (24, 1), (40, -1)):      # at x = 0.4, -0.4, 0.4 mm
+        assert states[turn] == "slides"
+        close(friction[turn], against * limit, 1e-4)        # Coulomb's, against the motion
+    for turn in (8, 24):
+        assert states[turn + 1] == "sticks"                 # unloads elastically
+        close(friction[turn + 1] - friction[turn], 0.8 * (xs[turn] - xs[turn + 1]), 2e-4)
+
+
 def deflection_picture():
     if not os.environ.get("DISPLAY"):
         print("no DISPLAY: nothing was drawn")
@@ -124,7 +141,8 @@ def in_paraview():
     assert "ContactDeflection" in (OUTPUT / "examples.pvsm").read_text(encoding="utf-8")
 
 
-CHECKS = [tool_curves, attach_responses, read_contract, probe_trajectory, deflection_picture, in_paraview]
+CHECKS = [tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
+          deflection_picture, in_paraview]
 assert {check.__name__ for check in CHECKS} == {path.stem for path in EXAMPLES.glob("*.py")}
 for check in CHECKS:
     if len(sys.argv) < 4 or sys.argv[3] == check.__name__:

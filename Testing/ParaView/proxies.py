@@ -27,7 +27,9 @@ PROPERTIES = {                                              # of each proxy: lab
         "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Response Name": "Response"},
     ("filters", "ToolContactProbe"): {
-        "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Force Form": 1, "Response Name": "Response"},
+        "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Friction Coefficient": 0.0, "Friction Model": 0,
+        "Tangential Stiffness (N/mm)": 1.0, "Friction Breakaway": 0.8, "Friction Stick Radius": 0.9,
+        "Poisson's Ratio": 0.5, "Force Form": 1, "Contact Surface": 0, "Response Name": "Response"},
     ("filters", "ContactDeflection"): {
         "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Response Name": "Response"},
     ("filters", "ResponseCurves"): {
@@ -129,6 +131,34 @@ def check_ball():
     np.testing.assert_allclose(vtk_to_numpy(rows.GetArray("Response at point 7 (N)")), expected, rtol=FLOAT)
 
 
+def check_friction():
+    """Dragged over a plate, the tool feels Coulomb's limit; loose points feel no friction."""
+    flat = simple.Triangulate(Input=simple.Plane(
+        Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=10, YResolution=10))
+    drag = simple.Line(Point1=(-2, 0.3, -1), Point2=(2, 0.3, -1), Resolution=200)
+    probe = simple.ToolContactProbe(Body=with_response(flat), Tips=drag)
+    for model in ("Elasto-plastic", "Dahl", "Shape-derived"):
+        probe.FrictionCoefficient = 0.5
+        probe.FrictionModel = model
+        probe.TangentialStiffnessNmm = 0.5
+        probe.PoissonsRatio = POISSON
+        friction, normal = fetched(probe, "FrictionForce"), fetched(probe, "NormalForce")
+        np.testing.assert_allclose(friction[-1], [-0.5 * normal[-1], 0, 0], atol=1e-3 * normal[-1])
+        assert fetched(probe, "ContactState")[5] == 1 and fetched(probe, "ContactState")[-1] == 2
+        np.testing.assert_allclose(fetched(probe, "Force"),
+                                   normal[:, None] * fetched(probe, "Normal") + friction, atol=1e-14)
+        probe.FrictionCoefficient = 0
+        assert not fetched(probe, "FrictionForce").any()
+    loose = simple.ExtractSurface(Input=simple.PointSource(Center=(0, 0, -1), Radius=0.1, NumberOfPoints=20))
+    probe.Tips = loose
+    probe.FrictionCoefficient = 0.5
+    assert fetched(probe, "NormalForce").all() and not fetched(probe, "FrictionForce").any()
+    for form in ("Paper", "Normalized direction", "Energy-consistent"):
+        for surface in ("Facets", "Smooth"):
+            probe.ForceForm, probe.ContactSurface = form, surface
+            assert fetched(probe, "NormalForce").all()      # a plate is the same to all of them
+
+
 def check_plane():
     """On a flat body the displacement is the tool's own, at every point of the field."""
     tool = direct_tool("paraboloid:6.35")
@@ -224,6 +254,7 @@ def check_thickness():
 
 check_properties()
 check_ball()
+check_friction()
 check_plane()
 check_tool()
 check_layer()

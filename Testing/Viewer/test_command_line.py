@@ -8,9 +8,12 @@ from session import SessionCase, run
 OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--poisson", "--depth",
            "--max-deflection", "--length-unit", "--resolution", "--contour", "--closing", "--site",
            "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot",
-           "--voxel", "--fixed", "--layer", "--base", "--measured", "--register", "--reach")
+           "--voxel", "--fixed", "--layer", "--base", "--measured", "--register", "--reach",
+           "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
+           "--contact-surface")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
-           "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach")
+           "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
+           "--friction", "--tangential-stiffness")
 
 
 class CommandLine(SessionCase):
@@ -71,6 +74,12 @@ class CommandLine(SessionCase):
                 (("--layer", "5", "--voxel", "2"), "--voxel"),
                 (("--voxel", "2", "--fixed", "q+"), "q+"),
                 (("--fixed", "z-"), "--voxel"),
+                (("--friction", "-0.1"), "--friction"),
+                (("--friction-model", "glue"), "glue"),
+                (("--friction-model", "0"), "--friction-model"),
+                (("--tangential-stiffness", "0"), "--tangential-stiffness"),
+                (("--force-form", "strong"), "strong"),
+                (("--contact-surface", "rough"), "rough"),
                 (("--scene", "moon"), "moon"),
                 (("--site", "0,0"), "--site"),
                 (("--colour", "red"), "--colour"),

@@ -88,6 +88,39 @@ class Trajectory(SessionCase):
         for depth, force in zip(table["deflection_mm"][touching], table["normal_force_N"][touching]):
             self.assertAlmostEqual(force, tool.GetForce(depth, reduced), delta=2e-3 * force + 1e-9)
 
+    def test_friction_against_the_slide(self):
+        coefficient = 0.4
+        felt = []
+        for arguments in (("elasto-plastic", "--force-form", "normalized",
+                           "--contact-surface", "facets"),
+                          ("dahl", "--force-form", "paper"),
+                          ("shape", "--force-form", "energy", "--contact-surface", "smooth")):
+            with self.subTest(arguments=arguments):
+                result, table = self.press("--friction", coefficient, "--tangential-stiffness", "5",
+                                           "--friction-model", *arguments)
+                self.assertRegex(result.stdout, r"friction +mu = 0\.4, ")
+                friction = numpy.stack([table[f"friction_{axis}_N"] for axis in "xyz"], axis=1)
+                size, normal = numpy.linalg.norm(friction, axis=1), table["normal_force_N"]
+                self.assertEqual(set(table["state"]), {0.0, 1.0, 2.0})
+                self.assertAlmostEqual(number(r"friction .*; peak ([\d.e+-]+) N", result.stdout),
+                                       size.max(), delta=1e-3 * size.max())
+                # Coulomb's law, with the rounding of a vector's length.
+                self.assertTrue((size <= coefficient * normal * (1 + 1e-9)).all())
+                # The total of the two, which are perpendicular.
+                numpy.testing.assert_allclose(table["ideal_force_N"], numpy.hypot(normal, size),
+                                              rtol=1e-9, atol=1e-12)
+                # In the middle of the slide from +z towards +x: at the limit, against the motion.
+                contact = self.points(table, "contact")
+                middle = numpy.argmin(numpy.abs(contact[:, 0] - 0.2 * RADIUS) + (normal == 0) * RADIUS)
+                motion = contact[middle + 5] - contact[middle - 5]
+                self.assertAlmostEqual(size[middle], coefficient * normal[middle],
+                                       delta=1e-3 * normal[middle])
+                along = friction[middle] @ motion / (size[middle] * numpy.linalg.norm(motion))
+                self.assertLess(along, -0.99)  # but for the slant of the facets
+                felt.append(size)
+        for i, j in ((0, 1), (0, 2), (1, 2)):
+            self.assertTrue((felt[i] != felt[j]).any())
+
     def test_deeper_than_the_response_reaches(self):
         _, table = self.press("--max-deflection", "0.5")
         deep = table["deflection_mm"] > 0.5

@@ -3,6 +3,7 @@
 #include "palpate.h"
 
 #include "FlatBodyFile.h"
+#include "GivenSettings.h"
 #include "SampleResponses.h"
 #include "ServoStep.h"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,25 @@ struct Exported
   }
   ~Exported() { std::remove(this->path.c_str()); }
 };
+
+using BodyHandle = std::unique_ptr<palpate_body, decltype(&palpate_body_free)>;
+using ContactHandle = std::unique_ptr<palpate_contact, decltype(&palpate_contact_free)>;
+
+BodyHandle load(const Exported& file)
+{
+  return { palpate_body_load(file.path.c_str(), nullptr, 0), &palpate_body_free };
+}
+
+/// Why settings are refused; "" if they are not.
+std::string refusal(const palpate_body* body, const palpate_settings& settings)
+{
+  std::array<char, 256> reason{};
+  const ContactHandle contact{ palpate_contact_new_with(
+                                 body, 10.0, &settings, reason.data(), reason.size()),
+    &palpate_contact_free };
+  EXPECT_EQ(contact == nullptr, reason[0] != '\0');
+  return reason.data();
+}
 } // namespace
 
 TEST(CInterface, StepsAsServoStepDoes)
@@ -115,4 +136,112 @@ TEST(CInterface, ReasonsAreGivenAndCutToTheSpaceThereIs)
   EXPECT_EQ(palpate_contact_new(nullptr, 1.0), nullptr);
   palpate_body_free(nullptr);
   palpate_contact_free(nullptr);
+}
+
+TEST(CInterface, EachSettingReachesTheContact)
+{
+  const Exported file;
+  const BodyHandle body = load(file);
+  const auto kernel = contactBody(file.ball, file.store);
+  for (int variant = 0; variant < 4; ++variant)
+  {
+    palpate_settings settings;
+    palpate_settings_default(&settings);
+    settings.force_form = variant % 3;
+    settings.contact_surface = variant % 2;
+    settings.friction_model = (variant + 1) % 3;
+    settings.friction_coefficient = 0.3 + 0.1 * variant;
+    settings.tangential_stiffness = 2.0 + variant;
+    settings.friction_breakaway = 0.5 + 0.1 * variant;
+    settings.friction_stick_radius = 0.95;
+    settings.poisson_ratio = 0.1 * variant;
+    palpate::ContactSettings same;
+    same.form = static_cast<palpate::ForceForm>(settings.force_form);
+    same.surface = static_cast<palpate::ContactSurface>(settings.contact_surface);
+    same.friction = { static_cast<palpate::FrictionModel>(settings.friction_model),
+      settings.friction_coefficient, settings.tangential_stiffness, settings.friction_breakaway,
+      settings.friction_stick_radius, settings.poisson_ratio };
+    const ContactHandle contact{ palpate_contact_new_with(body.get(), 10.0, &settings, nullptr, 0),
+      &palpate_contact_free };
+    ASSERT_NE(contact, nullptr);
+    palpate::ServoStep servo(*kernel, palpate::WorkspaceMapping(), 10.0, same);
+    for (int i = 0; i < 400; ++i)
+    {
+      const double t = 1e-3 * i;
+      palpate::DeviceSample sample;
+      sample.position =
+        1e-3 * (20.0 - 1.5 * std::sin(20.0 * t)) * palpate::Vector3(std::cos(t), std::sin(t), 0.0);
+      sample.valid = true;
+      const palpate::ServoTick expected = servo.step(sample, t);
+      palpate_tick tick;
+      palpate_step(contact.get(), sample.position.data(), t, &tick);
+      ASSERT_EQ(tick.state, static_cast<int>(expected.contact.state));
+      ASSERT_EQ(tick.normal_force, expected.contact.normalForce);
+      for (int k = 0; k < 3; ++k)
+      {
+        ASSERT_EQ(tick.device_force[k], expected.deviceForce[k]);
+        ASSERT_EQ(tick.force[k], expected.contact.force[k]);
+        ASSERT_EQ(tick.friction[k], expected.contact.friction[k]);
+      }
+    }
+  }
+}
+
+TEST(CInterface, DefaultsAreThoseOfTheKernel)
+{
+  palpate_settings settings;
+  palpate_settings_default(&settings);
+  const palpate::ContactSettings usual;
+  EXPECT_EQ(settings.force_form, static_cast<int>(usual.form));
+  EXPECT_EQ(settings.contact_surface, static_cast<int>(usual.surface));
+  EXPECT_EQ(settings.friction_model, static_cast<int>(usual.friction.model));
+  EXPECT_EQ(settings.friction_coefficient, usual.friction.coefficient);
+  EXPECT_EQ(settings.tangential_stiffness, usual.friction.tangentialStiffness);
+  EXPECT_EQ(settings.friction_breakaway, usual.friction.breakaway);
+  EXPECT_EQ(settings.friction_stick_radius, usual.friction.stickRadius);
+  EXPECT_EQ(settings.poisson_ratio, usual.friction.poissonRatio);
+  EXPECT_EQ(PALPATE_PAPER, static_cast<int>(palpate::ForceForm::Paper));
+  EXPECT_EQ(
+    PALPATE_NORMALIZED_DIRECTION, static_cast<int>(palpate::ForceForm::NormalizedDirection));
+  EXPECT_EQ(PALPATE_ENERGY_CONSISTENT, static_cast<int>(palpate::ForceForm::EnergyConsistent));
+  EXPECT_EQ(PALPATE_FACETS, static_cast<int>(palpate::ContactSurface::Facets));
+  EXPECT_EQ(PALPATE_SMOOTH, static_cast<int>(palpate::ContactSurface::Smooth));
+  EXPECT_EQ(PALPATE_ELASTO_PLASTIC, static_cast<int>(palpate::FrictionModel::ElastoPlastic));
+  EXPECT_EQ(PALPATE_DAHL, static_cast<int>(palpate::FrictionModel::Dahl));
+  EXPECT_EQ(PALPATE_SHAPE_DERIVED, static_cast<int>(palpate::FrictionModel::ShapeDerived));
+}
+
+TEST(CInterface, WrongSettingsAreNamed)
+{
+  const Exported file;
+  const BodyHandle body = load(file);
+  const auto said = [&](auto member, auto value)
+  {
+    palpate_settings settings;
+    palpate_settings_default(&settings);
+    settings.*member = value;
+    return refusal(body.get(), settings);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(said(&palpate_settings::force_form, 2), "");
+  EXPECT_EQ(said(&palpate_settings::force_form, 3),
+    "force_form must be 0 (Paper), 1 (NormalizedDirection) or 2 (EnergyConsistent), but is 3");
+  EXPECT_EQ(said(&palpate_settings::contact_surface, -1),
+    "contact_surface must be 0 (Facets) or 1 (Smooth), but is -1");
+  EXPECT_EQ(said(&palpate_settings::friction_model, 9),
+    "friction_model must be 0 (ElastoPlastic), 1 (Dahl) or 2 (ShapeDerived), but is 9");
+  EXPECT_EQ(said(&palpate_settings::friction_coefficient, nan),
+    "friction_coefficient must be finite and not negative, but is nan");
+  EXPECT_EQ(said(&palpate_settings::tangential_stiffness, 0.0),
+    "tangential_stiffness must be finite and positive (N/mm), but is 0");
+  EXPECT_EQ(said(&palpate_settings::friction_breakaway, -0.5),
+    "friction_breakaway must lie between 0 and 1, but is -0.5");
+  EXPECT_NE(
+    said(&palpate_settings::friction_stick_radius, 0.1).find("friction_stick_radius must be"),
+    std::string::npos);
+  EXPECT_EQ(said(&palpate_settings::poisson_ratio, 0.75),
+    "poisson_ratio must lie between 0 and 0.5, but is 0.75");
+  std::array<char, 64> reason{};
+  EXPECT_EQ(palpate_contact_new_with(nullptr, 1.0, nullptr, reason.data(), reason.size()), nullptr);
+  EXPECT_STREQ(reason.data(), "no body is given");
 }

@@ -184,7 +184,7 @@ TEST(ServoStep, PaperFormIsPassedOn)
   const Vector3d tip =
     (surface.corner(0, 0) + surface.corner(0, 1) + surface.corner(0, 2)) / 3.0 * 0.97;
   const DeviceSample sample = sampleAt(WorkspaceMapping().toDevice(tip));
-  ServoStep paper(*body, WorkspaceMapping(), 100.0, palpate::ForceForm::Paper);
+  ServoStep paper(*body, WorkspaceMapping(), 100.0, { palpate::ForceForm::Paper });
   ServoStep whole(*body, WorkspaceMapping(), 100.0);
   // h²/(6R²) of a sphere of 80 facets, h = 0.55 … 0.62 R: 5 % to 6.5 %.
   EXPECT_LT(paper.step(sample, 0.0).contact.normalForce,

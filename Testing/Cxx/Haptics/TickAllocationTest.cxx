@@ -82,7 +82,7 @@ TEST(TickAllocation, ToolContact)
   const auto plate = uniformBody(openPlate(10.0, 20));
   const auto ball = uniformBody(icosphere(20.0, 3));
   ToolContact onPlate(*plate);
-  ToolContact onBall(*ball, palpate::ForceForm::Paper);
+  ToolContact onBall(*ball, { palpate::ForceForm::Paper });
   States states{};
   int inside = 0;
   const long before = allocationCount();
@@ -101,6 +101,37 @@ TEST(TickAllocation, ToolContact)
   EXPECT_EQ(allocationCount(), before);
   expectEverywhere(states);
   EXPECT_GT(inside, Ticks / 4);
+}
+
+TEST(TickAllocation, EveryFormSurfaceAndFriction)
+{
+  const auto ball = uniformBody(icosphere(20.0, 3));
+  for (const auto form : { palpate::ForceForm::Paper, palpate::ForceForm::NormalizedDirection,
+         palpate::ForceForm::EnergyConsistent })
+  {
+    for (const auto surface : { palpate::ContactSurface::Facets, palpate::ContactSurface::Smooth })
+    {
+      for (const auto model : { palpate::FrictionModel::ElastoPlastic, palpate::FrictionModel::Dahl,
+             palpate::FrictionModel::ShapeDerived })
+      {
+        palpate::ContactSettings settings{ form, surface };
+        settings.friction.model = model;
+        settings.friction.coefficient = 0.5;
+        ToolContact contact(*ball, settings);
+        int inside = 0;
+        const long before = allocationCount();
+        for (int tick = 0; tick < Ticks / 10; ++tick)
+        {
+          const double t = 1e-2 * tick;
+          const Vector3d tip = (20.0 - 3.0 * std::sin(7.0 * t)) *
+            Vector3d(std::cos(t), std::sin(t) * std::cos(t), std::sin(t) * std::sin(t));
+          inside += contact.update(tip).friction.norm() > 0.0;
+        }
+        EXPECT_EQ(allocationCount(), before);
+        EXPECT_GT(inside, Ticks / 40);
+      }
+    }
+  }
 }
 
 TEST(TickAllocation, DeviceToForceToDevice)

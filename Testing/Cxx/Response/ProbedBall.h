@@ -46,6 +46,7 @@ inline vtkSmartPointer<vtkPointData> probe(
   filter->SetInputData(body);
   filter->SetTipData(tips);
   filter->SetForceForm(form);
+  filter->SetContactSurfaceToFacets();
   withThreads(threads, [&] { filter->Update(); });
   return filter->GetOutput()->GetPointData();
 }
@@ -60,6 +61,7 @@ inline double modulusAt(vtkIdType point)
 inline Body heterogeneousBall(const char* tool, double modulus = 0.0)
 {
   Body body = sphereBody(BallRadius, 2);
+  snapPoints(body);
   pointArray(body, "E", [modulus](vtkIdType i) { return modulus > 0.0 ? modulus : modulusAt(i); });
   vtkNew<vtkToolContactResponse> filter;
   filter->SetInputData(body);

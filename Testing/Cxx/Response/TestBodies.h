@@ -18,6 +18,7 @@
 #include "vtkToolContactResponse.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -56,6 +57,23 @@ inline Body sphereBody(double radius, int level)
   body->SetPoints(points);
   body->SetPolys(outward->GetOutput()->GetPolys());
   return body;
+}
+
+/// Moves the points to multiples of 2^-16 mm, which the kernel's float coordinates hold exactly on
+/// bodies of less than 128 mm: for oracles that take the body as it is.
+inline void snapPoints(vtkPolyData* body)
+{
+  constexpr double Grid = 1.0 / 65536.0;
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    body->GetPoint(i, x);
+    for (double& c : x)
+    {
+      c = Grid * std::round(c / Grid);
+    }
+    body->GetPoints()->SetPoint(i, x);
+  }
 }
 
 /// Exact normals of a sphere around the origin, as the active point normals, `length` long.

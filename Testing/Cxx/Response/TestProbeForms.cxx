@@ -72,24 +72,6 @@ void checkForceForms()
   PALPATE_CHECK(contacts > 300 && largestLoss > 0.009 && largestLoss < 0.018);
 }
 
-void checkUnknownForm()
-{
-  vtkNew<vtkToolContactProbe> filter;
-  filter->SetInputData(heterogeneousBall("sphere:5"));
-  filter->SetTipData(tipsInBall(3));
-  Messages messages(filter);
-  for (const int form : { -1, 2, 7 })
-  {
-    filter->SetForceForm(form);
-    filter->Update();
-    PALPATE_CHECK_TEXT(messages.takeErrors(), "ForceForm", std::to_string(form).c_str());
-    PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
-  }
-  filter->SetForceFormToPaper();
-  filter->Update();
-  PALPATE_CHECK(messages.none() && filter->GetOutput()->GetNumberOfPoints() == 3);
-}
-
 void checkThreads()
 {
   const Body body = heterogeneousBall("sphere:5");
@@ -130,7 +112,6 @@ void checkPointWithoutResponse()
 int TestProbeForms(int, char*[])
 {
   checkForceForms();
-  checkUnknownForm();
   checkThreads();
   checkPointWithoutResponse();
   return palpate::testing::result();

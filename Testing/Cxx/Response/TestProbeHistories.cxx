@@ -47,6 +47,8 @@ struct Probe
   {
     this->filter->SetInputData(body);
     this->filter->SetTipData(tips);
+    this->filter->SetForceFormToNormalizedDirection();
+    this->filter->SetContactSurfaceToFacets();
   }
   double get(const char* name, vtkIdType tip, int component = 0)
   {

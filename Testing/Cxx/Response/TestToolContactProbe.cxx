@@ -31,6 +31,7 @@ Body bumpyBody()
       x, 1.0 + 0.1 * std::sin(0.7 * x[0]) * std::cos(0.9 * x[1] + 0.4 * x[2]));
     body->GetPoints()->SetPoint(i, x);
   }
+  snapPoints(body);
   pointArray(body, "E", [](vtkIdType i) { return 0.1 + 0.001 * static_cast<double>(i); });
   vtkNew<vtkToolContactResponse> filter;
   filter->SetInputData(body);
@@ -207,6 +208,8 @@ int TestToolContactProbe(int, char*[])
   Messages messages(probe);
   probe->SetInputData(body);
   probe->SetTipData(tips);
+  probe->SetForceFormToNormalizedDirection();
+  probe->SetContactSurfaceToFacets();
   probe->Update();
   PALPATE_CHECK(messages.none());
   checkArrays(tips, probe->GetOutput());

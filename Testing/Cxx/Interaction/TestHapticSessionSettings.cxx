@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a session is told of forces, surface and friction: refused by name if wrong, felt in virtual
+// and in real time if right.
+#include "GivenSettings.h"
+#include "Response/FilterChecks.h"
+#include "SceneBodies.h"
+#include "ServoStep.h"
+
+#include "vtkHapticSession.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Friction = 0.5;
+
+/// Presses 0.5 mm into the plane z = 0 and slides 4 mm along x, in 1 s.
+Body draggedPath()
+{
+  const double way[4][4] = { { 0.0, 0.3, 0.2, 1.0 }, { 0.2, 0.3, 0.2, -0.5 },
+    { 0.9, 4.3, 0.2, -0.5 }, { 1.0, 4.3, 0.2, -0.5 } };
+  auto path = Body::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("Time");
+  for (const auto& point : way)
+  {
+    time->InsertNextValue(point[0]);
+    points->InsertNextPoint(point + 1);
+  }
+  path->SetPoints(points);
+  path->GetPointData()->AddArray(time);
+  return path;
+}
+
+void checkDefaults()
+{
+  vtkNew<vtkHapticSession> session;
+  const palpate::GivenSettings kernel;
+  PALPATE_CHECK(session->GetForceForm() == kernel.forceForm);
+  PALPATE_CHECK(session->GetContactSurface() == kernel.contactSurface);
+  PALPATE_CHECK(session->GetFrictionModel() == kernel.frictionModel);
+  PALPATE_CHECK(session->GetFrictionCoefficient() == kernel.frictionCoefficient);
+  PALPATE_CHECK(session->GetTangentialStiffness() == kernel.tangentialStiffness);
+  PALPATE_CHECK(session->GetFrictionBreakaway() == kernel.frictionBreakaway);
+  PALPATE_CHECK(session->GetFrictionStickRadius() == kernel.frictionStickRadius);
+  PALPATE_CHECK(session->GetPoissonRatio() == kernel.poissonRatio);
+}
+
+void checkRefused(vtkPolyData* body)
+{
+  using Session = vtkHapticSession*;
+  struct Wrong
+  {
+    const char* name;
+    const char* value;
+    std::function<void(Session)> set;
+  };
+  const std::vector<Wrong> wrong = {
+    { "ForceForm", "7", [](Session s) { s->SetForceForm(7); } },
+    { "ContactSurface", "-1", [](Session s) { s->SetContactSurface(-1); } },
+    { "FrictionModel", "3", [](Session s) { s->SetFrictionModel(3); } },
+    { "FrictionCoefficient", "nan", [](Session s) { s->SetFrictionCoefficient(std::nan("")); } },
+    { "TangentialStiffness", "-2", [](Session s) { s->SetTangentialStiffness(-2.0); } },
+    { "FrictionBreakaway", "2", [](Session s) { s->SetFrictionBreakaway(2.0); } },
+    { "FrictionStickRadius", "0.25", [](Session s) { s->SetFrictionStickRadius(0.25); } },
+    { "PoissonRatio", "0.75", [](Session s) { s->SetPoissonRatio(0.75); } },
+  };
+  for (const Wrong& setting : wrong)
+  {
+    for (const bool realTime : { false, true })
+    {
+      vtkNew<vtkHapticSession> session;
+      Messages messages(session);
+      session->SetBody(body);
+      session->SetPath(draggedPath());
+      session->SetRealTime(realTime);
+      setting.set(session);
+      PALPATE_CHECK(!session->Start());
+      PALPATE_CHECK_TEXT(messages.takeErrors(), setting.name, "must", setting.value);
+      PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
+    }
+  }
+}
+
+/// Friction in getters, recording and statistics. Flat punch of 1 mm, 0.5 mm deep: 3.45 N.
+void checkFrictionIsTold(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetPath(draggedPath());
+  session->SetFrictionCoefficient(Friction);
+  session->SetTangentialStiffness(4.0);
+  double friction[3] = { 1.0, 1.0, 1.0 };
+  session->GetFrictionForce(friction);
+  PALPATE_CHECK(vtkMath::Norm(friction) == 0.0);
+  PALPATE_CHECK(session->Start());
+  session->SetFrictionCoefficient(0.0); // read at Start, so it comes too late
+  session->Step(1.0);
+  session->GetFrictionForce(friction);
+  double total[3];
+  session->GetIdealForce(total);
+  const double normal = 2.0 * 3.45 * 0.5;
+  PALPATE_CHECK_NEAR(friction[0], -Friction * normal, 1e-6); // stored as floats
+  PALPATE_CHECK_NEAR(friction[1], 0.0, 1e-12);
+  PALPATE_CHECK_NEAR(friction[2], 0.0, 1e-12);
+  PALPATE_CHECK_NEAR(total[0], friction[0], 1e-12);
+  PALPATE_CHECK_NEAR(total[2], normal, 1e-6);
+
+  vtkNew<vtkPolyData> recording;
+  session->GetRecording(recording);
+  vtkPointData* data = recording->GetPointData();
+  double peak = 0.0;
+  int sticking = 0;
+  int sliding = 0;
+  for (vtkIdType i = 0; i < recording->GetNumberOfPoints(); ++i)
+  {
+    const auto& contact = session->GetTicks()[static_cast<std::size_t>(i)].contact;
+    double f[3];
+    double force[3];
+    double n[3];
+    data->GetArray("FrictionForce")->GetTuple(i, f);
+    data->GetArray("Force")->GetTuple(i, force);
+    data->GetArray("Normal")->GetTuple(i, n);
+    const double pressing = data->GetArray("NormalForce")->GetTuple1(i);
+    PALPATE_CHECK(std::equal(f, f + 3, contact.friction.data()));
+    for (int k = 0; k < 3; ++k)
+    {
+      PALPATE_CHECK_NEAR(force[k], pressing * n[k] + f[k], 1e-14); // of 4 N
+    }
+    PALPATE_CHECK_NEAR(vtkMath::Dot(f, n), 0.0, 1e-14);
+    peak = std::max(peak, vtkMath::Norm(f));
+    sticking += data->GetArray("ContactState")->GetTuple1(i) == 1.0;
+    sliding += data->GetArray("ContactState")->GetTuple1(i) == 2.0;
+  }
+  PALPATE_CHECK(sticking > 50 && sliding > 400);
+  vtkNew<vtkTable> statistics;
+  session->GetStatistics(statistics);
+  PALPATE_CHECK(statistics->GetValueByName(0, "PeakFriction (N)").ToDouble() == peak);
+}
+
+/// The servo thread slides with the same friction.
+void checkRealTime(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->RealTimeOn();
+  session->SetFrictionCoefficient(Friction);
+  session->SetTangentialStiffness(4.0);
+  const double start[3] = { 0.3, 0.2, 1.0 };
+  session->SteerTo(start);
+  PALPATE_CHECK(session->Start());
+  double friction[3] = { 0.0, 0.0, 0.0 };
+  // Steered back and forth until the newest tick slides along x; a loaded machine may take a while.
+  bool felt = false;
+  for (int i = 0; i < 2000 && !felt; ++i)
+  {
+    const double there = i % 400 < 200 ? i % 200 : 200 - i % 200;
+    const double tip[3] = { 0.3 + 0.02 * there, 0.2, -0.5 };
+    session->SteerTo(tip);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    session->GetFrictionForce(friction);
+    felt = vtkMath::Norm(friction) > 0.99 * Friction * 3.45;
+  }
+  PALPATE_CHECK(felt);
+  PALPATE_CHECK(std::abs(friction[1]) < 1e-9 && std::abs(friction[2]) < 1e-9);
+  session->Stop();
+}
+
+/// One warning for one state of the body.
+void checkUnsoundBody(vtkPolyData* sound)
+{
+  Body body = Body::New();
+  body->DeepCopy(sound);
+  body->GetPolys()->ReverseCellAtId(7);
+  vtkNew<vtkHapticSession> session;
+  Messages messages(session);
+  session->SetBody(sound);
+  session->SetPath(draggedPath());
+  PALPATE_CHECK(session->Start() && messages.none());
+  session->SetBody(body);
+  PALPATE_CHECK(session->Start());
+  PALPATE_CHECK_TEXT(messages.warnings(), "1 triangle wound against its neighbours: turned over");
+  messages.clear();
+  PALPATE_CHECK(session->Start() && messages.none());
+  body->GetPoints()->Modified();
+  PALPATE_CHECK(session->Start());
+  PALPATE_CHECK_TEXT(messages.warnings(), "1 triangle wound against its neighbours");
+}
+} // namespace
+
+int TestHapticSessionSettings(int, char*[])
+{
+  const Body body = withResponse(planeBody(10.0, 10), "flat:1");
+  checkDefaults();
+  checkRefused(body);
+  checkFrictionIsTold(body);
+  checkRealTime(body);
+  checkUnsoundBody(body);
+  return palpate::testing::result();
+}

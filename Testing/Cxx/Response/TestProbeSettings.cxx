@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The probe's settings: defaults of the kernel, errors that name property, range and value; the
+// times of trajectories.
+#include "FilterChecks.h"
+#include "GivenSettings.h"
+#include "TestBodies.h"
+
+#include "vtkStringArray.h"
+#include "vtkToolContactProbe.h"
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// A polyline of `count` tips, from above a plate into it; a `Time` of 0.1 s each.
+Body pressingLine(int count)
+{
+  auto tips = Body::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(count);
+  for (int i = 0; i < count; ++i)
+  {
+    line->InsertCellPoint(points->InsertNextPoint(0.3, 0.1, 0.4 - 0.1 * i));
+  }
+  tips->SetPoints(points);
+  tips->SetLines(line);
+  pointArray(tips, "Time", [](vtkIdType i) { return 0.1 * static_cast<double>(i); });
+  return tips;
+}
+
+void checkDefaults()
+{
+  vtkNew<vtkToolContactProbe> probe;
+  const palpate::GivenSettings kernel;
+  PALPATE_CHECK(probe->GetForceForm() == kernel.forceForm);
+  PALPATE_CHECK(probe->GetContactSurface() == kernel.contactSurface);
+  PALPATE_CHECK(probe->GetFrictionModel() == kernel.frictionModel);
+  PALPATE_CHECK(probe->GetFrictionCoefficient() == kernel.frictionCoefficient);
+  PALPATE_CHECK(probe->GetTangentialStiffness() == kernel.tangentialStiffness);
+  PALPATE_CHECK(probe->GetFrictionBreakaway() == kernel.frictionBreakaway);
+  PALPATE_CHECK(probe->GetFrictionStickRadius() == kernel.frictionStickRadius);
+  PALPATE_CHECK(probe->GetPoissonRatio() == kernel.poissonRatio);
+}
+
+void checkNames()
+{
+  vtkNew<vtkToolContactProbe> probe;
+  probe->SetForceFormToPaper();
+  PALPATE_CHECK(probe->GetForceForm() == static_cast<int>(palpate::ForceForm::Paper));
+  probe->SetForceFormToNormalizedDirection();
+  PALPATE_CHECK(probe->GetForceForm() == static_cast<int>(palpate::ForceForm::NormalizedDirection));
+  probe->SetForceFormToEnergyConsistent();
+  PALPATE_CHECK(probe->GetForceForm() == static_cast<int>(palpate::ForceForm::EnergyConsistent));
+  probe->SetContactSurfaceToSmooth();
+  PALPATE_CHECK(probe->GetContactSurface() == static_cast<int>(palpate::ContactSurface::Smooth));
+  probe->SetContactSurfaceToFacets();
+  PALPATE_CHECK(probe->GetContactSurface() == static_cast<int>(palpate::ContactSurface::Facets));
+  probe->SetFrictionModelToDahl();
+  PALPATE_CHECK(probe->GetFrictionModel() == static_cast<int>(palpate::FrictionModel::Dahl));
+  probe->SetFrictionModelToShapeDerived();
+  PALPATE_CHECK(
+    probe->GetFrictionModel() == static_cast<int>(palpate::FrictionModel::ShapeDerived));
+  probe->SetFrictionModelToElastoPlastic();
+  PALPATE_CHECK(
+    probe->GetFrictionModel() == static_cast<int>(palpate::FrictionModel::ElastoPlastic));
+}
+
+struct WrongSetting
+{
+  const char* name;
+  const char* range;
+  const char* value;
+  std::function<void(vtkToolContactProbe*)> set;
+};
+
+/// Each wrong value gives an error and nothing else; every limit itself is accepted.
+void checkWrongSettings()
+{
+  using Probe = vtkToolContactProbe*;
+  const std::vector<WrongSetting> wrong = {
+    { "ForceForm", "0 (Paper)", "3", [](Probe p) { p->SetForceForm(3); } },
+    { "ForceForm", "2 (EnergyConsistent)", "-1", [](Probe p) { p->SetForceForm(-1); } },
+    { "ContactSurface", "1 (Smooth)", "2", [](Probe p) { p->SetContactSurface(2); } },
+    { "FrictionModel", "2 (ShapeDerived)", "256", [](Probe p) { p->SetFrictionModel(256); } },
+    { "FrictionCoefficient", "not negative", "-0.5",
+      [](Probe p) { p->SetFrictionCoefficient(-0.5); } },
+    { "FrictionCoefficient", "finite", "nan", [](Probe p) { p->SetFrictionCoefficient(NaN); } },
+    { "FrictionCoefficient", "finite", "inf",
+      [](Probe p) { p->SetFrictionCoefficient(Infinity); } },
+    { "TangentialStiffness", "positive", "0", [](Probe p) { p->SetTangentialStiffness(0.0); } },
+    { "TangentialStiffness", "N/mm", "nan", [](Probe p) { p->SetTangentialStiffness(NaN); } },
+    { "FrictionBreakaway", "between 0 and 1", "1.5",
+      [](Probe p) { p->SetFrictionBreakaway(1.5); } },
+    { "FrictionStickRadius", "breakaway", "0.5", [](Probe p) { p->SetFrictionStickRadius(0.5); } },
+    { "PoissonRatio", "between 0 and 0.5", "0.6", [](Probe p) { p->SetPoissonRatio(0.6); } },
+    { "PoissonRatio", "between 0 and 0.5", "nan", [](Probe p) { p->SetPoissonRatio(NaN); } },
+  };
+  const Body body = withResponse(planeBody(5.0, 4), "flat:1");
+  for (const WrongSetting& setting : wrong)
+  {
+    vtkNew<vtkToolContactProbe> probe;
+    probe->SetInputData(body);
+    probe->SetTipData(pressingLine(6));
+    Messages messages(probe);
+    probe->Update();
+    PALPATE_CHECK(messages.none() && probe->GetOutput()->GetNumberOfPoints() == 6);
+    setting.set(probe);
+    probe->Update();
+    PALPATE_CHECK_TEXT(messages.takeErrors(), setting.name, setting.range, setting.value);
+    PALPATE_CHECK(probe->GetOutput()->GetNumberOfPoints() == 0);
+  }
+}
+
+void checkTimes()
+{
+  const Body body = withResponse(planeBody(5.0, 4), "flat:1");
+  vtkNew<vtkToolContactProbe> probe;
+  probe->SetInputData(body);
+  Messages messages(probe);
+  const auto update = [&](vtkPolyData* tips)
+  {
+    probe->SetTipData(tips);
+    probe->Update();
+    return messages.takeErrors();
+  };
+  const Body tips = pressingLine(8);
+  vtkDataArray* time = tips->GetPointData()->GetArray("Time");
+  PALPATE_CHECK(update(tips).empty());
+  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time); // passed through
+  time->SetTuple1(4, time->GetTuple1(3));                                      // two at one time
+  PALPATE_CHECK(update(tips).empty());
+  time->SetTuple1(4, 0.25);
+  tips->Modified();
+  PALPATE_CHECK_TEXT(update(tips), "'Time'", "0.25 at point 4", "0.3 at point 3", "polyline 0");
+  PALPATE_CHECK(probe->GetOutput()->GetNumberOfPoints() == 0);
+  for (const double wrong : { NaN, Infinity })
+  {
+    time->SetTuple1(4, 0.4);
+    time->SetTuple1(7, wrong);
+    tips->Modified();
+    PALPATE_CHECK_TEXT(
+      update(tips), "'Time'", std::isnan(wrong) ? "nan" : "inf", "at point 7", "polyline 0");
+  }
+  // Beside a polyline, times say nothing; two polylines have each their own.
+  const Body loose = pressingLine(6);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ vtkIdType(3), vtkIdType(4) });
+  lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
+  loose->SetLines(lines);
+  loose->GetPointData()->GetArray("Time")->SetTuple1(5, NaN);
+  PALPATE_CHECK(update(loose).empty());
+  loose->GetPointData()->GetArray("Time")->SetTuple1(0, 0.2);
+  loose->Modified();
+  PALPATE_CHECK_TEXT(update(loose), "'Time'", "0.1 at point 1", "0.2 at point 0", "polyline 1");
+
+  const Body named = pressingLine(4);
+  vtkNew<vtkStringArray> words;
+  words->SetName("Time");
+  words->SetNumberOfValues(4);
+  named->GetPointData()->AddArray(words);
+  PALPATE_CHECK_TEXT(update(named), "'Time'", "one number per point");
+  const Body vectors = pressingLine(4);
+  vtkNew<vtkDoubleArray> triples;
+  triples->SetName("Time");
+  triples->SetNumberOfComponents(3);
+  triples->SetNumberOfTuples(4);
+  triples->Fill(0.0);
+  vectors->GetPointData()->AddArray(triples);
+  PALPATE_CHECK_TEXT(update(vectors), "'Time'", "one number per point");
+}
+} // namespace
+
+int TestProbeSettings(int, char*[])
+{
+  checkDefaults();
+  checkNames();
+  checkWrongSettings();
+  checkTimes();
+  return palpate::testing::result();
+}
