@@ -1,246 +1,363 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One tick: a tip slides 1 mm deep along a bumpy sphere of 100 mm, 0.1 mm per tick; and the first
-// tick of a contact, which searches the whole body.
-#include "ToolContact.h"
+// A tick beside other ways to find a closest point, in one run: a tip slides about 1 mm deep along
+// a bumpy sphere, 0.1 mm per tick, over bodies of 20 thousand to 4 million triangles, with hot and
+// with cold caches. Answers are compared first; methods that disagree are not timed. See README.md.
+#include "BumpySphere.h"
+#include "ColdRead.h"
+#include "ContactBody.h"
+#include "TickReport.h"
+#include "vtkSMPTools.h"
 
-#include <benchmark/benchmark.h>
+#include <CLI/CLI.hpp>
 
-#include <Eigen/Geometry>
+#include <malloc.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <random>
-#include <vector>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <thread>
 
 namespace
 {
+using namespace palpate::benchmarks;
+using palpate::ContactBody;
 using palpate::Vector3;
+using palpate::testing::ResponseStore;
+using palpate::testing::Surface;
 
-constexpr double Radius = 100.0;
 constexpr double Depth = 1.0;
-constexpr int Samples = 8;
+constexpr double Step = 0.1;
 
-/// Distance of the surface from the centre along a unit vector: bumps 1 mm high, 20 mm apart, none
-/// as sharp as the depth.
-double bumpyRadius(const Vector3& d)
+struct Options
 {
-  return Radius + std::sin(30.0 * d.x()) * std::sin(30.0 * d.y()) * std::cos(30.0 * d.z());
-}
-
-/// An octahedron with its faces cut in `cuts`² triangles, pushed out to the bumpy sphere. The
-/// points are in the order of a grid over each octant, as a mesher would leave them.
-class BumpySphere
-{
-public:
-  explicit BumpySphere(int cuts)
-  {
-    for (const double x : { 1.0, -1.0 })
-    {
-      for (const double y : { 1.0, -1.0 })
-      {
-        for (const double z : { 1.0, -1.0 })
-        {
-          this->addOctant({ x, y, z }, cuts);
-        }
-      }
-    }
-  }
-
-  std::unique_ptr<palpate::ContactBody> makeBody() const
-  {
-    const std::size_t count = this->Points.size() / 3;
-    const palpate::ResponseSampling sampling(Samples, 1.5);
-    std::vector<float> force(count * Samples);
-    std::vector<float> stiffness(count * Samples);
-    std::vector<float> normal(3 * count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      for (int k = 0; k < Samples; ++k)
-      {
-        const double depth = sampling.depth(k, 2.0);
-        force[i * Samples + static_cast<std::size_t>(k)] = static_cast<float>(std::pow(depth, 1.5));
-        stiffness[i * Samples + static_cast<std::size_t>(k)] =
-          static_cast<float>(1.5 * std::sqrt(depth));
-      }
-      const Vector3 radial = Eigen::Map<const Vector3>(this->Points.data() + 3 * i).normalized();
-      Eigen::Map<Eigen::Vector3f>(normal.data() + 3 * i) = radial.cast<float>();
-    }
-    const std::vector<float> range(count, 2.0F);
-    const std::vector<std::uint8_t> status(count, 0);
-    palpate::ResponseArrays arrays;
-    arrays.points = count;
-    arrays.samples = Samples;
-    arrays.exponent = 1.5;
-    arrays.force = force.data();
-    arrays.stiffness = stiffness.data();
-    arrays.normal = normal.data();
-    arrays.range = range.data();
-    arrays.status = status.data();
-    return std::make_unique<palpate::ContactBody>(
-      palpate::BodyMesh(
-        this->Points.data(), count, this->Triangles.data(), this->Triangles.size() / 3),
-      palpate::ResponseField(arrays));
-  }
-
-private:
-  void addOctant(const Vector3& sign, int cuts)
-  {
-    // Point (i, j) of a face, i + j <= cuts; points on shared edges have the same coordinates.
-    std::map<std::pair<int, int>, std::int32_t> ids;
-    for (int i = 0; i <= cuts; ++i)
-    {
-      for (int j = 0; j <= cuts - i; ++j)
-      {
-        const Vector3 flat(sign.x() * i, sign.y() * j, sign.z() * (cuts - i - j));
-        ids[{ i, j }] = this->pointAt(flat.cast<int>().cast<double>());
-      }
-    }
-    const bool turn = sign.prod() < 0.0;
-    const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-      this->Triangles.insert(this->Triangles.end(), { a, turn ? c : b, turn ? b : c });
-    };
-    for (int i = 0; i < cuts; ++i)
-    {
-      for (int j = 0; j < cuts - i; ++j)
-      {
-        add(ids[{ i, j }], ids[{ i + 1, j }], ids[{ i, j + 1 }]);
-        if (i + j + 1 < cuts)
-        {
-          add(ids[{ i + 1, j }], ids[{ i + 1, j + 1 }], ids[{ i, j + 1 }]);
-        }
-      }
-    }
-  }
-
-  std::int32_t pointAt(const Vector3& lattice)
-  {
-    const auto key = std::make_tuple(lattice.x(), lattice.y(), lattice.z());
-    const bool shared = lattice.x() == 0.0 || lattice.y() == 0.0 || lattice.z() == 0.0;
-    if (shared)
-    {
-      const auto found = this->Shared.find(key);
-      if (found != this->Shared.end())
-      {
-        return found->second;
-      }
-    }
-    const auto id = static_cast<std::int32_t>(this->Points.size() / 3);
-    const Vector3 direction = lattice.normalized();
-    const Vector3 point = bumpyRadius(direction) * direction;
-    this->Points.insert(this->Points.end(), { point.x(), point.y(), point.z() });
-    if (shared)
-    {
-      this->Shared.emplace(key, id);
-    }
-    return id;
-  }
-
-  std::vector<double> Points;
-  std::vector<std::int32_t> Triangles;
-  std::map<std::tuple<double, double, double>, std::int32_t> Shared;
+  std::vector<double> triangles{ 20e3, 200e3, 2e6, 4e6 };
+  std::string output = ".";
+  std::size_t hotCalls = 200000;
+  std::size_t coldCalls = 2000;
+  std::size_t checkedCalls = 2000;
+  bool shuffled = false;
+  bool quick = false;
 };
 
-/// The body with 8 cuts² triangles, kept until another size is asked for.
-const palpate::ContactBody& bodyOf(int cuts, double& buildSeconds)
+/// The tips of all calls: one per call, and a patch per call.
+struct Paths
 {
-  static std::unique_ptr<palpate::ContactBody> body;
-  static int current = 0;
-  static double seconds = 0.0;
-  if (current != cuts)
+  std::vector<Vector3> single;
+  std::vector<Vector3> patch;
+};
+
+Paths makePaths(const Options& options)
+{
+  Paths paths;
+  const std::size_t calls = options.hotCalls + TickTimer::UncountedCalls;
+  paths.single = palpate::testing::windingTips(calls, Depth, Step);
+  // Ten tips across a finger of 10 mm, five along it.
+  const std::size_t patches = options.hotCalls / 10 + TickTimer::UncountedCalls;
+  paths.patch.reserve(PatchTips * patches);
+  for (std::size_t i = 0; i < patches; ++i)
   {
-    body.reset();
-    const BumpySphere sphere(cuts);
-    const auto start = std::chrono::steady_clock::now();
-    body = sphere.makeBody();
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    current = cuts;
+    for (int tip = 0; tip < PatchTips; ++tip)
+    {
+      const double along = Step * static_cast<double>(i) + 5.0 / 4.0 * (tip / 10);
+      const double across = 10.0 / 9.0 * (tip % 10) - 5.0;
+      paths.patch.push_back(palpate::testing::windingTip(Depth, along, across));
+    }
   }
-  buildSeconds = seconds;
-  return *body;
+  return paths;
 }
 
-Vector3 tipAlong(const Vector3& direction)
+double residentMegabytes()
 {
-  return (bumpyRadius(direction) - Depth) * direction;
+  malloc_trim(0);
+  std::ifstream file("/proc/self/statm");
+  double total = 0.0;
+  double resident = 0.0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// A path that winds around the sphere, a new strip of it at each turn.
-std::vector<Vector3> slidingTips(std::size_t count)
+struct BuildCost
 {
-  std::vector<Vector3> tips;
-  const double step = 0.1 / Radius;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double angle = step * static_cast<double>(i);
-    const Vector3 direction = Eigen::AngleAxisd(0.02 * angle, Vector3::UnitX()) *
-      Vector3(std::cos(angle), std::sin(angle), 0.0);
-    tips.push_back(tipAlong(direction));
-  }
-  return tips;
+  double seconds;
+  double megabytes;
+};
+
+BuildCost costOf(const std::function<void()>& build)
+{
+  const double before = residentMegabytes();
+  const auto start = std::chrono::steady_clock::now();
+  build();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  return { passed.count(), residentMegabytes() - before };
 }
 
-void describe(benchmark::State& state, const palpate::ContactBody& body, double buildSeconds,
-  std::size_t contacts, std::size_t ticks)
+/// What is built for one size, and the methods on it.
+struct Field
 {
-  state.counters["triangles"] = static_cast<double>(body.surface.triangleCount());
-  state.counters["build_ms"] = 1e3 * buildSeconds;
-  state.counters["in_contact"] = static_cast<double>(contacts) / static_cast<double>(ticks);
+  std::unique_ptr<ContactBody> body;
+  std::unique_ptr<ContactBody> shuffledBody;
+  std::vector<Contender> contenders; ///< destroyed before the bodies
+  std::size_t leaders = 0;           ///< Palpate's, which come first
+};
+
+BuildCost buildPalpate(const Surface& surface, std::unique_ptr<ContactBody>& body)
+{
+  const ResponseStore responses = bumpyResponses(surface);
+  return costOf([&] { body = makePalpateBody(surface, responses); });
 }
 
-void SlidingTick(benchmark::State& state)
+void addPalpate(Field& field, const Surface& surface, const Paths& paths)
 {
-  double buildSeconds = 0.0;
-  const palpate::ContactBody& body = bodyOf(static_cast<int>(state.range(0)), buildSeconds);
-  static const std::vector<Vector3> tips = slidingTips(200000);
-  palpate::ToolContact contact(body);
-  std::size_t i = 0;
-  std::size_t contacts = 0;
-  std::size_t ticks = 0;
-  for (auto _ : state)
+  const BuildCost cost = buildPalpate(surface, field.body);
+  const auto add = [&](const char* name, std::unique_ptr<TimedMethod> method, int tips)
   {
-    const palpate::ToolContactForce force = contact.update(tips[i]);
-    contacts += force.state == palpate::ContactState::Slide;
-    benchmark::DoNotOptimize(force.force);
-    i = i + 1 < tips.size() ? i + 1 : 0;
-    ++ticks;
-  }
-  describe(state, body, buildSeconds, contacts, ticks);
+    field.contenders.push_back({ name, std::move(method), cost.seconds, cost.megabytes, tips,
+      tips > 1 ? &paths.patch : &paths.single });
+  };
+  add("palpate-tick", makePalpateTick(*field.body), 1);
+  add("palpate-point", makePalpatePoint(*field.body), 1);
+  add("palpate-onset-point", makePalpateOnset(*field.body), 1);
+  add("palpate-tick-50-tips", makePalpatePatch(*field.body), PatchTips);
 }
 
-void ContactOnset(benchmark::State& state)
+void addShuffled(Field& field, const Surface& surface, const Paths& paths)
 {
-  double buildSeconds = 0.0;
-  const palpate::ContactBody& body = bodyOf(static_cast<int>(state.range(0)), buildSeconds);
-  std::mt19937 random(3);
-  std::normal_distribution<double> normal;
-  std::vector<Vector3> tips;
-  for (int k = 0; k < 100000; ++k)
+  const BuildCost cost = buildPalpate(surface, field.shuffledBody);
+  field.contenders.push_back({ "palpate-tick-shuffled", makePalpateTick(*field.shuffledBody),
+    cost.seconds, cost.megabytes, 1, &paths.single });
+}
+
+void addPeers(Field& field, const Surface& surface, const Paths& paths)
+{
+  const auto add = [&](
+                     const char* name, std::unique_ptr<TimedMethod> (*make)(const Surface& surface))
   {
-    const double x = normal(random);
-    const double y = normal(random);
-    tips.push_back(tipAlong(Vector3(x, y, normal(random)).normalized()));
-  }
-  palpate::ToolContact contact(body);
-  std::size_t i = 0;
-  std::size_t contacts = 0;
-  std::size_t ticks = 0;
-  for (auto _ : state)
+    std::unique_ptr<TimedMethod> method;
+    const BuildCost cost = costOf([&] { method = make(surface); });
+    if (method)
+    {
+      field.contenders.push_back(
+        { name, std::move(method), cost.seconds, cost.megabytes, 1, &paths.single });
+    }
+  };
+  add("cgal-point", makeCgalPoint);
+  add("embree-point", makeEmbreePoint);
+  add("vtk-static-point", makeVtkStaticPoint);
+}
+
+/// How far a point of the body may lie from where it was given, mm, in coordinates kept as floats.
+double coordinateRounding(const Surface& surface)
+{
+  double extent = 0.0;
+  for (const Vector3& p : surface.points)
   {
-    contact.reset();
-    const palpate::ToolContactForce force = contact.update(tips[i]);
-    contacts += force.state == palpate::ContactState::Slide;
-    benchmark::DoNotOptimize(force.force);
-    i = i + 1 < tips.size() ? i + 1 : 0;
-    ++ticks;
+    extent = std::max(extent, p.cwiseAbs().maxCoeff());
   }
-  describe(state, body, buildSeconds, contacts, ticks);
+  const auto largest = static_cast<float>(extent);
+  const float ulp = std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest;
+  return 0.5 * std::sqrt(3.0) * static_cast<double>(ulp);
+}
+
+std::vector<double> distances(const Contender& contender, std::size_t calls)
+{
+  std::vector<double> found;
+  contender.method->reset();
+  for (std::size_t call = 0; call < calls; ++call)
+  {
+    contender.method->time(
+      contender.tips->data() + call * static_cast<std::size_t>(contender.tipsPerCall));
+    found.push_back(contender.method->distance());
+  }
+  return found;
+}
+
+/// What each call of a contender should find: the followed point's distance, or of several tips
+/// the sum over their points, found globally.
+std::vector<double> expectedDistances(
+  const Contender& contender, const Field& field, std::size_t calls)
+{
+  if (contender.tipsPerCall == 1)
+  {
+    return distances(field.contenders[1], calls);
+  }
+  Contender single{ "", makePalpateOnset(*field.body), 0.0, 0.0, 1, contender.tips };
+  const auto tips = static_cast<std::size_t>(contender.tipsPerCall);
+  const std::vector<double> each = distances(single, calls * tips);
+  std::vector<double> sums(calls, 0.0);
+  for (std::size_t i = 0; i < each.size(); ++i)
+  {
+    sums[i / tips] += each[i];
+  }
+  return sums;
+}
+
+/**
+ * Compares all methods with Palpate's followed point. Two that find the closest point of the whole
+ * body, one with its points moved by at most the rounding of a float, differ in distance by no more
+ * than that rounding; twice that where both keep floats. Where the followed contact were a local
+ * minimum, it would be farther; 1 mm deep in this body there is none.
+ */
+bool agree(const Field& field, const Surface& surface, std::size_t calls)
+{
+  const double rounding = coordinateRounding(surface);
+  bool allAgree = true;
+  for (const Contender& contender : field.contenders)
+  {
+    const std::size_t checked = contender.tipsPerCall > 1 ? calls / 10 : calls;
+    const double bound = 2.0 * rounding * contender.tipsPerCall;
+    const std::vector<double> expected = expectedDistances(contender, field, checked);
+    const std::vector<double> found = distances(contender, checked);
+    std::size_t local = 0;
+    std::size_t wrong = 0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < checked; ++i)
+    {
+      const double difference = std::abs(found[i] - expected[i]);
+      largest = std::max(largest, difference);
+      local += expected[i] > found[i] + bound ? 1 : 0;
+      wrong += !(difference <= bound) ? 1 : 0;
+    }
+    std::printf("  %-22s %5zu calls, distances within %.1e mm (bound %.1e), local minima %zu%s\n",
+      contender.name.c_str(), checked, largest, bound, local, wrong > 0 ? ": DISAGREES" : "");
+    allAgree = allAgree && wrong == 0;
+  }
+  return allAgree;
+}
+
+/// A tick on a small body of its own, which brings nothing of another body into the caches.
+struct Rehearsal
+{
+  Rehearsal()
+    : surface(palpate::testing::bumpySphere(palpate::testing::bumpyCuts(1000)))
+    , body(makePalpateBody(surface, bumpyResponses(surface)))
+    , tick(makePalpateTick(*body))
+  {
+  }
+  Surface surface;
+  std::unique_ptr<ContactBody> body;
+  std::unique_ptr<TimedMethod> tick;
+};
+
+/// The rows of one body, or none if the methods do not agree.
+std::vector<TickRow> timeBody(
+  const Options& options, double triangles, const Paths& paths, TickTimer& timer)
+{
+  const Rehearsal rehearsal;
+  Surface surface = palpate::testing::bumpySphere(palpate::testing::bumpyCuts(triangles));
+  if (options.shuffled)
+  {
+    surface = palpate::testing::shuffled(surface, 1);
+  }
+  std::printf("\n%zu triangles: same answers as palpate-point\n", surface.triangles.size());
+  Field field;
+  addPalpate(field, surface, paths);
+  const double largest = *std::max_element(options.triangles.begin(), options.triangles.end());
+  if (triangles == largest && !options.shuffled)
+  {
+    addShuffled(field, palpate::testing::shuffled(surface, 1), paths);
+  }
+  field.contenders.front().rehearsal = rehearsal.tick.get();
+  field.leaders = field.contenders.size();
+  addPeers(field, surface, paths);
+  if (!agree(field, surface, std::min(options.checkedCalls, paths.single.size())))
+  {
+    return {};
+  }
+  const std::vector<TickTimes> times = timer.run(field.contenders, field.leaders);
+  std::vector<TickRow> rows;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const Contender& contender = field.contenders[i];
+    rows.push_back({ contender.name, surface.triangles.size(), contender.buildSeconds,
+      contender.megabytes, contender.tipsPerCall, times[i] });
+  }
+  printRows(rows, surface.triangles.size());
+  return rows;
+}
+
+void printSetting(const Options& options, TickTimer& timer)
+{
+  const palpate::testing::CurvatureRange curvature = palpate::testing::bumpyCurvatures(100000);
+  const ColdRead read = measureColdRead(timer.clock(), timer.flush());
+  std::printf("Bumpy sphere, mean radius 100 mm: smallest convex radius of curvature %.1f mm, %s\n",
+    1.0 / curvature.greatest, curvature.least < 0.0 ? "not convex" : "CONVEX");
+  std::printf("Tip %.0f mm deep, %.1f mm per tick%s\n", Depth, Step,
+    options.shuffled ? "; points and triangles shuffled" : "");
+  std::printf("Clock: a reading costs %.0f ns, subtracted; it advances by %.1f ns\n",
+    timer.clock().overhead(), timer.clock().step());
+  std::printf(
+    "Caches flushed by reading %zu MiB; one read then costs %.0f ns, in 4 KiB pages %.0f ns\n",
+    timer.flush().bytes() >> 20, read.largePages, read.smallPages);
+}
+
+int run(const Options& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  TickTimer timer;
+  timer.hotCalls = options.hotCalls;
+  timer.coldCalls = options.coldCalls;
+  if (options.quick)
+  {
+    timer.hotSeconds = 0.2;
+  }
+  printSetting(options, timer);
+  const Paths paths = makePaths(options);
+  std::vector<TickRow> rows;
+  for (const double triangles : options.triangles)
+  {
+    const std::vector<TickRow> more = timeBody(options, triangles, paths, timer);
+    if (more.empty())
+    {
+      std::fprintf(stderr, "palpateTickBenchmark: the methods do not agree (see above)\n");
+      return 1;
+    }
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  printTargets(rows);
+  const std::string csv = (std::filesystem::path(options.output) / "tick.csv").string();
+  if (!writeTickCsv(csv, rows))
+  {
+    std::fprintf(stderr, "palpateTickBenchmark: cannot write '%s'\n", csv.c_str());
+    return 1;
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  std::printf("\n%.0f s; results in %s\n", passed.count(), csv.c_str());
+  return 0;
 }
 } // namespace
 
-// 8 · 158² = 199 712 and 8 · 500² = 2 000 000 triangles.
-BENCHMARK(SlidingTick)->Arg(158);
-BENCHMARK(ContactOnset)->Arg(158);
-BENCHMARK(SlidingTick)->Arg(500);
-BENCHMARK(ContactOnset)->Arg(500);
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app{ "A tick of contact beside other ways to find a closest point.",
+    "palpateTickBenchmark" };
+  app.add_option("--triangles", options.triangles, "numbers of triangles, separated by commas")
+    ->delimiter(',')
+    ->check(CLI::Range(8.0, 2e7));
+  app.add_option("--output", options.output, "folder for tick.csv")->check(CLI::ExistingDirectory);
+  CLI::Option* const hot =
+    app.add_option("--calls", options.hotCalls, "calls per method with hot caches, at most")
+      ->check(CLI::Range(2000, 200000));
+  CLI::Option* const cold =
+    app.add_option("--cold-calls", options.coldCalls, "calls per method with cold caches")
+      ->check(CLI::Range(1, 100000));
+  app.add_flag("--shuffled", options.shuffled, "bodies with points and triangles in random order");
+  app.add_flag("--quick", options.quick, "few calls: all rows, but poor percentiles");
+  CLI11_PARSE(app, argc, argv);
+  if (options.quick)
+  {
+    options.hotCalls = hot->count() > 0 ? options.hotCalls : 10000;
+    options.coldCalls = cold->count() > 0 ? options.coldCalls : 100;
+  }
+
+  // For the methods that build with VTK's threads.
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  return run(options);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_benchmarks_TickReport_h
+#define palpate_benchmarks_TickReport_h
+
+#include "TickTimes.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate::benchmarks
+{
+/// One method on one body.
+struct TickRow
+{
+  std::string method;
+  std::size_t triangles;
+  double buildSeconds;
+  double megabytes;
+  int tipsPerCall;
+  TickTimes times;
+};
+
+/// Writes method,triangles,cache,median_ns,p99_ns,p999_ns,max_ns,build_s,memory_mb; two lines per
+/// row, hot and cold. False if the file cannot be written.
+bool writeTickCsv(const std::string& path, const std::vector<TickRow>& rows);
+
+/// The rows of one body, with their ratio to Palpate's own point of the same caches.
+void printRows(const std::vector<TickRow>& rows, std::size_t triangles);
+
+/// What the largest body should cost and what it does cost; how that grew from the smallest.
+void printTargets(const std::vector<TickRow>& rows);
+} // namespace palpate::benchmarks
+
+#endif
