@@ -17,10 +17,12 @@ import liver_slab
 import local_rubber
 import results
 import rubber_on_edges
+import sliding
 import st_venant
 
 PARTS = {"st_venant": st_venant, "castigliano": castigliano, "rubber_on_edges": rubber_on_edges,
-         "local_rubber": local_rubber, "liver_slab": liver_slab, "friction": friction}
+         "local_rubber": local_rubber, "liver_slab": liver_slab, "friction": friction,
+         "sliding": sliding}
 
 
 def main():

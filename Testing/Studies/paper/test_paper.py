@@ -23,13 +23,14 @@ sys.path.append(str(HERE.parent / "calculix"))
 import castigliano          # noqa: E402
 import local_rubber         # noqa: E402
 import results              # noqa: E402
+import sliding              # noqa: E402
 import theory               # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
 E_STAR = 3.45
 SHAPES = {"sphere12.7": ("sphere", 6.35), "sphere3.2": ("sphere", 1.6), "flat3.2": ("flat", 1.6)}
 PICTURES = ("figure1_st_venant", "equation1_castigliano", "figure5_rubber_on_edges", "figure6_local_rubber",
-            "figure7_liver_slab")
+            "figure7_liver_slab", "figure8_sliding")
 close = np.testing.assert_allclose
 
 
@@ -215,6 +216,78 @@ class StudyChecks:
         self.assertAlmostEqual(table["sticking_angle_deg"][row], math.degrees(math.atan(0.75)), places=3)
         self.assertEqual(table["slip_loss_bound"][row], 0)                       # u_r ~ 1 - 2ν
         close(table["slip_loss_bound"][at(table, "nu", 0.45)], slip_loss_of_hertz(0.45), rtol=1e-3)
+
+    def test_figure8_prediction(self):
+        table = self.table("figure8_sliding")
+        for body, nu in sliding.COMPUTED:
+            radius, depth = sliding.CASES[body]
+            slides_after = 0.5 * (2 - nu) / (2 - 2 * nu) * depth
+            force = theory.half_space_force("sphere", radius, E_STAR, depth)
+            a = theory.half_space_contact_radius("sphere", radius, depth)
+
+            def gone(u):
+                """f(δ) - f(δ - u/μc)"""
+                left = [depth * max(1 - x / slides_after, 1e-12) for x in u]
+                return np.array([force - theory.half_space_force("sphere", radius, E_STAR, d) for d in left])
+
+            rows = (table["case"] == body) & (table["nu"] == nu)
+            self.assertGreater(np.count_nonzero(rows), 10)
+            close(table["normal_palpate_N"][rows], force, rtol=5e-4)
+            out = np.isin(table["leg"], ("press", "out")) & rows
+            slide = table["slide_mm"][out]
+            # 64 springs carry Q(u) to 3e-4 of the limit at the depth of the last sample (ShapeFriction.h).
+            close(table["friction_shape_derived_N"][out], 0.5 * gone(slide), atol=5e-4 * force)
+            # Mindlin's 2 E* a / c up to 0.8 of the limit, then less.
+            elastic = 2 * E_STAR * a * slide * 0.5 * depth / slides_after
+            plastic, stuck = table["friction_elasto_plastic_N"][out], elastic < 0.4 * force
+            close(plastic[stuck], elastic[stuck], rtol=5e-4)
+            self.assertTrue(np.all(plastic[~stuck] < elastic[~stuck]))
+            if slide.max() > 1.3 * slides_after:
+                close(plastic[-1], 0.5 * force, rtol=5e-4)
+            # Masing: back from full sliding, twice as high and twice as wide.
+            back = rows & (table["leg"] == "back")
+            width = slide.max() - table["slide_mm"][back]
+            close(table["friction_shape_derived_N"][back], 0.5 * force - gone(0.5 * width), atol=1e-3 * force)
+
+    def test_figure8_normal_force(self):
+        """What the README says of CalculiX's normal force. The scatter of its contact search is 0.3 %."""
+        summary = self.table("figure8_summary")
+        change = {case: summary["largest_change"][i] for i, case in
+                  enumerate(zip(summary["case"], summary["nu"]))}
+        self.assertTrue(np.all(np.abs(summary["least_change"]) < 0.001))
+        self.assertLess(change["control", 0.3], 0.005)
+        self.assertLess(change["control", 0.49], 0.01)
+        self.assertLess(max(change["mid", 0.3], change["mid", 0.49]), 0.025)
+        # It is one: a larger share of the radius, a larger change.
+        self.assertGreater(change["mid", 0.49], change["control", 0.49])
+        rows = {case: i for i, case in enumerate(zip(summary["case"], summary["nu"]))}
+        deep = rows["deep", 0.49]
+        self.assertGreater(summary["depth_over_radius"][deep], 1)
+        self.assertLess(summary["slid_to_mm"][deep], summary["slides_after_law_mm"][deep])  # CalculiX gave up
+        # The law is that of small strain without friction: 5 % in the control, 8 % where it does not hold.
+        control = summary["case"] == "control"
+        close(summary["normal_pressed_N"][control], summary["normal_palpate_N"][control], rtol=0.05)
+        close(summary["normal_pressed_N"], summary["normal_palpate_N"], rtol=0.08)
+
+    def test_figure8_friction(self):
+        """CalculiX against the shape-derived law, in the control; the law's normal force is 2 to 4 % smaller."""
+        summary = self.table("figure8_summary")
+        for i in np.flatnonzero(summary["case"] == "control"):
+            self.assertGreater(summary["slid_to_mm"][i], 1.3 * summary["slides_after_law_mm"][i])
+            self.assertAlmostEqual(summary["friction_over_normal"][i], 0.5, delta=0.02)
+            self.assertLess(summary["friction_error_out"][i], 0.08)
+        loop = np.flatnonzero((summary["case"] == "control") & (summary["nu"] == 0.49))[0]
+        close(summary["loop_shape_derived_Nmm"][loop], summary["loop_calculix_Nmm"][loop], rtol=0.1)
+        # The elasto-plastic law has one stiffness, to 0.8 of the limit, and so a fatter loop.
+        self.assertGreater(summary["loop_elasto_plastic_Nmm"][loop], summary["loop_calculix_Nmm"][loop])
+        table = self.table("figure8_sliding")
+        control = (table["case"] == "control") & (table["nu"] == 0.49)
+        back, forth = (table["friction_calculix_N"][control & (table["leg"] == leg)] for leg in ("back", "forth"))
+        # The same body, mirrored: within the residuals that were tolerated, 0.1 % of 3 N.
+        close(forth, -back, atol=0.003)
+        # And closed.
+        out = table["friction_calculix_N"][control & (table["leg"] == "out")]
+        close(forth[-1], out[-1], rtol=0.002)
 
     def test_pictures(self):
         if results.pyplot is None and self.folder == FOLDER:
