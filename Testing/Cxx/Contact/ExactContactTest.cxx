@@ -222,8 +222,8 @@ TEST_P(ExactContact, TenMetresPerSecond)
 TEST_P(ExactContact, ADescentOverEdgesFails)
 {
   // Why a triangle is left only on a certificate: each facet of a convex pair has a nearest point
-  // of its own. Such a descent stops at the wrong one in 1 to 2 % of these ticks 1 mm deep, in 8 %
-  // of those 5 mm deep.
+  // of its own. Such a descent stops at the wrong one in 1 to 3 % of these ticks 1 mm deep, in 9 to
+  // 10 % of those 5 mm deep.
   const Track track(GetParam());
   ContactTracker tracker(track.mesh, track.tree);
   for (const double depth : { 1.0, 5.0 })
@@ -248,7 +248,7 @@ TEST_P(ExactContact, ADescentOverEdgesFails)
 
 TEST_P(ExactContact, MostTicksNeedNoSearchAround)
 {
-  // 90 % of the ticks were certified with 20 thousand triangles when this was written, 93 % with
+  // 88 % of the ticks were certified with 20 thousand triangles when this was written, 93 % with
   // 200 thousand; the rest are near an edge or a corner.
   const Track track(GetParam());
   ContactTracker tracker(track.mesh, track.tree);
