@@ -111,7 +111,7 @@ TEST(FrictionFrame, DisplacementIsTheArc)
     const Vector3 axis = Vector3(1.0, -2.0, 0.5).normalized();
     const Vector3 start = axis.unitOrthogonal();
     frame.advance(R * start, start);
-    Vector2 first;
+    Vector2 first = Vector2::Zero();
     for (int i = 1; i <= 20; ++i)
     {
       const Vector3 normal = Eigen::AngleAxisd(turn * i, axis) * start;
