@@ -43,9 +43,9 @@ BodyMesh::BodyMesh(const double* points, std::size_t pointCount, const std::int3
   {
     usable[t][0] = this->Usable[t] ? usable[t][0] : -1;
   }
-  this->Topology = std::make_shared<const TriangleLinks>(usable, pointCount);
-  this->Found.borderEdges = this->Topology->borderEdges();
-  this->Found.nonManifoldEdges = this->Topology->nonManifoldEdges();
+  this->Links = std::make_shared<const TriangleLinks>(usable, pointCount);
+  this->Found.borderEdges = this->Links->borderEdges();
+  this->Found.nonManifoldEdges = this->Links->nonManifoldEdges();
   this->computePointNormals();
 }
 

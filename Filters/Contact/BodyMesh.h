@@ -72,7 +72,7 @@ public:
   /// The usable triangles around a point: first and one past the last.
   std::array<const std::int32_t*, 2> trianglesAround(std::int32_t index) const noexcept
   {
-    return this->Topology->around(index);
+    return this->Links->around(index);
   }
   const Defects& defects() const noexcept { return this->Found; }
   bool hasTriangles() const noexcept
@@ -94,7 +94,7 @@ private:
   std::vector<double> Points;
   std::vector<TriangleCorners> Triangles;
   std::vector<bool> Usable;
-  std::shared_ptr<const TriangleLinks> Topology; ///< of the usable triangles
+  std::shared_ptr<const TriangleLinks> Links; ///< of the usable triangles
   std::vector<double> PointNormals;
   Defects Found;
 };

@@ -50,9 +50,9 @@ std::vector<std::array<Link, 3>> linkByEdges(const std::vector<TriangleCorners>&
   const auto attach = [&links](const EdgeUse& use, const EdgeUse& other)
   {
     auto& three = links[static_cast<std::size_t>(use.triangle)];
-    std::find_if(three.begin(), three.end(), [](const Link& link) { return link.other < 0; })
-      ->
-      operator=({ other.triangle, use.rising != other.rising });
+    *std::find_if(three.begin(), three.end(), [](const Link& link) { return link.other < 0; }) = {
+      other.triangle, use.rising != other.rising
+    };
   };
   for (std::size_t first = 0; first < uses.size();)
   {
@@ -130,13 +130,13 @@ std::size_t makeWindingConsistent(std::vector<TriangleCorners>& triangles)
 }
 
 std::vector<std::int32_t> findTwins(
-  const float* coordinates, std::size_t pointCount, const TriangleLinks& topology)
+  const float* coordinates, std::size_t pointCount, const TriangleLinks& links)
 {
   std::vector<std::int32_t> first(pointCount);
   std::iota(first.begin(), first.end(), 0);
   std::vector<std::int32_t> border;
   std::copy_if(first.begin(), first.end(), std::back_inserter(border),
-    [&topology](std::int32_t point) { return topology.onBorder(point); });
+    [&links](std::int32_t point) { return links.onBorder(point); });
   const auto place = [coordinates](std::int32_t point)
   {
     const float* p = coordinates + 3 * static_cast<std::size_t>(point);

@@ -24,7 +24,7 @@ std::size_t makeWindingConsistent(std::vector<TriangleCorners>& triangles);
  * closed bodies that touch.
  */
 std::vector<std::int32_t> findTwins(
-  const float* coordinates, std::size_t pointCount, const TriangleLinks& topology);
+  const float* coordinates, std::size_t pointCount, const TriangleLinks& links);
 
 /**
  * Adds to such a list the ends of edges without length, of triangles from `begin` to `end`: a

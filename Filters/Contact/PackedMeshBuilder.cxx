@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace palpate
@@ -230,22 +228,22 @@ void PackedMesh::Builder::numberPoints(const std::int32_t* triangles)
 
 void PackedMesh::Builder::findNeighbours()
 {
-  this->Topology = std::make_unique<TriangleLinks>(this->Triangles, this->PointCount);
-  if (this->Topology->borderEdges() > 0 || this->Usable < this->Triangles.size())
+  this->Links = std::make_unique<TriangleLinks>(this->Triangles, this->PointCount);
+  if (this->Links->borderEdges() > 0 || this->Usable < this->Triangles.size())
   {
     this->joinPoints();
   }
-  if (this->Topology->twistedEdges() > 0)
+  if (this->Links->twistedEdges() > 0)
   {
     this->turnTriangles();
   }
-  this->Mesh.Found.nonManifoldEdges = this->Topology->nonManifoldEdges();
+  this->Mesh.Found.nonManifoldEdges = this->Links->nonManifoldEdges();
 }
 
 void PackedMesh::Builder::joinPoints()
 {
   std::vector<std::int32_t> twins =
-    findTwins(this->Coordinates.data(), this->PointCount, *this->Topology);
+    findTwins(this->Coordinates.data(), this->PointCount, *this->Links);
   joinEmptyEdges(this->Coordinates.data(), this->Triangles.data() + this->Usable,
     this->Triangles.data() + this->Triangles.size(), twins);
   for (std::size_t i = 0; i < twins.size(); ++i)
@@ -269,7 +267,7 @@ void PackedMesh::Builder::joinPoints()
     }
   }
   this->Twins = std::move(twins);
-  this->Topology = std::make_unique<TriangleLinks>(this->Joined, this->PointCount);
+  this->Links = std::make_unique<TriangleLinks>(this->Joined, this->PointCount);
 }
 
 void PackedMesh::Builder::turnTriangles()
@@ -287,7 +285,7 @@ void PackedMesh::Builder::turnTriangles()
       std::swap(this->Triangles[t][1], this->Triangles[t][2]);
     }
   }
-  this->Topology = std::make_unique<TriangleLinks>(turned, this->PointCount);
+  this->Links = std::make_unique<TriangleLinks>(turned, this->PointCount);
   if (!this->Joined.empty())
   {
     this->Joined = std::move(turned);
@@ -303,13 +301,13 @@ void PackedMesh::Builder::packRings()
     Vertex& vertex = this->Mesh.Vertices[point];
     vertex.ring = NoRing;
     const auto start = static_cast<std::uint32_t>(this->Mesh.Ring.size());
-    const auto around = this->Topology->around(static_cast<std::int32_t>(point));
+    const auto around = this->Links->around(static_cast<std::int32_t>(point));
     std::copy_if(around[0], around[1], std::back_inserter(this->Mesh.Ring),
       [this](std::int32_t t) { return static_cast<std::size_t>(t) < this->Usable; });
     if (this->Mesh.Ring.size() > start)
     {
       this->Mesh.Ring.back() = ~this->Mesh.Ring.back();
-      const bool onBorder = this->Topology->onBorder(static_cast<std::int32_t>(point));
+      const bool onBorder = this->Links->onBorder(static_cast<std::int32_t>(point));
       vertex.ring = (start << 1) | (onBorder ? 1U : 0U);
     }
   };
@@ -337,7 +335,7 @@ void PackedMesh::Builder::packRecords()
       {
         Record& record = this->Mesh.Records[t];
         record.points = this->Triangles[t];
-        record.neighbours = this->Topology->neighbours(t);
+        record.neighbours = this->Links->neighbours(t);
         for (std::size_t k = 0; k < 3; ++k)
         {
           std::copy_n(this->Coordinates.data() + 3 * static_cast<std::size_t>(record.points[k]), 3,

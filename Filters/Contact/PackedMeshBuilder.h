@@ -62,7 +62,7 @@ private:
   std::vector<TriangleCorners> Triangles; ///< in that order; packed points
   std::vector<std::int32_t> Twins;        ///< see findTwins; empty: every point is its own
   std::vector<TriangleCorners> Joined;    ///< Triangles with twins as one point, if there are any
-  std::unique_ptr<TriangleLinks> Topology; ///< of joined()
+  std::unique_ptr<TriangleLinks> Links;   ///< of joined()
 };
 } // namespace palpate
 

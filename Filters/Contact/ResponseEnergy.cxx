@@ -30,12 +30,9 @@ long double integral(const Cubic& c, long double first, long double h, long doub
 } // namespace
 
 ResponseEnergy::ResponseEnergy(const ResponseSampling& sampling)
-  : Samples(sampling.samples())
+  : Sampling(sampling)
+  , Samples(sampling.samples())
   , Exponent(sampling.exponent())
-  , WholePower(2.0 * sampling.exponent() == std::floor(2.0 * sampling.exponent()) &&
-          sampling.exponent() <= 4.0
-        ? static_cast<int>(2.0 * sampling.exponent())
-        : 0)
   , Left(static_cast<std::size_t>(sampling.samples()))
   , Right(static_cast<std::size_t>(sampling.samples()))
 {

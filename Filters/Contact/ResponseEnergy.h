@@ -106,7 +106,7 @@ private:
     const double c1 = h * a.slope;
     const double c2 = 3.0 * rise - h * (2.0 * a.slope + b.slope);
     const double c3 = h * (a.slope + b.slope) - 2.0 * rise;
-    const double here = this->rootPower(s) * s * s *
+    const double here = this->Sampling.rootPower(s) * s * s *
       this->byParts(s / h, a.value + t * (c1 + t * (c2 + t * c3)),
         c1 + t * (2.0 * c2 + 3.0 * t * c3), 2.0 * c2 + 6.0 * t * c3, 6.0 * c3);
     const double start = a.position * a.position / a.weight *
@@ -119,21 +119,6 @@ private:
   {
     const double p = 2.0 * this->Exponent + 1.0;
     return (rho - x / (p + 2.0) * (d1 - x / (p + 3.0) * (d2 - x / (p + 4.0) * d3))) / (p + 1.0);
-  }
-
-  /// s^(2m), by products where 2m is a small whole number.
-  double rootPower(double s) const noexcept
-  {
-    if (this->WholePower == 0)
-    {
-      return std::pow(s, 2.0 * this->Exponent);
-    }
-    double power = s;
-    for (int i = 1; i < this->WholePower; ++i)
-    {
-      power *= s;
-    }
-    return power;
   }
 
   /// As in ResponseSampling: ρ = s^(-2m) F and its slope.
@@ -154,9 +139,9 @@ private:
       2.0 * weight * (range * s * curve.stiffness(i) - this->Exponent * force / s) };
   }
 
+  ResponseSampling Sampling;
   int Samples;
   double Exponent;
-  int WholePower;              ///< 2m if that is whole and small, else 0
   std::vector<double> Weights; ///< s_i^(-2m)
   std::vector<Share> Left;     ///< of each sample to the cell before it; none at the first
   std::vector<Share> Right;    ///< and after it; none at the last

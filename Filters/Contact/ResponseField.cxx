@@ -101,18 +101,6 @@ Eigen::Vector4d ResponseField::samplesAt(std::int32_t point, int lower) const no
   return Eigen::Map<const Eigen::Vector4f>(samples).cast<double>();
 }
 
-ResponseValue ResponseField::evaluate(std::int32_t point, double deflection) const noexcept
-{
-  if (!(deflection > 0.0))
-  {
-    const double zeroOrNaN = deflection <= 0.0 ? 0.0 : deflection;
-    return { zeroOrNaN, zeroOrNaN, false };
-  }
-  ResponseSampling::Stencil stencil;
-  this->Sampling.place(stencil, this->range(point), deflection);
-  return this->evaluate(point, stencil);
-}
-
 template <class Use>
 auto ResponseField::withCurve(std::int32_t point, const Use& use) const noexcept
 {
@@ -120,6 +108,13 @@ auto ResponseField::withCurve(std::int32_t point, const Use& use) const noexcept
   return this->Laws > 0
     ? use(CombinedCurve{ samples, this->Basis.data(), this->Laws, this->Sampling.samples() })
     : use(StoredCurve{ samples });
+}
+
+ResponseValue ResponseField::evaluate(std::int32_t point, double deflection) const noexcept
+{
+  return this->withCurve(point,
+    [&](const auto& curve)
+    { return this->Sampling.evaluate(curve, this->range(point), deflection); });
 }
 
 ResponseValue ResponseField::evaluate(

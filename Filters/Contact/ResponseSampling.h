@@ -44,6 +44,21 @@ public:
     return range * (s * s);
   }
 
+  /// s^(2m), by products where 2m is a small whole number.
+  double rootPower(double s) const noexcept
+  {
+    if (this->WholePower == 0)
+    {
+      return std::pow(s, 2.0 * this->Exponent);
+    }
+    double power = s;
+    for (int i = 1; i < this->WholePower; ++i)
+    {
+      power *= s;
+    }
+    return power;
+  }
+
   /**
    * How force and stiffness at one deflection follow from the samples: for curves of the same
    * range the same, so it is made once for the three vertices of a triangle. Between samples
@@ -166,21 +181,6 @@ private:
         rise * (growth * at.force[j] + weight * (slope[j] + node.ofForce * slope[j + 1]));
       at.stiffness[j + 1] = rise * (growth * at.force[j + 1] + ofStiffness * slope[j + 1]);
     }
-  }
-
-  /// s^(2m), by products where 2m is a small whole number.
-  double rootPower(double s) const noexcept
-  {
-    if (this->WholePower == 0)
-    {
-      return std::pow(s, 2.0 * this->Exponent);
-    }
-    double power = s;
-    for (int i = 1; i < this->WholePower; ++i)
-    {
-      power *= s;
-    }
-    return power;
   }
 
   int Samples;

@@ -38,11 +38,7 @@ SmoothTracker::Contact SmoothTracker::touch(
     const SurfacePoint facet = ContactTracker::follow(this->Mesh, tip, triangle);
     if (facet.triangle < 0)
     {
-      return {}; // the tip outran it
-    }
-    if (facet.triangle < 0)
-    {
-      return {}; // too far to follow: to be searched for
+      return {}; // the tip outran it: to be searched for
     }
     if (facet.triangle != triangle)
     {
