@@ -4,6 +4,7 @@
 #include "FlatBodyFile.h"
 
 #include "SampleResponses.h"
+#include "ScratchFile.h"
 #include "ToolContact.h"
 
 #include <gtest/gtest.h>
@@ -30,13 +31,10 @@ protected:
     , Store(this->Ball.points.size())
     , Validity(this->Ball.points.size(), 0.5F)
     , Limit(this->Ball.points.size(), 1)
-    , Path(::testing::TempDir() + "palpate-flat-body-" +
-        ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".palpate")
   {
     this->Store.normalsFromPoints(this->Ball);
     this->Store.randomizeCurves(5);
   }
-  ~FlatBodyFileTest() override { std::remove(this->Path.c_str()); }
 
   FlatBody flat() const
   {
@@ -75,7 +73,8 @@ protected:
   ResponseStore Store;
   std::vector<float> Validity;
   std::vector<std::uint8_t> Limit;
-  std::string Path;
+  ScratchFile File{ ".palpate" };
+  const std::string& Path = this->File.path();
 };
 
 bool contains(const std::string& text, const std::string& part)

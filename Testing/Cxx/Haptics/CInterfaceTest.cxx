@@ -5,13 +5,13 @@
 #include "FlatBodyFile.h"
 #include "GivenSettings.h"
 #include "SampleResponses.h"
+#include "ScratchFile.h"
 #include "ServoStep.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <string>
@@ -25,7 +25,8 @@ struct Exported
 {
   Surface ball = icosphere(20.0, 3);
   ResponseStore store{ ball.points.size() };
-  std::string path = ::testing::TempDir() + "palpate-c-interface.palpate";
+  ScratchFile scratch{ ".palpate" };
+  const std::string& path = this->scratch.path();
 
   Exported()
   {
@@ -42,7 +43,6 @@ struct Exported
     body.limit = limit.data();
     EXPECT_EQ(palpate::FlatBodyFile::write(this->path, body), "");
   }
-  ~Exported() { std::remove(this->path.c_str()); }
 };
 
 using BodyHandle = std::unique_ptr<palpate_body, decltype(&palpate_body_free)>;

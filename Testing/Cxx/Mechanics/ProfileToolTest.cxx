@@ -3,6 +3,7 @@
 #include "ProfileTool.h"
 
 #include "Agreement.h"
+#include "ScratchFile.h"
 #include "TestTools.h"
 
 #include <fstream>
@@ -147,9 +148,8 @@ class ProfileFileTest : public ::testing::Test
 protected:
   std::string write(const std::string& content)
   {
-    const std::string name = ::testing::TempDir() + "palpate_profile.csv";
-    std::ofstream(name) << content;
-    return name;
+    std::ofstream(this->File.path()) << content;
+    return this->File.path();
   }
   std::string errorOf(const std::string& content)
   {
@@ -166,6 +166,8 @@ protected:
     const std::string error = this->errorOf(content);
     EXPECT_NE(error.find(part), std::string::npos) << part << " is not in: " << error;
   }
+
+  palpate::testing::ScratchFile File{ ".csv" };
 };
 
 TEST_F(ProfileFileTest, ReadsHeaderCommentsAndBlankLines)
@@ -185,7 +187,7 @@ TEST_F(ProfileFileTest, ReadsHeaderCommentsAndBlankLines)
 
 TEST_F(ProfileFileTest, WhatIsWrongIsNamedWithItsLine)
 {
-  this->expectNamed("r,f\n0,0\n1,x\n2,1\n", "palpate_profile.csv:3: '1,x'");
+  this->expectNamed("r,f\n0,0\n1,x\n2,1\n", this->File.path() + ":3: '1,x'");
   this->expectNamed("0,0\n1\n", ":2: '1'");
   this->expectNamed("0,0\n1,2,3\n", ":2: '1,2,3'");
   this->expectNamed("0,0\nr,f\n1,1\n", ":2: 'r,f'");

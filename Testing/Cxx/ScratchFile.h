@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_ScratchFile_h
+#define palpate_testing_ScratchFile_h
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+namespace palpate::testing
+{
+/// The path of a file of the running test's own, removed at its end if the test has written it.
+/// Tests of one executable run side by side, each in its own process: a shared name would be
+/// written twice.
+class ScratchFile
+{
+public:
+  /// `ending`: ".csv".
+  explicit ScratchFile(const std::string& ending)
+  {
+    const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    this->Path =
+      ::testing::TempDir() + "palpate-" + test->test_suite_name() + "-" + test->name() + ending;
+  }
+  ~ScratchFile() { std::remove(this->Path.c_str()); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  const std::string& path() const { return this->Path; }
+
+private:
+  std::string Path;
+};
+} // namespace palpate::testing
+
+#endif
