@@ -36,6 +36,7 @@ void ToolContact::reset() noexcept
   this->Facets.reset();
   this->Smooth.reset();
   this->Resistance.reset();
+  this->LastWeights.setZero();
 }
 
 ToolContactForce ToolContact::update(const Vector3& tip) noexcept
@@ -44,6 +45,7 @@ ToolContactForce ToolContact::update(const Vector3& tip) noexcept
   const ContactTracker::Outcome outcome = this->Settings.surface == ContactSurface::Smooth
     ? this->touchSmooth(tip, place)
     : this->touchFacets(tip, place);
+  this->LastWeights.setZero();
   if (outcome == ContactTracker::Outcome::Border)
   {
     return this->fade(tip, place);
@@ -144,9 +146,11 @@ bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
   return valid;
 }
 
-bool ToolContact::blend(const ContactPlace& place, const BlendedResponse& response,
-  ToolContactForce& result) const noexcept
+bool ToolContact::blend(
+  const ContactPlace& place, const BlendedResponse& response, ToolContactForce& result) noexcept
 {
+  this->LastCorners = this->Body.surface.corners(place.triangle);
+  this->LastWeights = place.weights;
   result.triangle = this->Body.surface.inputTriangle(place.triangle);
   result.contactPoint = place.point;
   result.deflection = -place.signedDistance;

@@ -65,6 +65,13 @@ public:
   ToolContactForce update(const Vector3& tip) noexcept;
   void reset() noexcept;
 
+  /// The curve at the contact of the last update: normalForce is its force at the deflection (with
+  /// ForceForm::Paper a little less, beyond a border a share of it). Without a contact it is zero.
+  BlendedResponse response() const noexcept
+  {
+    return { this->Body.response, this->LastCorners, this->LastWeights };
+  }
+
 private:
   ContactTracker::Outcome touchFacets(const Vector3& tip, ContactPlace& place) noexcept;
   ContactTracker::Outcome touchSmooth(const Vector3& tip, ContactPlace& place) noexcept;
@@ -73,8 +80,8 @@ private:
   void prefetchLast(std::int32_t triangle) const noexcept;
   bool hasResponse(const ContactPlace& place) const noexcept;
   /// Fills everything but friction; false where the force is not finite or has no direction.
-  bool blend(const ContactPlace& place, const BlendedResponse& response,
-    ToolContactForce& result) const noexcept;
+  bool blend(
+    const ContactPlace& place, const BlendedResponse& response, ToolContactForce& result) noexcept;
   /// Σ n_i factor_i U_i.
   Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
   void addFriction(const BlendedResponse& response, ToolContactForce& result) noexcept;
@@ -84,6 +91,8 @@ private:
   ContactTracker Facets;
   SmoothTracker Smooth;
   Friction Resistance;
+  TriangleCorners LastCorners{};
+  Vector3 LastWeights = Vector3::Zero();
 };
 } // namespace palpate
 
