@@ -112,7 +112,7 @@ bool ContactTracker::isHeld(const Contact& contact, const Vector3& tip) const no
            .share > 0.0;
 }
 
-ContactTracker::Contact ContactTracker::update(const Vector3& tip) noexcept
+ContactTracker::Contact ContactTracker::search(const Vector3& tip) noexcept
 {
   if (!tip.allFinite())
   {

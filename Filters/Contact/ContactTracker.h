@@ -5,6 +5,7 @@
 #include "PackedMesh.h"
 #include "TriangleTree.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace palpate
@@ -56,7 +57,16 @@ public:
   {
   }
 
-  Contact update(const Vector3& tip) noexcept;
+  Contact update(const Vector3& tip) noexcept
+  {
+    Contact contact;
+    if (!this->staysOnFaces(tip, contact.surface))
+    {
+      return this->search(tip);
+    }
+    contact.outcome = Outcome::Inside;
+    return contact;
+  }
 
   /// Forgets the contact; the next update searches the whole body.
   void reset() noexcept { this->Triangle = -1; }
@@ -70,6 +80,36 @@ public:
     const PackedMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept;
 
 private:
+  /// Most ticks: the tip is under the face it was under, or one a few edges on, and it is certain
+  /// that nothing around is nearer. False, and nothing is changed but `surface`, where it is not so
+  /// or cannot be told this way.
+  bool staysOnFaces(const Vector3& tip, SurfacePoint& surface) noexcept
+  {
+    constexpr int crossings = 3;
+    const Vector3 local = this->Mesh.toLocal(tip);
+    std::int32_t triangle = this->Tree.isBeyondHorizon(local) ? -1 : this->Triangle;
+    PlaneFoot foot = PlaneFoot::Unknown;
+    for (int i = 0; i <= crossings && triangle >= 0; ++i)
+    {
+      foot = this->Mesh.projectOnFace(local, triangle, surface.projection);
+      if (foot == PlaneFoot::OnFace || foot == PlaneFoot::Unknown)
+      {
+        break;
+      }
+      triangle = this->Mesh.neighbour(triangle, static_cast<int>(foot));
+    }
+    if (triangle < 0 || foot != PlaneFoot::OnFace ||
+      !this->Mesh.isCertainlyNearest(local, triangle, surface.projection))
+    {
+      return false;
+    }
+    this->Triangle = triangle;
+    surface.triangle = triangle;
+    surface.signedDistance = -std::sqrt(surface.projection.squaredDistance);
+    surface.projection.point += this->Mesh.centre();
+    return true;
+  }
+  Contact search(const Vector3& tip) noexcept;
   bool isHeld(const Contact& contact, const Vector3& tip) const noexcept;
 
   const PackedMesh& Mesh;

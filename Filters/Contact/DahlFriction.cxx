@@ -12,11 +12,10 @@ namespace
 constexpr double NearlySliding = 0.99;
 }
 
-TangentialForce DahlFriction::update(const Vector2& displacement, double limit) noexcept
+TangentialForce DahlFriction::update(const StraightStep& step, double limit) noexcept
 {
   const double longest = limit / this->Stiffness;
   StraightStep::clip(this->Z, longest);
-  const StraightStep step(displacement);
   if (step.length() > 0.0 && longest > 0.0)
   {
     const double approached = -std::expm1(-step.length() / longest);

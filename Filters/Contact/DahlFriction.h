@@ -29,7 +29,7 @@ public:
   void reset() noexcept { this->Z.setZero(); }
 
   /// At most `limit` = μ f_n, N.
-  TangentialForce update(const Vector2& displacement, double limit) noexcept;
+  TangentialForce update(const StraightStep& step, double limit) noexcept;
 
 private:
   double Stiffness;

@@ -32,7 +32,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
 {
 }
 
-TangentialForce ElastoPlasticFriction::update(const Vector2& displacement, double limit) noexcept
+TangentialForce ElastoPlasticFriction::update(const StraightStep& step, double limit) noexcept
 {
   const double longest = limit / this->Stiffness;
   if (!(longest > Shortest))
@@ -41,11 +41,16 @@ TangentialForce ElastoPlasticFriction::update(const Vector2& displacement, doubl
     return {};
   }
   StraightStep::clip(this->Z, longest);
-  const StraightStep step(displacement);
-  if (step.length() > 0.0)
+  const double free = this->Breakaway * longest;
+  const Vector2 elastic = this->Z + step.displacement();
+  if (std::max(elastic.squaredNorm(), this->Z.squaredNorm()) <= free * free)
+  {
+    this->Z = elastic; // within the breakaway circle from end to end
+  }
+  else if (step.length() > 0.0)
   {
     Vector2 z = step.toPath(this->Z);
-    double left = StraightStep::moveFreely(z, this->Breakaway * longest, step.length());
+    double left = StraightStep::moveFreely(z, free, step.length());
     if (left > 0.0)
     {
       left = this->creep(z, longest, left);
@@ -111,13 +116,14 @@ bool ElastoPlasticFriction::finishCreep(Vector2& z, double longest, double& leng
   const double share = middle / longest;
   const double w = eighthPower(share * share) - this->Breakaway8;
   const double elastic = w > 0.0 ? this->Width8 / (w + this->Width8) : 1.0; // 1 - α|z|
-  const double way = missing * size / (elastic * z.x());
+  // Divisions that do not wait for each other.
+  const double way = missing * size / z.x() / elastic;
   if (!(way >= 0.0 && way <= length))
   {
     return false;
   }
   length -= way;
-  const double turn = -way * z.y() / (size * middle);
+  const double turn = -way * (z.y() / (size * middle));
   const Vector2 turned(z.x() - turn * z.y(), z.y() + turn * z.x());
   z = longest / turned.norm() * turned;
   return true;

@@ -7,8 +7,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double UnitTolerance = 1e-3;
-
 bool isValid(const FrictionSettings& settings)
 {
   const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
@@ -36,25 +34,5 @@ Friction::Friction(const FrictionSettings& settings) noexcept
 void Friction::reset() noexcept
 {
   this->Frame.reset();
-}
-
-/// Whether there is a contact that makes sense.
-bool Friction::advance(const Vector3& contactPoint, const Vector3& normal, double normalForce,
-  double deflection) noexcept
-{
-  const double finite = contactPoint.sum() + normalForce + deflection;
-  const bool isUnit = std::abs(normal.squaredNorm() - 1.0) < UnitTolerance;
-  if (!std::isfinite(finite) || !isUnit)
-  {
-    this->Frame.reset();
-    return false;
-  }
-  if (!this->Frame.advance(contactPoint, normal))
-  {
-    this->ElastoPlastic.reset();
-    this->Dahl.reset();
-    this->Shape.reset();
-  }
-  return true;
 }
 } // namespace palpate

@@ -8,6 +8,8 @@
 #include "FrictionFrame.h"
 #include "ShapeFriction.h"
 
+#include <cmath>
+
 namespace palpate
 {
 /**
@@ -57,20 +59,20 @@ public:
     {
       return {};
     }
-    const Vector2& displacement = this->Frame.displacement();
+    const StraightStep& step = this->Frame.step();
     const double load = normalForce > 0.0 ? normalForce : 0.0;
     const double limit = this->Coefficient * load;
     TangentialForce tangential;
     switch (this->Model)
     {
       case FrictionModel::ElastoPlastic:
-        tangential = this->ElastoPlastic.update(displacement, limit);
+        tangential = this->ElastoPlastic.update(step, limit);
         break;
       case FrictionModel::Dahl:
-        tangential = this->Dahl.update(displacement, limit);
+        tangential = this->Dahl.update(step, limit);
         break;
       case FrictionModel::ShapeDerived:
-        tangential = this->Shape.update(displacement, load, deflection, curve);
+        tangential = this->Shape.update(step.displacement(), load, deflection, curve);
         break;
     }
     return { this->Frame.toSpace(tangential.force), tangential.sliding };
@@ -79,6 +81,8 @@ public:
 private:
   bool advance(const Vector3& contactPoint, const Vector3& normal, double normalForce,
     double deflection) noexcept;
+  static constexpr double UnitTolerance = 1e-3; ///< of the squared length of a normal
+
   FrictionModel Model;
   bool Enabled;
   double Coefficient;
@@ -87,6 +91,25 @@ private:
   DahlFriction Dahl;
   ShapeFriction Shape;
 };
+/// Whether there is a contact that makes sense.
+inline bool Friction::advance(const Vector3& contactPoint, const Vector3& normal,
+  double normalForce, double deflection) noexcept
+{
+  const double finite = contactPoint.sum() + normalForce + deflection;
+  const bool isUnit = std::abs(normal.squaredNorm() - 1.0) < UnitTolerance;
+  if (!std::isfinite(finite) || !isUnit)
+  {
+    this->Frame.reset();
+    return false;
+  }
+  if (!this->Frame.advance(contactPoint, normal))
+  {
+    this->ElastoPlastic.reset();
+    this->Dahl.reset();
+    this->Shape.reset();
+  }
+  return true;
+}
 } // namespace palpate
 
 #endif

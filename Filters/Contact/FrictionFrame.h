@@ -2,11 +2,16 @@
 #ifndef palpate_FrictionFrame_h
 #define palpate_FrictionFrame_h
 
+#include "StraightStep.h"
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
 
 namespace palpate
 {
-using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 
 /// What a friction model answers, in the frame below.
@@ -43,8 +48,8 @@ public:
   /// one was carried along; if not, the frame starts here, and the displacement is 0.
   bool advance(const Vector3& point, const Vector3& normal) noexcept;
 
-  /// Of the last advance, mm, in this frame.
-  const Vector2& displacement() const noexcept { return this->Displacement; }
+  /// The displacement of the last advance, mm, in this frame.
+  const StraightStep& step() const noexcept { return this->Step; }
 
   /// A tangent vector given in this frame.
   Vector3 toSpace(const Vector2& tangent) const noexcept
@@ -53,15 +58,64 @@ public:
   }
 
 private:
+  static constexpr double SmallestCosine = -0.999;
+  static constexpr double LargestStretch = 2.0;
+
   void start(const Vector3& point, const Vector3& normal) noexcept;
+  /// (φ/2)/sin(φ/2) from cos φ: arcsin s/s = 1 + s²/6 + 3s⁴/40 + ... with s = sin(φ/2).
+  static double arcOfChord(double cosine) noexcept
+  {
+    const double squared = 0.5 * (1.0 - cosine);
+    return 1.0 + squared * (1.0 / 6.0 + 3.0 / 40.0 * squared);
+  }
 
   bool Started = false;
   Vector3 Point = Vector3::Zero();
   Vector3 Normal = Vector3::Zero();
   Vector3 First = Vector3::Zero();
   Vector3 Second = Vector3::Zero();
-  Vector2 Displacement = Vector2::Zero();
+  StraightStep Step;
 };
+// What the displacement needs comes first, in scalar products that do not wait for each other: the
+// rest of a tick waits for it, and for nothing else of the frame.
+inline bool FrictionFrame::advance(const Vector3& point, const Vector3& normal) noexcept
+{
+  const double cosine = this->Normal.dot(normal);
+  if (!this->Started || !(cosine > SmallestCosine))
+  {
+    this->start(point, normal);
+    return false;
+  }
+  // An axis e becomes e - (n·e)/(1 + cos φ) (n + n'), with n the new normal.
+  const Vector3 chord = point - this->Point;
+  const Vector3 normals = this->Normal + normal;
+  const double share = 1.0 / (1.0 + cosine);
+  const double lean = share * chord.dot(normals);
+  const double first = normal.dot(this->First);
+  const double second = normal.dot(this->Second);
+  const Vector2 along(2.0 * chord.dot(this->First) - first * lean,
+    2.0 * chord.dot(this->Second) - second * lean); // chord · (old axis + new axis)
+  const double seen = along.squaredNorm();
+  if (seen > 0.0)
+  {
+    // LargestStretch times the chord that is seen, |along|/2.
+    const double longest = 0.25 * LargestStretch * LargestStretch * seen;
+    const double arc = std::sqrt(std::min(chord.squaredNorm(), longest)) * arcOfChord(cosine);
+    this->Step = StraightStep(along, arc);
+  }
+  else
+  {
+    this->Step = StraightStep();
+  }
+  // Rounding would add up: back into the plane, and one Newton step of 1/√ to unit length.
+  const Vector3 turned = this->First - (share * first) * normals;
+  const double unit = 1.5 - 0.5 * turned.squaredNorm();
+  this->First = unit * (turned - normal.dot(turned) * normal);
+  this->Second = normal.cross(this->First);
+  this->Point = point;
+  this->Normal = normal;
+  return true;
+}
 } // namespace palpate
 
 #endif

@@ -3,8 +3,6 @@
 
 #include "PackedMeshBuilder.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -23,38 +21,10 @@ std::size_t PackedMesh::memory() const noexcept
     sizeof(std::int32_t);
 }
 
-Vector3 PackedMesh::areaNormal(std::int32_t triangle) const noexcept
-{
-  const Vector3 a = this->corner(triangle, 0);
-  return (this->corner(triangle, 1) - a).cross(this->corner(triangle, 2) - a);
-}
-
 Vector3 PackedMesh::faceNormal(std::int32_t triangle) const noexcept
 {
   const Vector3 normal = this->areaNormal(triangle);
   return normal / normal.norm();
-}
-
-bool PackedMesh::isCertainlyNearest(
-  const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept
-{
-  const double bend = this->record(triangle).bend;
-  const Vector3 a = this->corner(triangle, 0);
-  const Vector3 ab = this->corner(triangle, 1) - a;
-  const Vector3 ac = this->corner(triangle, 2) - a;
-  const Vector3 normal = ab.cross(ac); // twice the area long
-  if (!(normal.dot(tip - a) < 0.0) || !std::isfinite(bend))
-  {
-    return false;
-  }
-  // The foot is weight_k · |normal| / |edge opposite of k| from that edge.
-  const double squaredArea = normal.squaredNorm();
-  const double squaredNeed = 0.25 * bend * bend * projection.squaredDistance;
-  const auto isFar = [&](double weight, double squaredEdge)
-  { return weight * weight * squaredArea >= squaredNeed * squaredEdge; };
-  return isFar(projection.weights[0], (ac - ab).squaredNorm()) &&
-    isFar(projection.weights[1], ac.squaredNorm()) &&
-    isFar(projection.weights[2], ab.squaredNorm());
 }
 
 bool PackedMesh::isPlaneBeyond(

@@ -7,6 +7,7 @@
 #include "TriangleProjection.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
@@ -110,7 +111,11 @@ public:
       .cast<double>();
   }
   /// Outward, twice the area long; and as a unit vector.
-  Vector3 areaNormal(std::int32_t triangle) const noexcept;
+  Vector3 areaNormal(std::int32_t triangle) const noexcept
+  {
+    const Vector3 a = this->corner(triangle, 0);
+    return (this->corner(triangle, 1) - a).cross(this->corner(triangle, 2) - a);
+  }
   Vector3 faceNormal(std::int32_t triangle) const noexcept;
   /// Unit angle-weighted normal at a point; zero where no triangle meets.
   Vector3 pointNormal(std::int32_t point) const noexcept
@@ -140,15 +145,31 @@ public:
       tip, this->corner(triangle, 0), this->corner(triangle, 1), this->corner(triangle, 2));
   }
 
+  /// The same if it lies on the face, inline.
+  PlaneFoot projectOnFace(
+    const Vector3& tip, std::int32_t triangle, TriangleProjection& projection) const noexcept
+  {
+    return palpate::projectOnFace(tip, this->corner(triangle, 0), this->corner(triangle, 1),
+      this->corner(triangle, 2), projection);
+  }
+
   /**
    * Whether the triangle's closest point, on its face, is certain to be no farther from a tip
    * inside the body than any triangle it shares a corner with. Those lie no deeper under its plane
-   * than `bend` times their distance from it, so that a point at distance s beyond it is
-   * at least √((m + s)² + (d - bend s)²) away from a tip at depth d whose foot is m from the
-   * triangle's border; that is no less than d if m >= d bend / 2.
+   * than a slope b times their distance from it, so that a point at distance s beyond it is at
+   * least √((m + s)² + (d - b s)²) away from a tip at depth d whose foot is m from the triangle's
+   * border; that is no less than d if m >= d b / 2. The smallest area coordinate times the smallest
+   * altitude is no more than m, and it is the one asked for: exact at the longest edge.
    */
   bool isCertainlyNearest(
-    const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept;
+    const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept
+  {
+    const double least = projection.weights.minCoeff();
+    const double need = this->record(triangle).steepness;
+    const Vector3 inward = this->corner(triangle, 0) - tip;
+    return least * least >= need * need * projection.squaredDistance &&
+      this->areaNormal(triangle).dot(inward) > 0.0;
+  }
 
   /// Whether the tip is surely farther than the given distance: farther from the triangle's plane.
   bool isPlaneBeyond(
@@ -174,7 +195,9 @@ private:
     std::array<std::array<float, 3>, 3> corner;
     TriangleCorners points;
     std::array<std::int32_t, 3> neighbours;
-    float bend; ///< see isCertainlyNearest; infinite where a neighbour lies under the triangle
+    /// b over twice the smallest altitude, see isCertainlyNearest; 1/mm, rounded up; infinite where
+    /// a neighbour lies under the triangle.
+    float steepness;
   };
   static_assert(sizeof(Record) == 64, "one cache line");
 

@@ -390,12 +390,12 @@ void PackedMesh::Builder::computeBends()
     {
       for (std::size_t t = first; t < last; ++t)
       {
-        this->Mesh.Records[t].bend = this->bendOf(static_cast<std::int32_t>(t));
+        this->Mesh.Records[t].steepness = this->steepnessOf(static_cast<std::int32_t>(t));
       }
     });
 }
 
-float PackedMesh::Builder::bendOf(std::int32_t triangle) const
+float PackedMesh::Builder::steepnessOf(std::int32_t triangle) const
 {
   const PackedMesh& mesh = this->Mesh;
   const auto cornersOf = [&mesh](std::int32_t t) -> std::array<Vector3, 3> {
@@ -403,7 +403,7 @@ float PackedMesh::Builder::bendOf(std::int32_t triangle) const
   };
   const TrianglePlane plane(cornersOf(triangle));
   const Record& record = mesh.record(triangle);
-  double bend = 0.0;
+  double slope = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
     mesh.visitAround(record.points[k],
@@ -412,11 +412,11 @@ float PackedMesh::Builder::bendOf(std::int32_t triangle) const
         // The neighbour across the edge that ends here was met where that begins.
         if (other != triangle && other != record.neighbours[(k + 2) % 3])
         {
-          bend = std::max(bend, plane.slopeTo(cornersOf(other), k, bend));
+          slope = std::max(slope, plane.slopeTo(cornersOf(other), k, slope));
         }
       });
   }
-  const double rounded = bend * (1.0 + 1e-6); // up, in float
+  const double rounded = 0.5 * slope / plane.smallestAltitude() * (1.0 + 1e-6); // up, in float
   return static_cast<float>(rounded);
 }
 } // namespace palpate

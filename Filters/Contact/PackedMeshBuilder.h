@@ -42,7 +42,7 @@ private:
   void packRecords();
   void computePointNormals();
   void computeBends();
-  float bendOf(std::int32_t triangle) const;
+  float steepnessOf(std::int32_t triangle) const;
 
   const std::vector<TriangleCorners>& joined() const
   {

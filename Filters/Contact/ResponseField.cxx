@@ -9,8 +9,6 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t HeadSize = 4;
-
 struct StoredCurve
 {
   const float* samples;
@@ -89,18 +87,6 @@ void ResponseField::pack(const ResponseArrays& arrays, std::size_t input, std::s
   }
 }
 
-Vector3 ResponseField::normal(std::int32_t point) const noexcept
-{
-  const float* head = this->record(point);
-  return { head[1], head[2], head[3] };
-}
-
-Eigen::Vector4d ResponseField::samplesAt(std::int32_t point, int lower) const noexcept
-{
-  const float* samples = this->record(point) + HeadSize + 2 * static_cast<std::size_t>(lower);
-  return Eigen::Map<const Eigen::Vector4f>(samples).cast<double>();
-}
-
 template <class Use>
 auto ResponseField::withCurve(std::int32_t point, const Use& use) const noexcept
 {
@@ -118,10 +104,10 @@ ResponseValue ResponseField::evaluate(std::int32_t point, double deflection) con
 }
 
 ResponseValue ResponseField::evaluate(
-  std::int32_t point, const ResponseSampling::Stencil& stencil) const noexcept
+  std::int32_t point, const ResponseSampling::Place& at) const noexcept
 {
   return this->withCurve(
-    point, [&](const auto& curve) { return this->Sampling.evaluate(curve, stencil); });
+    point, [&](const auto& curve) { return this->Sampling.evaluate(curve, at); });
 }
 
 double ResponseField::energy(std::int32_t point, double deflection) const noexcept
@@ -154,7 +140,7 @@ double BlendedResponse::range() const noexcept
 std::array<ResponseValue, 3> BlendedResponse::evaluateEach(double deflection) const noexcept
 {
   std::array<ResponseValue, 3> values;
-  ResponseSampling::Stencil stencil; // of range 0: fits none
+  ResponseSampling::Place at; // of range 0: fits none
   for (std::size_t k = 0; k < 3; ++k)
   {
     if (this->Weights[static_cast<Eigen::Index>(k)] == 0.0)
@@ -162,11 +148,11 @@ std::array<ResponseValue, 3> BlendedResponse::evaluateEach(double deflection) co
       continue;
     }
     const double range = this->Field.range(this->Points[k]);
-    if (range != stencil.range)
+    if (range != at.range)
     {
-      this->Field.sampling().place(stencil, range, deflection);
+      at = this->Field.sampling().place(range, deflection);
     }
-    values[k] = this->Field.evaluate(this->Points[k], stencil);
+    values[k] = this->Field.evaluate(this->Points[k], at);
   }
   return values;
 }
@@ -192,39 +178,9 @@ Vector3 BlendedResponse::energies(double deflection) const noexcept
   return energies;
 }
 
-bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& sum) const noexcept
-{
-  const double range = this->Field.range(this->Points[0]);
-  if (!this->Field.isPerPoint() || !(range > 0.0) || this->Field.range(this->Points[1]) != range ||
-    this->Field.range(this->Points[2]) != range)
-  {
-    return false;
-  }
-  ResponseSampling::Stencil stencil;
-  this->Field.sampling().place(stencil, range, deflection);
-  if (stencil.lower < 0)
-  {
-    return false;
-  }
-  Eigen::Vector4d samples = Eigen::Vector4d::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    samples += this->Weights[static_cast<Eigen::Index>(k)] *
-      this->Field.samplesAt(this->Points[k], stencil.lower);
-  }
-  sum.force = samples.dot(Eigen::Map<const Eigen::Vector4d>(stencil.force));
-  sum.stiffness = samples.dot(Eigen::Map<const Eigen::Vector4d>(stencil.stiffness));
-  sum.beyondRange = stencil.beyondRange;
-  return true;
-}
-
-ResponseValue BlendedResponse::evaluate(double deflection) const noexcept
+ResponseValue BlendedResponse::evaluateApart(double deflection) const noexcept
 {
   ResponseValue sum;
-  if (!(deflection > 0.0) || this->evaluateTogether(deflection, sum))
-  {
-    return sum;
-  }
   const std::array<ResponseValue, 3> values = this->evaluateEach(deflection);
   for (std::size_t k = 0; k < 3; ++k)
   {

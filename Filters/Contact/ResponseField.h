@@ -65,16 +65,23 @@ public:
   bool isValid(std::int32_t point) const noexcept { return this->range(point) > 0.0; }
   /// δ_max, mm; 0 if there is no response.
   double range(std::int32_t point) const noexcept { return this->record(point)[0]; }
-  Vector3 normal(std::int32_t point) const noexcept;
+  Vector3 normal(std::int32_t point) const noexcept
+  {
+    const float* head = this->record(point);
+    return { head[1], head[2], head[3] };
+  }
   ResponseValue evaluate(std::int32_t point, double deflection) const noexcept;
-  /// With a stencil of sampling() for the point's range.
-  ResponseValue evaluate(
-    std::int32_t point, const ResponseSampling::Stencil& stencil) const noexcept;
+  /// At a place that sampling() found for the point's range.
+  ResponseValue evaluate(std::int32_t point, const ResponseSampling::Place& at) const noexcept;
 
   /// Whether each point has its own samples: the other form combines laws.
   bool isPerPoint() const noexcept { return this->Laws == 0; }
   /// F, K of sample `lower` and of the next, of a field that isPerPoint.
-  Eigen::Vector4d samplesAt(std::int32_t point, int lower) const noexcept;
+  Eigen::Vector4d samplesAt(std::int32_t point, int lower) const noexcept
+  {
+    const float* samples = this->record(point) + HeadSize + 2 * static_cast<std::size_t>(lower);
+    return Eigen::Map<const Eigen::Vector4f>(samples).cast<double>();
+  }
 
   /// ∫₀^δ F, N mm; 0 for a point without response. O(samples).
   double energy(std::int32_t point, double deflection) const noexcept;
@@ -91,6 +98,8 @@ public:
   std::size_t memory() const noexcept { return this->Records.size() * sizeof(float); }
 
 private:
+  static constexpr std::size_t HeadSize = 4;
+
   const float* record(std::int32_t point) const noexcept
   {
     return this->Records.data() + this->Stride * static_cast<std::size_t>(point);
@@ -127,7 +136,13 @@ public:
   double range() const noexcept;
   /// Of each point; zeros for those of weight 0. The deflection is > 0.
   std::array<ResponseValue, 3> evaluateEach(double deflection) const noexcept;
-  ResponseValue evaluate(double deflection) const noexcept;
+  ResponseValue evaluate(double deflection) const noexcept
+  {
+    ResponseValue sum;
+    return !(deflection > 0.0) || this->evaluateTogether(deflection, sum)
+      ? sum
+      : this->evaluateApart(deflection);
+  }
   /// ∫₀^δ F of each point, N mm, but for a common constant: zeros if their curves are the same; of
   /// a point without response, which has weight 0, that of the blend.
   Vector3 energies(double deflection) const noexcept;
@@ -135,11 +150,34 @@ public:
 private:
   /// Where the three curves have one range, the sum of their samples does.
   bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
+  ResponseValue evaluateApart(double deflection) const noexcept;
 
   const ResponseField& Field;
   TriangleCorners Points;
   Vector3 Weights;
 };
+inline bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& sum) const noexcept
+{
+  const double range = this->Field.range(this->Points[0]);
+  if (!this->Field.isPerPoint() || !(range > 0.0) || this->Field.range(this->Points[1]) != range ||
+    this->Field.range(this->Points[2]) != range)
+  {
+    return false;
+  }
+  const ResponseSampling::Place at = this->Field.sampling().place(range, deflection);
+  if (at.lower < 0)
+  {
+    return false;
+  }
+  Eigen::Vector4d samples = Eigen::Vector4d::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    samples += this->Weights[static_cast<Eigen::Index>(k)] *
+      this->Field.samplesAt(this->Points[k], at.lower);
+  }
+  sum = this->Field.sampling().between({ samples[0], samples[1], samples[2], samples[3] }, at);
+  return true;
+}
 } // namespace palpate
 
 #endif

@@ -59,70 +59,71 @@ public:
     return power;
   }
 
-  /**
-   * How force and stiffness at one deflection follow from the samples: for curves of the same
-   * range the same, so it is made once for the three vertices of a triangle. Between samples
-   * `lower` and `lower + 1`: force = Σ force_j v_j and dF/dδ = Σ stiffness_j v_j with
-   * v = (F_lower, K_lower, F_lower+1, K_lower+1). Below the first sample (lower = -1) the curve's
-   * own exponent counts and there is no such sum.
-   */
-  struct Stencil
+  /// Where a deflection lies among the samples: for curves of the same range at the same place, so
+  /// that it is found once for the three vertices of a triangle.
+  struct Place
   {
-    int lower = -1;
+    int lower = -1; ///< between samples `lower` and `lower + 1`; -1: below the first
     bool beyondRange = false;
     double deflection = 0.0;
     double range = 0.0;
-    double force[4] = { 0.0, 0.0, 0.0, 0.0 };
-    double stiffness[4] = { 0.0, 0.0, 0.0, 0.0 };
+    double inverseRoot = 0.0; ///< 1/s
+    double root = 0.0;        ///< s
+    double share = 0.0;       ///< of the way from sample `lower` to the next
   };
 
-  /// For δ > 0; range > 0. Filled in place: a copy would wait for what was just stored.
-  void place(Stencil& at, double range, double deflection) const noexcept
+  /// For δ > 0; range > 0.
+  Place place(double range, double deflection) const noexcept
   {
+    Place at;
     at.deflection = deflection;
     at.range = range;
     at.beyondRange = deflection > range;
-    at.lower = -1;
     const int n = this->Samples;
     if (deflection >= range)
     {
       at.lower = n - 2;
-      for (int j = 0; j < 4; ++j)
-      {
-        at.force[j] = j == 2 ? 1.0 : j == 3 ? deflection - range : 0.0;
-        at.stiffness[j] = j == 3 ? 1.0 : 0.0;
-      }
-      return;
+      at.share = 1.0;
+      return at;
     }
     // 1/s first: with it, one root and two divisions that do not wait for each other give all.
-    const double inverse = std::sqrt(range / deflection);
-    const double s = deflection / range * inverse;
-    const double position = s * n;
+    at.inverseRoot = std::sqrt(range / deflection);
+    at.root = deflection / range * at.inverseRoot;
+    const double position = at.root * n;
     const int upper = position < n - 1 ? static_cast<int>(position) : n - 1;
-    if (upper > 0)
+    at.lower = upper - 1;
+    at.share = position - upper;
+    return at;
+  }
+
+  /// F, K of two neighbouring samples of a curve, or of a sum of curves.
+  struct Samples2
+  {
+    double lowerForce, lowerStiffness, upperForce, upperStiffness;
+  };
+
+  /// At a place that is not below the first sample.
+  ResponseValue between(const Samples2& samples, const Place& at) const noexcept
+  {
+    if (at.deflection >= at.range)
     {
-      this->hermite(at, s, inverse, position, upper);
+      return { samples.upperForce + samples.upperStiffness * (at.deflection - at.range),
+        samples.upperStiffness, at.beyondRange };
     }
+    return this->hermite(samples, at);
   }
 
   /// `curve.force(i)` and `curve.stiffness(i)` give sample i = 0..n-1.
   template <class Curve>
-  ResponseValue evaluate(const Curve& curve, const Stencil& at) const noexcept
+  ResponseValue evaluate(const Curve& curve, const Place& at) const noexcept
   {
     if (at.lower < 0)
     {
       return this->powerStart(curve, at.range, at.deflection);
     }
-    const double values[4] = { curve.force(at.lower), curve.stiffness(at.lower),
-      curve.force(at.lower + 1), curve.stiffness(at.lower + 1) };
-    ResponseValue value;
-    value.beyondRange = at.beyondRange;
-    for (int j = 0; j < 4; ++j)
-    {
-      value.force += at.force[j] * values[j];
-      value.stiffness += at.stiffness[j] * values[j];
-    }
-    return value;
+    return this->between({ curve.force(at.lower), curve.stiffness(at.lower),
+                           curve.force(at.lower + 1), curve.stiffness(at.lower + 1) },
+      at);
   }
 
   template <class Curve>
@@ -133,9 +134,7 @@ public:
       const double zeroOrNaN = deflection <= 0.0 ? 0.0 : deflection;
       return { zeroOrNaN, zeroOrNaN, false };
     }
-    Stencil at;
-    this->place(at, range, deflection);
-    return this->evaluate(curve, at);
+    return this->evaluate(curve, this->place(range, deflection));
   }
 
 private:
@@ -153,34 +152,31 @@ private:
     return { value, q * value / deflection, false };
   }
 
-  /// Between samples upper-1 and upper, 1 <= upper < n. With ρ(s) = F/s^(2m), the factor δ_max^m
-  /// cancels; sample i holds ρ_i = w_i F_i and dρ/ds = 2 w_i (δ_max s_i K_i - m F_i/s_i), w_i =
-  /// s_i^(-2m).
-  void hermite(Stencil& at, double s, double inverse, double position, int upper) const noexcept
+  /// With ρ(s) = F/s^(2m), the factor δ_max^m cancels; sample i holds ρ_i = w_i F_i and
+  /// dρ/ds = w_i (2 δ_max s_i K_i - 2m F_i/s_i), w_i = s_i^(-2m). Between two of them, t of the
+  /// way, ρ = ρ_0 + t (a + t (b + t c)).
+  ResponseValue hermite(const Samples2& samples, const Place& at) const noexcept
   {
-    const double h = this->Spacing;
-    const double t = position - upper;
-    const double t2 = t * t;
-    const double t3 = t2 * t;
-    const double rho[4] = { 2.0 * t3 - 3.0 * t2 + 1.0, h * (t3 - 2.0 * t2 + t), 3.0 * t2 - 2.0 * t3,
-      h * (t3 - t2) };
-    const double steep = (6.0 * t2 - 6.0 * t) * this->Samples;
-    const double slope[4] = { steep, 3.0 * t2 - 4.0 * t + 1.0, -steep, 3.0 * t2 - 2.0 * t };
-    const double power = this->rootPower(s);
-    const double rise = 0.5 / at.range * inverse; // ds/dδ
-    const double growth = 2.0 * this->Exponent * inverse;
-    at.lower = upper - 1;
-    for (int j = 0; j < 4; j += 2)
-    {
-      const Node& node = this->Nodes[static_cast<std::size_t>(j == 0 ? at.lower : at.lower + 1)];
-      const double weight = power * node.weight;
-      const double ofStiffness = weight * 2.0 * at.range * node.root;
-      at.force[j] = weight * (rho[j] + node.ofForce * rho[j + 1]);
-      at.force[j + 1] = ofStiffness * rho[j + 1];
-      at.stiffness[j] =
-        rise * (growth * at.force[j] + weight * (slope[j] + node.ofForce * slope[j + 1]));
-      at.stiffness[j + 1] = rise * (growth * at.force[j + 1] + ofStiffness * slope[j + 1]);
-    }
+    const Node& lower = this->Nodes[static_cast<std::size_t>(at.lower)];
+    const Node& upper = this->Nodes[static_cast<std::size_t>(at.lower) + 1];
+    const double twice = 2.0 * at.range;
+    const double rise =
+      upper.weight * samples.upperForce - lower.weight * samples.lowerForce; // ρ_1 - ρ_0
+    const double a = this->Spacing * lower.weight *
+      (twice * lower.root * samples.lowerStiffness + lower.ofForce * samples.lowerForce);
+    const double end = this->Spacing * upper.weight *
+      (twice * upper.root * samples.upperStiffness + upper.ofForce * samples.upperForce);
+    const double b = 3.0 * rise - 2.0 * a - end;
+    const double c = a + end - 2.0 * rise;
+    const double t = at.share;
+    const double rho = lower.weight * samples.lowerForce + t * (a + t * (b + t * c));
+    const double slope = (a + t * (2.0 * b + t * (3.0 * c))) * this->Samples; // dρ/ds
+    const double power = this->rootPower(at.root);
+    const double force = power * rho;
+    // ds/dδ = 1/(2 δ_max s)
+    const double stiffness = 0.5 / at.range * at.inverseRoot *
+      (2.0 * this->Exponent * at.inverseRoot * force + power * slope);
+    return { force, stiffness, at.beyondRange };
   }
 
   int Samples;

@@ -2,13 +2,15 @@
 #ifndef palpate_StraightStep_h
 #define palpate_StraightStep_h
 
-#include "FrictionFrame.h"
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 
 namespace palpate
 {
+using Vector2 = Eigen::Vector2d;
+
 /**
  * The displacement of one tick as a straight piece of path, and what pre-sliding displacements z do
  * along it, exactly, however long it is.
@@ -21,6 +23,15 @@ namespace palpate
 class StraightStep
 {
 public:
+  /// None.
+  StraightStep() = default;
+  /// Along `direction`, of any length but 0; `length` mm.
+  StraightStep(const Vector2& direction, double length) noexcept
+    : Length(length)
+    , Direction(direction * (1.0 / direction.norm()))
+  {
+  }
+
   explicit StraightStep(const Vector2& displacement) noexcept
     : Length(displacement.norm())
     , Direction(this->Length > 0.0 ? Vector2(displacement / this->Length) : Vector2(1.0, 0.0))
@@ -29,6 +40,7 @@ public:
 
   double length() const noexcept { return this->Length; }
   const Vector2& direction() const noexcept { return this->Direction; }
+  Vector2 displacement() const noexcept { return this->Length * this->Direction; }
 
   Vector2 toPath(const Vector2& z) const noexcept
   {
@@ -44,6 +56,10 @@ public:
   /// passes its centre. The length that is left.
   static double moveFreely(Vector2& z, double radius, double length) noexcept
   {
+    if (z.x() >= 0.0 && z.squaredNorm() >= radius * radius)
+    {
+      return length; // spares a sliding contact the root
+    }
     const double inside = radius * radius - z.y() * z.y();
     const double free = (inside > 0.0 ? std::sqrt(inside) : 0.0) - z.x();
     const double moved = std::clamp(free, 0.0, length);
@@ -70,8 +86,8 @@ public:
   }
 
 private:
-  double Length;
-  Vector2 Direction;
+  double Length = 0.0;
+  Vector2 Direction = Vector2(1.0, 0.0);
 };
 } // namespace palpate
 

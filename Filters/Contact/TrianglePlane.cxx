@@ -12,7 +12,8 @@ TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
   : Corner(corners)
   , Normal((corners[1] - corners[0]).cross(corners[2] - corners[0]))
 {
-  this->Normal /= this->Normal.norm();
+  const double twiceArea = this->Normal.norm();
+  this->Normal /= twiceArea;
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -27,6 +28,7 @@ TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
     this->FromCorner[k] = this->FromEdge[k] + this->FromEdge[(k + 2) % 3];
     this->FromCorner[k] /= this->FromCorner[k].norm();
   }
+  this->Altitude = twiceArea / longest;
   this->Rounding = 1e-13 * longest;
 }
 

@@ -22,6 +22,9 @@ public:
   /// triangle is no longer than the one from the triangle. Any slope <= `enough` will do.
   double slopeTo(const std::array<Vector3, 3>& other, std::size_t k, double enough) const;
 
+  /// mm.
+  double smallestAltitude() const { return this->Altitude; }
+
 private:
   double slopeAlong(const Vector3& direction, const std::array<Vector3, 3>& offset,
     const std::array<double, 3>& depth) const;
@@ -30,7 +33,8 @@ private:
   Vector3 Normal;
   std::array<Vector3, 3> FromEdge;   ///< unit, away from the triangle across edge i
   std::array<Vector3, 3> FromCorner; ///< unit, between those of the edges that meet there
-  double Rounding;                   ///< lengths below are nothing
+  double Altitude;
+  double Rounding; ///< lengths below are nothing
 };
 } // namespace palpate
 

@@ -16,9 +16,6 @@ struct Region
   TriangleFeature feature;
 };
 
-/// Below this squared sine of the angle at a, the areas of findRegion are lost in rounding.
-constexpr double SliverSine = 1e-8;
-
 /// The nearest of the feet on the edges and of the foot on the plane, whose areas are taken from
 /// cross products: rounding costs a sliver no more than its height.
 Region nearestOnSliver(

@@ -35,6 +35,59 @@ struct TriangleProjection
 /// (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5). The triangle must have an area.
 TriangleProjection projectOnTriangle(
   const Vector3& tip, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
+
+/// Below this squared sine of the angle at a, the areas of a projection are lost in rounding.
+constexpr double SliverSine = 1e-8;
+
+/// Where a closest point of a triangle's plane lies.
+enum class PlaneFoot : std::int8_t
+{
+  OnFace = -1,
+  BeyondEdge0,
+  BeyondEdge1,
+  BeyondEdge2,
+  Unknown ///< the triangle is a sliver, or the tip not finite
+};
+
+/// The same as projectOnTriangle, bit by bit, where the closest point lies on the face: what a
+/// followed contact meets in most ticks, inline. Where it does not, an edge it lies beyond, and
+/// `projection` is left as it was.
+inline PlaneFoot projectOnFace(const Vector3& tip, const Vector3& a, const Vector3& b,
+  const Vector3& c, TriangleProjection& projection) noexcept
+{
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const Vector3 ap = tip - a;
+  const Vector3 bp = ap - ab;
+  const Vector3 cp = ap - ac;
+  const double d1 = ab.dot(ap);
+  const double d2 = ac.dot(ap);
+  const double d3 = ab.dot(bp);
+  const double d4 = ac.dot(bp);
+  const double d5 = ab.dot(cp);
+  const double d6 = ac.dot(cp);
+  const double va = d3 * d6 - d5 * d4;
+  const double vb = d5 * d2 - d1 * d6;
+  const double vc = d1 * d4 - d3 * d2;
+  const double sum = va + vb + vc;
+  if (!(sum >= SliverSine * ab.squaredNorm() * ac.squaredNorm()))
+  {
+    return PlaneFoot::Unknown;
+  }
+  if (!(va > 0.0 && vb > 0.0 && vc > 0.0))
+  {
+    return va <= 0.0 ? PlaneFoot::BeyondEdge1
+      : vb <= 0.0    ? PlaneFoot::BeyondEdge2
+                     : PlaneFoot::BeyondEdge0;
+  }
+  const double v = vb / sum;
+  const double w = vc / sum;
+  projection.weights = { 1.0 - v - w, v, w };
+  projection.point = a + v * ab + w * ac;
+  projection.squaredDistance = (tip - projection.point).squaredNorm();
+  projection.feature = TriangleFeature::Face;
+  return PlaneFoot::OnFace;
+}
 } // namespace palpate
 
 #endif

@@ -7,8 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <random>
 
+using palpate::PlaneFoot;
+using palpate::projectOnFace;
 using palpate::projectOnTriangle;
 using palpate::TriangleFeature;
 using palpate::TriangleProjection;
@@ -176,4 +180,49 @@ TEST(TriangleProjection, Slivers)
     // the foot by 1e-16/h.
     EXPECT_LE(worst, std::min(thin, 1e-14 / thin) + 1e-14) << thin;
   }
+}
+
+TEST(TriangleProjection, OnAFaceInlineIsTheSameToTheBit)
+{
+  std::mt19937 random(4);
+  int onFace = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Vector3 a = randomPoint(random, 1.0);
+    const Vector3 b = randomPoint(random, 1.0);
+    // One in four a sliver.
+    const Vector3 c =
+      i % 4 == 0 ? Vector3(b + 1e-6 * randomPoint(random, 1.0)) : randomPoint(random, 1.0);
+    const Vector3 tip = randomPoint(random, 1.0);
+    const TriangleProjection expected = projectOnTriangle(tip, a, b, c);
+    TriangleProjection found;
+    const PlaneFoot foot = projectOnFace(tip, a, b, c, found);
+    if (foot == PlaneFoot::Unknown)
+    {
+      continue;
+    }
+    ASSERT_EQ(foot == PlaneFoot::OnFace, expected.feature == TriangleFeature::Face);
+    if (foot == PlaneFoot::OnFace)
+    {
+      ++onFace;
+      ASSERT_EQ(found.point, expected.point);
+      ASSERT_EQ(found.weights, expected.weights);
+      ASSERT_EQ(found.squaredDistance, expected.squaredDistance);
+      ASSERT_EQ(found.feature, TriangleFeature::Face);
+      continue;
+    }
+    // The foot on the plane lies beyond that edge.
+    const std::array<Vector3, 3> corner{ a, b, c };
+    const auto edge = static_cast<std::size_t>(foot);
+    const Vector3 along = corner[(edge + 1) % 3] - corner[edge];
+    const Vector3 inward = (b - a).cross(c - a).cross(along);
+    ASSERT_LE((tip - corner[edge]).dot(inward), 1e-12); // rounding of products of lengths about 1
+  }
+  EXPECT_GT(onFace, 1000);
+  TriangleProjection untouched;
+  const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  const auto foot =
+    projectOnFace(nowhere, Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), untouched);
+  EXPECT_NE(foot, PlaneFoot::OnFace);
+  EXPECT_EQ(untouched.squaredDistance, 0.0);
 }
