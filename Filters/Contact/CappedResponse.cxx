@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CappedResponse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// Of K_max δ: an end of a stretch is found when its error moves no more force than this.
+constexpr double Accuracy = 1e-7;
+} // namespace
+
+double CappedResponse::Slope::root() const noexcept
+{
+  // The root between the ends, whose values have different signs; without cancellation.
+  const double square = second * second - 4.0 * first * third;
+  const double sum = -0.5 * (second + std::copysign(std::sqrt(std::max(0.0, square)), second));
+  for (const double t : { first / sum, sum / third })
+  {
+    if (t > 0.0 && t < 1.0)
+    {
+      return t;
+    }
+  }
+  return 0.5;
+}
+
+double CappedResponse::Slope::oppositeExtreme() const noexcept
+{
+  const double t = -0.5 * second / third;
+  const bool isBetween = t > 0.0 && t < 1.0;
+  const double extreme = first + t * (second + t * third);
+  return isBetween && first * (first + second + third) > 0.0 && first * extreme < 0.0 ? t : 0.0;
+}
+
+CappedResponse::Place CappedResponse::at(double root) const noexcept
+{
+  const double deflection = this->Range * (root * root);
+  const ResponseValue value = this->Response.evaluate(deflection);
+  return { root, deflection, value.force, value.stiffness - this->Maximum };
+}
+
+/// The stiffness may be infinite there: only its sign, and that it is large, is taken.
+CappedResponse::Place CappedResponse::atOnset(const Place& first) const noexcept
+{
+  constexpr double close = 1e-6;
+  const double largest = this->Maximum + std::abs(first.excess);
+  Place place;
+  place.excess = std::clamp(this->at(close).excess, -largest, largest);
+  return place;
+}
+
+/// Of G = F - K_max δ between two places, as the cubic in √δ with its values and slopes there:
+/// G'(t) = first + t (second + t third), t from 0 to 1.
+CappedResponse::Slope CappedResponse::slopeBetween(
+  const Place& low, const Place& high) const noexcept
+{
+  const double width = high.root - low.root;
+  const double rise = high.force - low.force - this->Maximum * (high.deflection - low.deflection);
+  const double first = 2.0 * this->Range * width * low.root * low.excess;
+  const double last = 2.0 * this->Range * width * high.root * high.excess;
+  return { first, 6.0 * rise - 4.0 * first - 2.0 * last, 3.0 * (first + last) - 6.0 * rise };
+}
+
+CappedResponse::Place CappedResponse::crossing(Place low, Place high) const noexcept
+{
+  const bool rises = high.excess > 0.0;
+  const double enough = Accuracy * this->Maximum * high.deflection;
+  double guess = this->slopeBetween(low, high).root();
+  // Illinois: an end that stays counts half, so that both ends close in.
+  double lowWeight = 1.0;
+  double highWeight = 1.0;
+  Place found = low;
+  for (int i = 0; i < Refinements; ++i)
+  {
+    found = this->at(low.root + guess * (high.root - low.root));
+    const double steepness = (std::abs(low.excess) + std::abs(high.excess)) /
+      std::max(high.deflection - low.deflection, 1e-300);
+    if (!(0.5 * found.excess * found.excess > steepness * enough))
+    {
+      break;
+    }
+    const bool isHigh = (found.excess > 0.0) == rises;
+    (isHigh ? high : low) = found;
+    lowWeight = isHigh ? 0.5 * lowWeight : 1.0;
+    highWeight = isHigh ? 1.0 : 0.5 * highWeight;
+    const double a = lowWeight * std::abs(low.excess);
+    guess = a / (a + highWeight * std::abs(high.excess));
+  }
+  return found;
+}
+
+double CappedResponse::lost(double deflection, double force) const noexcept
+{
+  const auto taken = [this](const Place& from, double end, double forceThere)
+  { return forceThere - from.force - this->Maximum * (end - from.deflection); };
+  double sum = 0.0;
+  Place next = this->at(1.0 / NodesInRange);
+  Place last = this->atOnset(next);
+  Place turn = last; // the last change of sign before δ
+  bool isAbove = last.excess > 0.0;
+  const auto advance = [&](const Place& to)
+  {
+    if ((to.excess > 0.0) != isAbove)
+    {
+      const Place end = this->crossing(last, to);
+      if (end.deflection >= deflection)
+      {
+        last.deflection = deflection; // nothing more
+        return;
+      }
+      sum += isAbove ? taken(turn, end.deflection, end.force) : 0.0;
+      turn = end;
+      isAbove = !isAbove;
+    }
+    last = to;
+  };
+  for (int j = 1; j <= Nodes && last.deflection < deflection; ++j)
+  {
+    next = j > 1 ? this->at(static_cast<double>(j) / NodesInRange) : next;
+    const double between = this->slopeBetween(last, next).oppositeExtreme();
+    if (between > 0.0)
+    {
+      advance(this->at(last.root + between * (next.root - last.root)));
+    }
+    if (last.deflection < deflection)
+    {
+      advance(next);
+    }
+  }
+  return isAbove ? sum + taken(turn, deflection, force) : sum;
+}
+
+ResponseValue CappedResponse::evaluate(double deflection) const noexcept
+{
+  ResponseValue value = this->Response.evaluate(deflection);
+  if (!(deflection > 0.0) || !(this->Range > 0.0) || std::isinf(this->Maximum))
+  {
+    return value;
+  }
+  value.force = std::max(0.0, value.force - std::max(0.0, this->lost(deflection, value.force)));
+  value.stiffness = std::min(value.stiffness, this->Maximum);
+  return value;
+}
+
+double CappedResponse::share(double deflection) const noexcept
+{
+  const double whole = this->Response.evaluate(deflection).force;
+  return whole > 0.0 ? std::min(1.0, this->evaluate(deflection).force / whole) : 1.0;
+}
+} // namespace palpate

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A curve with its stiffness capped, against fine quadrature of the data contract (ContractCurve),
+// and against what the paper's three tools become.
+#include "CappedResponse.h"
+
+#include "SampleResponses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace palpate::testing;
+using palpate::BlendedResponse;
+using palpate::CappedResponse;
+using palpate::ResponseField;
+using palpate::ResponseValue;
+using palpate::Vector3;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const palpate::TriangleCorners Corners{ 0, 1, 2 };
+
+/// Three points of one law each, F = scale δ^power.
+ResponseStore powerLaws(const std::array<double, 3>& scales, double power,
+  const std::array<float, 3>& ranges = { 2.0F, 2.0F, 2.0F })
+{
+  ResponseStore store(3);
+  for (std::size_t p = 0; p < 3; ++p)
+  {
+    store.range[p] = ranges[p];
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const double depth =
+        static_cast<double>(ranges[p]) * static_cast<double>((i + 1) * (i + 1)) / 64.0;
+      store.force[8 * p + i] = static_cast<float>(scales[p] * std::pow(depth, power));
+      store.stiffness[8 * p + i] =
+        static_cast<float>(scales[p] * power * std::pow(depth, power - 1.0));
+    }
+  }
+  return store;
+}
+
+/// ∫ min(dF/dδ, K_max) of the blend at each of the increasing depths: midpoint rule in x = √δ.
+std::vector<double> quadrature(const ResponseStore& store, const Vector3& weights, double maximum,
+  const std::vector<double>& depths)
+{
+  const std::array<ContractCurve, 3> curves{ store.curveOf(0), store.curveOf(1), store.curveOf(2) };
+  std::vector<double> sums;
+  double sum = 0.0;
+  double from = 0.0;
+  for (const double depth : depths)
+  {
+    const double to = std::sqrt(depth);
+    const int intervals = 1 + static_cast<int>((to - from) / 5e-4);
+    const double h = (to - from) / intervals;
+    for (int i = 0; i < intervals; ++i)
+    {
+      const double x = from + (i + 0.5) * h;
+      double stiffness = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        stiffness += weights[static_cast<Eigen::Index>(k)] * curves[k].evaluate(x * x).stiffness;
+      }
+      sum += std::min(stiffness, maximum) * 2.0 * x * h;
+    }
+    from = to;
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+/// The largest difference from quadrature, as a share of K_max δ.
+double worstShare(const ResponseStore& store, const Vector3& weights, double maximum)
+{
+  const ResponseField field(store.arrays());
+  const CappedResponse capped(BlendedResponse(field, Corners, weights), maximum);
+  std::vector<double> depths;
+  for (double depth = 0.02; depth < 3.0; depth += 0.0471)
+  {
+    depths.push_back(depth);
+  }
+  const std::vector<double> expected = quadrature(store, weights, maximum, depths);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    const double error = capped.evaluate(depths[i]).force - std::max(0.0, expected[i]);
+    worst = std::max(worst, std::abs(error) / (maximum * depths[i]));
+  }
+  return worst;
+}
+} // namespace
+
+TEST(CappedResponse, ClosedFormOfTheSphere)
+{
+  // F = c δ^1.5 reaches K_max at δ* = (K_max/1.5c)²; above, F_c = c δ*^1.5 + K_max (δ - δ*).
+  const ResponseStore store = powerLaws({ 10.0, 10.0, 10.0 }, 1.5);
+  const ResponseField field(store.arrays());
+  const BlendedResponse response(field, Corners, Vector3(0.2, 0.3, 0.5));
+  for (const double maximum : { 0.02, 0.5, 2.0, 11.0, 20.0 })
+  {
+    const CappedResponse capped(response, maximum);
+    const double turn = std::pow(maximum / 15.0, 2.0);
+    for (const double depth : { 1e-5, 1e-4, 0.01, 0.3, 1.0, 1.9, 2.0 })
+    {
+      const bool isCapped = depth > turn;
+      const double expected = isCapped ? 10.0 * std::pow(turn, 1.5) + maximum * (depth - turn)
+                                       : 10.0 * std::pow(depth, 1.5);
+      const double stiffness = isCapped ? maximum : 15.0 * std::sqrt(depth);
+      const ResponseValue value = capped.evaluate(depth);
+      // What the header promises, and float32 samples: 6e-8 of F.
+      EXPECT_NEAR(value.force, expected, 1e-7 * maximum * depth + 2e-7 * expected) << maximum;
+      EXPECT_NEAR(value.stiffness, stiffness, 2e-7 * stiffness) << maximum << ' ' << depth;
+      EXPECT_FALSE(value.beyondRange);
+      EXPECT_NEAR(capped.share(depth) * response.evaluate(depth).force, value.force, 1e-14);
+    }
+  }
+}
+
+TEST(CappedResponse, QuadratureOfMonotoneStiffness)
+{
+  // Three ranges and scales, powers on both sides of a straight line: with 0.8 the stiffness falls
+  // from infinity. The midpoint rule with its h = 5e-4 misses h²/(4 δ) of K_max δ at the turn:
+  // 3e-6.
+  for (const double power : { 0.8, 1.0, 1.2, 1.5, 2.0, 3.0 })
+  {
+    const ResponseStore store = powerLaws({ 4.0, 10.0, 25.0 }, power, { 1.1F, 2.0F, 1.6F });
+    for (const Vector3& weights : { Vector3(0.2, 0.3, 0.5), Vector3(1.0, 0.0, 0.0) })
+    {
+      for (const double maximum : { 0.3, 2.0, 40.0 })
+      {
+        EXPECT_LE(worstShare(store, weights, maximum), 5e-6) << power << ' ' << maximum;
+      }
+    }
+  }
+}
+
+TEST(CappedResponse, QuadratureOfAnyStiffness)
+{
+  // Random samples of three random ranges: the stiffness rises and falls within every cell, below
+  // zero too. The worst stretches that hide between two nodes hold 2 % of K_max δ; most none.
+  int exact = 0;
+  int cases = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    ResponseStore store(3);
+    store.randomizeCurves(seed);
+    for (const double maximum : { 0.5, 2.0, 6.0 })
+    {
+      const double error = worstShare(store, Vector3(0.2, 0.3, 0.5), maximum);
+      EXPECT_LE(error, 0.03) << seed << ' ' << maximum;
+      exact += error <= 5e-5;
+      ++cases;
+    }
+  }
+  EXPECT_GE(2 * exact, cases);
+}
+
+TEST(CappedResponse, ContinuousAndNeverSteeper)
+{
+  ResponseStore store(3);
+  store.randomizeCurves(5);
+  const ResponseField field(store.arrays());
+  const double step = 1e-4;
+  for (const double maximum : { 0.5, 3.0 })
+  {
+    const CappedResponse capped(BlendedResponse(field, Corners, Vector3(0.2, 0.3, 0.5)), maximum);
+    double last = 0.0;
+    for (double depth = step; depth < 6.0; depth += step)
+    {
+      const ResponseValue value = capped.evaluate(depth);
+      EXPECT_LE(value.stiffness, maximum);
+      // The end of a stretch is found to 1e-7 of K_max δ, and F_c steps by no more than that there;
+      // between nodes a hidden stretch is as steep as F, at most 10 N/mm here.
+      ASSERT_LE(value.force - last, 10.0 * step + 1e-6 * maximum * depth) << depth;
+      ASSERT_GE(value.force - last, -20.0 * step - 1e-6 * maximum * depth) << depth;
+      last = value.force;
+    }
+  }
+}
+
+TEST(CappedResponse, ThePapersTools)
+{
+  // At 1 mm in rubber (E* = 3.45 MPa) three tools give 11.41, 11.04 and 5.45 N; capped at 2 N/mm
+  // 1.99, 2.00 and 1.96: F reaches that stiffness, 2 E* a, at 0.0132, 0 and 0.0529 mm (stiffness of
+  // a sphere's first touch as of a paraboloid), with 0.0176, 0 and 0.0706 N.
+  constexpr double rubber = 3.45;
+  const auto capped = [](const ResponseStore& store)
+  {
+    const ResponseField field(store.arrays());
+    return CappedResponse(BlendedResponse(field, Corners, Vector3(1.0, 0.0, 0.0)), 2.0)
+      .evaluate(1.0)
+      .force;
+  };
+  const auto sphere = [&](double radius)
+  {
+    const double scale = 4.0 / 3.0 * rubber * std::sqrt(radius);
+    return powerLaws({ scale, scale, scale }, 1.5);
+  };
+  const double flat = 2.0 * rubber * 1.6;
+  // The numbers are rounded to 0.01 N.
+  EXPECT_NEAR(capped(sphere(6.35)), 1.99, 0.005);
+  EXPECT_NEAR(capped(powerLaws({ flat, flat, flat }, 1.0)), 2.00, 0.005);
+  EXPECT_NEAR(capped(sphere(1.6)), 1.96, 0.005);
+}
+
+TEST(CappedResponse, LimitsThatAreNone)
+{
+  ResponseStore store(3);
+  store.randomizeCurves(3);
+  const ResponseField field(store.arrays());
+  const BlendedResponse response(field, Corners, Vector3(0.2, 0.3, 0.5));
+  for (const double depth : { 0.01, 0.7, 1.3, 5.0 })
+  {
+    const ResponseValue whole = response.evaluate(depth);
+    const ResponseValue uncapped = CappedResponse(response, Infinity).evaluate(depth);
+    EXPECT_EQ(uncapped.force, whole.force);
+    EXPECT_EQ(uncapped.stiffness, whole.stiffness);
+    EXPECT_EQ(uncapped.beyondRange, whole.beyondRange);
+    EXPECT_EQ(CappedResponse(response, Infinity).share(depth), 1.0);
+    for (const double none : { 0.0, -1.0, NaN, -Infinity })
+    {
+      EXPECT_LE(CappedResponse(response, none).evaluate(depth).force, 1e-12) << none;
+    }
+  }
+  // Higher than any stiffness there is: nothing is taken.
+  const ResponseField spheres(powerLaws({ 4.0, 10.0, 25.0 }, 1.5).arrays());
+  const BlendedResponse sphere(spheres, Corners, Vector3(0.2, 0.3, 0.5));
+  EXPECT_EQ(CappedResponse(sphere, 1e3).evaluate(1.9).force, sphere.evaluate(1.9).force);
+  const CappedResponse capped(response, 2.0);
+  for (const double depth : { 0.0, -1.0, NaN })
+  {
+    EXPECT_EQ(capped.evaluate(depth).force, 0.0);
+    EXPECT_EQ(capped.evaluate(depth).stiffness, 0.0);
+    EXPECT_EQ(capped.share(depth), 1.0);
+  }
+  const BlendedResponse nowhere(field, Corners, Vector3::Zero()); // as without a contact
+  EXPECT_EQ(CappedResponse(nowhere, 2.0).evaluate(1.0).force, 0.0);
+}
+
+TEST(CappedResponse, NeverPulls)
+{
+  // Up 8 N at 16 N/mm and down again: capped at 1 N/mm the fall outweighs the rise.
+  ResponseStore store(3);
+  for (std::size_t p = 0; p < 3; ++p)
+  {
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const double depth = 2.0 * static_cast<double>((i + 1) * (i + 1)) / 64.0;
+      store.force[8 * p + i] = static_cast<float>(16.0 * depth - 8.0 * depth * depth);
+      store.stiffness[8 * p + i] = static_cast<float>(16.0 - 16.0 * depth);
+    }
+  }
+  const ResponseField field(store.arrays());
+  const CappedResponse capped(BlendedResponse(field, Corners, Vector3(0.2, 0.3, 0.5)), 1.0);
+  // K > 1 up to 15/16 mm: F_c there 15/16 N; then 8 (1-δ)² less than F's top allows.
+  for (const double depth : { 0.3, 0.9, 1.0, 1.2, 1.5, 1.9 })
+  {
+    const double turn = 15.0 / 16.0;
+    const double rest = 16.0 * (depth - turn) - 8.0 * (depth * depth - turn * turn);
+    // The interpolant is of δ^1.5: 1e-4 of the 8 N from a parabola, halved by K at the turn.
+    EXPECT_NEAR(
+      capped.evaluate(depth).force, std::max(0.0, depth < turn ? depth : turn + rest), 2e-3);
+  }
+  EXPECT_EQ(capped.evaluate(1.9).force, 0.0);
+}
