@@ -2,11 +2,14 @@
 // Palpate's own rows of the benchmark: the only file of it that knows the kernel's classes.
 #include "BumpySphere.h"
 #include "ContactBody.h"
+#include "ForceLimit.h"
 #include "ServoStep.h"
 #include "TimedMethod.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace palpate::benchmarks
@@ -16,48 +19,108 @@ namespace
 /// Below the 10 N of a tip 1 mm deep, so that the limit is at work in every tick.
 constexpr double MaximumForce = 8.0;
 
-DeviceSample sampleAt(const Vector3& tip)
-{
-  DeviceSample sample;
-  sample.position = 0.001 * tip;
-  sample.valid = true;
-  return sample;
-}
-
 /// Friction as it is by default, elasto-plastic: after the first tenths of a millimetre it slides.
-ServoStep makeServo(const ContactBody& body)
+ContactSettings withFriction()
 {
   ContactSettings settings;
   settings.friction.coefficient = 0.5;
-  return ServoStep(body, WorkspaceMapping(), MaximumForce, settings);
+  return settings;
 }
 
 /// Depth of a tick; NaN if it did not feel what it should.
-double depthFelt(const ServoTick& tick)
+double depthFelt(const ToolContactForce& contact, const Vector3& sent)
 {
-  const ContactState state = tick.contact.state;
-  const bool slides = state == ContactState::Slide && tick.contact.friction.norm() > 0.0;
-  const bool inContact = state == ContactState::Stick || slides;
-  const double force = tick.deviceForce.norm();
-  const bool limited = std::abs(force - MaximumForce) < 1e-9 * MaximumForce;
-  return inContact && limited ? tick.contact.deflection : std::nan("");
+  const bool slides = contact.state == ContactState::Slide && contact.friction.norm() > 0.0;
+  const bool inContact = contact.state == ContactState::Stick || slides;
+  const bool limited = std::abs(sent.norm() - MaximumForce) < 1e-9 * MaximumForce;
+  return inContact && limited ? contact.deflection : std::nan("");
 }
 
-/// Device sample in, force for the device out.
+/// Tip in, limited force out.
 class PalpateTick
 {
 public:
   explicit PalpateTick(const ContactBody& body)
-    : Servo(makeServo(body))
+    : Contact(body, withFriction())
   {
   }
-  DeviceSample prepare(const Vector3* tips) { return sampleAt(*tips); }
-  ServoTick operator()(const DeviceSample& sample) { return this->Servo.step(sample, 0.0); }
-  double distance(const Vector3* /*tips*/, const ServoTick& tick) const { return depthFelt(tick); }
+  struct Answer
+  {
+    ToolContactForce contact;
+    Vector3 sent;
+  };
+  Vector3 prepare(const Vector3* tips) { return *tips; }
+  Answer operator()(const Vector3& tip)
+  {
+    Answer answer{ this->Contact.update(tip), {} };
+    answer.sent = this->Limit.limit(answer.contact.force);
+    return answer;
+  }
+  double distance(const Vector3* /*tips*/, const Answer& answer) const
+  {
+    return depthFelt(answer.contact, answer.sent);
+  }
+  void reset() { this->Contact.reset(); }
+
+private:
+  ToolContact Contact;
+  ForceLimit Limit{ MaximumForce };
+};
+
+/// Device sample in, force for the device out, with the whole safety chain of a device that allows
+/// as much force.
+class PalpateServo
+{
+public:
+  explicit PalpateServo(const ContactBody& body)
+    : Servo(sceneOn(body), WorkspaceMapping(), safety())
+  {
+  }
+  struct Sample
+  {
+    DeviceSample device;
+    double time;
+  };
+  Sample prepare(const Vector3* tips)
+  {
+    Sample sample;
+    sample.device.position = 0.001 * *tips;
+    sample.device.valid = true;
+    sample.time = this->Time += 1e-3;
+    return sample;
+  }
+  ServoTick operator()(const Sample& sample)
+  {
+    return this->Servo.step(sample.device, sample.time);
+  }
+  double distance(const Vector3* /*tips*/, const ServoTick& tick) const
+  {
+    // The chain's control may hold some of the force back.
+    const double force = tick.deviceForce.norm();
+    const bool isSent = force > 0.0 && force < (1.0 + 1e-9) * MaximumForce;
+    return isSent ? tick.contact.deflection : std::nan("");
+  }
   void reset() { this->Servo.reset(); }
 
 private:
+  static std::unique_ptr<ServoScene> sceneOn(const ContactBody& body)
+  {
+    const std::shared_ptr<void> nobody; // the body outlives its methods
+    return std::make_unique<ServoScene>(
+      std::shared_ptr<const ContactBody>(nobody, &body), withFriction());
+  }
+  /// The links at work but gate and slew limit, which keep back the first force of a path.
+  static SafetySettings safety()
+  {
+    SafetySettings settings;
+    settings.maximumForce = MaximumForce;
+    settings.maximumStiffness = 1e5;
+    settings.gate = false;
+    return settings;
+  }
+
   ServoStep Servo;
+  double Time = 0.0;
 };
 
 /// As many histories on one body.
@@ -65,54 +128,51 @@ class PalpatePatch
 {
 public:
   explicit PalpatePatch(const ContactBody& body)
-    : Servos(PatchTips, makeServo(body))
+    : Contacts(PatchTips, PalpateTick(body))
   {
   }
-  using Input = std::array<DeviceSample, PatchTips>;
+  using Input = std::array<Vector3, PatchTips>;
   /// Its force is what a tick is for; the rest of each tip is kept for the check.
   struct Answer
   {
     Vector3 force = Vector3::Zero();
-    std::array<ServoTick, PatchTips> ticks;
+    std::array<PalpateTick::Answer, PatchTips> ticks;
   };
   Input prepare(const Vector3* tips)
   {
-    Input samples;
-    for (DeviceSample& sample : samples)
-    {
-      sample = sampleAt(*tips++);
-    }
-    return samples;
+    Input patch;
+    std::copy_n(tips, PatchTips, patch.begin());
+    return patch;
   }
-  Answer operator()(const Input& samples)
+  Answer operator()(const Input& patch)
   {
     Answer answer;
-    for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t i = 0; i < patch.size(); ++i)
     {
-      answer.ticks[i] = this->Servos[i].step(samples[i], 0.0);
-      answer.force += answer.ticks[i].deviceForce;
+      answer.ticks[i] = this->Contacts[i](patch[i]);
+      answer.force += answer.ticks[i].sent;
     }
     return answer;
   }
-  double distance(const Vector3* /*tips*/, const Answer& answer) const
+  double distance(const Vector3* tips, const Answer& answer) const
   {
     double sum = 0.0;
-    for (const ServoTick& tick : answer.ticks)
+    for (std::size_t i = 0; i < answer.ticks.size(); ++i)
     {
-      sum += depthFelt(tick);
+      sum += this->Contacts[i].distance(tips + i, answer.ticks[i]);
     }
     return sum;
   }
   void reset()
   {
-    for (ServoStep& servo : this->Servos)
+    for (PalpateTick& contact : this->Contacts)
     {
-      servo.reset();
+      contact.reset();
     }
   }
 
 private:
-  std::vector<ServoStep> Servos;
+  std::vector<PalpateTick> Contacts;
 };
 
 /// The contact point alone, followed or found anew.
@@ -166,6 +226,10 @@ std::unique_ptr<ContactBody> makePalpateBody(
 std::unique_ptr<TimedMethod> makePalpateTick(const ContactBody& body)
 {
   return timed<PalpateTick>(body);
+}
+std::unique_ptr<TimedMethod> makePalpateServo(const ContactBody& body)
+{
+  return timed<PalpateServo>(body);
 }
 std::unique_ptr<TimedMethod> makePalpatePatch(const ContactBody& body)
 {

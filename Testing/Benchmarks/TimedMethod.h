@@ -77,6 +77,7 @@ std::unique_ptr<ContactBody> makePalpateBody(
   const testing::Surface& surface, const testing::ResponseStore& responses);
 
 std::unique_ptr<TimedMethod> makePalpateTick(const ContactBody& body);
+std::unique_ptr<TimedMethod> makePalpateServo(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpatePatch(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpatePoint(const ContactBody& body);
 /// The contact is forgotten before each call.

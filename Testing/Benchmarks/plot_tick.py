@@ -21,6 +21,7 @@ STYLE = {
     "palpate-tick": ("Palpate, whole tick", "#d55e00", "o", "-"),
     "palpate-point": ("Palpate, contact point", "#e69f00", "s", "-"),
     "palpate-onset-point": ("Palpate, contact onset", "#cc79a7", "^", "-"),
+    "palpate-tick-servo": ("Palpate, tick of a servo loop", "#999999", "P", "--"),
     "palpate-tick-50-tips": ("Palpate, 50 tips in a tick", "#000000", "D", ":"),
     "palpate-tick-shuffled": ("Palpate, whole tick, shuffled input", "#882255", "x", ""),
     "embree-point": ("Embree point query, warm radius", "#56b4e9", "v", "--"),
