@@ -1,35 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate.h"
+#include "CInterface.h"
 
 #include "FlatBodyFile.h"
-#include "GivenSettings.h"
-#include "ServoStep.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <string>
 
-struct palpate_body
+namespace palpate::c
 {
-  std::shared_ptr<const palpate::ContactBody> kernel;
-};
-
-struct palpate_contact
-{
-  palpate::ServoStep servo;
-};
-
 namespace
 {
-void report(const std::string& reason, char* error, std::size_t size)
-{
-  if (error && size > 0)
-  {
-    std::snprintf(error, size, "%s", reason.c_str());
-  }
-}
-
 /// "FrictionCoefficient" → "friction_coefficient".
 std::string nameInC(const std::string& property)
 {
@@ -42,10 +23,28 @@ std::string nameInC(const std::string& property)
   }
   return name;
 }
+} // namespace
 
-palpate::GivenSettings given(const palpate_settings& settings)
+void report(const std::string& reason, char* error, std::size_t size)
 {
-  palpate::GivenSettings given;
+  if (error && size > 0)
+  {
+    std::snprintf(error, size, "%s", reason.c_str());
+  }
+}
+
+bool isRefused(const SettingFault& fault, char* error, std::size_t size)
+{
+  if (fault)
+  {
+    report(nameInC(fault.name) + ' ' + fault.remark, error, size);
+  }
+  return static_cast<bool>(fault);
+}
+
+GivenSettings given(const palpate_settings& settings)
+{
+  GivenSettings given;
   given.forceForm = settings.force_form;
   given.contactSurface = settings.contact_surface;
   given.frictionModel = settings.friction_model;
@@ -61,7 +60,21 @@ void copy(const Eigen::Vector3d& from, double to[3])
 {
   std::copy_n(from.data(), 3, to);
 }
-} // namespace
+
+void copy(const ServoTick& felt, palpate_tick* tick)
+{
+  copy(felt.deviceForce, tick->device_force);
+  copy(felt.tip, tick->tip);
+  copy(felt.contact.force, tick->force);
+  copy(felt.contact.friction, tick->friction);
+  tick->normal_force = felt.contact.normalForce;
+  tick->deflection = felt.contact.deflection;
+  copy(felt.contact.normal, tick->normal);
+  copy(felt.contact.contactPoint, tick->contact_point);
+  tick->triangle = felt.contact.triangle;
+  tick->state = static_cast<int>(felt.contact.state);
+}
+} // namespace palpate::c
 
 palpate_body* palpate_body_load(const char* path, char* error, std::size_t error_size)
 {
@@ -73,11 +86,11 @@ palpate_body* palpate_body_load(const char* path, char* error, std::size_t error
     {
       return new palpate_body{ palpate::makeContactBody(file.body()) };
     }
-    report(fault, error, error_size);
+    palpate::c::report(fault, error, error_size);
   }
   catch (const std::exception& failure)
   {
-    report(std::string("cannot load the body: ") + failure.what(), error, error_size);
+    palpate::c::report(std::string("cannot load the body: ") + failure.what(), error, error_size);
   }
   return nullptr;
 }
@@ -110,16 +123,13 @@ palpate_contact* palpate_contact_new_with(const palpate_body* body, double maxim
 {
   try
   {
-    const palpate::GivenSettings wanted = settings ? given(*settings) : palpate::GivenSettings();
+    const palpate::GivenSettings wanted =
+      settings ? palpate::c::given(*settings) : palpate::GivenSettings();
     if (!body)
     {
-      report("no body is given", error, error_size);
+      palpate::c::report("no body is given", error, error_size);
     }
-    else if (const palpate::SettingFault fault = wanted.fault())
-    {
-      report(nameInC(fault.name) + ' ' + fault.remark, error, error_size);
-    }
-    else
+    else if (!palpate::c::isRefused(wanted.fault(), error, error_size))
     {
       return new palpate_contact{ palpate::ServoStep(
         *body->kernel, palpate::WorkspaceMapping(), maximum_force, wanted.settings()) };
@@ -127,7 +137,8 @@ palpate_contact* palpate_contact_new_with(const palpate_body* body, double maxim
   }
   catch (const std::exception& failure)
   {
-    report(std::string("cannot make the contact: ") + failure.what(), error, error_size);
+    palpate::c::report(
+      std::string("cannot make the contact: ") + failure.what(), error, error_size);
   }
   return nullptr;
 }
@@ -143,17 +154,7 @@ void palpate_step(
   palpate::DeviceSample sample;
   sample.position = Eigen::Map<const Eigen::Vector3d>(position);
   sample.valid = true;
-  const palpate::ServoTick felt = contact->servo.step(sample, time);
-  copy(felt.deviceForce, tick->device_force);
-  copy(felt.tip, tick->tip);
-  copy(felt.contact.force, tick->force);
-  copy(felt.contact.friction, tick->friction);
-  tick->normal_force = felt.contact.normalForce;
-  tick->deflection = felt.contact.deflection;
-  copy(felt.contact.normal, tick->normal);
-  copy(felt.contact.contactPoint, tick->contact_point);
-  tick->triangle = felt.contact.triangle;
-  tick->state = static_cast<int>(felt.contact.state);
+  palpate::c::copy(contact->servo.step(sample, time), tick);
 }
 
 void palpate_reset(palpate_contact* contact)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulatedDevice.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,32 +10,41 @@ SimulatedDevice::SimulatedDevice(
   std::vector<WayPoint> path, const DeviceSpecification& specification)
   : Limits(specification)
   , Path(std::move(path))
+  , Duration(this->Path.duration())
+{
+}
+
+SimulatedDevice::SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand,
+  std::vector<WayPoint> path, const DeviceSpecification& specification)
+  : Limits(specification)
+  , Path({})
+  , Duration(path.empty() ? 0.0 : path.back().time)
+{
+  const Eigen::Vector3d start =
+    path.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : path.front().position;
+  this->Motion = std::make_unique<SimulatedMotion>(
+    plant, hand, TimedPath(std::move(path)), start, specification.rate);
+}
+
+SimulatedDevice::SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand,
+  const Eigen::Vector3d& start, const DeviceSpecification& specification)
+  : Limits(specification)
+  , Path({})
+  , Motion(std::make_unique<SimulatedMotion>(plant, hand, TimedPath({}), start, specification.rate))
 {
 }
 
 DeviceSample SimulatedDevice::read(double time) noexcept
 {
+  if (this->Motion)
+  {
+    return this->Motion->read(time);
+  }
   DeviceSample sample;
-  if (this->Path.empty() || !std::isfinite(time))
+  sample.valid = !this->Path.isEmpty() && std::isfinite(time);
+  if (sample.valid)
   {
-    return sample;
-  }
-  sample.valid = true;
-  const auto after = std::upper_bound(this->Path.begin(), this->Path.end(), time,
-    [](double t, const WayPoint& point) { return t < point.time; });
-  if (after == this->Path.begin())
-  {
-    sample.position = this->Path.front().position;
-  }
-  else if (after == this->Path.end())
-  {
-    sample.position = this->Path.back().position;
-  }
-  else
-  {
-    const WayPoint& from = *(after - 1);
-    const double share = (time - from.time) / (after->time - from.time);
-    sample.position = from.position + share * (after->position - from.position);
+    sample.position = this->Path.at(time);
   }
   return sample;
 }
@@ -44,11 +52,30 @@ DeviceSample SimulatedDevice::read(double time) noexcept
 bool SimulatedDevice::write(const Eigen::Vector3d& force) noexcept
 {
   this->Force = force;
-  return true;
+  return !this->Motion || this->Motion->write(force);
 }
 
-double SimulatedDevice::duration() const noexcept
+std::string SimulatedDevice::status() const
 {
-  return this->Path.empty() ? 0.0 : this->Path.back().time;
+  return !this->Motion || this->Motion->fault().empty() ? HapticDevice::status()
+                                                        : "not simulated: " + this->Motion->fault();
+}
+
+void SimulatedDevice::steerTo(const Eigen::Vector3d& target) noexcept
+{
+  if (this->Motion)
+  {
+    this->Motion->steerTo(target);
+  }
+}
+
+Eigen::Vector3d SimulatedDevice::truePosition() const noexcept
+{
+  return this->Motion ? this->Motion->position() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+Eigen::Vector3d SimulatedDevice::trueVelocity() const noexcept
+{
+  return this->Motion ? this->Motion->velocity() : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 } // namespace palpate

@@ -3,7 +3,7 @@
 #define palpate_SteeredDevice_h
 
 #include "HapticDevice.h"
-#include "LatestValue.h"
+#include "SteeredTarget.h"
 
 namespace palpate
 {
@@ -11,14 +11,13 @@ namespace palpate
  * A device without hardware, steered from another thread, as by a mouse: a hand that follows its
  * target with a time constant, whatever it feels.
  *
- * The target comes at display rate in steps; the position approaches it as
- * x ← target + (x - target) e^(-Δt/τ), so that the tip neither jumps nor rings at servo rate.
- * steerTo is for one thread, read and write for the servo thread; neither waits.
+ * The position is the hand's aim itself (SteeredTarget); a hand that feels is a SimulatedDevice
+ * with a plant. steerTo is for one thread, read and write for the servo thread; neither waits.
  */
 class SteeredDevice final : public HapticDevice
 {
 public:
-  static constexpr double TimeConstant = 0.03; ///< s
+  static constexpr double TimeConstant = SteeredTarget::TimeConstant; ///< s
 
   explicit SteeredDevice(
     const Eigen::Vector3d& start, const DeviceSpecification& specification = {});
@@ -28,13 +27,11 @@ public:
   bool write(const Eigen::Vector3d& force) noexcept override;
 
   /// Where the hand is to go, m.
-  void steerTo(const Eigen::Vector3d& target) noexcept { this->Target.write(target); }
+  void steerTo(const Eigen::Vector3d& target) noexcept { this->Target.steerTo(target); }
 
 private:
   DeviceSpecification Limits;
-  LatestValue<Eigen::Vector3d> Target;
-  Eigen::Vector3d Position;
-  double LastTime;
+  SteeredTarget Target;
 };
 } // namespace palpate
 

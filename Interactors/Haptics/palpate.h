@@ -3,10 +3,13 @@
  * Palpate from C: load a body, step, reset.
  *
  * For a servo loop that somebody else owns. palpate_step neither allocates, locks, logs nor throws;
- * the other functions may and belong outside the loop. Positions and forces are the device's:
- * metres and newtons in its own frame; what comes back in a palpate_tick is the body's: mm and N in
- * its frame. A body may be shared by any number of contacts and threads; a contact serves one
- * thread and must not outlive its body.
+ * the other functions may and belong outside the loop, but for those that say so. Positions and
+ * forces are the device's: metres and newtons in its own frame; what comes back in a palpate_tick
+ * is the body's: mm and N in its frame. A body may be shared by any number of contacts and threads;
+ * a contact serves one thread and must not outlive its body.
+ *
+ * First come contacts for a loop that has a mapping and a safety of its own; then, from
+ * palpate_mapping on, contacts that bring theirs.
  */
 #ifndef PALPATE_H
 #define PALPATE_H
@@ -112,6 +115,138 @@ extern "C"
 
   /* Forgets the contact: the next step begins anew. */
   void palpate_reset(palpate_contact* contact);
+
+  /* From the device to the body: x_body = rotation (1000 scale x_device) + translation. Forces keep
+   * their magnitude, so that a stiffness of the body is felt as scale times that. */
+  typedef struct palpate_mapping
+  {
+    double rotation[9];    /* row after row; its columns are the axes of the device; orthonormal */
+    double translation[3]; /* mm */
+    double scale;          /* > 0 */
+    /* Not 0: the device has two axes, x and y, and moves in the plane through translation along
+     * them; of a force only what lies in the plane arrives. */
+    int planar;
+  } palpate_mapping;
+
+  /* Device axes are the body's, and 1 m is 1000 mm: the mapping of palpate_contact_new. */
+  void palpate_mapping_default(palpate_mapping* mapping);
+
+  /* Gives a mapping, keeping its rotation, the translation and the least scale that put the body,
+   * with margin (mm) free around it, into a workspace of these half extents (m). Returns 1, or 0
+   * with the reason in error and the mapping as it was. */
+  int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
+    const double workspace[3], double margin, char* error, size_t error_size);
+
+  /* What the maker of a device states. */
+  typedef struct palpate_device
+  {
+    double maximum_force;      /* N */
+    double maximum_stiffness;  /* N/m, of a sampled spring at the rate below */
+    double maximum_force_rate; /* N/s, may be infinite */
+    double rate;               /* Hz, of the loop */
+    double sample_time_out;    /* s; silent for longer, the device is lost. May be infinite */
+  } palpate_device;
+
+  /* 10 N, 3000 N/m, any force rate, 1000 Hz, 20 ms. */
+  void palpate_device_default(palpate_device* device);
+
+  /* What a force must keep to before it is sent. Begin with palpate_safety_of. In this order: */
+  typedef struct palpate_safety
+  {
+    int gate;          /* not 0: no force until the tip has been outside once */
+    double entry_ramp; /* s, in which the force of the first touch rises from zero; 0: at once */
+    /* Of all forces, > 0 to 1: the same for all tools that are compared, so that their ratios
+     * survive what the device cannot do. */
+    double force_factor;
+    int cap_stiffness; /* not 0: no stiffer than maximum_stiffness */
+    double maximum_stiffness;
+    double maximum_force_rate;
+    double maximum_force;
+    int control_passivity;  /* not 0: no more energy out of the device than was put in */
+    double period;          /* s, > 0, of the loop */
+    double sample_time_out; /* > 0 */
+  } palpate_safety;
+
+  /* All links, with what a device (null: the default) allows. */
+  void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
+
+  /* What changed something of the force between palpate_full_tick's ideal_force and what is sent.
+   */
+  enum palpate_safety_link
+  {
+    PALPATE_NOT_FINITE = 1,
+    PALPATE_GATE = 2,
+    PALPATE_FIT = 4,
+    PALPATE_STIFFNESS_CAP = 8,
+    PALPATE_SLEW = 16,
+    PALPATE_MAGNITUDE = 32,
+    PALPATE_PASSIVITY = 64,
+    PALPATE_WATCHDOG = 128,
+    PALPATE_NO_SAMPLE = 256,
+    PALPATE_STOPPED = 512
+  };
+
+  /* A contact with mapping (null: the default), safety and settings (null: the default). While a
+   * button of clutch_buttons is down the tip stays and the hand moves freely; 0: no clutch. Keeps
+   * its body alive: that may be freed before. Null with the reason in error if a number is out of
+   * its range or memory is short. */
+  palpate_contact* palpate_contact_new_safe(const palpate_body* body,
+    const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
+    unsigned int clutch_buttons, char* error, size_t error_size);
+
+  /* A reading of a device, in its own frame. */
+  typedef struct palpate_sample
+  {
+    double position[3];   /* m */
+    double velocity[3];   /* m/s; zero if the device does not tell */
+    unsigned int buttons; /* bit i: button i is down */
+    int valid;            /* 0: there is nothing to report; the force is then zero */
+    int fresh;            /* 0: nothing new since the last reading, which is repeated */
+  } palpate_sample;
+
+  /* Zeros, valid and fresh. */
+  void palpate_sample_default(palpate_sample* sample);
+
+  typedef struct palpate_full_tick
+  {
+    palpate_tick tick;       /* contact and what is sent, as from palpate_step */
+    double velocity[3];      /* of the hand, mm/s, frame of the body, as the forces: */
+    double ideal_force[3];   /* N, before the safety */
+    double applied_force[3]; /* N, tick.device_force */
+    double force_factor;     /* of the second over the first, by PALPATE_FIT */
+    double scene_share;      /* of the ideal force: of the newest scene; 1 but while switching */
+    unsigned int scene;      /* how many scenes came before that */
+    unsigned int acted;      /* sum of enum palpate_safety_link */
+    int valid;               /* the sample was valid and finite */
+    int clutched;            /* the tip stays while the hand moves */
+  } palpate_full_tick;
+
+  /* One tick of any contact with all a device tells, in the loop as palpate_step; time increases.
+   * palpate_step is this with a valid, fresh sample without velocity and buttons. */
+  void palpate_step_sample(
+    palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
+
+  /* In the loop: no force from the next step on, until start. */
+  void palpate_stop(palpate_contact* contact);
+  void palpate_start(palpate_contact* contact);
+
+  /* Another body, tool, material or other settings for a contact that may be touching. */
+  typedef struct palpate_scene palpate_scene;
+
+  /* Keeps its body alive. force_factor (> 0 to 1) is that of the scene, on top of
+   * palpate_safety.force_factor. Null with the reason in error. */
+  palpate_scene* palpate_scene_new(const palpate_body* body, const palpate_settings* settings,
+    double force_factor, char* error, size_t error_size);
+  /* Of a scene that was not given to a contact, or of all that palpate_take_retired returned. */
+  void palpate_scene_free(palpate_scene* scene);
+
+  /* In the loop: gives a scene (null: nothing happens) to the contact, whose force goes over to it
+   * within 50 ms, without a step. One that comes meanwhile waits; of several the newest is taken.
+   */
+  void palpate_change(palpate_contact* contact, palpate_scene* scene);
+  /* In the loop: the scenes the contact no longer needs, or null. To be freed outside the loop, all
+   * at once by palpate_scene_free; those not taken are freed with the contact. */
+  palpate_scene* palpate_take_retired(palpate_contact* contact);
 
 #ifdef __cplusplus
 }

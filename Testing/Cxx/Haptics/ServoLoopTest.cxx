@@ -3,14 +3,16 @@
 #include "ServoLoop.h"
 
 #include "SampleResponses.h"
+#include "StandingDevice.h"
 #include "SteeredDevice.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <thread>
+#include <stdexcept>
+#include <string>
 
 using Eigen::Vector3d;
 using namespace palpate;
@@ -18,58 +20,20 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A device that stands still, counts and remembers; read by the test after the loop has stopped.
-class StandingDevice final : public HapticDevice
-{
-public:
-  explicit StandingDevice(const Vector3d& where)
-    : Position(where)
-  {
-  }
-  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  DeviceSample read(double time) noexcept override
-  {
-    this->Increasing = this->Increasing && time > this->Time;
-    this->Time = time;
-    DeviceSample sample;
-    sample.position = this->Position;
-    sample.valid = true;
-    return sample;
-  }
-  bool write(const Vector3d& force) noexcept override
-  {
-    this->Strongest = std::max(this->Strongest, force.norm());
-    this->Last = force;
-    return true;
-  }
-
-  DeviceSpecification Limits;
-  Vector3d Position;
-  Vector3d Last = Vector3d::Zero();
-  double Strongest = 0.0;
-  double Time = -1.0;
-  bool Increasing = true;
-};
-
-/// Waits for the loop to have made `count` ticks; bounded by the test's own time limit.
-void waitForTicks(const ServoLoop& loop, std::uint64_t count)
-{
-  while (loop.ticks() < count)
-  {
-    std::this_thread::yield();
-  }
-}
+/// F = 10 δ^1.5 under a tip half a millimetre deep in a ball of 20 mm.
+const Vector3d Inside(0.0, 0.0, 0.0195); // m
 } // namespace
 
 TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
 {
   const auto body = uniformBody(icosphere(20.0, 3));
-  StandingDevice device(Vector3d(0.0, 0.0, 0.0195)); // m: half a millimetre deep
+  StandingDevice device(Inside);
   const ServoStep step(*body, WorkspaceMapping(), 10.0);
   ServoLoop loop(device, step, 1000.0);
   EXPECT_FALSE(loop.isRunning());
-  loop.start();
+  EXPECT_EQ(loop.start(), "");
   EXPECT_TRUE(loop.isRunning());
+  EXPECT_EQ(loop.grant().request.priority, 80);
   waitForTicks(loop, 50);
   ServoStep same = step;
   DeviceSample sample;
@@ -81,13 +45,18 @@ TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
   EXPECT_TRUE(device.Increasing);
   EXPECT_GT(device.Strongest, 0.1);
   EXPECT_EQ(device.Last, Vector3d::Zero());
-  EXPECT_EQ(loop.newest().contact.force, Vector3d::Zero()) << "no stale force after stop";
+  const ServoTick& last = loop.newest();
+  EXPECT_EQ(last.contact.force, Vector3d::Zero()) << "no stale force after stop";
+  EXPECT_EQ(last.appliedForce, Vector3d::Zero());
+  EXPECT_EQ(last.deviceForce, Vector3d::Zero());
+  EXPECT_EQ(last.acted, static_cast<std::uint16_t>(SafetyLink::Stopped));
+  EXPECT_FALSE(last.valid);
 }
 
 TEST(ServoLoop, StartsAgainAndMayBeDestroyedWhileRunning)
 {
   const auto body = uniformBody(icosphere(20.0, 3));
-  StandingDevice device(Vector3d(0.0, 0.0, 0.0195));
+  StandingDevice device(Inside);
   {
     ServoLoop loop(device, ServoStep(*body, WorkspaceMapping(), 10.0), 4000.0);
     loop.start();
@@ -100,6 +69,91 @@ TEST(ServoLoop, StartsAgainAndMayBeDestroyedWhileRunning)
     waitForTicks(loop, before + 5);
   }
   EXPECT_EQ(device.Last, Vector3d::Zero());
+}
+
+TEST(ServoLoop, AnExceptionOfTheOwnerLeavesZeroForce)
+{
+  const auto body = uniformBody(icosphere(20.0, 3));
+  StandingDevice device(Inside);
+  const auto fail = [&]
+  {
+    ServoLoop loop(device, ServoStep(*body, WorkspaceMapping(), 10.0), 1000.0);
+    loop.start();
+    waitForTicks(loop, 5);
+    throw std::runtime_error("the owner's");
+  };
+  EXPECT_THROW(fail(), std::runtime_error);
+  EXPECT_GT(device.Strongest, 0.1);
+  EXPECT_EQ(device.Last, Vector3d::Zero());
+}
+
+namespace
+{
+/// Takes zero force only when asked for the fourth time: the three before find it busy.
+class BusyDevice final : public StandingDevice
+{
+public:
+  using StandingDevice::StandingDevice;
+  bool write(const Vector3d& force) noexcept override
+  {
+    return (!force.isZero() || ++this->Zeros > 3) && StandingDevice::write(force);
+  }
+  int Zeros = 0;
+};
+
+/// Refuses everything, as one that is unplugged.
+class GoneDevice final : public StandingDevice
+{
+public:
+  using StandingDevice::StandingDevice;
+  bool write(const Vector3d&) noexcept override { return false; }
+};
+} // namespace
+
+TEST(ServoLoop, ZeroForceIsOfferedAgainToABusyDeviceButNotForEverToOneThatIsGone)
+{
+  const auto body = uniformBody(icosphere(20.0, 3));
+  BusyDevice busy(Inside);
+  ServoLoop first(busy, ServoStep(*body, WorkspaceMapping(), 10.0), 1000.0);
+  first.start();
+  waitForTicks(first, 5);
+  first.stop();
+  EXPECT_GT(busy.Strongest, 0.1);
+  EXPECT_EQ(busy.Last, Vector3d::Zero());
+
+  GoneDevice gone(Inside);
+  ServoLoop second(gone, ServoStep(*body, WorkspaceMapping(), 10.0), 1000.0);
+  second.start();
+  waitForTicks(second, 5);
+  second.stop();
+  EXPECT_EQ(second.statistics().refusedForces, second.ticks());
+}
+
+TEST(ServoLoop, SettingsThatCannotBeAreNamed)
+{
+  const auto body = uniformBody(icosphere(20.0, 1));
+  StandingDevice device(Inside);
+  const auto faultOf = [&](double rate, double recorded, int priority)
+  {
+    ServoLoopSettings settings;
+    settings.rate = rate;
+    settings.recordedSeconds = recorded;
+    settings.realTime.priority = priority;
+    ServoLoop loop(device, ServoStep(*body, WorkspaceMapping(), 10.0), settings);
+    const std::string fault = loop.start();
+    EXPECT_EQ(loop.isRunning(), fault.empty());
+    return fault;
+  };
+  const double NaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(faultOf(0.5, 0.0, 0), "a rate of 0.5 ticks per second: it must be 1 to 100000");
+  EXPECT_EQ(faultOf(NaN, 0.0, 0), "a rate of nan ticks per second: it must be 1 to 100000");
+  EXPECT_EQ(faultOf(200e3, 0.0, 0), "a rate of 200000 ticks per second: it must be 1 to 100000");
+  EXPECT_EQ(faultOf(1e3, -1.0, 0), "a recording of -1000 ticks: it must be 0 to 1e+07");
+  EXPECT_EQ(faultOf(1e3, NaN, 0), "a recording of nan ticks: it must be 0 to 1e+07");
+  EXPECT_EQ(faultOf(1e3, 1e5, 0), "a recording of 1e+08 ticks: it must be 0 to 1e+07");
+  EXPECT_EQ(faultOf(1e3, 0.0, 100), "a real-time priority of 100: it must be 0 to 99");
+  EXPECT_EQ(faultOf(1e3, 0.0, -1), "a real-time priority of -1: it must be 0 to 99");
+  EXPECT_EQ(faultOf(1e3, 0.0, 0), "");
 }
 
 TEST(SteeredDevice, ApproachesItsTargetExponentially)

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
 
 using Eigen::Matrix3d;
@@ -81,4 +83,137 @@ TEST(WorkspaceMapping, KeepsWorkUpToTheScale)
     EXPECT_NEAR(onBody, 1000.0 * scale * onDevice, 1e-9); // 1e-16 of 10 N · 600 mm, times a few
     EXPECT_NEAR(mapping.forceToDevice(force).norm(), force.norm(), 1e-14);
   }
+}
+
+TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
+{
+  std::mt19937 random(3);
+  const WorkspaceMapping mapping(randomRotation(random), randomPoint(random, 100.0), 1.7);
+  for (const WorkspaceMapping& each : { mapping, mapping.planar() })
+  {
+    const Vector3d from = randomPoint(random, 0.1);
+    const Vector3d velocity = randomPoint(random, 1.0);
+    const double step = 0.125; // s; the mapping is linear, so any step will do
+    const Vector3d rate = (each.toBody(from + step * velocity) - each.toBody(from)) / step;
+    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10); // 1e-16 of 300 mm, over step
+  }
+}
+
+TEST(WorkspaceMapping, StiffnessIsFeltScaled)
+{
+  // A spring of the body, K = 2 N/mm along y, moved by the device: dF/dx in the device's frame.
+  std::mt19937 random(4);
+  for (const double scale : { 0.2, 1.0, 3.0 })
+  {
+    const WorkspaceMapping mapping(randomRotation(random), randomPoint(random, 100.0), scale);
+    const auto springForce = [&](const Vector3d& device)
+    { return mapping.forceToDevice(Vector3d(0, -2.0 * mapping.toBody(device).y(), 0)); };
+    const Vector3d along = mapping.forceToDevice(Vector3d::UnitY());
+    const double step = 0.01; // m
+    const double felt =
+      (springForce(Vector3d::Zero()) - springForce(step * along)).dot(along) / step;
+    EXPECT_NEAR(mapping.stiffnessToDevice(2.0), felt, 1e-9 * felt); // 1e-16 of 200 N over 10 mm
+    EXPECT_DOUBLE_EQ(mapping.stiffnessToDevice(2.0), 2000.0 * scale);
+    EXPECT_DOUBLE_EQ(mapping.lengthToDevice(1000.0 * scale), 1.0);
+    EXPECT_LE((mapping.forceToBody(along) - Vector3d::UnitY()).norm(), 1e-15);
+  }
+}
+
+TEST(WorkspaceMapping, PlanarDevicesMoveInAPlaneOfTheBody)
+{
+  // The device's x along the body's y, its y along the body's z: the plane x = 7.
+  const WorkspaceMapping mapping =
+    WorkspaceMapping::inPlane(Vector3d(7, 1, 2), Vector3d::UnitY(), Vector3d::UnitZ(), 2.0);
+  EXPECT_TRUE(mapping.isPlanar());
+  EXPECT_FALSE(mapping.fault());
+  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42)); // whatever its z
+  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, std::nan(""))), Vector3d(7, 21, 42));
+  EXPECT_EQ(mapping.toDevice(Vector3d(-50, 21, 42)), Vector3d(0.01, 0.02, 0));
+  EXPECT_EQ(mapping.velocityToBody(Vector3d(0.5, 0.25, 9)), Vector3d(0, 1000, 500));
+  // Of a force what lies in the plane, neither more nor less.
+  EXPECT_EQ(mapping.forceToDevice(Vector3d(5, 3, -4)), Vector3d(3, -4, 0));
+  EXPECT_EQ(mapping.forceToBody(Vector3d(3, -4, 11)), Vector3d(0, 3, -4));
+  EXPECT_FALSE(WorkspaceMapping().isPlanar());
+}
+
+TEST(WorkspaceMapping, FitsABodyIntoTheWorkspace)
+{
+  std::mt19937 random(5);
+  const Vector3d workspace(0.08, 0.06, 0.03);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector3d lower = randomPoint(random, 100.0);
+    const Vector3d upper = lower + randomPoint(random, 50.0).cwiseAbs();
+    const double margin = 0.1 * i;
+    const WorkspaceMapping turned(randomRotation(random), Vector3d::Zero(), 1.0);
+    for (const bool planar : { false, true })
+    {
+      const WorkspaceMapping mapping =
+        (planar ? turned.planar() : turned).fitted(lower, upper, workspace, margin);
+      ASSERT_FALSE(mapping.fault());
+      EXPECT_EQ(mapping.rotation(), turned.rotation());
+      // By brute force: all corners, pushed out by the margin along the axes of the device, are in
+      // the workspace, and the farthest is at its border.
+      double farthest = 0.0;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const Vector3d place((corner & 1) != 0 ? lower.x() : upper.x(),
+          (corner & 2) != 0 ? lower.y() : upper.y(), (corner & 4) != 0 ? lower.z() : upper.z());
+        const Vector3d out = mapping.toDevice(place).cwiseAbs() +
+          Vector3d::Constant(margin / (1000.0 * mapping.scale()));
+        for (int axis = 0; axis < (planar ? 2 : 3); ++axis)
+        {
+          farthest = std::max(farthest, out[axis] / workspace[axis]);
+        }
+      }
+      EXPECT_NEAR(farthest, 1.0, 1e-12); // 1e-16 of 250 mm in 6 mm
+      EXPECT_LE((mapping.toBody(Vector3d::Zero()) - 0.5 * (lower + upper)).norm(), 1e-13);
+    }
+  }
+}
+
+TEST(WorkspaceMapping, FaultsAreNamed)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Matrix3d unit = Matrix3d::Identity();
+  const Vector3d origin = Vector3d::Zero();
+  EXPECT_FALSE(WorkspaceMapping().fault());
+  Matrix3d mirror = unit;
+  mirror(2, 2) = -1.0; // a device of left-handed axes
+  EXPECT_FALSE(WorkspaceMapping(mirror, origin, 1.0).fault());
+  Matrix3d typed;
+  typed << 0.7071068, -0.7071068, 0, 0.7071068, 0.7071068, 0, 0, 0, 1; // seven digits
+  EXPECT_FALSE(WorkspaceMapping(typed, origin, 1.0).fault());
+
+  Matrix3d skew = unit;
+  skew(0, 1) = 1e-3;
+  Matrix3d hole = unit;
+  hole(1, 1) = nan;
+  for (const Matrix3d& wrong : { skew, hole, Matrix3d(2.0 * unit), Matrix3d(Matrix3d::Zero()) })
+  {
+    EXPECT_EQ(WorkspaceMapping(wrong, origin, 1.0).fault().name, "Rotation");
+  }
+  EXPECT_NE(
+    WorkspaceMapping(2.0 * unit, origin, 1.0).fault().remark.find("off by 3"), std::string::npos);
+  EXPECT_EQ(WorkspaceMapping(unit, Vector3d(0, infinity, 0), 1.0).fault().name, "Translation");
+  for (const double wrong : { 0.0, -1.0, nan, infinity })
+  {
+    EXPECT_EQ(WorkspaceMapping(unit, origin, wrong).fault().name, "Scale") << wrong;
+  }
+  // Axes of a plane that are not at right angles; a box inside out; no workspace; no margin.
+  EXPECT_EQ(
+    WorkspaceMapping::inPlane(origin, Vector3d::UnitX(), Vector3d(1, 1, 0).normalized(), 1.0)
+      .fault()
+      .name,
+    "Rotation");
+  const Vector3d one = Vector3d::Ones();
+  const WorkspaceMapping usual;
+  EXPECT_EQ(usual.fitted(one, -one, one, 0.0).fault().name, "Scale");
+  EXPECT_EQ(usual.fitted(-one, one, Vector3d(0.1, 0.1, 0.0), 0.0).fault().name, "Scale");
+  EXPECT_EQ(usual.fitted(-one, one, Vector3d(-0.1, 0.1, 0.1), 0.0).fault().name, "Scale");
+  EXPECT_EQ(usual.fitted(-one, one, one, -1.0).fault().name, "Scale");
+  EXPECT_EQ(usual.fitted(-one, one, one, nan).fault().name, "Scale");
+  EXPECT_TRUE(usual.fitted(-one, nan * one, one, 0.0).fault());
+  EXPECT_FALSE(usual.planar().fitted(-one, one, Vector3d(0.1, 0.1, 0.0), 0.0).fault());
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the handles of palpate.h are, for its implementation only.
+#ifndef palpate_CInterface_h
+#define palpate_CInterface_h
+
+#include "palpate.h"
+
+#include "GivenSettings.h"
+#include "ServoStep.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+struct palpate_body
+{
+  std::shared_ptr<const palpate::ContactBody> kernel;
+};
+
+struct palpate_contact
+{
+  palpate::ServoStep servo;
+};
+
+namespace palpate::c
+{
+/// Cut to the size there is.
+void report(const std::string& reason, char* error, std::size_t size);
+/// Reports a fault by its name in C; returns whether there is one.
+bool isRefused(const SettingFault& fault, char* error, std::size_t size);
+
+GivenSettings given(const palpate_settings& settings);
+
+void copy(const Eigen::Vector3d& from, double to[3]);
+void copy(const ServoTick& felt, palpate_tick* tick);
+} // namespace palpate::c
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SafetyFault_h
+#define palpate_SafetyFault_h
+
+#include "GivenSettings.h"
+#include "SafetySettings.h"
+
+namespace palpate
+{
+/// The first of settings that come in from outside which is out of its range, NaN included, by its
+/// name with a capital ("MaximumForce"). The chain itself is safe with any, but may send nothing.
+SettingFault faultOf(const SafetySettings& settings);
+
+/// The range is that of SafetySettings::forceFactor and ServoScene::forceFactor.
+SettingFault faultOfForceFactor(double factor);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SampleRing_h
+#define palpate_SampleRing_h
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * Hands every value from one thread to one other, in order; neither ever waits.
+ *
+ * All memory is taken, and touched, by the constructor. When the reader has not drained in time and
+ * the ring is full, the newest value is lost and counted, so that a record has a gap that is known
+ * but is never overwritten while it is read. One thread may call push, one other drain; the counts
+ * are for both. Copying a Value must neither allocate nor throw.
+ */
+template <class Value>
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): each thread's numbers on a line of its
+// own
+class SampleRing
+{
+public:
+  /// With a capacity of 0 nothing is kept and nothing counts as lost.
+  explicit SampleRing(std::size_t capacity)
+    : Slots(capacity)
+  {
+  }
+
+  /// Returns false when there was no room.
+  bool push(const Value& value) noexcept
+  {
+    if (this->Slots.empty())
+    {
+      return false;
+    }
+    const std::uint64_t pushed = this->Pushed.load(std::memory_order_relaxed);
+    if (pushed - this->Drained.load(std::memory_order_acquire) >= this->Slots.size())
+    {
+      this->Overruns.store(
+        this->Overruns.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+      return false;
+    }
+    this->Slots[this->PushIndex] = value;
+    this->PushIndex = this->after(this->PushIndex);
+    this->Pushed.store(pushed + 1, std::memory_order_release);
+    return true;
+  }
+
+  /// Calls sink(const Value&) for each value that was there when drain began, oldest first, and
+  /// forgets it. Returns how many. A sink that throws keeps its value and those after it.
+  template <class Sink>
+  std::size_t drain(Sink&& sink)
+  {
+    const std::uint64_t pushed = this->Pushed.load(std::memory_order_acquire);
+    const std::uint64_t first = this->Drained.load(std::memory_order_relaxed);
+    for (std::uint64_t next = first; next != pushed; ++next)
+    {
+      sink(static_cast<const Value&>(this->Slots[this->DrainIndex]));
+      this->DrainIndex = this->after(this->DrainIndex);
+      this->Drained.store(next + 1, std::memory_order_release);
+    }
+    return static_cast<std::size_t>(pushed - first);
+  }
+
+  std::size_t capacity() const noexcept { return this->Slots.size(); }
+  /// Values that are waiting. To the pushing thread never fewer than there are.
+  std::size_t size() const noexcept
+  {
+    const std::uint64_t drained = this->Drained.load(std::memory_order_acquire);
+    return static_cast<std::size_t>(this->Pushed.load(std::memory_order_acquire) - drained);
+  }
+  /// Values that were lost because there was no room.
+  std::uint64_t overruns() const noexcept { return this->Overruns.load(std::memory_order_relaxed); }
+
+private:
+  std::size_t after(std::size_t index) const noexcept
+  {
+    return index + 1 < this->Slots.size() ? index + 1 : 0;
+  }
+
+  // What the one thread writes and what the other lies in cache lines of its own.
+  static constexpr std::size_t CacheLine = 64;
+
+  alignas(CacheLine) std::atomic<std::uint64_t> Pushed{ 0 };
+  std::atomic<std::uint64_t> Overruns{ 0 };
+  std::size_t PushIndex = 0; ///< the pushing thread's
+  alignas(CacheLine) std::atomic<std::uint64_t> Drained{ 0 };
+  std::size_t DrainIndex = 0; ///< the draining thread's
+  std::vector<Value> Slots;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * The device's side of Palpate's force reports, for a microcontroller: C99, no memory is allocated,
+ * nothing is waited for, no library but memcpy, memset and sqrtf. PROTOCOL.md has the reports byte
+ * by byte.
+ *
+ * In the firmware, with palpate_hid_report_descriptor as HID report descriptor:
+ *   at start            palpate_hid_start(&hid, 6.0f, 20000);
+ *   feature report      palpate_hid_describe(&what_i_am, 0, report);
+ *   report from host    palpate_hid_receive(&hid, report, length, now);
+ *   control, each tick  palpate_hid_force(&hid, now, force);      put it on the motors
+ *                       palpate_hid_state(&hid, now, &reading, report);      and send it
+ * `now` is a clock in microseconds that does not run backwards. Calls must not interrupt one
+ * another: where receive is called from an interrupt, disable it around the others.
+ */
+#ifndef PALPATE_HID_H
+#define PALPATE_HID_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+#define PALPATE_HID_REPORT_SIZE 64
+#define PALPATE_HID_DESCRIPTOR_SIZE 29
+
+  /* Vendor page 0xFF00, usage 0x50; input, output and feature report of 64 bytes, unnumbered. */
+  extern const uint8_t palpate_hid_report_descriptor[PALPATE_HID_DESCRIPTOR_SIZE];
+
+  /* What the maker states. SI units. */
+  typedef struct palpate_hid_description
+  {
+    bool outputs_force;
+    bool planar;              /* moves in its xy plane only */
+    float maximum_force;      /* N */
+    float maximum_stiffness;  /* N/m, of a spring rendered at `rate` */
+    float maximum_force_rate; /* N/s, may be infinite */
+    float maximum_damping;    /* N s/m */
+    float half_extents[3];    /* of the workspace about 0, m */
+    float rate;               /* states per second, Hz */
+    float sample_time_out;    /* without a state for so long the host gives up, s */
+    char name[16];            /* UTF-8, padded with zeros */
+  } palpate_hid_description;
+
+  /* One reading of the sensors. SI units. */
+  typedef struct palpate_hid_reading
+  {
+    float position[3]; /* m */
+    float velocity[3]; /* m/s; zeros if not known */
+    uint32_t buttons;  /* bit i: button i is down */
+    bool fault;        /* do not trust me: the host sends no force */
+  } palpate_hid_reading;
+
+  /* What the device remembers. Counters are there to be looked at. */
+  typedef struct palpate_hid
+  {
+    float maximum_force;       /* N: a stronger force is shortened to it */
+    uint32_t longest_watchdog; /* us: a host that asks for longer gets this */
+    uint32_t sequence;         /* of the last state sent */
+    uint32_t force_sequence;   /* of the last force taken */
+    uint32_t watchdog;         /* us */
+    uint64_t force_time;       /* us, when it was taken */
+    float force[3];            /* N */
+    bool alive;                /* forces are coming; set by one, cleared by the watchdog */
+    bool enabled;              /* the host wants the amplifiers on */
+    uint32_t refused;          /* reports that were none, or old */
+    uint32_t expired;          /* times the watchdog has cut the force */
+  } palpate_hid;
+
+  /* Forgets everything; no force. */
+  void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_watchdog_us);
+
+  /* A report has come from the host. True if it was a force, and a new one. */
+  bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, uint64_t now_us);
+
+  /* The force to apply now, N. False, and zeros: amplifiers off (none came yet, the watchdog has
+   * expired, or the host does not enable it). */
+  bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3]);
+
+  /* Packs the next state. */
+  void palpate_hid_state(palpate_hid* hid, uint64_t now_us, const palpate_hid_reading* reading,
+    uint8_t report[PALPATE_HID_REPORT_SIZE]);
+
+  /* Packs the description: the feature report (nonce 0), or the answer to a hello. */
+  void palpate_hid_describe(const palpate_hid_description* description, uint32_t nonce,
+    uint8_t report[PALPATE_HID_REPORT_SIZE]);
+
+  /* Datagrams only: true if this is a hello, and its nonce. */
+  bool palpate_hid_hello(const uint8_t* report, size_t size, uint32_t* nonce);
+
+  /* CRC-32 of IEEE 802.3, bit by bit. Of "123456789": 0xCBF43926. */
+  uint32_t palpate_hid_check_sum(const uint8_t* bytes, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# hidapi, on Linux the one that goes through hidraw, which several processes may open at a time.
+find_path(HIDAPI_INCLUDE_DIR NAMES hidapi.h PATH_SUFFIXES hidapi)
+find_library(HIDAPI_LIBRARY NAMES hidapi-hidraw hidapi)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Hidapi REQUIRED_VARS HIDAPI_LIBRARY HIDAPI_INCLUDE_DIR)
+mark_as_advanced(HIDAPI_INCLUDE_DIR HIDAPI_LIBRARY)

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clutch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using Eigen::Vector3d;
+using palpate::Clutch;
+using palpate::ForceRamp;
+
+namespace
+{
+constexpr double Tick = 1e-3; // s
+constexpr std::uint32_t Button = 2;
+
+/// A hand on its way, mm.
+Vector3d handAt(int tick)
+{
+  return { 0.1 * tick, std::sin(0.3 * tick), -2.0 };
+}
+} // namespace
+
+TEST(Clutch, WithoutItsButtonTheTipIsTheHandToTheBit)
+{
+  Clutch none;
+  Clutch other(Button);
+  for (int i = 0; i < 100; ++i)
+  {
+    EXPECT_EQ(none.follow(handAt(i), 0xffffffffU, Tick), handAt(i));
+    EXPECT_EQ(other.follow(handAt(i), ~Button, Tick), handAt(i));
+  }
+  EXPECT_TRUE(std::signbit(none.follow(Vector3d(-0.0, 0, 0), 0, Tick).x()));
+  EXPECT_EQ(none.forceShare(), 1.0);
+  EXPECT_EQ(other.forceShare(), 1.0);
+}
+
+TEST(Clutch, TheTipStaysWhileHeldAndGoesOnFromThere)
+{
+  Clutch clutch(Button | 8);
+  Vector3d offset = Vector3d::Zero();
+  Vector3d last = clutch.follow(handAt(0), 0, Tick);
+  for (int i = 1; i < 400; ++i)
+  {
+    const bool held = i / 50 % 2 == 1;
+    const bool wasHeld = (i - 1) / 50 % 2 == 1;
+    const std::uint32_t buttons = held ? (i < 200 ? Button : 8) : 1;
+    const Vector3d tip = clutch.follow(handAt(i), buttons, Tick);
+    EXPECT_EQ(clutch.isHeld(), held);
+    if (wasHeld) // the tick of the release too: no jump, however far the hand has come
+    {
+      EXPECT_EQ(tip, last);
+      offset = tip - handAt(i);
+    }
+    else // also in the tick of the press: the tip moves by as much as the hand
+    {
+      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding of 40 mm
+    }
+    last = tip;
+  }
+  EXPECT_GT(offset.norm(), 10.0);
+  clutch.reset();
+  EXPECT_EQ(clutch.follow(handAt(7), 0, Tick), handAt(7));
+}
+
+TEST(Clutch, ForceFadesAndComesBackStraightInTime)
+{
+  Clutch clutch(Button);
+  clutch.follow(handAt(0), 0, Tick);
+  // 1 ms of 50: a fiftieth per tick, and never more; sums of fiftieths are exact to rounding.
+  for (int i = 1; i <= 60; ++i)
+  {
+    clutch.follow(handAt(i), Button, Tick);
+    EXPECT_NEAR(clutch.forceShare(), std::max(0.0, 1.0 - 0.02 * i), 1e-14);
+  }
+  EXPECT_EQ(clutch.forceShare(), 0.0);
+  for (int i = 1; i <= 60; ++i)
+  {
+    clutch.follow(handAt(i), 0, Tick);
+    EXPECT_NEAR(clutch.forceShare(), std::min(1.0, 0.02 * i), 1e-14);
+  }
+  EXPECT_EQ(clutch.forceShare(), 1.0);
+}
+
+TEST(Clutch, AButtonThatBouncesMakesNoStep)
+{
+  Clutch clutch(Button);
+  double share = 1.0;
+  for (int i = 0; i < 300; ++i)
+  {
+    clutch.follow(handAt(i), i * i % 7 < 3 ? Button : 0, Tick);
+    EXPECT_LE(std::abs(clutch.forceShare() - share), 0.02 + 1e-14);
+    share = clutch.forceShare();
+  }
+}
+
+TEST(ForceRamp, ALateTickMakesItLongerNotSteeper)
+{
+  ForceRamp ramp(0.0);
+  EXPECT_EQ(ramp.advance(1.0, 0.0), 0.0); // time stands still
+  EXPECT_EQ(ramp.advance(1.0, 3.0), 0.1); // a stall of 3 s
+  EXPECT_NEAR(ramp.advance(1.0, 0.0025), 0.15, 1e-15);
+  EXPECT_NEAR(ramp.advance(0.0, 0.001), 0.13, 1e-15);
+  for (int i = 0; i < 9; ++i)
+  {
+    ramp.advance(1.0, 3.0);
+  }
+  EXPECT_EQ(ramp.share(), 1.0); // exactly, not 1 - 1e-16
+}

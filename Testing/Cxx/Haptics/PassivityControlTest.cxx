@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No motion gets more energy out of the forces sent than went in and the device's own damping
+// takes, whatever the scene; and a passive scene is not touched.
+#include "PassivityControl.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+using Eigen::Vector3d;
+using palpate::PassivityControl;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Stiffest = 2000.0; // N/m
+constexpr double Tick = 1e-3;       // s
+
+/// Runs a control, and keeps the books a second time: of the work of what was sent, and of what the
+/// damping of the device takes at least.
+struct Audit
+{
+  PassivityControl control{ Stiffest, Tick };
+  double given = 0.0;   ///< to the hand, J
+  double damping = 0.0; ///< b |d|²/T
+  int cut = 0;
+  Vector3d sent = Vector3d::Zero();
+
+  Vector3d tick(int i, const Vector3d& position, const Vector3d& force, double depth = Infinity)
+  {
+    if (i > 0)
+    {
+      const Vector3d moved = position - this->Last;
+      this->given += this->sent.dot(moved);
+      this->damping += 0.5 * Stiffest * moved.squaredNorm();
+    }
+    this->Last = position;
+    this->control.observe(Tick * i, position);
+    this->control.bound(force.norm(), depth);
+    this->sent = this->control.limit(force);
+    this->cut += this->sent != force;
+    this->control.sent(Tick * i, this->sent);
+    return this->sent;
+  }
+
+private:
+  Vector3d Last = Vector3d::Zero();
+};
+
+/// Motions of all kinds: smooth, noisy, jumping, at rest but for one encoder step.
+class Motion
+{
+public:
+  explicit Motion(unsigned seed)
+    : Random(seed)
+    , Kind(static_cast<int>(seed % 4))
+  {
+  }
+  Vector3d next()
+  {
+    const Vector3d noise(this->Gauss(Random), this->Gauss(Random), this->Gauss(Random));
+    switch (this->Kind)
+    {
+      case 0: // up to some 0.3 m/s
+        this->Velocity += 2e-5 * noise - 0.02 * this->Velocity - 2e-4 * this->Place;
+        this->Place += this->Velocity;
+        break;
+      case 1:
+        this->Place = 0.9 * this->Place + 1e-3 * noise;
+        break;
+      case 2:
+        this->Place = 4e-3 * noise;
+        break;
+      default:
+        this->Velocity = 0.995 * this->Velocity + 2e-6 * noise - 3e-5 * this->Place;
+        this->Place += this->Velocity;
+        return (this->Place / 2e-5).array().round() * 2e-5;
+    }
+    return this->Place;
+  }
+
+private:
+  std::mt19937 Random;
+  std::normal_distribution<double> Gauss;
+  int Kind;
+  Vector3d Place = Vector3d(0.0, 0.0, 2e-3);
+  Vector3d Velocity = Vector3d::Zero();
+};
+} // namespace
+
+TEST(PassivityControl, CountsTheExactWorkOfEachHold)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss;
+  PassivityControl control(Stiffest, Tick);
+  Vector3d last = Vector3d::Zero();
+  Vector3d sent = Vector3d::Zero();
+  double energy = 0.0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3d place = 1e-3 * Vector3d(gauss(random), gauss(random), gauss(random));
+    control.observe(Tick * i, place);
+    energy += i > 0 ? 0.5 * Stiffest * (place - last).squaredNorm() - sent.dot(place - last) : 0.0;
+    // Rounding of a thousand sums of some 1e-2 J, and of the hold's length (1e-13 of it).
+    ASSERT_NEAR(control.energy(), energy, 1e-12);
+    sent = Vector3d(gauss(random), gauss(random), gauss(random));
+    control.sent(Tick * i, sent);
+    last = place;
+  }
+}
+
+TEST(PassivityControl, TicksWithoutANewReadingCountByTheirMean)
+{
+  PassivityControl control(Stiffest, Tick);
+  control.observe(0.0, Vector3d::Zero());
+  control.sent(0.0, Vector3d(1.0, 0.0, 0.0));
+  control.sent(0.001, Vector3d(2.0, 0.0, 0.0));
+  control.sent(0.003, Vector3d(5.0, 0.0, 0.0));
+  control.observe(0.004, Vector3d(1e-3, 7.0, 0.0) - Vector3d(0.0, 7.0, 0.0));
+  // 1 N for 1 ms, 2 N for 2 ms, 5 N for 1 ms: 2.5 N over 1 mm; a hold of 4 T has a quarter of the
+  // credit.
+  EXPECT_NEAR(control.energy(), 0.25 * 0.5 * Stiffest * 1e-6 - 2.5e-3, 1e-15);
+}
+
+TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
+{
+  // Forces that know nothing of the motion; and the most active there are, which know where the
+  // hand will go next and push it there.
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    Audit audit;
+    Motion motion(seed);
+    std::mt19937 random(seed + 99);
+    std::normal_distribution<double> gauss;
+    const bool knows = seed % 3 != 0;
+    double asked = 0.0;
+    Vector3d place = motion.next();
+    for (int i = 0; i < 4000; ++i)
+    {
+      const Vector3d next = motion.next();
+      const Vector3d noise(gauss(random), gauss(random), gauss(random));
+      const Vector3d wanted =
+        knows ? Vector3d(3.0 * (next - place).normalized() + 0.3 * noise) : Vector3d(3.0 * noise);
+      const Vector3d sent = audit.tick(i, place, wanted);
+      asked += wanted.dot(next - place);
+      place = next;
+      // In every hold so far, the whole promise: no more than what is not asked back (Slack) above
+      // what went in and the damping took; 1e-12 for rounding.
+      ASSERT_LE(audit.given, audit.damping + PassivityControl::Slack + 1e-12) << seed << ' ' << i;
+      // It only takes away: the direction stays, the size does not grow.
+      ASSERT_LE(sent.norm(), wanted.norm() * (1.0 + 1e-15));
+      ASSERT_NEAR(sent.dot(wanted), sent.norm() * wanted.norm(), 1e-14 * wanted.squaredNorm());
+    }
+    if (knows && seed % 4 != 2) // of leaps of some mm in a tick the damping takes all there is
+    {
+      EXPECT_GT(asked, 0.1);
+      EXPECT_GT(audit.cut, 500) << seed;
+    }
+  }
+}
+
+TEST(PassivityControl, TheWorstThrow)
+{
+  // Pressed 1 mm into a spring, then an active scene asks for more, and the hand is thrown along
+  // the force by any way: the worst, F/K_max times one over the share of the damping, is among
+  // them.
+  for (const double asked : { 2.0, 2.05, 2.5, 6.0 })
+  {
+    for (double way = 0.2; way < 3.0; way += 0.05)
+    {
+      Audit audit;
+      int i = 0;
+      for (; i <= 20; ++i)
+      {
+        const double depth = 5e-5 * i;
+        audit.tick(i, Vector3d(0.0, 0.0, -depth), Vector3d(0.0, 0.0, Stiffest * depth));
+      }
+      Vector3d place(0.0, 0.0, -1e-3);
+      for (; i <= 30; ++i)
+      {
+        const Vector3d sent = audit.tick(i, place, Vector3d(0.0, 0.0, asked));
+        place += way / Stiffest * sent;
+      }
+      EXPECT_LE(audit.given, audit.damping + PassivityControl::Slack + 1e-15)
+        << asked << ' ' << way;
+    }
+  }
+}
+
+TEST(PassivityControl, DoesNothingOnAPassiveScene)
+{
+  // Energies with no second derivative above K_max: U, and F = -∇U. Those of a tool in a half-space
+  // as stiff as allowed, softer ones, a sphere's law, a ball, a corner of two planes, a bounded
+  // force, a valley seen from outside (everywhere inside).
+  const auto along = [](double force, const Vector3d& direction) -> Vector3d
+  { return force * direction; };
+  struct Scene
+  {
+    std::function<Vector3d(const Vector3d&)> force;
+    std::function<double(const Vector3d&)> depth;
+  };
+  const auto below = [](const Vector3d& p) { return std::max(0.0, -p.z()); };
+  const auto inBall = [](const Vector3d& p) { return std::max(0.0, 0.006 - p.norm()); };
+  const double most = 0.02; // m, deeper than the motions go
+  const Scene scenes[] = {
+    { [&](const Vector3d& p) { return along(Stiffest * below(p), Vector3d::UnitZ()); }, below },
+    { [&](const Vector3d& p) { return along(150.0 * below(p), Vector3d::UnitZ()); }, below },
+    { [&](const Vector3d& p) {
+       return along(Stiffest / 1.5 / std::sqrt(most) * std::pow(below(p), 1.5), Vector3d::UnitZ());
+     },
+      below },
+    { [&](const Vector3d& p) -> Vector3d
+      { return p.norm() > 0.0 ? along(Stiffest * inBall(p), p.normalized()) : Vector3d::Zero(); },
+      inBall },
+    { [&](const Vector3d& p)
+      { return along(std::min(1.3, Stiffest * below(p)), Vector3d::UnitZ()); },
+      below },
+    { [&](const Vector3d& p) -> Vector3d { return -Stiffest * p; },
+      [](const Vector3d& p) { return p.norm(); } },
+    { [&](const Vector3d& p) -> Vector3d
+      { return Stiffest * Vector3d(std::max(0.0, -p.x()), 0.0, std::max(0.0, -p.z())); },
+      [](const Vector3d& p) { return std::hypot(std::max(0.0, -p.x()), std::max(0.0, -p.z())); } },
+  };
+  for (const Scene& scene : scenes)
+  {
+    for (const bool knowsDepth : { false, true })
+    {
+      for (unsigned seed = 0; seed < 12; ++seed)
+      {
+        Audit audit;
+        Motion motion(seed);
+        double strongest = 0.0;
+        for (int i = 0; i < 4000; ++i)
+        {
+          const Vector3d place =
+            i == 0 ? Vector3d(0.0, 0.0, &scene == &scenes[5] ? 0.0 : 0.01) : motion.next();
+          const Vector3d force = scene.force(place);
+          const double depth = knowsDepth ? scene.depth(place) : Infinity;
+          ASSERT_EQ(audit.tick(i, place, force, depth), force)
+            << &scene - scenes << ' ' << seed << ' ' << i;
+          strongest = std::max(strongest, force.norm());
+        }
+        EXPECT_GT(strongest, 0.05) << &scene - scenes << ' ' << seed;
+      }
+    }
+  }
+}
+
+TEST(PassivityControl, TheHoldLeaksWhatTheDampingTakes)
+{
+  // A press and release at v of a linear spring gives F_max v T to the hand; observed E ends above
+  // zero, because the device's own damping has taken K_max v T x_max of it.
+  const double stiffness = 1500.0;
+  const double speed = 0.1; // 0.1 mm per tick
+  const int turn = 50;      // 5 mm
+  Audit audit;
+  for (int i = 0; i <= 2 * turn; ++i)
+  {
+    const double depth = speed * Tick * (i <= turn ? i : 2 * turn - i);
+    audit.tick(i, Vector3d(0.0, 0.0, -depth), Vector3d(0.0, 0.0, stiffness * depth));
+  }
+  const double largest = stiffness * speed * Tick * turn;
+  EXPECT_NEAR(audit.given, largest * speed * Tick, 1e-12);
+  EXPECT_NEAR(audit.damping, Stiffest / stiffness * largest * speed * Tick, 1e-12);
+  EXPECT_EQ(audit.cut, 0);
+}
+
+TEST(PassivityControl, AnOverStiffSpringIsFeltAsOneThatIsNot)
+{
+  // Five times too stiff: with half of the damping, half as stiff as allowed. Slightly too stiff:
+  // with most of it.
+  for (const double share : { 5.0, 1.1 })
+  {
+    Audit audit;
+    const double speed = 0.05;
+    for (int i = 0; i <= 100; ++i)
+    {
+      const double depth = speed * Tick * i;
+      const Vector3d sent =
+        audit.tick(i, Vector3d(0.0, 0.0, -depth), Vector3d(0.0, 0.0, share * Stiffest * depth));
+      EXPECT_LE(sent.z(), Stiffest * depth + 2.1e-3); // √(2 K_max Slack) = 2 mN
+      EXPECT_GE(sent.z(), (share > 2.0 ? 0.5 : 0.8) * Stiffest * depth);
+    }
+    EXPECT_GT(audit.cut, 95);
+  }
+}
+
+TEST(PassivityControl, WhatFrictionTookIsNotLent)
+{
+  // Up to 5 N over 5 mm against the hand, as of friction: 12.5 mJ. Then the scene pushes with 5 N,
+  // 2 mm deep: it may give back 5 N over 2 mm.
+  for (const bool knowsDepth : { true, false })
+  {
+    Audit audit;
+    const double depth = knowsDepth ? 2e-3 : Infinity;
+    int i = 0;
+    for (; i < 100; ++i)
+    {
+      audit.tick(i, Vector3d(5e-5 * i, 0.0, 0.0), Vector3d(-0.05 * i, 0.0, 0.0), depth);
+    }
+    const double before = audit.given;
+    for (; i < 400; ++i)
+    {
+      audit.tick(i, Vector3d(5e-5 * i, 0.0, 0.0), Vector3d(5.0, 0.0, 0.0), depth);
+    }
+    const double credit = 300 * 0.5 * Stiffest * 5e-5 * 5e-5;
+    EXPECT_EQ(audit.given - before <= 10e-3 + credit + 1e-8, knowsDepth);
+  }
+}
+
+TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
+{
+  PassivityControl control(Stiffest, Tick);
+  const Vector3d force(0.0, 0.0, 4.0);
+  control.observe(0.0, Vector3d::Zero());
+  EXPECT_LE(control.limit(force).norm(), 2.1e-3); // √(2 K_max Slack)
+  control.grant(4.0, Infinity);
+  EXPECT_NEAR(control.energy(), 0.5 * 16.0 / Stiffest, 1e-15);
+  EXPECT_EQ(control.limit(force), force);
+  control.grant(4.0, 3e-3); // knows more
+  EXPECT_NEAR(control.energy(), 12e-3, 1e-15);
+  control.grant(4.0, 1e-3); // nothing is taken
+  EXPECT_NEAR(control.energy(), 12e-3, 1e-15);
+  control.bound(4.0, 2e-3);
+  EXPECT_NEAR(control.energy(), 8e-3, 1e-15);
+  control.bound(0.0, Infinity);
+  EXPECT_EQ(control.energy(), 0.0);
+}
+
+TEST(PassivityControl, ALateHoldIsPaidFor)
+{
+  // Pressed 1 mm into the stiffest spring, then thrown out 3 mm within one hold of ten periods.
+  PassivityControl control(Stiffest, Tick);
+  int i = 0;
+  for (; i <= 20; ++i)
+  {
+    const double depth = 5e-5 * i;
+    control.observe(Tick * i, Vector3d(0.0, 0.0, -depth));
+    const Vector3d force(0.0, 0.0, Stiffest * depth);
+    ASSERT_EQ(control.limit(force), force);
+    control.sent(Tick * i, force);
+  }
+  const double before = control.energy();
+  const double late = Tick * (i + 9);
+  control.observe(late, Vector3d(0.0, 0.0, 2e-3));
+  // Its own lag: 2 N over 3 mm, a tenth of the credit for 3 mm.
+  const double after = before - 2.0 * 3e-3 + 0.1 * 0.5 * Stiffest * 9e-6;
+  EXPECT_NEAR(control.energy(), after, 1e-12);
+  EXPECT_LT(after, 0.0);
+  EXPECT_EQ(control.limit(Vector3d(0.0, 0.0, 1.0)), Vector3d::Zero());
+  control.sent(late, Vector3d::Zero());
+  control.bound(0.0, 0.0); // outside: what is owed stays owed
+  EXPECT_NEAR(control.energy(), after, 1e-12);
+  // 2 mm of motion at 1 mm per tick pay 1 mJ each.
+  control.observe(late + Tick, Vector3d(0.0, 0.0, 3e-3));
+  EXPECT_NEAR(control.energy(), after + 1e-3, 1e-12);
+}
+
+TEST(PassivityControl, LimitsThatAreNone)
+{
+  const Vector3d force(0.0, 3.0, 4.0);
+  PassivityControl unlimited(Infinity, Tick);
+  for (int i = 0; i < 10; ++i)
+  {
+    unlimited.observe(Tick * i, Vector3d(1e-3 * i, 0.0, 0.0));
+    unlimited.bound(5.0, Infinity);
+    EXPECT_EQ(unlimited.limit(force), force);
+    unlimited.sent(Tick * i, force);
+    EXPECT_EQ(unlimited.energy(), 0.0);
+  }
+  for (const double none : { 0.0, -1.0, NaN })
+  {
+    PassivityControl control(none, Tick);
+    control.observe(0.0, Vector3d::Zero());
+    control.grant(5.0, 1.0);
+    control.observe(Tick, Vector3d(1e-3, 0.0, 0.0));
+    EXPECT_EQ(control.limit(force), Vector3d::Zero()) << none;
+  }
+  // A jump beyond all numbers leaves a number, and no force.
+  PassivityControl jumped(Stiffest, Tick);
+  jumped.observe(0.0, Vector3d::Zero());
+  jumped.sent(0.0, force);
+  jumped.observe(Tick, Vector3d(1e200, 1e200, 0.0));
+  EXPECT_EQ(jumped.energy(), 0.0);
+  EXPECT_TRUE(jumped.limit(force).allFinite());
+  EXPECT_FALSE(jumped.isNew());
+  jumped.reset();
+  EXPECT_TRUE(jumped.isNew());
+}

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Another body, tool or material under the tip: within 50 ms, and never a step.
+#include "SceneSwitch.h"
+
+#include "CappedResponse.h"
+#include "SampleResponses.h"
+#include "StiffenedBody.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Tick = 1e-3; // s
+constexpr double PerTick = Tick / 0.05;
+
+std::unique_ptr<ServoScene> sceneOf(
+  const std::shared_ptr<const ContactBody>& body, double forceFactor = 1.0, double friction = 0.0)
+{
+  ContactSettings settings;
+  settings.friction.coefficient = friction;
+  settings.friction.tangentialStiffness = 10.0; // N/mm
+  return std::make_unique<ServoScene>(body, settings, forceFactor);
+}
+
+/// Presses 0.3 to 1.2 mm deep into a ball of 20 mm, to and fro over it.
+Vector3 tipAt(int tick)
+{
+  const double t = Tick * tick;
+  const double along = 0.1 * std::sin(9.0 * t);
+  return (19.25 + 0.45 * std::sin(25.0 * t)) *
+    Vector3(std::sin(along), std::cos(along) * std::sin(0.3), std::cos(along) * std::cos(0.3));
+}
+
+int count(std::unique_ptr<ServoScene> list)
+{
+  int scenes = 0;
+  for (const ServoScene* scene = list.get(); scene; scene = scene->next.get())
+  {
+    ++scenes;
+  }
+  return scenes;
+}
+
+/// What would be felt of a scene alone, entered where another contact was.
+struct Alone
+{
+  explicit Alone(const ServoScene& scene)
+    : contact(*scene.body, scene.settings)
+    , factor(scene.forceFactor)
+  {
+  }
+  void update(const Vector3& tip)
+  {
+    this->before = this->sent;
+    this->sent = this->factor * this->contact.update(tip).force;
+  }
+
+  ToolContact contact;
+  double factor;
+  Vector3 sent = Vector3::Zero();
+  Vector3 before = Vector3::Zero();
+};
+} // namespace
+
+TEST(SceneSwitch, WithoutAChangeItIsTheContactToTheBit)
+{
+  const auto body = stiffened(icosphere(20.0, 3), 1.0F);
+  SceneSwitch scenes(sceneOf(body, 0.5, 0.4));
+  Alone alone(*sceneOf(body, 0.5, 0.4));
+  for (int i = 0; i < 300; ++i)
+  {
+    const SceneForce felt = scenes.update(tipAt(i), Tick, Infinity);
+    const ToolContactForce expected = alone.contact.update(tipAt(i));
+    ASSERT_EQ(felt.contact.force, expected.force);
+    EXPECT_EQ(felt.idealForce, expected.force);
+    EXPECT_EQ(felt.cappedForce, expected.force);
+    EXPECT_EQ(felt.contact.state, expected.state);
+    EXPECT_EQ(felt.forceFactor, 0.5);
+    EXPECT_EQ(felt.share, 1.0);
+    EXPECT_FALSE(felt.changing || felt.outside);
+  }
+  EXPECT_EQ(scenes.changes(), 0U);
+}
+
+TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
+{
+  const Surface ball = icosphere(20.0, 3);
+  const auto soft = stiffened(ball, 1.0F);
+  const auto hard = stiffened(ball, 8.0F);
+  for (const double friction : { 0.0, 0.5 })
+  {
+    for (const double factor : { 1.0, 0.1 }) // of the hard one
+    {
+      SceneSwitch scenes(sceneOf(soft, 1.0, friction));
+      Alone before(*sceneOf(soft, 1.0, friction));
+      Alone after(*sceneOf(hard, factor, friction));
+      Vector3 last = Vector3::Zero();
+      double leap = 0.0; // what a plain exchange would have made of it
+      int ramped = 0;
+      for (int i = 0; i < 200; ++i)
+      {
+        const ToolContactForce old = before.contact.update(tipAt(i));
+        before.before = before.sent;
+        before.sent = old.force;
+        if (i == 100)
+        {
+          scenes.change(sceneOf(hard, factor, friction));
+          EXPECT_TRUE(scenes.isSwitching());
+          after.contact.update(old.contactPoint + 0.1 * (tipAt(i) - old.contactPoint));
+        }
+        if (i >= 100)
+        {
+          after.update(tipAt(i));
+        }
+        const SceneForce felt = scenes.update(tipAt(i), Tick, Infinity);
+        const Vector3 sent = felt.forceFactor * felt.idealForce;
+        const double way = std::min(1.0, PerTick * std::max(0, i - 100));
+        // The straight line between the two, each felt on its own.
+        EXPECT_LE((sent - (1.0 - way) * before.sent - way * after.sent).norm(), 1e-12) << i;
+        EXPECT_EQ(felt.changing, i > 100 && i <= 150);
+        ramped += felt.share > 0.0 && felt.share < 1.0;
+        if (i > 100)
+        {
+          // What motion makes of the two, and no more of their difference than T / 50 ms.
+          const double motion =
+            std::max((before.sent - before.before).norm(), (after.sent - after.before).norm());
+          const double range = (after.before - before.before).norm();
+          EXPECT_LE((sent - last).norm(), motion + range * PerTick + 1e-12) << i;
+          EXPECT_LE((factor * felt.contact.force - after.sent).norm(), 1e-14) << "of the newest";
+        }
+        else if (i > 0)
+        {
+          EXPECT_LE((sent - last).norm(), (before.sent - before.before).norm() + 1e-12);
+        }
+        if (i == 100)
+        {
+          EXPECT_EQ(sent, before.sent) << "the first tick is the old one's";
+          leap = (after.sent - before.sent).norm();
+        }
+        EXPECT_EQ(scenes.changes(), i < 100 ? 0U : 1U);
+        last = sent;
+      }
+      EXPECT_GE(ramped, 49);
+      EXPECT_FALSE(scenes.isSwitching());
+      EXPECT_EQ(count(scenes.takeRetired()), 1);
+      EXPECT_EQ(count(scenes.takeRetired()), 0);
+      if (factor == 1.0)
+      {
+        EXPECT_GT(leap, 10.0); // N: a tick may change 0.2 N for it
+      }
+    }
+  }
+}
+
+TEST(SceneSwitch, BothFitToTheDeviceTheBlendIsToo)
+{
+  // 10 N at 1, and 100 N at 0.1: what is sent stays at 10 N, while a factor that went over beside
+  // the force would make 30 N of it on the way ((1+0.1)/2 of (10+100)/2).
+  const Surface ball = icosphere(20.0, 3);
+  SceneSwitch scenes(sceneOf(stiffened(ball, 1.0F)));
+  const Vector3 still = tipAt(0);
+  const double force = scenes.update(still, Tick, Infinity).idealForce.norm();
+  scenes.change(sceneOf(stiffened(ball, 10.0F), 0.1));
+  for (int i = 0; i < 60; ++i)
+  {
+    const SceneForce felt = scenes.update(still, Tick, Infinity);
+    EXPECT_NEAR(felt.forceFactor * felt.idealForce.norm(), force, 1e-6 * force); // float32 curves
+  }
+  EXPECT_FALSE(scenes.isSwitching());
+}
+
+TEST(SceneSwitch, StiffnessesAreCappedEachByItsOwnFactor)
+{
+  const Surface ball = icosphere(20.0, 3);
+  const auto soft = stiffened(ball, 1.0F);
+  const auto hard = stiffened(ball, 8.0F);
+  const double limit = 12.0; // N/mm; 15 √δ and 120 √δ are above it
+  SceneSwitch scenes(sceneOf(soft));
+  SceneSwitch reference(sceneOf(hard, 0.2));
+  const Vector3 still = 19.0 * tipAt(0).normalized();
+  const SceneForce alone = reference.update(still, Tick, limit);
+  ToolContact contact(*hard);
+  const ToolContactForce felt = contact.update(still);
+  const CappedResponse curve(contact.response(), limit / 0.2);
+  EXPECT_LE((alone.cappedForce - curve.evaluate(felt.deflection).force * felt.normal).norm(), 1e-9);
+  EXPECT_LT(alone.cappedForce.norm(), 0.9 * alone.idealForce.norm());
+
+  const SceneForce first = scenes.update(still, Tick, limit);
+  EXPECT_LT(first.cappedForce.norm(), first.idealForce.norm());
+  scenes.change(sceneOf(hard, 0.2));
+  for (int i = 0; i <= 25; ++i)
+  {
+    const SceneForce mixed = scenes.update(still, Tick, limit);
+    const double way = PerTick * i;
+    const Vector3 line = (1.0 - way) * first.cappedForce + way * 0.2 * alone.cappedForce;
+    EXPECT_LE((mixed.forceFactor * mixed.cappedForce - line).norm(), 1e-12);
+  }
+}
+
+TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
+{
+  const Surface ball = icosphere(20.0, 3);
+  std::vector<std::shared_ptr<const ContactBody>> bodies;
+  for (const float factor : { 1.0F, 4.0F, 20.0F, 2.0F })
+  {
+    bodies.push_back(stiffened(ball, factor));
+  }
+  SceneSwitch scenes(sceneOf(bodies[0]));
+  Vector3 last = scenes.update(tipAt(0), Tick, Infinity).idealForce;
+  const double force = last.norm();
+  scenes.change(nullptr); // nothing
+  EXPECT_FALSE(scenes.isSwitching());
+  scenes.change(sceneOf(bodies[1]));
+  std::vector<double> felt;
+  for (int i = 0; i < 130; ++i)
+  {
+    if (i == 10)
+    {
+      scenes.change(sceneOf(bodies[2]));
+      EXPECT_EQ(count(scenes.takeRetired()), 0);
+    }
+    if (i == 20) // overtakes the third, which is never felt
+    {
+      scenes.change(sceneOf(bodies[3]));
+      EXPECT_EQ(count(scenes.takeRetired()), 1);
+    }
+    const Vector3 now = scenes.update(tipAt(0), Tick, Infinity).idealForce;
+    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // of 1 → 4, the larger change
+    last = now;
+    felt.push_back(now.norm() / force);
+  }
+  EXPECT_NEAR(felt[0], 1.0, 1e-6);  // float32 curves, as below
+  EXPECT_NEAR(felt[25], 2.5, 1e-5); // half way
+  EXPECT_NEAR(*std::max_element(felt.begin(), felt.end()), 4.0, 1e-5);
+  EXPECT_NEAR(felt[49], 4.0, 0.061); // at its end, but for a tick
+  EXPECT_NEAR(felt.back(), 2.0, 1e-5);
+  EXPECT_EQ(scenes.changes(), 2U);
+  EXPECT_FALSE(scenes.isSwitching());
+  EXPECT_EQ(count(scenes.takeRetired()), 2);
+}
+
+TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
+{
+  const Surface slab = subdivided(block(40, 40, 3), 4);
+  SceneSwitch scenes(sceneOf(stiffened(slab, 1.0F)));
+  scenes.update(Vector3(20.3, 18.7, 2.0), Tick, Infinity);
+  const Vector3 deep(20.3, 18.7, 1.2); // past the middle, held to the top by its history
+  EXPECT_GT(scenes.update(deep, Tick, Infinity).idealForce.z(), 0.0);
+  scenes.change(sceneOf(stiffened(slab, 2.0F)));
+  for (int i = 0; i < 60; ++i)
+  {
+    const SceneForce felt = scenes.update(deep, Tick, Infinity);
+    ASSERT_GT(felt.idealForce.z(), 0.0) << i;
+    EXPECT_NEAR(felt.contact.deflection, 1.8, 1e-6);
+  }
+  // Another body has no such side: a contact of its own begins.
+  scenes.change(sceneOf(stiffened(subdivided(block(40, 40, 2.5), 4), 1.0F)));
+  for (int i = 0; i < 60; ++i)
+  {
+    scenes.update(deep, Tick, Infinity);
+  }
+  EXPECT_EQ(scenes.update(deep, Tick, Infinity).contact.state, ContactState::Slide);
+}
+
+TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
+{
+  const Surface slab = subdivided(block(40, 40, 10), 4);
+  const auto body = stiffened(slab, 1.0F);
+  SceneSwitch scenes(sceneOf(body, 1.0, 0.5));
+  Vector3 tip(15.0, 20.0, 9.0);
+  for (int i = 0; i < 1000; ++i) // slides 5 mm
+  {
+    tip.x() += 0.005;
+    scenes.update(tip, Tick, Infinity);
+  }
+  const double sliding = scenes.update(tip, Tick, Infinity).contact.friction.x();
+  EXPECT_NEAR(sliding, -5.0, 1e-3); // μ 10 N, float32
+  scenes.change(sceneOf(body, 1.0, 0.5));
+  double last = sliding;
+  for (int i = 0; i <= 50; ++i) // at rest
+  {
+    const SceneForce felt = scenes.update(tip, Tick, Infinity);
+    EXPECT_EQ(felt.contact.friction, Vector3::Zero()) << "no pre-sliding displacement";
+    EXPECT_EQ(felt.contact.state, ContactState::Stick);
+    EXPECT_NEAR(felt.idealForce.x(), (1.0 - PerTick * i) * sliding, 1e-9);
+    EXPECT_LE(std::abs(felt.idealForce.x() - last), -sliding * PerTick + 1e-9);
+    last = felt.idealForce.x();
+  }
+  // It builds up as any contact's: 10 N/mm over 0.1 mm; below breakaway nothing creeps.
+  tip.x() += 0.1;
+  EXPECT_NEAR(scenes.update(tip, Tick, Infinity).contact.friction.x(), -1.0, 1e-6);
+}
+
+TEST(SceneSwitch, ReachIsWhatTheContactCanGiveBack)
+{
+  const Surface slab = subdivided(block(40, 40, 10), 4);
+  const auto body = stiffened(slab, 1.0F);
+  SceneSwitch smooth(sceneOf(body));
+  SceneSwitch rough(sceneOf(body, 1.0, 0.5));
+  const Vector3 tip(20.0, 20.0, 9.0);
+  EXPECT_NEAR(smooth.update(tip, Tick, Infinity).reach, 1.0, 1e-6);
+  rough.update(tip, Tick, Infinity);
+  const SceneForce stretched = rough.update(tip + Vector3(0.3, 0, 0), Tick, Infinity);
+  EXPECT_NEAR(stretched.reach, 1.3, 1e-6); // below breakaway as far as the tip was moved
+  EXPECT_EQ(smooth.update(Vector3(20, 20, 11), Tick, Infinity).reach, 0.0);
+  EXPECT_TRUE(smooth.update(Vector3(20, 20, 11), Tick, Infinity).outside);
+}
+
+TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
+{
+  const auto body = stiffened(icosphere(20.0, 2), 1.0F);
+  const auto other = stiffened(icosphere(20.0, 2), 2.0F);
+  SceneSwitch scenes(sceneOf(body));
+  scenes.update(tipAt(0), Tick, Infinity);
+  scenes.change(sceneOf(body));
+  scenes.change(sceneOf(other));
+  scenes.update(tipAt(1), Tick, Infinity);
+  const SceneSwitch copy(scenes);
+  EXPECT_TRUE(copy.isSwitching());
+  EXPECT_EQ(other.use_count(), 3); // here, the one that waits, and its copy
+  scenes.forget();
+  EXPECT_FALSE(scenes.isSwitching());
+  EXPECT_EQ(scenes.changes(), 2U);
+  EXPECT_TRUE(copy.isSwitching());
+  const SceneForce felt = scenes.update(tipAt(2), Tick, Infinity);
+  EXPECT_EQ(felt.share, 1.0);
+  EXPECT_EQ(felt.idealForce, ToolContact(*other).update(tipAt(2)).force) << "the newest of all";
+  EXPECT_EQ(body.use_count(), 5); // here, both that were left, and the copy's two
+  EXPECT_EQ(count(scenes.takeRetired()), 2);
+  EXPECT_EQ(body.use_count(), 3);
+}
+
+TEST(SceneSwitch, OutsideAndTouchingAreOfBoth)
+{
+  // The tip is 1 mm above the small ball and 1 mm inside the large one.
+  SceneSwitch scenes(sceneOf(stiffened(icosphere(20.0, 3), 1.0F)));
+  const Vector3 tip(0.0, 0.0, 21.0);
+  EXPECT_TRUE(scenes.update(tip, Tick, Infinity).outside);
+  scenes.change(sceneOf(stiffened(icosphere(22.0, 3), 1.0F)));
+  double last = 0.0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const SceneForce felt = scenes.update(tip, Tick, Infinity);
+    EXPECT_FALSE(felt.outside);
+    EXPECT_EQ(felt.contact.state, ContactState::Slide);
+    EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6); // 10 N over 50 ms
+    last = felt.idealForce.z();
+  }
+  EXPECT_GT(last, 9.5); // 10 δ^1.5, less what the facets sag
+  // And back: outside only when the ramp is over.
+  scenes.change(sceneOf(stiffened(icosphere(20.0, 3), 1.0F)));
+  for (int i = 0; i < 60; ++i)
+  {
+    const SceneForce felt = scenes.update(tip, Tick, Infinity);
+    EXPECT_EQ(felt.contact.state, ContactState::None);
+    EXPECT_EQ(felt.outside, !scenes.isSwitching());
+    EXPECT_EQ(felt.outside, felt.idealForce == Vector3::Zero());
+  }
+  EXPECT_FALSE(scenes.isSwitching());
+}
+
+TEST(SceneSwitch, AFactorOutOfItsRangeGivesNoForce)
+{
+  const auto body = stiffened(icosphere(20.0, 2), 1.0F);
+  for (const double factor : { 0.0, -1.0, 1.5, std::nan("") })
+  {
+    SceneSwitch scenes(sceneOf(body));
+    scenes.update(tipAt(0), Tick, Infinity);
+    scenes.change(sceneOf(body, factor));
+    for (int i = 0; i < 60; ++i)
+    {
+      const SceneForce felt = scenes.update(tipAt(0), Tick, 5.0);
+      EXPECT_TRUE(felt.idealForce.allFinite() && felt.cappedForce.allFinite());
+      EXPECT_NEAR(felt.forceFactor, std::max(0.0, 1.0 - PerTick * i), 1e-12);
+    }
+  }
+}

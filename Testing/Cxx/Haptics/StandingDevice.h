@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_StandingDevice_h
+#define palpate_testing_StandingDevice_h
+
+#include "HapticDevice.h"
+#include "ServoLoop.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <thread>
+
+namespace palpate::testing
+{
+/// A device that stands still and remembers; for the test to read after the loop has stopped.
+/// onRead is called in every tick, for what else is to happen there.
+class StandingDevice : public HapticDevice
+{
+public:
+  explicit StandingDevice(const Eigen::Vector3d& where)
+    : Position(where)
+  {
+  }
+  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
+  DeviceSample read(double time) noexcept override
+  {
+    this->Increasing = this->Increasing && time > this->Time;
+    this->Time = time;
+    DeviceSample sample;
+    sample.position = this->Position;
+    sample.valid = true;
+    this->onRead(sample, this->Reads++);
+    return sample;
+  }
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    this->Strongest = std::max(this->Strongest, force.norm());
+    this->Last = force;
+    return true;
+  }
+
+  DeviceSpecification Limits;
+  Eigen::Vector3d Position;
+  Eigen::Vector3d Last = Eigen::Vector3d::Zero();
+  double Strongest = 0.0;
+  double Time = -1.0;
+  bool Increasing = true;
+  std::uint64_t Reads = 0;
+
+protected:
+  virtual void onRead(DeviceSample&, std::uint64_t) {}
+};
+
+/// Waits for the loop to have made `count` ticks; bounded by the test's own time limit.
+inline void waitForTicks(const ServoLoop& loop, std::uint64_t count)
+{
+  while (loop.ticks() < count)
+  {
+    std::this_thread::yield();
+  }
+}
+} // namespace palpate::testing
+
+#endif

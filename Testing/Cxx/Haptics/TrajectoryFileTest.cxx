@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is written is read to the same bits; files of others are read; broken ones name their line.
+#include "TrajectoryFile.h"
+
+#include "ScratchFile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using Eigen::Vector3d;
+using namespace palpate::testing;
+using palpate::ContactState;
+using palpate::ServoTick;
+using palpate::Trajectory;
+using palpate::TrajectoryRow;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Any finite double: of all exponents, both signs, subnormal ones, -0.
+double anyNumber(std::mt19937_64& random)
+{
+  for (;;)
+  {
+    const std::uint64_t bits = random() % 50 == 0 ? 1ULL << 63U : random();
+    double value = 0.0;
+    std::memcpy(&value, &bits, sizeof(value));
+    if (std::isfinite(value))
+    {
+      return value;
+    }
+  }
+}
+
+Vector3d anyVector(std::mt19937_64& random)
+{
+  const double x = anyNumber(random);
+  const double y = anyNumber(random);
+  return { x, y, anyNumber(random) };
+}
+
+Trajectory anyTrajectory(bool hasContact, bool hasDevice)
+{
+  std::mt19937_64 random(5);
+  Trajectory trajectory;
+  trajectory.hasContact = hasContact;
+  trajectory.hasDevice = hasDevice;
+  double time = -1.0;
+  for (int i = 0; i < 500; ++i)
+  {
+    TrajectoryRow row;
+    row.time = time;
+    time += std::ldexp(static_cast<double>(random() >> 11U), -60);
+    row.tip = anyVector(random);
+    if (hasContact)
+    {
+      row.contactPoint = anyVector(random);
+      row.deflection = anyNumber(random);
+      row.normalForce = anyNumber(random);
+      row.friction = anyVector(random);
+      row.idealForce = anyNumber(random);
+      row.state = static_cast<ContactState>(random() % 6);
+    }
+    if (hasDevice)
+    {
+      row.sample.position = anyVector(random);
+      row.sample.velocity = anyVector(random);
+      row.sample.buttons = static_cast<std::uint32_t>(random());
+      row.sample.valid = random() % 2 == 0;
+      row.sample.fresh = random() % 2 == 0;
+      row.sentForce = anyVector(random);
+      row.isTaken = random() % 2 == 0;
+    }
+    trajectory.rows.push_back(row);
+  }
+  return trajectory;
+}
+
+bool same(double a, double b)
+{
+  return std::memcmp(&a, &b, sizeof(a)) == 0;
+}
+
+bool same(const Vector3d& a, const Vector3d& b)
+{
+  return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
+}
+
+bool same(const TrajectoryRow& a, const TrajectoryRow& b)
+{
+  return same(a.time, b.time) && same(a.tip, b.tip) && same(a.contactPoint, b.contactPoint) &&
+    same(a.deflection, b.deflection) && same(a.normalForce, b.normalForce) &&
+    same(a.friction, b.friction) && same(a.idealForce, b.idealForce) && a.state == b.state &&
+    same(a.sample.position, b.sample.position) && same(a.sample.velocity, b.sample.velocity) &&
+    a.sample.buttons == b.sample.buttons && a.sample.valid == b.sample.valid &&
+    a.sample.fresh == b.sample.fresh && same(a.sentForce, b.sentForce) && a.isTaken == b.isTaken;
+}
+
+std::string firstLine(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  return line;
+}
+
+std::string faultOf(const std::string& text)
+{
+  std::istringstream stream(text);
+  Trajectory untouched;
+  untouched.rows.resize(3);
+  untouched.hasContact = true;
+  const std::string fault = palpate::readTrajectory(stream, "t.csv", untouched);
+  if (!fault.empty())
+  {
+    EXPECT_EQ(untouched.rows.size(), 3U); // nothing half-loaded
+    EXPECT_TRUE(untouched.hasContact);
+  }
+  return fault;
+}
+
+const std::string Head = "time_s,tip_x_mm,tip_y_mm,tip_z_mm\n";
+} // namespace
+
+TEST(TrajectoryFile, ReadsWhatItWroteToTheSameBits)
+{
+  for (const bool hasContact : { false, true })
+  {
+    for (const bool hasDevice : { false, true })
+    {
+      const ScratchFile file(".csv");
+      const Trajectory written = anyTrajectory(hasContact, hasDevice);
+      ASSERT_EQ(palpate::writeTrajectory(file.path(), written), "");
+      Trajectory read;
+      ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
+      EXPECT_EQ(read.hasContact, hasContact);
+      EXPECT_EQ(read.hasDevice, hasDevice);
+      ASSERT_EQ(read.rows.size(), written.rows.size());
+      for (std::size_t i = 0; i < read.rows.size(); ++i)
+      {
+        ASSERT_TRUE(same(read.rows[i], written.rows[i])) << i;
+      }
+      const std::string columns = palpate::TrajectoryColumns;
+      EXPECT_EQ(firstLine(file.path()) == columns, hasContact && !hasDevice);
+      EXPECT_EQ(firstLine(file.path()).rfind(columns, 0) == 0, hasContact);
+    }
+  }
+}
+
+TEST(TrajectoryFile, TicksOfAServoStep)
+{
+  std::vector<ServoTick> ticks(4);
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+  {
+    ticks[i].time = 0.001 * static_cast<double>(i);
+    ticks[i].tip = Vector3d(0.1, -0.2, 1.0 / 3.0);
+    ticks[i].contact.state = ContactState::Stick;
+    ticks[i].contact.force = Vector3d(0.0, 3.0, 4.0);
+    ticks[i].contact.friction = Vector3d(0.0, 3.0, 0.0);
+    ticks[i].contact.normalForce = 4.0;
+    ticks[i].contact.deflection = 0.7;
+    ticks[i].contact.contactPoint = Vector3d(5.0, 6.0, 1e-300);
+  }
+  ticks[2] = ServoTick(); // no valid sample
+  ticks[2].time = 0.002;
+  ticks[2].contact.state = ContactState::Invalid;
+  ticks[3].tip.y() = NaN;
+  const ScratchFile file(".csv");
+  ASSERT_EQ(palpate::writeTrajectory(file.path(), ticks), "");
+  std::ifstream stream(file.path());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  EXPECT_EQ(text.str(),
+    std::string(palpate::TrajectoryColumns) +
+      "\n0,0.1,-0.2,0.3333333333333333,5,6,1e-300,0.7,4,0,3,0,5,1\n"
+      "0.001,0.1,-0.2,0.3333333333333333,5,6,1e-300,0.7,4,0,3,0,5,1\n"
+      "0.002,0,0,0,0,0,0,0,0,0,0,0,0,5\n"
+      "0.003,0,0,0,0,0,0,0,0,0,0,0,0,5\n");
+  Trajectory read;
+  ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
+  EXPECT_TRUE(read.rows[1].hasTip());
+  EXPECT_FALSE(read.rows[2].hasTip());
+  EXPECT_FALSE(read.rows[3].hasTip());
+  EXPECT_EQ(read.rows[1].idealForce, 5.0);
+}
+
+TEST(TrajectoryFile, FilesOfOthers)
+{
+  std::istringstream stream("\xEF\xBB\xBF# exported\r\n\r\n"
+                            "\"tip_z_mm\" , \"remark, free\",\"time_s\",tip_x_mm,\"tip_y_mm\"\r\n"
+                            "\"3\",\"a, b\",0.5,1e0, 2 \r\n"
+                            "# in between\r\n"
+                            "-0.3e1,,0.5,\"1\",2\r\n");
+  Trajectory read;
+  ASSERT_EQ(palpate::readTrajectory(stream, "t.csv", read), "");
+  EXPECT_FALSE(read.hasContact);
+  EXPECT_FALSE(read.hasDevice);
+  ASSERT_EQ(read.rows.size(), 2U);
+  EXPECT_EQ(read.rows[0].tip, Vector3d(1, 2, 3));
+  EXPECT_EQ(read.rows[1].tip, Vector3d(1, 2, -3));
+  EXPECT_EQ(read.rows[1].time, 0.5);
+  EXPECT_TRUE(read.rows[1].hasTip());
+}
+
+TEST(TrajectoryFile, ErrorsNameFileAndLine)
+{
+  EXPECT_EQ(faultOf(Head + "0,1,2,3\n1,1,2,3\n"), "");
+  EXPECT_EQ(faultOf(""), "t.csv:0: there is no line with the names of the columns");
+  EXPECT_EQ(faultOf(Head), "t.csv:1: there are no lines with numbers");
+  EXPECT_EQ(faultOf("time_s,tip_x_mm,tip_z_mm\n0,1,2\n"), "t.csv:1: column 'tip_y_mm' is missing");
+  EXPECT_EQ(faultOf("time_s,tip_x_mm,tip_y_mm,tip_z_mm,state\n"),
+    "t.csv:1: column 'contact_x_mm' is missing");
+  EXPECT_EQ(faultOf("time_s,tip_x_mm,tip_y_mm,tip_z_mm,device_x_m\n"),
+    "t.csv:1: column 'device_y_m' is missing");
+  EXPECT_EQ(faultOf("time_s,tip_x_mm,tip_y_mm,tip_z_mm,tip_x_mm\n"),
+    "t.csv:1: column 'tip_x_mm' stands there twice");
+  EXPECT_EQ(faultOf(Head + "0,1,2,3\n0,1,2\n"), "t.csv:3: has 3 fields instead of 4");
+  EXPECT_EQ(faultOf(Head + "0,1,2,3,4\n"), "t.csv:2: has 5 fields instead of 4");
+  EXPECT_EQ(faultOf(Head + "0,1,nan,3\n"), "t.csv:2: tip_y_mm: 'nan' is not a finite number");
+  EXPECT_EQ(faultOf(Head + "0,1,2,inf\n"), "t.csv:2: tip_z_mm: 'inf' is not a finite number");
+  EXPECT_EQ(faultOf(Head + "0,1,2,\n"), "t.csv:2: tip_z_mm: '' is not a finite number");
+  EXPECT_EQ(faultOf(Head + "0,1,2,3x\n"), "t.csv:2: tip_z_mm: '3x' is not a finite number");
+  EXPECT_EQ(faultOf(Head + "0,1e999,2,3\n"), "t.csv:2: tip_x_mm: '1e999' is not a finite number");
+  EXPECT_EQ(faultOf(Head + "\n1,1,2,3\n0.5,1,2,3\n"), "t.csv:4: time_s decreases");
+
+  const std::string whole = std::string(palpate::TrajectoryColumns) + "\n";
+  EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0,5\n"), "");
+  for (const char* const state : { "6", "-1", "0.5" })
+  {
+    EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0," + state + "\n"),
+      "t.csv:2: state must be a whole number from 0 to 5");
+  }
+  const std::string device = "time_s,tip_x_mm,tip_y_mm,tip_z_mm,device_x_m,device_y_m,device_z_m,"
+                             "velocity_x_m_s,velocity_y_m_s,velocity_z_m_s,buttons,valid,fresh,"
+                             "sent_x_N,sent_y_N,sent_z_N,taken\n0,0,0,0,0,0,0,0,0,0,";
+  EXPECT_EQ(faultOf(device + "4294967295,1,0,0,0,0,1\n"), "");
+  EXPECT_EQ(faultOf(device + "4294967296,1,0,0,0,0,1\n"),
+    "t.csv:2: buttons must be a whole number of 32 bits");
+  EXPECT_EQ(faultOf(device + "0,1,2,0,0,0,1\n"), "t.csv:2: fresh must be 0 or 1");
+
+  Trajectory none;
+  EXPECT_EQ(palpate::readTrajectory("/nowhere/t.csv", none), "/nowhere/t.csv: cannot be opened");
+}
+
+TEST(TrajectoryFile, WritesNothingThatCannotBeRead)
+{
+  const ScratchFile file(".csv");
+  Trajectory trajectory = anyTrajectory(true, false);
+  trajectory.rows[7].deflection = NaN;
+  EXPECT_EQ(palpate::writeTrajectory(file.path(), trajectory),
+    "cannot write '" + file.path() + "': row 7: deflection_mm is not finite");
+  EXPECT_FALSE(std::ifstream(file.path()).good());
+  trajectory = anyTrajectory(false, false);
+  std::swap(trajectory.rows[8], trajectory.rows[9]);
+  EXPECT_EQ(palpate::writeTrajectory(file.path(), trajectory),
+    "cannot write '" + file.path() + "': row 9: time_s decreases");
+  EXPECT_EQ(
+    palpate::writeTrajectory("/nowhere/t.csv", Trajectory()), "cannot write '/nowhere/t.csv'");
+}
