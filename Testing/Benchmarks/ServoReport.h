@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_benchmarks_ServoReport_h
+#define palpate_benchmarks_ServoReport_h
+
+#include "ServoStatistics.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate::benchmarks
+{
+/// One rate under one load with one scheduling.
+struct ServoRow
+{
+  double rate;
+  std::string load;
+  std::string policy;
+  ServoStatistics statistics;
+};
+
+/// Writes rate_hz,load,policy,wakeup_median_us,p99,p999,max,tick_median_us,tick_p99,missed,ticks;
+/// all times in µs. False if the file cannot be written.
+bool writeServoCsv(const std::string& path, const std::vector<ServoRow>& rows);
+
+void printServoHeader();
+void printServoRow(const ServoRow& row);
+} // namespace palpate::benchmarks
+
+#endif
