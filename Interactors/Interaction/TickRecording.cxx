@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -12,6 +13,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate
 {
@@ -32,6 +34,15 @@ void addColumn(vtkTable* table, const char* name, double value)
   column->InsertNextValue(value);
   table->AddColumn(column);
 }
+void addSummary(const TickSummary& summary, std::uint64_t ticks, vtkTable* table)
+{
+  addColumn(table, "Ticks", static_cast<double>(ticks));
+  addColumn(table, "TicksInContact", static_cast<double>(summary.inContact));
+  addColumn(table, "PeakForce (N)", summary.peakForce);
+  addColumn(table, "PeakAppliedForce (N)", summary.peakApplied);
+  addColumn(table, "PeakFriction (N)", summary.peakFriction);
+  addColumn(table, "PeakDeflection (mm)", summary.peakDeflection);
+}
 } // namespace
 
 void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording)
@@ -49,6 +60,12 @@ void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtk
   applied->SetName("AppliedForce");
   applied->SetNumberOfComponents(3);
   applied->SetNumberOfTuples(count);
+  vtkNew<vtkDoubleArray> factor;
+  factor->SetName("ForceFactor");
+  factor->SetNumberOfTuples(count);
+  vtkNew<vtkIntArray> links;
+  links->SetName("SafetyLinks");
+  links->SetNumberOfTuples(count);
   ContactArrays contacts(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -56,7 +73,9 @@ void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtk
     points->SetPoint(i, tick.tip.data());
     line->InsertCellPoint(i);
     time->SetValue(i, tick.time);
-    applied->SetTypedTuple(i, tick.deviceForce.data());
+    applied->SetTypedTuple(i, tick.appliedForce.data());
+    factor->SetValue(i, tick.forceFactor);
+    links->SetValue(i, tick.acted);
     contacts.store(i, tick.contact, firstPoly);
   }
   recording->Initialize();
@@ -67,31 +86,62 @@ void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtk
   }
   recording->GetPointData()->AddArray(time);
   recording->GetPointData()->AddArray(applied);
+  recording->GetPointData()->AddArray(factor);
+  recording->GetPointData()->AddArray(links);
   contacts.attach(recording);
 }
 
 void fillStatistics(
-  const std::vector<ServoTick>& ticks, std::vector<double> nanoseconds, vtkTable* statistics)
+  const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics)
 {
-  double inContact = 0.0;
-  double peakForce = 0.0;
-  double peakFriction = 0.0;
-  double peakDeflection = 0.0;
-  for (const ServoTick& tick : ticks)
-  {
-    inContact += tick.contact.triangle >= 0 ? 1.0 : 0.0;
-    peakForce = std::max(peakForce, tick.contact.force.norm());
-    peakFriction = std::max(peakFriction, tick.contact.friction.norm());
-    peakDeflection = std::max(peakDeflection, tick.contact.deflection);
-  }
   std::sort(nanoseconds.begin(), nanoseconds.end());
   statistics->Initialize();
-  addColumn(statistics, "Ticks", static_cast<double>(ticks.size()));
-  addColumn(statistics, "TicksInContact", inContact);
-  addColumn(statistics, "PeakForce (N)", peakForce);
-  addColumn(statistics, "PeakFriction (N)", peakFriction);
-  addColumn(statistics, "PeakDeflection (mm)", peakDeflection);
+  addSummary(summary, summary.ticks, statistics);
   addColumn(statistics, "MedianTick (ns)", quantile(nanoseconds, 0.5));
   addColumn(statistics, "Percentile99Tick (ns)", quantile(nanoseconds, 0.99));
+}
+
+void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table)
+{
+  table->Initialize();
+  addSummary(summary, statistics.ticks, table);
+  addColumn(table, "MedianTick (ns)", static_cast<double>(statistics.tick.quantile(0.5)));
+  addColumn(table, "Percentile99Tick (ns)", static_cast<double>(statistics.tick.quantile(0.99)));
+  const std::pair<const char*, std::uint64_t> counts[] = { { "Missed", statistics.missed },
+    { "InvalidSamples", statistics.invalidSamples },
+    { "RepeatedSamples", statistics.repeatedSamples },
+    { "RefusedForces", statistics.refusedForces }, { "Overruns", statistics.overruns },
+    { "SceneChanges", statistics.sceneChanges },
+    { "MalformedReports", statistics.device.malformed },
+    { "StaleReports", statistics.device.stale }, { "LostReports", statistics.device.lost },
+    { "UnsentForces", statistics.device.unsent },
+    { "Disconnections", statistics.device.disconnections } };
+  for (const auto& [name, count] : counts)
+  {
+    addColumn(table, name, static_cast<double>(count));
+  }
+}
+
+void fillTiming(const ServoStatistics& statistics, vtkTable* table)
+{
+  constexpr double shares[] = { 0.5, 0.9, 0.99, 0.999, 0.9999, 1.0 };
+  const auto add = [&](const char* name, const LatencyCounts* counts)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (const double share : shares)
+    {
+      const bool isWorst = share == 1.0;
+      column->InsertNextValue(counts == nullptr ? share
+          : isWorst                             ? 1e-3 * static_cast<double>(counts->worst())
+                    : 1e-3 * static_cast<double>(counts->quantile(share)));
+    }
+    table->AddColumn(column);
+  };
+  table->Initialize();
+  add("Share", nullptr);
+  add("Period (us)", &statistics.period);
+  add("WakeUp (us)", &statistics.wakeUp);
+  add("Tick (us)", &statistics.tick);
 }
 } // namespace palpate

@@ -2,7 +2,8 @@
 #ifndef TickRecording_h
 #define TickRecording_h
 
-#include "ServoStep.h"
+#include "ServoStatistics.h"
+#include "TickSummary.h"
 
 #include "vtkType.h"
 
@@ -13,14 +14,20 @@ class vtkTable;
 
 namespace palpate
 {
-/// The ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s) and
-/// `AppliedForce` (N). `firstPoly` is the cell id of the body's first triangle.
+/// The ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s),
+/// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink).
+/// `firstPoly` is the cell id of the body's first triangle.
 void fillRecording(
   const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 
 /// One row, see vtkHapticSession::GetStatistics; `nanoseconds` holds the time of each tick.
 void fillStatistics(
-  const std::vector<ServoTick>& ticks, std::vector<double> nanoseconds, vtkTable* statistics);
+  const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics);
+/// The same in real time, where the servo loop has the times.
+void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table);
+
+/// A row per share of the ticks, see vtkHapticSession::GetTiming.
+void fillTiming(const ServoStatistics& statistics, vtkTable* table);
 } // namespace palpate
 
 #endif

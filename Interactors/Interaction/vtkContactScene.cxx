@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactScene.h"
 
+#include "DeflectionLegend.h"
 #include "DisplayColors.h"
 #include "vtkContactDeflection.h"
 #include "vtkContactTool.h"
@@ -23,6 +24,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
+#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTriangleMeshPointNormals.h"
@@ -38,7 +40,7 @@ namespace
 {
 constexpr double ArrowLength = 40.0; // mm, of the largest force
 constexpr double TrailRadius = 0.5;  // mm
-constexpr int TableSize = 256;
+constexpr double MarkerRadius = 2.0; // mm
 constexpr int CaptionSize = 17;
 constexpr double LegendWidth = 175.0; // pixels
 constexpr double RaisedFocus = 0.09;  // of the distance, so that the longest arrow fits in
@@ -49,26 +51,6 @@ double roundDown(double value)
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
   const double share = value / decade;
   return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
-}
-
-void fillColors(vtkLookupTable* table)
-{
-  table->SetNumberOfTableValues(TableSize);
-  constexpr double last = palpate::DeflectionColors.size() - 1;
-  for (int i = 0; i < TableSize; ++i)
-  {
-    const double position = last * i / (TableSize - 1);
-    const auto left = static_cast<std::size_t>(std::min(position, last - 1.0));
-    const double share = position - static_cast<double>(left);
-    std::array<double, 3> color{};
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      color[k] = (1.0 - share) * palpate::DeflectionColors[left][k] +
-        share * palpate::DeflectionColors[left + 1][k];
-    }
-    table->SetTableValue(i, color[0], color[1], color[2]);
-  }
-  table->SetVectorModeToMagnitude();
 }
 } // namespace
 
@@ -84,8 +66,9 @@ vtkContactScene::vtkContactScene()
   , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
   , Caption(vtkSmartPointer<vtkTextActor>::New())
   , ToolRepresentation(vtkSmartPointer<vtkHapticToolRepresentation>::New())
+  , Marker(vtkSmartPointer<vtkActor>::New())
 {
-  fillColors(this->Colors);
+  palpate::fillDeflectionColors(this->Colors);
   this->Deflection->SetInputData(1, this->Tip);
   this->Warp->SetInputConnection(this->Deflection->GetOutputPort());
   this->Warp->SetInputArrayToProcess(
@@ -104,23 +87,17 @@ vtkContactScene::vtkContactScene()
     palpate::TrailColor[0], palpate::TrailColor[1], palpate::TrailColor[2]);
   this->TrailActor->GetProperty()->LightingOff();
   this->TrailActor->VisibilityOff();
-
-  this->Legend->SetLookupTable(this->Colors);
-  this->Legend->SetTitle("Displacement (mm)\n ");
-  this->Legend->SetNumberOfLabels(5);
-  this->Legend->SetLabelFormat("%.2f");
-  this->Legend->SetBarRatio(0.25);
-  this->Legend->UnconstrainedFontSizeOn();
-  this->Legend->SetHeight(0.5);
-  for (vtkTextProperty* text :
-    { this->Legend->GetTitleTextProperty(), this->Legend->GetLabelTextProperty() })
-  {
-    text->SetColor(palpate::TextColor.data());
-    text->SetFontSize(CaptionSize - 2);
-    text->SetBold(0);
-    text->SetItalic(0);
-    text->SetShadow(0);
-  }
+  palpate::styleDeflectionLegend(this->Legend, this->Colors, CaptionSize - 2);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(MarkerRadius);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(24);
+  vtkNew<vtkPolyDataMapper> ballMapper;
+  ballMapper->SetInputConnection(ball->GetOutputPort());
+  this->Marker->SetMapper(ballMapper);
+  this->Marker->GetProperty()->SetColor(
+    palpate::ToolColor[0], palpate::ToolColor[1], palpate::ToolColor[2]);
+  this->Marker->VisibilityOff();
   this->Caption->GetTextProperty()->SetColor(palpate::TextColor.data());
   this->Caption->GetTextProperty()->SetFontSize(CaptionSize);
   this->Caption->GetTextProperty()->SetLineSpacing(1.2);
@@ -143,6 +120,7 @@ void vtkContactScene::SetRenderer(vtkRenderer* renderer)
   renderer->AddActor(this->BodyActor);
   renderer->AddActor(this->TrailActor);
   renderer->AddViewProp(this->ToolRepresentation);
+  renderer->AddActor(this->Marker);
   renderer->AddViewProp(this->Legend);
   renderer->AddViewProp(this->Caption);
 }
@@ -186,6 +164,19 @@ double vtkContactScene::GetExaggeration()
 void vtkContactScene::SetTitle(const std::string& title)
 {
   this->Title = title;
+}
+
+void vtkContactScene::SetRemark(const std::string& remark)
+{
+  this->Remark = remark;
+}
+
+void vtkContactScene::SetBlind(bool blind)
+{
+  this->Blind = blind;
+  this->ToolRepresentation->SetVisibility(!blind);
+  this->Legend->SetVisibility(!blind);
+  this->Marker->SetVisibility(blind);
 }
 
 bool vtkContactScene::ShowTrail(vtkPolyData* probed)
@@ -253,9 +244,20 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
 void vtkContactScene::ShowContact(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell)
 {
-  this->ToolRepresentation->SetContact(tip, normal, contactPoint, force);
-  this->PlaceLegend();
-  this->WriteCaption(deflection, vtkMath::Norm(force));
+  if (this->Blind)
+  {
+    // On the surface: how deep the hand gets would tell how hard the body pushes back.
+    const double* place = cell < 0 ? tip : contactPoint;
+    this->Marker->SetPosition(place[0], place[1], place[2]);
+    this->WriteCaption("");
+    cell = -1; // no dent
+  }
+  else
+  {
+    this->ToolRepresentation->SetContact(tip, normal, contactPoint, force);
+    this->PlaceLegend();
+    this->DescribeContact(deflection, vtkMath::Norm(force));
+  }
   vtkDataArray* shown = this->Tip->GetPointData()->GetArray("ContactCell");
   if (cell < 0 && shown && shown->GetTuple1(0) < 0.0)
   {
@@ -301,7 +303,7 @@ void vtkContactScene::PlaceLegend()
   this->Legend->SetWidth(0.85 * share);
 }
 
-void vtkContactScene::WriteCaption(double deflection, double force)
+void vtkContactScene::DescribeContact(double deflection, double force)
 {
   std::array<char, 256> text{};
   vtkContactTool* tool = this->ToolRepresentation->GetTool();
@@ -309,12 +311,21 @@ void vtkContactScene::WriteCaption(double deflection, double force)
   std::snprintf(text.data(), text.size(),
     "Tool: %s\nDeflection %.2f mm, force %#.3g N\nForce arrow: 10 mm = %.3g N",
     tool ? tool->GetDescription().c_str() : "", deflection, force, 10.0 / scale);
-  std::string caption = this->Title.empty() ? std::string() : this->Title + "\n";
-  caption += text.data();
+  std::string caption = text.data();
   if (this->GetExaggeration() != 1.0)
   {
     std::snprintf(text.data(), text.size(), "\nDent drawn x%.3g", this->GetExaggeration());
     caption += text.data();
+  }
+  this->WriteCaption(caption);
+}
+
+void vtkContactScene::WriteCaption(const std::string& contact)
+{
+  std::string caption;
+  for (const std::string& part : { this->Title, contact, this->Remark })
+  {
+    caption += caption.empty() || part.empty() ? part : "\n" + part;
   }
   this->Caption->SetInput(caption.c_str());
 }
@@ -325,7 +336,8 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   double bounds[6];
   this->Deflection->Update();
   vtkBoundingBox all(this->Deflection->GetOutput()->GetBounds());
-  if (const double* tool = this->ToolRepresentation->GetBounds())
+  const double* tool = this->ToolRepresentation->GetBounds();
+  if (tool && !this->Blind)
   {
     all.AddBounds(tool); // with the arrow: neither is to be cut off
   }
@@ -386,5 +398,6 @@ void vtkContactScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "Blind: " << this->Blind << "\n";
   os << indent << "Exaggeration: " << this->GetExaggeration() << "\n";
 }

@@ -59,6 +59,16 @@ public:
   /** First line of the caption. */
   void SetTitle(const std::string& title);
 
+  /** Last line of the caption, from the next contact shown on. Default none. */
+  void SetRemark(const std::string& remark);
+
+  /**
+   * For a blind comparison: of a contact only its place is shown, by a ball, which rests on the
+   * surface however deep the tip is. No tool, force, dent, legend; the caption is title and remark.
+   * Default off.
+   */
+  void SetBlind(bool blind);
+
   /** Draws the contact points of a probe's output as a line: the way the tool goes. */
   bool ShowTrail(vtkPolyData* probed);
 
@@ -100,7 +110,8 @@ private:
 
   double GetLegendShare(); ///< of the width of the viewport
   void PlaceLegend();
-  void WriteCaption(double deflection, double force);
+  void DescribeContact(double deflection, double force);
+  void WriteCaption(const std::string& contact);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkPolyData> Tip; ///< the contact shown, as a probe's output
@@ -112,7 +123,10 @@ private:
   vtkSmartPointer<vtkScalarBarActor> Legend;
   vtkSmartPointer<vtkTextActor> Caption;
   vtkSmartPointer<vtkHapticToolRepresentation> ToolRepresentation;
+  vtkSmartPointer<vtkActor> Marker; ///< of a contact that is shown blind
+  bool Blind = false;
   std::string Title;
+  std::string Remark;
   double Contact[3] = { 0.0, 0.0, 0.0 };
 };
 

@@ -1,82 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What is set, and what is read; vtkHapticSessionStart.cxx is what happens in between.
 #include "vtkHapticSession.h"
 
-#include "BodyConversion.h"
-#include "GivenSettings.h"
-#include "ServoLoop.h"
-#include "ServoStep.h"
-#include "SimulatedDevice.h"
-#include "SteeredDevice.h"
+#include "DeviceList.h"
+#include "HapticSessionState.h"
+#include "SafetyText.h"
+#include "SessionDevice.h"
 #include "TickRecording.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-
-/// What lives from Start to the next Start.
-struct vtkHapticSession::Loop
-{
-  std::shared_ptr<const palpate::ContactBody> body;
-  palpate::WorkspaceMapping mapping;
-  palpate::SimulatedDevice device;
-  palpate::ServoStep servo;
-  double period;
-  double reached = 0.0; ///< virtual time stepped to so far, s; ticks fall behind by less than one
-  bool running = true;
-  std::vector<palpate::ServoTick> ticks;
-  std::vector<double> nanoseconds;
-
-  Loop(std::shared_ptr<const palpate::ContactBody> kernel, const palpate::ContactSettings& settings,
-    std::vector<palpate::SimulatedDevice::WayPoint> path, double tickPeriod)
-    : body(std::move(kernel))
-    , device(std::move(path))
-    , servo(*this->body, this->mapping, this->device.specification().maximumForce, settings)
-    , period(tickPeriod)
-  {
-  }
-
-  double nextTime() const { return static_cast<double>(this->ticks.size()) * this->period; }
-
-  void tick()
-  {
-    const double time = this->nextTime();
-    const auto begin = std::chrono::steady_clock::now();
-    const palpate::ServoTick tick = this->servo.step(this->device.read(time), time);
-    this->device.write(tick.deviceForce);
-    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-    this->ticks.push_back(tick);
-    this->nanoseconds.push_back(spent.count());
-  }
-};
-
-/// The servo thread and what it needs, from Start to Stop.
-struct vtkHapticSession::Thread
-{
-  std::shared_ptr<const palpate::ContactBody> body;
-  palpate::WorkspaceMapping mapping;
-  palpate::SteeredDevice device;
-  palpate::ServoLoop servo;
-
-  Thread(std::shared_ptr<const palpate::ContactBody> kernel,
-    const palpate::ContactSettings& settings, const Eigen::Vector3d& start, double rate)
-    : body(std::move(kernel))
-    , device(this->mapping.toDevice(start))
-    , servo(this->device,
-        palpate::ServoStep(
-          *this->body, this->mapping, this->device.specification().maximumForce, settings),
-        rate)
-  {
-    this->servo.start();
-  }
-};
 
 vtkStandardNewMacro(vtkHapticSession);
 
-vtkHapticSession::vtkHapticSession() = default;
+vtkHapticSession::vtkHapticSession()
+  : Chosen(std::make_unique<palpate::SessionDevice>())
+  , Known(std::make_unique<Kernels>())
+{
+}
+
 vtkHapticSession::~vtkHapticSession() = default;
 
 void vtkHapticSession::SetBody(vtkPolyData* body)
@@ -98,183 +44,124 @@ void vtkHapticSession::SetPath(vtkPolyData* path)
 
 bool vtkHapticSession::SetDevice(const std::string& device)
 {
-  if (device != "simulated")
+  const std::string error = palpate::openSessionDevice(device, *this->Chosen);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< "Device '" << device << "' is not available: give \"simulated\".");
+    vtkErrorMacro(<< "Device '" << device << "': " << error << ".");
     return false;
   }
+  this->Modified();
   return true;
 }
 
-bool vtkHapticSession::Start()
+void vtkHapticSession::SetDevice(std::unique_ptr<palpate::HapticDevice> device)
 {
-  this->Active.reset();
-  this->Live.reset();
-  palpate::ContactSettings settings;
-  if (!this->ReadSettings(settings))
+  if (!device)
   {
-    return false;
+    vtkErrorMacro(<< "The device given is null.");
+    return;
   }
-  auto kernel = this->ReadBody();
-  if (!kernel)
-  {
-    return false;
-  }
-  this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
-  if (this->RealTime)
-  {
-    this->Live = std::make_unique<Thread>(
-      std::move(kernel), settings, Eigen::Vector3d(this->Steered), this->Rate);
-    return true;
-  }
-  return this->StartVirtual(std::move(kernel), settings);
+  *this->Chosen = { palpate::SessionDevice::OfTheCaller, std::move(device), {} };
+  this->Modified();
 }
 
-std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody()
+std::string vtkHapticSession::GetDeviceStatus()
 {
-  if (!this->Body)
+  if (this->Run)
   {
-    vtkErrorMacro(<< "A body is required: call SetBody.");
-    return nullptr;
+    return this->Run->run->device().status();
   }
-  std::string error;
-  auto kernel = palpate::makeContactBody(this->Body, this->ResponseName, error);
-  if (!kernel)
-  {
-    vtkErrorMacro(<< "Wrong body: " << error << ".");
-    return nullptr;
-  }
-  const std::string defects = palpate::describeDefects(*kernel);
-  const bool isKnown = this->Unsound == this->Body && this->UnsoundTime == this->Body->GetMTime();
-  if (!defects.empty() && !isKnown)
-  {
-    vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");
-    this->Unsound = this->Body;
-    this->UnsoundTime = this->Body->GetMTime();
-  }
-  return kernel;
+  return this->Chosen->device ? this->Chosen->device->status() : "not started";
 }
 
-bool vtkHapticSession::ReadSettings(palpate::ContactSettings& settings)
+bool vtkHapticSession::GetDeviceOutputsForce()
 {
-  palpate::GivenSettings given;
-  given.forceForm = this->ForceForm;
-  given.contactSurface = this->ContactSurface;
-  given.frictionModel = this->FrictionModel;
-  given.frictionCoefficient = this->FrictionCoefficient;
-  given.tangentialStiffness = this->TangentialStiffness;
-  given.frictionBreakaway = this->FrictionBreakaway;
-  given.frictionStickRadius = this->FrictionStickRadius;
-  given.poissonRatio = this->PoissonRatio;
-  if (const palpate::SettingFault fault = given.fault())
-  {
-    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
-    return false;
-  }
-  settings = given.settings();
-  return true;
+  return this->Chosen->device && this->Chosen->device->specification().outputsForce;
 }
 
-bool vtkHapticSession::StartVirtual(
-  std::shared_ptr<const palpate::ContactBody> kernel, const palpate::ContactSettings& settings)
+bool vtkHapticSession::IsDeviceOfThisWorld()
 {
-  vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
-  if (!times || this->Path->GetNumberOfPoints() == 0)
-  {
-    vtkErrorMacro(<< "The simulated device needs a path with a point array 'Time' (s).");
-    return false;
-  }
-  const palpate::WorkspaceMapping mapping;
-  std::vector<palpate::SimulatedDevice::WayPoint> path;
-  for (vtkIdType i = 0; i < this->Path->GetNumberOfPoints(); ++i)
-  {
-    Eigen::Vector3d position;
-    this->Path->GetPoint(i, position.data());
-    path.push_back({ times->GetTuple1(i), mapping.toDevice(position) });
-    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
-      (i > 0 && path[path.size() - 2].time > path.back().time))
-    {
-      vtkErrorMacro(<< "Point " << i << " of the path is not finite or goes back in time.");
-      return false;
-    }
-  }
-  this->Active =
-    std::make_unique<Loop>(std::move(kernel), settings, std::move(path), 1.0 / this->Rate);
-  return true;
+  return this->Chosen->kind == palpate::SessionDevice::Opened;
+}
+
+std::string vtkHapticSession::ListDevices()
+{
+  return palpate::listDevices().describe();
+}
+
+void vtkHapticSession::AddFitResponse(const std::string& responseName)
+{
+  this->FitResponses.push_back(responseName);
+  this->Modified();
+}
+
+void vtkHapticSession::ClearFitResponses()
+{
+  this->FitResponses.clear();
+  this->Modified();
 }
 
 void vtkHapticSession::SteerTo(const double tip[3])
 {
   std::copy_n(tip, 3, this->Steered);
-  if (this->Live)
+  if (this->Run && this->Run->steered)
   {
-    this->Live->device.steerTo(this->Live->mapping.toDevice(Eigen::Vector3d(tip)));
+    this->Run->steered->steerTo(this->Run->mapping.toDevice(Eigen::Vector3d(tip)));
   }
 }
 
 vtkIdType vtkHapticSession::GetNumberOfTicks() const
 {
-  return this->Live ? static_cast<vtkIdType>(this->Live->servo.ticks())
-                    : static_cast<vtkIdType>(this->GetTicks().size());
+  return this->Run ? static_cast<vtkIdType>(this->Run->run->ticksMade()) : 0;
 }
 
 vtkIdType vtkHapticSession::GetNumberOfMissedTicks() const
 {
-  return this->Live ? static_cast<vtkIdType>(this->Live->servo.missed()) : 0;
+  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
+  return loop ? static_cast<vtkIdType>(loop->missed()) : 0;
 }
 
 void vtkHapticSession::Stop()
 {
-  if (this->Live)
+  if (this->Run)
   {
-    this->Live->servo.stop();
-  }
-  if (this->Active)
-  {
-    this->Active->running = false;
-    this->Active->device.write(Eigen::Vector3d::Zero());
+    this->Run->run->stop();
   }
 }
 
 void vtkHapticSession::Step(double seconds)
 {
-  if (!this->Active || !this->Active->running || !(seconds > 0.0 && std::isfinite(seconds)))
+  if (this->Run && this->Run->run->isRunning() && seconds > 0.0 && std::isfinite(seconds))
   {
-    return;
-  }
-  // Half a tick of slack, so that steps which add up to a whole number of ticks run that many.
-  this->Active->reached += seconds;
-  const double end = this->Active->reached - 0.5 * this->Active->period;
-  while (this->Active->nextTime() < end)
-  {
-    this->Active->tick();
+    this->Run->run->step(seconds);
   }
 }
 
 int vtkHapticSession::GetState() const
 {
-  const bool live = this->Live && this->Live->servo.isRunning();
-  return live || (this->Active && this->Active->running) ? Running : Stopped;
+  if (!this->Run || !this->Run->run->isRunning())
+  {
+    return Stopped;
+  }
+  constexpr unsigned lost = static_cast<unsigned>(palpate::SafetyLink::NoSample) |
+    static_cast<unsigned>(palpate::SafetyLink::Watchdog);
+  return (this->Run->run->newest().acted & lost) != 0 ? DeviceLost : Running;
 }
 
 double vtkHapticSession::GetTime() const
 {
-  return this->Active ? this->Active->nextTime() : 0.0;
+  return this->Run ? this->Run->run->time() : 0.0;
 }
 
 double vtkHapticSession::GetPathDuration() const
 {
-  return this->Active ? this->Active->device.duration() : 0.0;
+  return this->Run ? this->Run->pathDuration : 0.0;
 }
 
-const palpate::ServoTick& vtkHapticSession::Newest()
+const palpate::ServoTick& vtkHapticSession::Newest() const
 {
   static const palpate::ServoTick none;
-  if (this->Live)
-  {
-    return this->Live->servo.newest();
-  }
-  return this->Active && !this->Active->ticks.empty() ? this->Active->ticks.back() : none;
+  return this->Run ? this->Run->run->newest() : none;
 }
 
 void vtkHapticSession::GetTip(double tip[3])
@@ -289,17 +176,28 @@ void vtkHapticSession::GetContactPoint(double point[3])
 
 void vtkHapticSession::GetIdealForce(double force[3])
 {
-  std::copy_n(this->Newest().contact.force.data(), 3, force);
+  std::copy_n(this->Newest().idealForce.data(), 3, force);
 }
 
 void vtkHapticSession::GetForce(double force[3])
 {
-  // A stopped session exerts nothing, whatever the last tick was. The mapping keeps the axes.
+  // A stopped session exerts nothing, whatever the last tick was.
   std::fill_n(force, 3, 0.0);
   if (this->GetState() == Running)
   {
-    std::copy_n(this->Newest().deviceForce.data(), 3, force);
+    std::copy_n(this->Newest().appliedForce.data(), 3, force);
   }
+}
+
+double vtkHapticSession::GetForceFactor()
+{
+  return this->GetNumberOfTicks() > 0 ? this->Newest().forceFactor : this->FittedFactor;
+}
+
+std::string vtkHapticSession::GetSafetyText()
+{
+  const palpate::ServoTick& newest = this->Newest();
+  return palpate::describeSafety(newest.acted, newest.forceFactor);
 }
 
 void vtkHapticSession::GetFrictionForce(double force[3])
@@ -328,10 +226,15 @@ int vtkHapticSession::GetContactState()
   return static_cast<int>(this->Newest().contact.state);
 }
 
-const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks() const
+const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks()
 {
   static const std::vector<palpate::ServoTick> none;
-  return this->Active ? this->Active->ticks : none;
+  if (!this->Run)
+  {
+    return none;
+  }
+  this->Run->run->collect();
+  return this->Run->run->ticks();
 }
 
 void vtkHapticSession::GetRecording(vtkPolyData* recording)
@@ -341,8 +244,42 @@ void vtkHapticSession::GetRecording(vtkPolyData* recording)
 
 void vtkHapticSession::GetStatistics(vtkTable* statistics)
 {
-  palpate::fillStatistics(
-    this->GetTicks(), this->Active ? this->Active->nanoseconds : std::vector<double>(), statistics);
+  if (!this->Run)
+  {
+    palpate::fillStatistics({}, std::vector<double>(), statistics);
+    return;
+  }
+  palpate::SessionRun& run = *this->Run->run;
+  run.collect();
+  if (const palpate::ServoLoop* loop = run.loop())
+  {
+    palpate::fillStatistics(run.summary(), loop->statistics(), statistics);
+  }
+  else
+  {
+    palpate::fillStatistics(run.summary(), run.nanoseconds(), statistics);
+  }
+}
+
+void vtkHapticSession::GetTiming(vtkTable* timing)
+{
+  timing->Initialize();
+  if (const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr)
+  {
+    palpate::fillTiming(loop->statistics(), timing);
+  }
+}
+
+std::string vtkHapticSession::GetStatisticsText()
+{
+  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
+  return loop ? loop->statistics().describe() : std::string();
+}
+
+std::string vtkHapticSession::GetRealTimeGrant()
+{
+  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
+  return loop ? loop->grant().describe() : std::string();
 }
 
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
@@ -359,5 +296,14 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrictionStickRadius: " << this->FrictionStickRadius << "\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
+  os << indent << "RealTime: " << this->RealTime << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Gate: " << this->Gate << "\n";
+  os << indent << "EntryRamp: " << this->EntryRamp << " s\n";
+  os << indent << "StiffnessCap: " << this->StiffnessCap << "\n";
+  os << indent << "PassivityControl: " << this->PassivityControl << "\n";
+  os << indent << "ForceLimit: " << this->ForceLimit << " N\n";
+  os << indent << "StiffnessLimit: " << this->StiffnessLimit << " N/m\n";
+  os << indent << "FitForce: " << this->FitForce << "\n";
   os << indent << "Time: " << this->GetTime() << " s\n";
 }

@@ -7,14 +7,31 @@
  * Step it in virtual time, read what is felt. In virtual time nothing depends on the machine: the
  * same steps give the same bits.
  *
- * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping,
- * which here keeps axes and scale (1 m = 1000 mm).
+ * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping.
  *
- * Device "simulated", the only one of this version; other names are an error. In virtual time
- * (default) it is a stiff hand that follows SetPath, a polyline with a point array `Time` (s, not
- * decreasing). With RealTime, Start starts the servo thread at Rate, and the hand follows SteerTo,
- * as from a mouse. Then nothing is recorded, Step does nothing, and the getters give the newest
- * tick.
+ * Devices, by SetDevice:
+ * - "simulated" (default): a stiff hand that yields to nothing. In virtual time it follows SetPath,
+ *   a polyline with a point array `Time` (s, not decreasing); with RealTime it follows SteerTo, as
+ *   from a mouse. It is good for 10 N. Neither stiffness nor energy limits it, as no loop is closed
+ *   through a hand that does not move with the force.
+ * - "replay:FILE": the hand of a recorded trajectory.
+ * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
+ * - "bridge:ADDRESS": another process that speaks the same reports, "unix:/PATH" or "udp:PORT";
+ *   needs RealTime.
+ * C++ may give a device of its own.
+ *
+ * With RealTime, Start starts the servo thread at Rate; Step does nothing, and the getters give the
+ * newest tick. Every tick is recorded there too, as long as somebody reads: what waits unread for
+ * more than RecordedSeconds is lost, and counted.
+ *
+ * Two forces are told: the ideal one, and the one applied after the safety chain has fitted it to
+ * the device (force factor, stiffness cap, limits, passivity); GetSafetyText says what acted.
+ *
+ * ApplyChanges gives a running session another body, response or settings, in contact too: the
+ * force goes over within 50 ms.
+ *
+ * A device that is lost leaves the session running, with no force, in the state DeviceLost, until
+ * it returns.
  *
  * What is wrong with the mesh of the body is said in one warning, as by vtkToolContactProbe.
  *
@@ -28,6 +45,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <limits> // For std::numeric_limits
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
@@ -39,7 +57,11 @@ namespace palpate
 {
 struct ContactBody;
 struct ContactSettings;
+class HapticDevice;
+struct SafetySettings;
+struct ServoScene;
 struct ServoTick;
+struct SessionDevice;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticSession : public vtkObject
@@ -52,11 +74,12 @@ public:
   enum SessionState
   {
     Stopped = 0,
-    Running = 1
+    Running = 1,
+    DeviceLost = 2 ///< it runs, without force: the device tells no position
   };
 
   ///@{
-  /** The body with its response arrays; read at Start. */
+  /** The body with its response arrays; read at Start and ApplyChanges. */
   void SetBody(vtkPolyData* body);
   vtkPolyData* GetBody();
   ///@}
@@ -70,7 +93,7 @@ public:
   ///@{
   /**
    * How the contact feels: properties, numbers, ranges and defaults of vtkToolContactProbe. Read at
-   * Start, which fails with an error if one is out of its range.
+   * Start and ApplyChanges, which fail with an error if one is out of its range.
    */
   vtkSetMacro(ForceForm, int);
   vtkGetMacro(ForceForm, int);
@@ -96,8 +119,102 @@ public:
   vtkGetMacro(Rate, double);
   ///@}
 
-  /** Chooses the device: "simulated". Returns false, after an error, for any other name. */
+  ///@{
+  /** Chooses the device, see above, and opens it; it is used from the next Start on. Returns false,
+   * after an error, if there is none of this name; the device is then the one before. */
   bool SetDevice(const std::string& device);
+#ifndef __VTK_WRAP__
+  void SetDevice(std::unique_ptr<palpate::HapticDevice> device);
+#endif
+  ///@}
+  /** In words: "connected", "unplugged, waiting for it to return". */
+  std::string GetDeviceStatus();
+  /** Whether a hand can feel anything from it: not with a simulated device, nor a SpaceMouse. */
+  bool GetDeviceOutputsForce();
+  /** Whether it is plugged in or bridged, rather than simulated, replayed or given by C++. */
+  bool IsDeviceOfThisWorld();
+  /** The devices that are plugged in, a line each, or why there is none. */
+  static std::string ListDevices();
+
+  ///@{
+  /**
+   * Workspace mapping, read at Start: where the device's origin lies in the body's frame (mm;
+   * default 0, 0, 0), along which directions of the body the device's x (Right) and y (Up) point
+   * (at right angles; any length; default x and y), how many mm of the body a mm of the hand is
+   * (Scale, > 0; default 1). Stiffness is felt times the scale. A Planar device (default off) moves
+   * in the plane of its x and y.
+   */
+  vtkSetVector3Macro(DeviceOrigin, double);
+  vtkGetVector3Macro(DeviceOrigin, double);
+  vtkSetVector3Macro(DeviceRight, double);
+  vtkGetVector3Macro(DeviceRight, double);
+  vtkSetVector3Macro(DeviceUp, double);
+  vtkGetVector3Macro(DeviceUp, double);
+  vtkSetMacro(Scale, double);
+  vtkGetMacro(Scale, double);
+  vtkSetMacro(Planar, bool);
+  vtkGetMacro(Planar, bool);
+  vtkBooleanMacro(Planar, bool);
+  ///@}
+  ///@{
+  /** Instead of DeviceOrigin and Scale: the least scale that puts the body, with 10 mm around it,
+   * within the device's workspace, centre on centre. Read at Start. Default off. */
+  vtkSetMacro(FitWorkspace, bool);
+  vtkGetMacro(FitWorkspace, bool);
+  vtkBooleanMacro(FitWorkspace, bool);
+  ///@}
+  ///@{
+  /** While any of these buttons of the device (bits) is down the tip stays and the hand moves
+   * freely. Read at Start. Default 0: none. */
+  vtkSetMacro(ClutchButtons, unsigned int);
+  vtkGetMacro(ClutchButtons, unsigned int);
+  ///@}
+
+  ///@{
+  /**
+   * The links of the safety chain that may be chosen, read at Start. Gate (default on): no force
+   * until the tip has been outside once. EntryRamp: seconds over which the force of the first touch
+   * rises (default 0). StiffnessCap and PassivityControl (default on): as far as the device says it
+   * needs them, see above for "simulated". The limits of force, and that nothing is sent for what
+   * is not finite or not heard of, are not to be chosen.
+   */
+  vtkSetMacro(Gate, bool);
+  vtkGetMacro(Gate, bool);
+  vtkBooleanMacro(Gate, bool);
+  vtkSetMacro(EntryRamp, double);
+  vtkGetMacro(EntryRamp, double);
+  vtkSetMacro(StiffnessCap, bool);
+  vtkGetMacro(StiffnessCap, bool);
+  vtkBooleanMacro(StiffnessCap, bool);
+  vtkSetMacro(PassivityControl, bool);
+  vtkGetMacro(PassivityControl, bool);
+  vtkBooleanMacro(PassivityControl, bool);
+  ///@}
+  ///@{
+  /** Beside what the device says of itself: no more force (N) and stiffness (N/m) than this. Read
+   * at Start. Default infinite. */
+  vtkSetMacro(ForceLimit, double);
+  vtkGetMacro(ForceLimit, double);
+  vtkSetMacro(StiffnessLimit, double);
+  vtkGetMacro(StiffnessLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fit to the device: all forces are scaled by one factor, such that down to FitDepth (mm; default
+   * 1) none of the responses compared, at any vertex, exceeds the force and the stiffness that the
+   * device is good for. What is compared keeps its ratios then, which limits would level. Default
+   * off: the factor is 1. Compared are the responses added and ResponseName. Read at Start and
+   * ApplyChanges.
+   */
+  vtkSetMacro(FitForce, bool);
+  vtkGetMacro(FitForce, bool);
+  vtkBooleanMacro(FitForce, bool);
+  vtkSetMacro(FitDepth, double);
+  vtkGetMacro(FitDepth, double);
+  void AddFitResponse(const std::string& responseName);
+  void ClearFitResponses();
+  ///@}
 
   /** Path of the simulated device: a polyline in the body's frame with a point array `Time`. */
   void SetPath(vtkPolyData* path);
@@ -109,10 +226,31 @@ public:
   vtkBooleanMacro(RealTime, bool);
   ///@}
 
-  /** With RealTime: where the hand is to go, mm, body frame. Before Start: where it begins. */
+  ///@{
+  /** Whether every tick is kept for GetRecording. Read at Start. Default on. With RealTime contacts
+   * and peaks are counted among the ticks recorded. */
+  vtkSetMacro(Recording, bool);
+  vtkGetMacro(Recording, bool);
+  vtkBooleanMacro(Recording, bool);
+  ///@}
+  ///@{
+  /** With RealTime: how long ticks wait to be read, s, 0.1 to 100; 600 bytes each. Default 5. */
+  vtkSetClampMacro(RecordedSeconds, double, 0.1, 100.0);
+  vtkGetMacro(RecordedSeconds, double);
+  ///@}
+  ///@{
+  /** With RealTime: keep the memory of the process from being paged out, if the system allows it; a
+   * program's own decision. Default off. */
+  vtkSetMacro(LockMemory, bool);
+  vtkGetMacro(LockMemory, bool);
+  vtkBooleanMacro(LockMemory, bool);
+  ///@}
+
+  /** Device "simulated" with RealTime: where the hand is to go, mm, body frame. Before Start: where
+   * it begins. */
   void SteerTo(const double tip[3]);
 
-  /** With RealTime: ticks made and ticks missed since Start. */
+  /** Ticks made and ticks missed since Start; in virtual time none is missed. */
   vtkIdType GetNumberOfTicks() const;
   vtkIdType GetNumberOfMissedTicks() const;
 
@@ -120,6 +258,14 @@ public:
    */
   bool Start();
   void Stop();
+
+  /**
+   * Gives what runs the body, ResponseName and contact settings of now: the force goes over to them
+   * within 50 ms, in contact too. Of two calls in quick succession the later one counts. Nothing
+   * happens where nothing runs. Returns false after an error that names the fault; what ran goes
+   * on then.
+   */
+  bool ApplyChanges();
 
   /** Runs all ticks due in the next `seconds` of virtual time; steps add up, whatever their length.
    * Nothing happens unless running, nor for times that are not positive and finite. */
@@ -132,9 +278,9 @@ public:
   double GetPathDuration() const;
 
   ///@{
-  /** The newest tick: tip, contact point, total force on the tool (before and after the limit of
-   * the device), the friction in it, deflection, contact state as in vtkToolContactProbe. Zeros
-   * before the first. */
+  /** The newest tick: tip, contact point, total force on the tool (ideal, and applied by the
+   * device), the friction in it, deflection, contact state as in vtkToolContactProbe. Zeros before
+   * the first. */
   void GetTip(double tip[3]);
   void GetContactPoint(double point[3]);
   void GetIdealForce(double force[3]);
@@ -146,17 +292,34 @@ public:
   double GetDeflection();
   int GetContactState();
   ///@}
+  /** By which factor the newest tick's ideal force was fitted to the device; before the first that
+   * of Start. */
+  double GetForceFactor();
+  /** Why the applied force is not the ideal one, in words, the factor included: "force ×0.12,
+   * stiffness capped"; "" where it is. */
+  std::string GetSafetyText();
 
   /** Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
-   * `Time`, `AppliedForce`. */
+   * `Time`, `AppliedForce` (3, N), `ForceFactor` and `SafetyLinks` (int; bits in the order of the
+   * chain). Cells are counted as in the newest body. */
   void GetRecording(vtkPolyData* recording);
 
-  /** One row: ticks, ticks in contact, peak force and friction (N), peak deflection (mm), median
-   * and 99th percentile of the time per tick (ns, wall clock, so they differ from run to run). */
+  /** One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
+   * (mm), median and 99th percentile of the time per tick (ns, wall clock, so they differ from run
+   * to run); with RealTime also ticks missed, samples invalid and repeated, forces refused, ticks
+   * not recorded, scene changes, and the device's own errors. */
   void GetStatistics(vtkTable* statistics);
 
+  /** With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): which time that share
+   * of the ticks did not exceed, to 1/32; the last row, share 1, is the worst. Empty otherwise. */
+  void GetTiming(vtkTable* timing);
+  /** The two above, in lines for a person. */
+  std::string GetStatisticsText();
+  /** With RealTime: what the system granted the servo thread, and why not more. */
+  std::string GetRealTimeGrant();
+
   /** Every tick since Start, for C++. */
-  const std::vector<palpate::ServoTick>& GetTicks() const;
+  const std::vector<palpate::ServoTick>& GetTicks();
 
 protected:
   vtkHapticSession();
@@ -166,7 +329,7 @@ private:
   vtkHapticSession(const vtkHapticSession&) = delete;
   void operator=(const vtkHapticSession&) = delete;
 
-  const palpate::ServoTick& Newest();
+  const palpate::ServoTick& Newest() const;
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Path;
@@ -186,19 +349,49 @@ private:
   vtkPolyData* Unsound = nullptr;
   vtkMTimeType UnsoundTime = 0;
 
-  std::shared_ptr<const palpate::ContactBody> ReadBody();
+  struct Kernels;
+  struct Started;
+  std::shared_ptr<const palpate::ContactBody> ReadBody(const std::string& responseName);
   bool ReadSettings(palpate::ContactSettings& settings);
-  bool StartVirtual(
-    std::shared_ptr<const palpate::ContactBody> kernel, const palpate::ContactSettings& settings);
+  bool ReadMapping(Started& started);
+  bool ReadSafety(Started& started);
+  bool MakeDevice(Started& started);
+  bool MakeHandOnPath(Started& started);
+  std::unique_ptr<palpate::ServoScene> MakeScene(
+    const palpate::SafetySettings& safety, double scale);
+  bool FitToDevice(const palpate::SafetySettings& safety, double scale, double& factor);
+  bool StartRun(std::unique_ptr<Started> started);
 
   bool RealTime = false;
+  bool Recording = true;
+  bool LockMemory = false;
+  double RecordedSeconds = 5.0;
   double Steered[3] = { 0.0, 0.0, 0.0 };
   vtkIdType FirstPoly = 0;
 
-  struct Loop;
-  std::unique_ptr<Loop> Active; ///< in virtual time
-  struct Thread;
-  std::unique_ptr<Thread> Live; ///< in real time
+  double DeviceOrigin[3] = { 0.0, 0.0, 0.0 };
+  double DeviceRight[3] = { 1.0, 0.0, 0.0 };
+  double DeviceUp[3] = { 0.0, 1.0, 0.0 };
+  double Scale = 1.0;
+  bool Planar = false;
+  bool FitWorkspace = false;
+  unsigned int ClutchButtons = 0;
+
+  bool Gate = true;
+  double EntryRamp = 0.0;
+  bool StiffnessCap = true;
+  bool PassivityControl = true;
+  double ForceLimit = std::numeric_limits<double>::infinity();
+  double StiffnessLimit = std::numeric_limits<double>::infinity();
+
+  bool FitForce = false;
+  double FitDepth = 1.0;
+  std::vector<std::string> FitResponses;
+  double FittedFactor = 1.0; ///< of the newest scene made
+
+  std::unique_ptr<palpate::SessionDevice> Chosen;
+  std::unique_ptr<Kernels> Known;
+  std::unique_ptr<Started> Run;
 };
 
 #endif

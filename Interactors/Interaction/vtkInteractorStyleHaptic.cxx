@@ -16,6 +16,8 @@
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace
 {
@@ -209,7 +211,27 @@ void vtkInteractorStyleHaptic::OnChar()
     this->InvokeEvent(ToolChosenEvent, &tool);
     return;
   }
+  if (key == ' ')
+  {
+    this->InvokeEvent(SwitchEvent);
+    return;
+  }
   this->Superclass::OnChar();
+}
+
+void vtkInteractorStyleHaptic::TellSafety()
+{
+  double applied[3];
+  this->Session->GetForce(applied);
+  std::ostringstream text;
+  text << "Applied " << std::fixed << std::setprecision(2) << vtkMath::Norm(applied) << " N";
+  const std::string why = this->Session->GetSafetyText();
+  text << (why.empty() ? "" : ": ") << why;
+  if (this->Session->GetState() == vtkHapticSession::DeviceLost)
+  {
+    text << "\nDevice: " << this->Session->GetDeviceStatus();
+  }
+  this->Scene->SetRemark(text.str());
 }
 
 void vtkInteractorStyleHaptic::OnTimer()
@@ -229,6 +251,10 @@ void vtkInteractorStyleHaptic::OnTimer()
   this->Session->GetIdealForce(force);
   const vtkIdType cell = this->Session->GetContactCell();
   this->StrongestForce = std::max(this->StrongestForce, vtkMath::Norm(force));
+  if (this->ShowsSafety)
+  {
+    this->TellSafety();
+  }
   this->Scene->ShowContact(tip, contact, cell < 0 ? this->HoverNormal : normal, force,
     this->Session->GetDeflection(), cell);
   this->Interactor->Render();

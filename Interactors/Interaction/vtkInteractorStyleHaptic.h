@@ -8,7 +8,8 @@
  * - wheel while pressing: deeper or less deep, by 0.1 mm a notch; elsewhere: zoom;
  * - left button beside the body: orbit; middle: pan; right: zoom; as
  * vtkInteractorStyleTrackballCamera;
- * - keys 1 to 9: the observers of ToolChosenEvent are told the tool's number (call data: int*).
+ * - keys 1 to 9: the observers of ToolChosenEvent are told the tool's number (call data: int*);
+ * - space: the observers of SwitchEvent are told.
  *
  * Give it a session (RealTime) and the scene that shows it. A repeating timer of the interactor
  * moves the newest tick to the scene, up to 30 times a second, and renders; where a frame takes
@@ -39,7 +40,8 @@ public:
 
   enum Events
   {
-    ToolChosenEvent = vtkCommand::UserEvent + 401
+    ToolChosenEvent = vtkCommand::UserEvent + 401,
+    SwitchEvent = vtkCommand::UserEvent + 402
   };
 
   /** The session that is steered; its body must be set. The search structure for picking is built
@@ -62,6 +64,13 @@ public:
   /** Height of the tool over the surface while it does not press, mm. Default 3. */
   vtkSetMacro(HoverHeight, double);
   vtkGetMacro(HoverHeight, double);
+  ///@}
+
+  ///@{
+  /** Whether the scene's remark tells the applied force, by which factor and why it is not the
+   * ideal one, and what the device says if it is lost. Default on. */
+  vtkSetMacro(ShowsSafety, bool);
+  vtkGetMacro(ShowsSafety, bool);
   ///@}
 
   /** Steers the tool to hover above a point of the surface with outward unit normal `normal`. */
@@ -92,6 +101,7 @@ private:
   vtkInteractorStyleHaptic(const vtkInteractorStyleHaptic&) = delete;
   void operator=(const vtkInteractorStyleHaptic&) = delete;
 
+  void TellSafety();
   bool PickSurface(double point[3], double normal[3]);
   bool Steer();
   void SteerTo(const double point[3], const double normal[3], double height);
@@ -104,6 +114,7 @@ private:
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
+  bool ShowsSafety = true;
   double HoverNormal[3] = { 0.0, 0.0, 0.0 }; ///< of the surface last steered over
   double StrongestForce = 0.0;
   std::chrono::steady_clock::time_point NextFrame; ///< not before

@@ -10,8 +10,9 @@
 namespace palpate
 {
 /**
- * The session in a window: the servo thread at the chosen rate, the mouse moves the tool, keys 1 to
- * 9 choose it, q ends. Returns when the window is closed; an error, or "".
+ * The session in a window: the servo thread at the chosen rate, the mouse or a device moves the
+ * tool, keys 1 to 9 choose it, also in contact, q ends. Then how the servo thread kept time is
+ * printed. Returns when the window is closed; an error, or "".
  */
 std::string runLive(const ViewerOptions& options, const TouchScene& scene);
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include "LayerModel.h"
 #include "Pictures.h"
 #include "ResponseSet.h"
+#include "ScenePath.h"
 #include "ServoStep.h"
 #include "SessionSettings.h"
 #include "ThicknessPicture.h"
@@ -13,7 +14,6 @@
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPressPath.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -46,21 +46,6 @@ double peakMemory()
     }
   }
   return 0.0;
-}
-
-std::string makePath(const TouchScene& scene, vtkPolyData* path)
-{
-  vtkNew<vtkPressPath> press;
-  press->SetInputData(scene.body);
-  press->SetCenter(scene.center[0], scene.center[1], scene.center[2]);
-  for (const Direction& direction : scene.directions)
-  {
-    press->AddDirection(direction[0], direction[1], direction[2]);
-  }
-  press->SetDepth(scene.depth);
-  const std::string error = updateQuietly(press);
-  path->ShallowCopy(press->GetOutput());
-  return error;
 }
 
 /// The tick in which the pictures are taken: a share of the way through the slide.
@@ -225,17 +210,29 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   progress("pressing and sliding");
   vtkNew<vtkHapticSession> session;
   session->SetBody(responses.body);
-  session->SetDevice("simulated");
   session->SetPath(path);
   session->SetRate(options.rate);
   chooseContact(options, scene, session);
-  if (!session->Start())
+  error = openDevice(options, session);
+  if (error.empty() && session->IsDeviceOfThisWorld())
   {
-    return "the session did not start";
+    error = "--device " + options.device + ": in virtual time nobody can hold it; give --window";
+  }
+  if (error.empty())
+  {
+    error = startQuietly(session);
+  }
+  if (!error.empty())
+  {
+    return error;
   }
   session->Step(session->GetPathDuration());
   session->Stop();
   error = writeTrajectory(options.output + "/trajectory.csv", session->GetTicks());
+  if (error.empty() && !options.record.empty())
+  {
+    error = writeTrajectory(options.record, session->GetTicks());
+  }
   if (!error.empty())
   {
     return error;

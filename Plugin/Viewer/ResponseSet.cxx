@@ -43,6 +43,54 @@ std::string updateQuietly(vtkAlgorithm* algorithm)
   return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 
+ContactLaw lawOf(const TouchScene& scene)
+{
+  return { scene.youngsModulus, scene.poissonsRatio, scene.layer };
+}
+
+std::string attachResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
+  double maximumDeflection, ResponseSet& responses)
+{
+  auto shape = vtkSmartPointer<vtkContactTool>::New();
+  if (!shape->SetSpecification(tool))
+  {
+    return "tool '" + tool + "' is not known";
+  }
+  const std::string name = responses.names.empty()
+    ? std::string("Response")
+    : "Response" + std::to_string(responses.names.size() + 1);
+  responses.tools.push_back(shape);
+  responses.names.push_back(name);
+  if (scene.stored)
+  {
+    return {};
+  }
+  vtkNew<vtkToolContactResponse> attach;
+  attach->SetTool(shape);
+  attach->SetInputData(responses.body);
+  attach->SetYoungsModulus(law.youngsModulus);
+  attach->SetPoissonRatio(law.poissonsRatio);
+  attach->SetMaximumDeflection(maximumDeflection);
+  attach->SetResponseName(name);
+  attach->SetLayerThickness(law.layer.thickness);
+  if (law.layer.scanned)
+  {
+    attach->SetInputArrayToProcess(
+      1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "LayerThickness");
+  }
+  if (scene.solid)
+  {
+    attach->SetInputArrayToProcess(
+      2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
+  }
+  const std::string error = updateQuietly(attach);
+  if (error.empty())
+  {
+    responses.body = attach->GetOutput();
+  }
+  return error;
+}
+
 namespace
 {
 std::string attachResponses(
@@ -50,46 +98,14 @@ std::string attachResponses(
 {
   const auto begin = std::chrono::steady_clock::now();
   responses.body = scene.body;
-  for (const std::string& specification : scene.tools)
+  for (const std::string& tool : scene.tools)
   {
-    auto tool = vtkSmartPointer<vtkContactTool>::New();
-    if (!tool->SetSpecification(specification))
-    {
-      return "tool '" + specification + "' is not known";
-    }
-    const std::string name = responses.names.empty()
-      ? std::string("Response")
-      : "Response" + std::to_string(responses.names.size() + 1);
-    responses.tools.push_back(tool);
-    responses.names.push_back(name);
-    if (scene.stored)
-    {
-      continue;
-    }
-    vtkNew<vtkToolContactResponse> attach;
-    attach->SetTool(tool);
-    attach->SetInputData(responses.body);
-    attach->SetYoungsModulus(scene.youngsModulus);
-    attach->SetPoissonRatio(scene.poissonsRatio);
-    attach->SetMaximumDeflection(maximumDeflection);
-    attach->SetResponseName(name);
-    attach->SetLayerThickness(scene.layer.thickness);
-    if (scene.layer.scanned)
-    {
-      attach->SetInputArrayToProcess(
-        1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "LayerThickness");
-    }
-    if (scene.solid)
-    {
-      attach->SetInputArrayToProcess(
-        2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
-    }
-    const std::string error = updateQuietly(attach);
+    const std::string error =
+      attachResponse(scene, tool, lawOf(scene), maximumDeflection, responses);
     if (!error.empty())
     {
       return error;
     }
-    responses.body = attach->GetOutput();
   }
   responses.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

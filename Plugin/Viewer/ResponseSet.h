@@ -23,6 +23,27 @@ struct ResponseSet
   double bytesPerTool = 0.0; ///< of the response arrays
 };
 
+/// What a response is computed from, besides the tool.
+struct ContactLaw
+{
+  double youngsModulus = 0.0; ///< MPa
+  double poissonsRatio = 0.0;
+  LayerChoice layer;
+
+  bool operator==(const ContactLaw& other) const
+  {
+    return this->youngsModulus == other.youngsModulus &&
+      this->poissonsRatio == other.poissonsRatio && this->layer == other.layer;
+  }
+};
+
+/// The scene's own.
+ContactLaw lawOf(const TouchScene& scene);
+
+/// Adds the response of one more tool, or of another law. Returns an error, or "".
+std::string attachResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
+  double maximumDeflection, ResponseSet& responses);
+
 /// Attaches them as the options say and writes what --save and --export ask for. Returns an error,
 /// or "".
 std::string prepareResponses(

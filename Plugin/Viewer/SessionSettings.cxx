@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SessionSettings.h"
 
-#include "vtkHapticSession.h"
+#include "CollectingWindow.h"
+#include "ScenePath.h"
 
+#include "vtkHapticSession.h"
+#include "vtkMath.h"
+
+#include <cstdio>
 #include <sstream>
 
 namespace palpate
@@ -16,6 +21,62 @@ void chooseContact(const ViewerOptions& options, const TouchScene& scene, vtkHap
   session->SetFrictionModel(contact.frictionModel);
   session->SetTangentialStiffness(contact.tangentialStiffness);
   session->SetPoissonRatio(scene.poissonsRatio);
+}
+
+std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
+{
+  const QuietScope quiet;
+  return session->SetDevice(options.device) ? std::string() : quiet.window->reason();
+}
+
+std::string chooseDevice(
+  const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session)
+{
+  const std::string error = openDevice(options, session);
+  if (!error.empty())
+  {
+    return error;
+  }
+  session->SetScale(options.scale);
+  session->FitForceOn();
+  session->SetFitDepth(options.maximumDeflection);
+  session->ClearFitResponses();
+  for (const std::string& name : responses.names)
+  {
+    session->AddFitResponse(name);
+  }
+  return {};
+}
+
+void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session)
+{
+  if (!session->IsDeviceOfThisWorld())
+  {
+    return;
+  }
+  constexpr double hover = 10.0; // mm: the hand begins above the surface, where its device is at 0
+  const TouchSite site = firstSite(scene, responses.body);
+  double towards[3] = { scene.viewFrom[0], scene.viewFrom[1], scene.viewFrom[2] };
+  double right[3];
+  double up[3];
+  vtkMath::Normalize(towards);
+  vtkMath::Cross(scene.up.data(), towards, right);
+  vtkMath::Cross(towards, right, up);
+  session->SetDeviceOrigin(site.above(hover).data());
+  session->SetDeviceRight(right);
+  session->SetDeviceUp(up);
+  session->SetClutchButtons(1);
+}
+
+std::string startQuietly(vtkHapticSession* session)
+{
+  const QuietScope quiet;
+  const bool started = session->Start();
+  if (started && !quiet.window->firstWarning().empty())
+  {
+    std::fprintf(stderr, "palpate: warning: %s\n", quiet.window->firstWarning().c_str());
+  }
+  return started ? std::string() : quiet.window->reason();
 }
 
 std::string describeFriction(const ViewerOptions& options, const TouchScene& scene)

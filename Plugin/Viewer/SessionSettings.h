@@ -2,6 +2,7 @@
 #ifndef palpate_SessionSettings_h
 #define palpate_SessionSettings_h
 
+#include "ResponseSet.h"
 #include "TouchScene.h"
 #include "ViewerOptions.h"
 
@@ -15,6 +16,21 @@ namespace palpate
 /// Poisson's ratio.
 void chooseContact(
   const ViewerOptions& options, const TouchScene& scene, vtkHapticSession* session);
+
+/// Gives the session the device of the options. Returns an error, or "".
+std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
+
+/// The same, and one force factor for all responses, so that what
+/// is compared keeps its ratios on it. Returns an error, or "".
+std::string chooseDevice(
+  const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
+
+/// Puts a device that is plugged in where it is seen: its origin above the first site, its x to the
+/// right and its y up in the picture; its first button is the clutch.
+void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session);
+
+/// Starts the session; returns the error it reported, or "".
+std::string startQuietly(vtkHapticSession* session);
 
 /// The friction in words for the summary, "mu = 0.5, ..."; "" without.
 std::string describeFriction(const ViewerOptions& options, const TouchScene& scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerOptions.h"
 
+#include "ContactNames.h"
 #include "ToolSpecification.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,8 @@ Examples:
   palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
   palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
   palpate --window                           the head in a window, under the mouse
+  palpate --window --device hid:/dev/hidraw0 under a device of --list-devices
+  palpate --scene cylinder --window --trial sphere:6.35,flat:1.6   which is which, by feel
   palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
 
 /// NaN and infinity are numbers to CLI11 and pass its ranges.
@@ -75,11 +78,8 @@ std::string checkFaces(const std::string& text)
 /// How the contact feels: names for the numbers of GivenSettings.
 void addContactOptions(CLI::App& app, GivenSettings& contact)
 {
-  using Names = std::map<std::string, int>;
-  const Names forms = { { "paper", 0 }, { "normalized", 1 }, { "energy", 2 } };
-  const Names surfaces = { { "facets", 0 }, { "smooth", 1 } };
-  const Names models = { { "elasto-plastic", 0 }, { "dahl", 1 }, { "shape", 2 } };
-  const auto add = [&app](const char* option, int& value, const char* what, const Names& names)
+  const auto add = [&app](
+                     const char* option, int& value, const char* what, const ContactNames& names)
   {
     std::string usual;
     for (const auto& [name, number] : names)
@@ -101,7 +101,7 @@ void addContactOptions(CLI::App& app, GivenSettings& contact)
     "what a contact does before it slides: elasto-plastic (sticks), dahl (creeps), or what shape "
     "and "
     "depth of the contact tell",
-    models);
+    FrictionModelNames);
   app
     .add_option("--tangential-stiffness", contact.tangentialStiffness,
       "of the stuck contact, N/mm; not for --friction-model shape")
@@ -110,9 +110,90 @@ void addContactOptions(CLI::App& app, GivenSettings& contact)
   add("--force-form", contact.forceForm,
     "how the curves at a triangle's corners become one force: as the paper prints it, with the "
     "direction normalized, or so that closed loops neither gain nor lose energy",
-    forms);
+    ForceFormNames);
   add("--contact-surface", contact.contactSurface,
-    "what the tip touches: the triangles, or smooth patches through their normals", surfaces);
+    "what the tip touches: the triangles, or smooth patches through their normals",
+    ContactSurfaceNames);
+}
+
+/// The device, the servo thread, what is kept of it.
+void addDeviceOptions(CLI::App& app, ViewerOptions& options)
+{
+  app
+    .add_option("--device", options.device,
+      "what the hand holds: simulated (a path, or with --window the mouse), replay:FILE (a "
+      "trajectory), hid:PATH, bridge:ADDRESS (unix:/PATH or udp:PORT)")
+    ->capture_default_str();
+  app
+    .add_option("--scale", options.scale,
+      "how many mm of the body a mm of the hand is; stiffness is felt times this")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app.add_flag("--list-devices", options.listDevices, "list the devices that are there, and end");
+  app.add_option(
+    "--record", options.record, "also write every tick, a trajectory .csv for replay:FILE");
+}
+
+/// Blind comparison. The alternatives are read once all options are known.
+void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alternatives)
+{
+  app
+    .add_option("--trial", alternatives,
+      "compare blindly: A,B or more alternatives, each a tool, settings, or both, as "
+      "sphere:6.35+layer=7; settings: young, poisson, layer, friction, friction-model, force-form, "
+      "contact-surface. In the window: space switches between X and Y, 1 or 2 answers; without "
+      "it answers are read from the standard input")
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        std::vector<TrialChoice> ignored;
+        return readTrialChoices(text, {}, ignored);
+      },
+      "A,B"));
+  app
+    .add_option("--rounds", options.trialRounds,
+      "of a trial: in each, every pair is asked about twice, in either order")
+    ->check(CLI::Range(1, 10000))
+    ->needs("--trial")
+    ->capture_default_str();
+  app
+    .add_option("--seed", options.trialSeed,
+      "of the order of a trial, to have the same again (default: another one each time)")
+    ->check(CLI::NonNegativeNumber)
+    ->needs("--trial");
+  app
+    .add_option("--question", options.question,
+      "what a trial asks (default: which one pushes back more; only that has a right answer)")
+    ->needs("--trial");
+  app
+    .add_option("--log", options.trialLog,
+      "answers of a trial, a .csv that must not exist (default: trial.csv in the output folder)")
+    ->needs("--trial");
+}
+
+/// The tools of the alternatives are those of the scene.
+void takeTrialTools(ViewerOptions& options)
+{
+  const auto namesTool = [](const TrialChoice& choice) { return !choice.tool.empty(); };
+  const auto named = std::count_if(options.trial.begin(), options.trial.end(), namesTool);
+  if (named == 0)
+  {
+    return;
+  }
+  if (static_cast<std::size_t>(named) < options.trial.size() || !options.tools.empty())
+  {
+    throw CLI::ValidationError("--trial",
+      options.tools.empty() ? "either all alternatives name a tool, or none does"
+                            : "the alternatives name tools, so --tool has nothing to say");
+  }
+  for (const TrialChoice& choice : options.trial)
+  {
+    const auto end = options.tools.end();
+    if (std::find(options.tools.begin(), end, choice.tool) == end)
+    {
+      options.tools.push_back(choice.tool);
+    }
+  }
 }
 
 std::string checkToolText(const std::string& text)
@@ -132,6 +213,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   std::array<double, 3> site{};
   std::array<double, 3> slideTo{};
   std::string layer;
+  std::string alternatives;
 
   app.add_option("BODY", options.body, "the body to touch; without one, the --scene");
   app.add_option("--scene", options.scene, "a scene of its own")
@@ -203,7 +285,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--site", site, "where to press: a direction from the middle of the body, X,Y,Z")
     ->delimiter(',');
   app.add_option("--slide-to", slideTo, "where to slide to, likewise")->delimiter(',');
-  app.add_option("--rate", options.rate, "ticks per second of virtual time")
+  app.add_option("--rate", options.rate, "ticks per second")
     ->check(CLI::Range(1.0, 100000.0))
     ->capture_default_str();
   addContactOptions(app, options.contact);
@@ -217,9 +299,12 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--screenshot", options.screenshot,
     "with --window: a picture of the window as it was when it closed, a .png");
 
+  addDeviceOptions(app, options);
+  addTrialOptions(app, options, alternatives);
+
   for (const char* option : { "--young", "--poisson", "--depth", "--max-deflection",
          "--length-unit", "--resolution", "--contour", "--closing", "--base", "--reach", "--voxel",
-         "--site", "--slide-to", "--rate", "--friction", "--tangential-stiffness" })
+         "--site", "--slide-to", "--rate", "--friction", "--tangential-stiffness", "--scale" })
   {
     app.get_option(option)->check(CLI::Validator(checkFinite, ""));
   }
@@ -227,6 +312,11 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   try
   {
     app.parse(argc, argv);
+    if (!alternatives.empty())
+    {
+      readTrialChoices(alternatives, options.contact, options.trial);
+      takeTrialTools(options);
+    }
   }
   catch (const CLI::ParseError& error)
   {

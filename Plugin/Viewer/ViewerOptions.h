@@ -3,22 +3,17 @@
 #define palpate_ViewerOptions_h
 
 #include "GivenSettings.h"
+#include "LayerChoice.h"
+#include "TrialChoice.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
-/// What lies under the surface: a layer on a rigid base, as thick as the scan shows or everywhere
-/// alike; thickness 0 is a half-space.
-struct LayerChoice
-{
-  bool scanned = false;
-  double thickness = 0.0; ///< mm, unless scanned
-};
-
 /// The viewer's command line. Lengths in mm, moduli in MPa. What was not given is left to the
 /// scene.
 struct ViewerOptions
@@ -51,6 +46,15 @@ struct ViewerOptions
   std::string exportTo;
   bool window = false;
   std::string screenshot;
+  std::string device = "simulated";
+  double scale = 1.0; ///< mm of the body per mm of the hand
+  std::string record; ///< a trajectory of every tick
+  bool listDevices = false;
+  std::vector<TrialChoice> trial; ///< blind comparison of these; none: there is none
+  int trialRounds = 5;
+  std::optional<std::uint64_t> trialSeed;
+  std::string trialLog; ///< empty: trial.csv in the output folder
+  std::string question; ///< empty: which pushes back more
 };
 
 /// Reads the command line. Returns an exit code when the program is to end here (help, version, or

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // palpate: press a tool against a body, see and feel the force. See --help.
+#include "BlindTrial.h"
 #include "DisplayCheck.h"
+#include "ForceRelease.h"
 #include "LiveWindow.h"
 #include "OffscreenSession.h"
 #include "TouchScene.h"
 #include "ViewerOptions.h"
 
+#include "vtkHapticSession.h"
 #include "vtkSMPTools.h"
 
 #include <cstdio>
@@ -20,6 +23,17 @@ int fail(const std::string& error)
   std::fprintf(stderr, "palpate: error: %s\n", error.c_str());
   return Failure;
 }
+
+/// The four ways to touch a scene. Returns an error, or "".
+std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene& scene)
+{
+  if (!options.trial.empty())
+  {
+    return options.window ? palpate::runTrialWindow(options, scene)
+                          : palpate::runTrialConsole(options, scene);
+  }
+  return options.window ? palpate::runLive(options, scene) : palpate::runOffscreen(options, scene);
+}
 } // namespace
 
 int main(int argc, char** argv)
@@ -29,18 +43,24 @@ int main(int argc, char** argv)
   {
     return *exitCode;
   }
+  if (options.listDevices)
+  {
+    std::fputs(vtkHapticSession::ListDevices().c_str(), stdout);
+    return EXIT_SUCCESS;
+  }
+  palpate::releaseForceOnTerminate();
   // An application may choose how VTK's loops run; the libraries leave it to their host.
   vtkSMPTools::SetBackend("STDThread");
   palpate::TouchScene scene;
-  std::string error = palpate::displayProblem();
+  const bool draws = options.window || options.trial.empty();
+  std::string error = draws ? palpate::displayProblem() : std::string();
   if (error.empty())
   {
     error = palpate::makeTouchScene(options, scene);
   }
   if (error.empty())
   {
-    error =
-      options.window ? palpate::runLive(options, scene) : palpate::runOffscreen(options, scene);
+    error = run(options, scene);
   }
   return error.empty() ? EXIT_SUCCESS : fail(error);
 }

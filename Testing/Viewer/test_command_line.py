@@ -10,10 +10,11 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot",
            "--voxel", "--fixed", "--layer", "--base", "--measured", "--register", "--reach",
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
-           "--contact-surface")
+           "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
+           "--rounds", "--seed", "--question", "--log")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
-           "--friction", "--tangential-stiffness")
+           "--friction", "--tangential-stiffness", "--scale")
 
 
 class CommandLine(SessionCase):
@@ -80,6 +81,8 @@ class CommandLine(SessionCase):
                 (("--tangential-stiffness", "0"), "--tangential-stiffness"),
                 (("--force-form", "strong"), "strong"),
                 (("--contact-surface", "rough"), "rough"),
+                (("--scale", "0"), "--scale"),
+                (("--device", "joystick"), "joystick"),
                 (("--scene", "moon"), "moon"),
                 (("--site", "0,0"), "--site"),
                 (("--colour", "red"), "--colour"),

@@ -28,14 +28,14 @@ class LiveWindow(unittest.TestCase):
         os.makedirs(FOLDER, exist_ok=True)
         self.open("live")
 
-    def open(self, name):
+    def open(self, name, *arguments, ready="tool: "):
         self.picture = os.path.join(FOLDER, name + ".png")
         self.log = os.path.join(FOLDER, name + ".txt")
         with open(self.log, "w", encoding="utf-8") as log:
             self.program = subprocess.Popen(
-                [PROGRAM, "--window", "--scene", "cylinder", "--screenshot", self.picture],
+                [PROGRAM, "--window", "--scene", "cylinder", "--screenshot", self.picture, *arguments],
                 stdout=log, stderr=subprocess.STDOUT)
-        while "tool: " not in self.said():  # the window is open and the session runs
+        while ready not in self.said():  # the window is open and the session runs
             self.assertIsNone(self.program.poll(), "the program ended early: " + self.said())
             time.sleep(0.1)
         time.sleep(FOLLOW)
@@ -43,6 +43,7 @@ class LiveWindow(unittest.TestCase):
     def tearDown(self):
         self.program.kill()
         self.program.wait()
+        xdotool("mouseup", 1)  # for the next test: a button that is down is not pressed again
 
     def said(self):
         with open(self.log, encoding="utf-8") as log:
@@ -76,6 +77,51 @@ class LiveWindow(unittest.TestCase):
         hertz = 4.0 / 3.0 * 3.45 * math.sqrt(6.35) * 1.5 ** 1.5
         self.assertAlmostEqual(self.strongest_force(said), 0.98 * hertz, delta=0.06 * hertz)
         self.assertTrue(self.shows_force_and_dent(), "see " + self.picture)
+        # Tools were changed under the hand: no restart, so all is in one count of ticks.
+        self.assertRegex(said, r"\b1 changes? of scene")
+        for word in ("device: ", "wake-up", "worst", "0 disconnections"):
+            self.assertIn(word, said)
+
+    def test_a_recorded_session_can_be_replayed(self):
+        self.quit()
+        record = os.path.join(FOLDER, "record.csv")
+        self.open("record", "--record", record)
+        xdotool("mousemove", 600, 330)
+        xdotool("mousedown", 1)
+        time.sleep(FOLLOW)
+        said = self.quit()
+        with open(record, encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        ticks = int(re.search(r"(\d+) ticks", said).group(1))
+        self.assertEqual(len(rows), ticks + 1)  # every tick, and the names of the columns
+        self.open("replay", "--device", "replay:" + record)
+        time.sleep(float(rows[-1].split(",")[0]))
+        again = self.strongest_force(self.quit())
+        felt = max(float(row.split(",")[12]) for row in rows[1:])
+        self.assertAlmostEqual(again, felt, delta=1e-3 * felt)  # printed with four digits
+
+    def test_a_blind_trial_shows_neither_tool_nor_force(self):
+        self.quit()
+        log = os.path.join(FOLDER, "trial.csv")
+        if os.path.exists(log):
+            os.remove(log)
+        self.open("trial", "--trial", "flat:1.6,sphere:6.35", "--rounds", "2", "--log", log,
+                  ready="window open")
+        xdotool("mousemove", 600, 330)
+        xdotool("mousedown", 1)
+        time.sleep(FOLLOW)
+        for key in ("space", "1", "2", "space", "space", "2"):
+            xdotool("key", key)
+            time.sleep(0.5)
+        said = self.quit()  # before the fourth trial
+        self.assertIn("lets nobody feel a force", said)
+        self.assertNotIn("tool: ", said)
+        self.assertIn("ended before trial 4 of 4", said)
+        with open(log, encoding="utf-8") as file:
+            rows = [row.split(",") for row in file.read().splitlines() if row[0].isdigit()]
+        self.assertEqual([row[3] for row in rows], ["X", "Y", "Y"])
+        self.assertEqual([row[7] for row in rows], ["1", "0", "2"])
+        self.assertFalse(self.shows_force_and_dent(), "see " + self.picture)
 
     def test_hovering_touches_nothing(self):
         xdotool("mousemove", 600, 330)

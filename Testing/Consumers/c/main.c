@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A plain C program: load a body, step, reset; and slide with friction. */
+/* A plain C program: load a body, step, reset; slide with friction; press with mapping and safety,
+ * and go over to another scene. */
 #include <palpate.h>
 
 #include <math.h>
@@ -40,6 +41,51 @@ static int slide(const palpate_body* body)
     fabs(tick.friction[0] + 0.5 * tick.normal_force) < 1e-3 * tick.normal_force;
 }
 
+/* From 1 mm above the cylinder to 0.4 mm deep, at rest there; then another scene of half the force.
+ */
+static int exchange(const palpate_body* body)
+{
+  char reason[256];
+  int i;
+  double before;
+  palpate_mapping mapping;
+  palpate_safety safety;
+  palpate_sample sample;
+  palpate_full_tick tick;
+  palpate_contact* contact;
+  palpate_mapping_default(&mapping);
+  palpate_safety_of(NULL, &safety);
+  safety.maximum_stiffness = 1e5; /* N/m: nothing is to be capped here */
+  mapping.translation[2] = 50.0;  /* the top of the cylinder is at the device's middle */
+  contact = palpate_contact_new_safe(body, &mapping, &safety, NULL, 0, reason, sizeof reason);
+  if (!contact)
+  {
+    fprintf(stderr, "%s\n", reason);
+    return 0;
+  }
+  palpate_sample_default(&sample);
+  for (i = 0; i <= 200; ++i)
+  {
+    sample.position[2] = i < 140 ? 1e-3 - 1e-5 * i : -4e-4;
+    palpate_step_sample(contact, &sample, 0.001 * i, &tick);
+  }
+  before = tick.tick.device_force[2];
+  palpate_change(contact, palpate_scene_new(body, NULL, 0.5, reason, sizeof reason));
+  for (; i <= 260; ++i)
+  {
+    const double last = tick.tick.device_force[2];
+    palpate_step_sample(contact, &sample, 0.001 * i, &tick);
+    if (fabs(tick.tick.device_force[2] - last) > 0.011 * before) /* half of it in 50 ticks */
+    {
+      return 0;
+    }
+  }
+  printf("%.4g N, and with half the force factor %.4g N\n", before, tick.tick.device_force[2]);
+  palpate_scene_free(palpate_take_retired(contact));
+  palpate_contact_free(contact);
+  return before > 1.0 && tick.scene == 1 && fabs(tick.tick.device_force[2] - 0.5 * before) < 1e-9;
+}
+
 int main(int argc, char** argv)
 {
   char reason[256];
@@ -69,7 +115,7 @@ int main(int argc, char** argv)
     return 1;
   }
   palpate_contact_free(contact);
-  if (!slide(body))
+  if (!slide(body) || !exchange(body))
   {
     return 1;
   }

@@ -26,10 +26,15 @@ void checkRefused(
 
 void checkDevices(vtkHapticSession* session, Messages& messages)
 {
-  for (const char* device : { "hid:/dev/hidraw0", "Simulated", "" })
+  for (const char* device : { "Simulated", "", "hid", "hid:", "replay:", "bridge:", "mouse:0" })
   {
     PALPATE_CHECK(!session->SetDevice(device));
-    PALPATE_CHECK_TEXT(messages.takeErrors(), device, "simulated");
+    PALPATE_CHECK_TEXT(messages.takeErrors(), device, "simulated", "hid:PATH");
+  }
+  for (const char* device : { "hid:/dev/nowhere", "replay:nowhere.csv", "bridge:nowhere" })
+  {
+    PALPATE_CHECK(!session->SetDevice(device));
+    PALPATE_CHECK_TEXT(messages.takeErrors(), device, "nowhere");
   }
   PALPATE_CHECK(session->SetDevice("simulated") && messages.none());
 }

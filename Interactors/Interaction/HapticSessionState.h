@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of vtkHapticSession that its header does not show.
+#ifndef HapticSessionState_h
+#define HapticSessionState_h
+
+#include "SessionRun.h"
+#include "SteeredDevice.h"
+#include "vtkHapticSession.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+/// What was read of the body, per response, as long as it is the same.
+struct vtkHapticSession::Kernels
+{
+  vtkPolyData* body = nullptr;
+  vtkMTimeType time = 0;
+  std::map<std::string, std::shared_ptr<const palpate::ContactBody>> read;
+  /// Largest force (N) and stiffness (N/mm) of a response down to a depth.
+  std::map<std::pair<std::string, double>, std::optional<std::pair<double, double>>> peaks;
+};
+
+/// From Start to the next Start.
+struct vtkHapticSession::Started
+{
+  palpate::WorkspaceMapping mapping;
+  std::shared_ptr<palpate::HapticDevice> device;
+  palpate::SafetySettings safety;
+  std::unique_ptr<palpate::SessionRun> run;
+  palpate::SteeredDevice* steered = nullptr; ///< the device, if the hand is steered
+  double pathDuration = 0.0;                 ///< s
+};
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SessionDevice.h"
+
+#include "BridgeDevice.h"
+#include "DeviceList.h"
+#include "TrajectoryFile.h"
+
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+std::string openReplay(const std::string& file, SessionDevice& device)
+{
+  SessionDevice opened;
+  opened.kind = SessionDevice::Replay;
+  const std::string error = readTrajectory(file, opened.trajectory);
+  if (error.empty())
+  {
+    device = std::move(opened);
+  }
+  return error;
+}
+
+std::string use(
+  std::unique_ptr<HapticDevice> opened, const std::string& error, SessionDevice& device)
+{
+  if (!opened)
+  {
+    return error;
+  }
+  device = { SessionDevice::Opened, std::move(opened), {} };
+  return {};
+}
+} // namespace
+
+std::string openSessionDevice(const std::string& name, SessionDevice& device)
+{
+  if (name == "simulated")
+  {
+    device = {};
+    return {};
+  }
+  const std::size_t colon = name.find(':');
+  const std::string kind = name.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? std::string() : name.substr(colon + 1);
+  std::string error;
+  if (kind == "replay" && !rest.empty())
+  {
+    return openReplay(rest, device);
+  }
+  if (kind == "hid" && !rest.empty())
+  {
+    auto opened = openHidDevice(rest, error);
+    return use(std::move(opened), error, device);
+  }
+  if (kind == "bridge" && !rest.empty())
+  {
+    auto opened = BridgeDevice::open(rest, error);
+    return use(std::move(opened), error, device);
+  }
+  return "is none of \"simulated\", \"replay:FILE\", \"hid:PATH\", \"bridge:ADDRESS\"";
+}
+
+DeviceSpecification stiffHand()
+{
+  DeviceSpecification hand;
+  hand.maximumStiffness = std::numeric_limits<double>::infinity();
+  hand.maximumDamping = std::numeric_limits<double>::infinity();
+  hand.sampleTimeOut = std::numeric_limits<double>::infinity();
+  hand.outputsForce = false;
+  return hand;
+}
+} // namespace palpate

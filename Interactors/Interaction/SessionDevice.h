@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SessionDevice_h
+#define SessionDevice_h
+
+#include "HapticDevice.h"
+#include "Trajectory.h"
+
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/// The device a session is to use, as far as it can be made before the session starts.
+struct SessionDevice
+{
+  enum Kind
+  {
+    Simulated,
+    Replay,
+    Opened,     ///< hid, bridge: of this world, so only in real time
+    OfTheCaller ///< given by C++
+  };
+
+  Kind kind = Simulated;
+  std::shared_ptr<HapticDevice> device; ///< null where it is made at Start
+  Trajectory trajectory;                ///< of Replay
+
+  /// A hand that goes its way whatever it feels: no loop is closed through it.
+  bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
+};
+
+/// Reads "simulated", "replay:FILE", "hid:PATH" or "bridge:ADDRESS", and opens it. Returns what is
+/// wrong, and leaves `device` as it was, or "".
+std::string openSessionDevice(const std::string& name, SessionDevice& device);
+
+/// What a stiff hand is good for: 10 N, any stiffness, and it may be silent.
+DeviceSpecification stiffHand();
+} // namespace palpate
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SessionRun_h
+#define SessionRun_h
+
+#include "ServoLoop.h"
+#include "ServoStep.h"
+#include "TickSummary.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// What lives from the Start of a session to the next: a device under a servo step. For the thread
+/// that owns the session.
+class SessionRun
+{
+public:
+  explicit SessionRun(std::shared_ptr<HapticDevice> hand)
+    : Device(std::move(hand))
+  {
+  }
+  virtual ~SessionRun() = default;
+  SessionRun(const SessionRun&) = delete;
+  SessionRun& operator=(const SessionRun&) = delete;
+
+  /// Leaves no force on the device.
+  virtual void stop() = 0;
+  virtual bool isRunning() const = 0;
+  /// The force goes over to another scene.
+  virtual void change(std::unique_ptr<ServoScene> scene) = 0;
+  /// Runs all ticks due in the next `seconds`, where time is virtual.
+  virtual void step(double seconds) = 0;
+  /// Virtual time, s, of the next tick; 0 in real time.
+  virtual double time() const = 0;
+
+  /// A default one before the first.
+  virtual const ServoTick& newest() = 0;
+  /// Takes over what has been recorded meanwhile.
+  virtual void collect() = 0;
+  virtual std::uint64_t ticksMade() const = 0;
+  /// Of the servo thread; null where there is none.
+  virtual ServoLoop* loop() { return nullptr; }
+
+  HapticDevice& device() { return *this->Device; }
+  /// Every tick, if it is recorded, until the last collect().
+  const std::vector<ServoTick>& ticks() const { return this->Ticks; }
+  const TickSummary& summary() const { return this->Summary; }
+  /// Time each recorded tick took, in virtual time.
+  const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
+
+protected:
+  std::shared_ptr<HapticDevice> Device;
+  std::vector<ServoTick> Ticks;
+  std::vector<double> Nanoseconds;
+  TickSummary Summary;
+};
+
+/// In virtual time, on the caller's thread; nothing depends on the machine but nanoseconds().
+class VirtualRun final : public SessionRun
+{
+public:
+  VirtualRun(std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, bool recording);
+  ~VirtualRun() override { this->stop(); }
+
+  void stop() override;
+  bool isRunning() const override { return this->Running; }
+  void change(std::unique_ptr<ServoScene> scene) override;
+  void step(double seconds) override;
+  double time() const override;
+  const ServoTick& newest() override { return this->Newest; }
+  void collect() override {}
+  std::uint64_t ticksMade() const override { return this->Summary.ticks; }
+
+private:
+  void tick();
+
+  ServoStep Step;
+  double Period;
+  bool Recording;
+  double Reached = 0.0; ///< time stepped to so far, s; ticks fall behind by less than one
+  bool Running = true;
+  ServoTick Newest;
+};
+
+/// On the servo thread.
+class RealTimeRun final : public SessionRun
+{
+public:
+  RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
+    const ServoLoopSettings& settings, bool recording);
+
+  /// Returns an error, or "".
+  std::string start() { return this->Loop.start(); }
+  void stop() override { this->Loop.stop(); }
+  bool isRunning() const override { return this->Loop.isRunning(); }
+  void change(std::unique_ptr<ServoScene> scene) override;
+  void step(double) override {}
+  double time() const override { return 0.0; }
+  const ServoTick& newest() override;
+  void collect() override;
+  std::uint64_t ticksMade() const override { return this->Loop.ticks(); }
+  ServoLoop* loop() override { return &this->Loop; }
+
+private:
+  bool Recording;
+  ServoLoop Loop; ///< after the device, so that it ends before
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From what a session was told to what runs: body, settings, mapping, safety, device.
+#include "vtkHapticSession.h"
+
+#include "BodyConversion.h"
+#include "DeviceFit.h"
+#include "GivenSettings.h"
+#include "HapticSessionState.h"
+#include "ReplayDevice.h"
+#include "SafetyFault.h"
+#include "SessionDevice.h"
+#include "SimulatedDevice.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double FreeMargin = 10.0; // mm around a body that is fitted into a workspace
+} // namespace
+
+bool vtkHapticSession::Start()
+{
+  this->Run.reset();
+  *this->Known = {};
+  palpate::ContactSettings settings;
+  if (!this->ReadSettings(settings) || !this->ReadBody(this->ResponseName))
+  {
+    return false;
+  }
+  if (this->Chosen->kind == palpate::SessionDevice::Opened && !this->RealTime)
+  {
+    vtkErrorMacro(<< "This device is not in virtual time: set RealTime.");
+    return false;
+  }
+  auto started = std::make_unique<Started>();
+  return this->ReadMapping(*started) && this->MakeDevice(*started) && this->ReadSafety(*started) &&
+    this->StartRun(std::move(started));
+}
+
+bool vtkHapticSession::ApplyChanges()
+{
+  if (!this->Run || !this->Run->run->isRunning())
+  {
+    return true;
+  }
+  auto scene = this->MakeScene(this->Run->safety, this->Run->mapping.scale());
+  if (!scene)
+  {
+    return false;
+  }
+  this->Run->run->change(std::move(scene));
+  return true;
+}
+
+std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
+  const std::string& responseName)
+{
+  if (!this->Body)
+  {
+    vtkErrorMacro(<< "A body is required: call SetBody.");
+    return nullptr;
+  }
+  if (this->Known->body != this->Body || this->Known->time != this->Body->GetMTime())
+  {
+    *this->Known = { this->Body, this->Body->GetMTime(), {}, {} };
+  }
+  auto& kernel = this->Known->read[responseName];
+  if (kernel)
+  {
+    return kernel;
+  }
+  std::string error;
+  kernel = palpate::makeContactBody(this->Body, responseName, error);
+  if (!kernel)
+  {
+    vtkErrorMacro(<< "Wrong body: " << error << ".");
+    return nullptr;
+  }
+  const std::string defects = palpate::describeDefects(*kernel);
+  const bool isKnown = this->Unsound == this->Body && this->UnsoundTime == this->Body->GetMTime();
+  if (!defects.empty() && !isKnown)
+  {
+    vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");
+    this->Unsound = this->Body;
+    this->UnsoundTime = this->Body->GetMTime();
+  }
+  return kernel;
+}
+
+bool vtkHapticSession::ReadSettings(palpate::ContactSettings& settings)
+{
+  palpate::GivenSettings given;
+  given.forceForm = this->ForceForm;
+  given.contactSurface = this->ContactSurface;
+  given.frictionModel = this->FrictionModel;
+  given.frictionCoefficient = this->FrictionCoefficient;
+  given.tangentialStiffness = this->TangentialStiffness;
+  given.frictionBreakaway = this->FrictionBreakaway;
+  given.frictionStickRadius = this->FrictionStickRadius;
+  given.poissonRatio = this->PoissonRatio;
+  if (const palpate::SettingFault fault = given.fault())
+  {
+    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+    return false;
+  }
+  settings = given.settings();
+  return true;
+}
+
+bool vtkHapticSession::ReadMapping(Started& started)
+{
+  const Eigen::Vector3d right(this->DeviceRight);
+  const Eigen::Vector3d up(this->DeviceUp);
+  Eigen::Matrix3d axes;
+  axes << right.normalized(), up.normalized(), right.cross(up).normalized();
+  palpate::WorkspaceMapping mapping(axes, Eigen::Vector3d(this->DeviceOrigin), this->Scale);
+  if (this->Planar)
+  {
+    mapping = mapping.planar();
+  }
+  if (this->FitWorkspace)
+  {
+    double bounds[6];
+    this->Body->GetBounds(bounds);
+    const auto& device = this->Chosen->device;
+    mapping =
+      mapping.fitted({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] },
+        device ? device->specification().workspace : palpate::stiffHand().workspace, FreeMargin);
+  }
+  if (const palpate::SettingFault fault = mapping.fault())
+  {
+    vtkErrorMacro(<< "Workspace mapping: " << fault.name << " " << fault.remark << ".");
+    return false;
+  }
+  started.mapping = mapping;
+  return true;
+}
+
+bool vtkHapticSession::ReadSafety(Started& started)
+{
+  auto safety = palpate::SafetySettings::of(started.device->specification());
+  // A limit that is NaN stays NaN, and is then named.
+  safety.maximumForce = std::min(this->ForceLimit, safety.maximumForce);
+  safety.maximumStiffness = std::min(this->StiffnessLimit, safety.maximumStiffness);
+  safety.entryRamp = this->EntryRamp;
+  safety.gate = this->Gate;
+  safety.capStiffness = this->StiffnessCap;
+  safety.controlPassivity = this->PassivityControl && !this->Chosen->isStiff();
+  if (const palpate::SettingFault fault = palpate::faultOf(safety))
+  {
+    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+    return false;
+  }
+  started.safety = safety;
+  return true;
+}
+
+bool vtkHapticSession::MakeDevice(Started& started)
+{
+  started.device = this->Chosen->device;
+  if (this->Chosen->kind == palpate::SessionDevice::Replay)
+  {
+    const auto replay = std::make_shared<palpate::ReplayDevice>(
+      this->Chosen->trajectory, started.mapping, palpate::stiffHand());
+    started.pathDuration = replay->duration();
+    started.device = replay;
+  }
+  else if (this->Chosen->kind == palpate::SessionDevice::Simulated && this->RealTime)
+  {
+    const auto hand = std::make_shared<palpate::SteeredDevice>(
+      started.mapping.toDevice(Eigen::Vector3d(this->Steered)), palpate::stiffHand());
+    started.steered = hand.get();
+    started.device = hand;
+  }
+  else if (this->Chosen->kind == palpate::SessionDevice::Simulated)
+  {
+    return this->MakeHandOnPath(started);
+  }
+  return true;
+}
+
+bool vtkHapticSession::MakeHandOnPath(Started& started)
+{
+  vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
+  if (!times || this->Path->GetNumberOfPoints() == 0)
+  {
+    vtkErrorMacro(<< "The simulated device needs a path with a point array 'Time' (s).");
+    return false;
+  }
+  std::vector<palpate::WayPoint> path;
+  for (vtkIdType i = 0; i < this->Path->GetNumberOfPoints(); ++i)
+  {
+    Eigen::Vector3d position;
+    this->Path->GetPoint(i, position.data());
+    path.push_back({ times->GetTuple1(i), started.mapping.toDevice(position) });
+    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
+      (i > 0 && path[path.size() - 2].time > path.back().time))
+    {
+      vtkErrorMacro(<< "Point " << i << " of the path is not finite or goes back in time.");
+      return false;
+    }
+  }
+  started.pathDuration = path.back().time;
+  started.device =
+    std::make_shared<palpate::SimulatedDevice>(std::move(path), palpate::stiffHand());
+  return true;
+}
+
+std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(
+  const palpate::SafetySettings& safety, double scale)
+{
+  palpate::ContactSettings settings;
+  auto body = this->ReadSettings(settings) ? this->ReadBody(this->ResponseName) : nullptr;
+  double factor = 1.0;
+  if (!body || !this->FitToDevice(safety, scale, factor))
+  {
+    return nullptr;
+  }
+  this->FittedFactor = factor;
+  this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
+  return std::make_unique<palpate::ServoScene>(std::move(body), settings, factor);
+}
+
+bool vtkHapticSession::FitToDevice(
+  const palpate::SafetySettings& safety, double scale, double& factor)
+{
+  factor = 1.0;
+  if (!this->FitForce)
+  {
+    return true;
+  }
+  if (!(this->FitDepth > 0.0 && std::isfinite(this->FitDepth)))
+  {
+    vtkErrorMacro(<< "FitDepth must be finite and positive, but is " << this->FitDepth << ".");
+    return false;
+  }
+  palpate::DeviceSpecification device;
+  device.maximumForce = safety.maximumForce;
+  device.maximumStiffness = safety.maximumStiffness;
+  palpate::DeviceFit all(device, scale);
+  auto names = this->FitResponses;
+  names.push_back(this->ResponseName);
+  for (const std::string& name : names)
+  {
+    const auto body = this->ReadBody(name);
+    if (!body)
+    {
+      return false;
+    }
+    auto& peaks = this->Known->peaks[{ name, this->FitDepth }];
+    if (!peaks)
+    {
+      palpate::DeviceFit one(device);
+      one.include(body->response, this->FitDepth);
+      peaks = { one.peakForce(), one.peakStiffness() };
+    }
+    all.include(peaks->first, peaks->second);
+  }
+  factor = all.factor();
+  if (!(factor > 0.0))
+  {
+    vtkErrorMacro(
+      << "The responses of the body cannot be fitted to the device: their largest force "
+      << "is " << all.peakForce() << " N, their largest stiffness " << all.peakStiffness()
+      << " N/mm.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkHapticSession::StartRun(std::unique_ptr<Started> started)
+{
+  auto scene = this->MakeScene(started->safety, started->mapping.scale());
+  if (!scene)
+  {
+    return false;
+  }
+  palpate::ServoStep step(std::move(scene), started->mapping, started->safety, this->ClutchButtons);
+  if (!this->RealTime)
+  {
+    started->run = std::make_unique<palpate::VirtualRun>(
+      started->device, std::move(step), this->Rate, this->Recording);
+  }
+  else
+  {
+    palpate::ServoLoopSettings settings;
+    settings.rate = this->Rate;
+    settings.recordedSeconds = this->Recording ? this->RecordedSeconds : 0.0;
+    settings.realTime.lockMemory = this->LockMemory;
+    auto live = std::make_unique<palpate::RealTimeRun>(
+      started->device, std::move(step), settings, this->Recording);
+    const std::string error = live->start();
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< "The servo thread does not start: " << error << ".");
+      return false;
+    }
+    started->run = std::move(live);
+  }
+  this->Run = std::move(started);
+  return true;
+}

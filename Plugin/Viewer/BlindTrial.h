@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BlindTrial_h
+#define palpate_BlindTrial_h
+
+#include "ResponseSet.h"
+#include "TouchScene.h"
+#include "TrialLog.h"
+#include "TrialPlan.h"
+#include "ViewerOptions.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+class vtkHapticSession;
+
+namespace palpate
+{
+/**
+ * A blind comparison under way: what is X and what is Y now, which of them the session renders, and
+ * the log. Window and console ask and are answered; neither learns which alternative is which.
+ *
+ * The alternatives share body and device, and one force factor, so that their ratios are those of
+ * the forces computed.
+ */
+class BlindTrial
+{
+public:
+  /// Plans the trials, and attaches to the responses what the alternatives need besides the
+  /// scene's. Returns an error that names the alternative, or "".
+  std::string prepare(
+    const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
+  /// Once the session has its device: opens the log. Returns an error, or "".
+  std::string open(const ViewerOptions& options, const TouchScene& scene,
+    const ResponseSet& responses, vtkHapticSession* session);
+
+  std::size_t numberOfTrials() const { return this->Plan.size(); }
+  bool isOver() const { return this->Asked >= this->Plan.size(); }
+  bool showsX() const { return this->ShowsX; }
+  /// "trial 3 of 20".
+  std::string title() const;
+  const std::string& question() const { return this->Head.question; }
+
+  /// Begins the present trial, with X.
+  void begin();
+  /// Gives the session X or Y, which a running one goes over to.
+  void show(bool x);
+  void switchOver();
+  /// Logs the answer; the next trial is then to begin. Returns an error, or "".
+  std::string answer(bool choseX);
+
+  /// What all answers so far say, in lines.
+  std::vector<std::string> summary() const;
+
+private:
+  /// Finds or makes the response of an alternative.
+  std::string chooseResponse(const TouchScene& scene, const TrialChoice& choice,
+    double maximumDeflection, ResponseSet& responses);
+  void apply(std::size_t alternative);
+
+  std::vector<TrialChoice> Choices;
+  std::vector<std::string> ResponseNames; ///< of the choices
+  std::vector<Trial> Plan;
+  TrialHead Head;
+  TrialLog Log;
+  TrialRecord Record;
+  vtkHapticSession* Session = nullptr;
+  std::size_t Asked = 0;
+  bool ShowsX = true;
+  int Switches = 0;
+  std::chrono::steady_clock::time_point Begun;
+};
+
+/// The comparison in a window: space switches, 1 and 2 answer; nothing tells which is which.
+/// Returns an error, or "".
+std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene);
+
+/**
+ * The comparison without a display, answers from the standard input, a line each: 1 or 2; with a
+ * device in a hand also s, which switches. The simulated hand presses both in virtual time, and
+ * what it felt is said for whoever answers. Returns an error, or "".
+ */
+std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scene);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LiveTouch.h"
+
+#include "Pictures.h"
+#include "ScenePath.h"
+#include "SessionSettings.h"
+#include "TrajectoryFile.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Width = 1280;
+constexpr int Height = 960;
+constexpr double LongestFrame = 60.0; // s, that a record can wait for
+constexpr double FieldRadii = 10.0;   // the field is drawn this many contact radii far
+} // namespace
+
+LiveTouch::LiveTouch(
+  const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses)
+  : Options(options)
+  , Scene(scene)
+  , Responses(responses)
+{
+  this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
+  this->Renderer->UseFXAAOn();
+  this->Window->SetSize(Width, Height);
+  this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
+  this->Window->AddRenderer(this->Renderer);
+  this->Interactor->SetRenderWindow(this->Window);
+  this->View->SetRenderer(this->Renderer);
+  this->View->SetBody(responses.body);
+  this->View->SetTitle(scene.title);
+  this->View->SetPoissonRatio(scene.poissonsRatio);
+  this->View->SetLargestDeflection(options.maximumDeflection);
+  this->View->SetLargestForce(largestForce(responses));
+  this->Session->SetBody(responses.body);
+  this->Session->SetRate(options.rate);
+  chooseContact(options, scene, this->Session);
+  this->Session->RealTimeOn();
+  this->Session->LockMemoryOn(); // this program is there for the loop
+  this->Session->SetRecording(!options.record.empty());
+  this->Session->SetRecordedSeconds(LongestFrame);
+  this->Style->SetSession(this->Session);
+  this->Style->SetScene(this->View);
+  this->Style->SetMaximumDepth(options.maximumDeflection);
+  this->Style->SetPressDepth(scene.depth);
+  this->Interactor->SetInteractorStyle(this->Style);
+}
+
+void LiveTouch::showHelp(const std::string& text)
+{
+  vtkNew<vtkTextActor> help;
+  help->SetInput(text.c_str());
+  help->GetTextProperty()->SetFontSize(15);
+  help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
+  help->GetTextProperty()->SetVerticalJustificationToTop();
+  help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
+  this->Renderer->AddViewProp(help);
+}
+
+void LiveTouch::open()
+{
+  const TouchSite site = firstSite(this->Scene, this->Responses.body);
+  this->Style->HoverAt(site.point.data(), site.normal.data());
+  const std::array<double, 3> tip = site.above(this->Style->GetHoverHeight());
+  const double none[3] = { 0.0, 0.0, 0.0 };
+  this->chooseLook(0);
+  this->Interactor->Initialize();
+  this->View->ShowContact(tip.data(), site.point.data(), site.normal.data(), none, 0.0, -1);
+  this->View->LookAtBody(this->Scene.viewFrom.data(), this->Scene.up.data());
+  this->Window->Render();
+  std::printf("window open\n");
+  std::fflush(stdout);
+}
+
+std::string LiveTouch::run()
+{
+  this->Style->StartUpdates();
+  this->Interactor->Start();
+  std::string error;
+  if (!this->Options.screenshot.empty())
+  {
+    error = writePicture(this->Window, this->Options.screenshot);
+  }
+  this->Session->Stop();
+  this->printSummary();
+  return error.empty() ? this->writeRecord() : error;
+}
+
+void LiveTouch::chooseLook(std::size_t tool)
+{
+  vtkContactTool* chosen = this->Responses.tools[tool];
+  this->View->SetTool(chosen);
+  this->View->SetFieldRadius(FieldRadii * chosen->GetContactRadius(this->Style->GetMaximumDepth()));
+}
+
+void LiveTouch::onNumber(std::function<void(int)> action)
+{
+  this->Number = std::move(action);
+  vtkNew<vtkCallbackCommand> chosen;
+  chosen->SetClientData(this);
+  chosen->SetCallback([](vtkObject*, unsigned long, void* client, void* number)
+    { static_cast<LiveTouch*>(client)->Number(*static_cast<const int*>(number)); });
+  this->Style->AddObserver(vtkInteractorStyleHaptic::ToolChosenEvent, chosen);
+}
+
+void LiveTouch::onSpace(std::function<void()> action)
+{
+  this->Space = std::move(action);
+  vtkNew<vtkCallbackCommand> pressed;
+  pressed->SetClientData(this);
+  pressed->SetCallback([](vtkObject*, unsigned long, void* client, void*)
+    { static_cast<LiveTouch*>(client)->Space(); });
+  this->Style->AddObserver(vtkInteractorStyleHaptic::SwitchEvent, pressed);
+}
+
+void LiveTouch::printSummary()
+{
+  std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
+    static_cast<long long>(this->Session->GetNumberOfTicks()),
+    static_cast<long long>(this->Session->GetNumberOfMissedTicks()),
+    this->Style->GetStrongestForce());
+  std::printf("device: %s\n%s", this->Session->GetDeviceStatus().c_str(),
+    this->Session->GetStatisticsText().c_str());
+}
+
+std::string LiveTouch::writeRecord()
+{
+  return this->Options.record.empty()
+    ? std::string()
+    : writeTrajectory(this->Options.record, this->Session->GetTicks());
+}
+
+double largestForce(const ResponseSet& responses)
+{
+  double largest = 0.0;
+  for (const std::string& name : responses.names)
+  {
+    vtkDataArray* force = responses.body->GetPointData()->GetArray((name + "Force").c_str());
+    if (force)
+    {
+      double range[2];
+      force->GetRange(range, force->GetNumberOfComponents() - 1);
+      largest = std::max(largest, range[1]);
+    }
+  }
+  return largest > 0.0 ? largest : 1.0;
+}
+} // namespace palpate

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScenePath.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPressPath.h"
+
+namespace palpate
+{
+std::string makePath(const TouchScene& scene, vtkPolyData* path)
+{
+  vtkNew<vtkPressPath> press;
+  press->SetInputData(scene.body);
+  press->SetCenter(scene.center[0], scene.center[1], scene.center[2]);
+  for (const Direction& direction : scene.directions)
+  {
+    press->AddDirection(direction[0], direction[1], direction[2]);
+  }
+  press->SetDepth(scene.depth);
+  const std::string error = updateQuietly(press);
+  path->ShallowCopy(press->GetOutput());
+  return error;
+}
+
+std::array<double, 3> TouchSite::above(double height) const
+{
+  std::array<double, 3> place{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    place[k] = this->point[k] + height * this->normal[k];
+  }
+  return place;
+}
+
+TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse)
+{
+  constexpr double cosine = 0.9994;
+  const Direction& direction = scene.directions.front();
+  const double length = vtkMath::Norm(direction.data());
+  vtkIdType best = 0;
+  double farthest = 0.0;
+  for (vtkIdType i = 0; i < bodyWithResponse->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    bodyWithResponse->GetPoint(i, point);
+    vtkMath::Subtract(point, scene.center.data(), point);
+    const double along = vtkMath::Dot(point, direction.data()) / length;
+    if (along > farthest && along > cosine * vtkMath::Norm(point))
+    {
+      farthest = along;
+      best = i;
+    }
+  }
+  TouchSite site;
+  bodyWithResponse->GetPoint(best, site.point.data());
+  bodyWithResponse->GetPointData()->GetArray("ResponseNormal")->GetTuple(best, site.normal.data());
+  return site;
+}
+} // namespace palpate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ScenePath_h
+#define palpate_ScenePath_h
+
+#include "ResponseSet.h"
+#include "TouchScene.h"
+
+#include <array>
+#include <string>
+
+namespace palpate
+{
+/// The way of the simulated hand over the scene, with its times: see vtkPressPath. Returns an
+/// error, or "".
+std::string makePath(const TouchScene& scene, vtkPolyData* path);
+
+/// A point of a body's surface.
+struct TouchSite
+{
+  std::array<double, 3> point{};  ///< mm
+  std::array<double, 3> normal{}; ///< unit, outward
+
+  /// So many mm above it.
+  std::array<double, 3> above(double height) const;
+};
+
+/// Where the scene is touched first: the outermost vertex within two degrees of its first direction
+/// from the centre.
+TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse);
+} // namespace palpate
+
+#endif

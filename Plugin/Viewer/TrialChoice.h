@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TrialChoice_h
+#define palpate_TrialChoice_h
+
+#include "GivenSettings.h"
+#include "LayerChoice.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// One of the alternatives of a blind comparison: what of the session it changes.
+struct TrialChoice
+{
+  std::string name; ///< as given
+  std::string tool; ///< empty: the scene's first
+  std::optional<double> youngsModulus;
+  std::optional<double> poissonsRatio;
+  std::optional<LayerChoice> layer;
+  GivenSettings contact; ///< those of the session, and what the alternative changes in them
+};
+
+/**
+ * Reads "sphere:6.35,flat:1.6", "friction=0,friction=0.3" or
+ * "sphere:6.35+layer=7,sphere:6.35+layer=none": alternatives with commas between them, each made of
+ * a tool, settings, or both with a plus between them. Settings: young, poisson, layer (MM or none),
+ * friction, friction-model, force-form, contact-surface, with the values of the options of these
+ * names. A piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
+ *
+ * `usual` is what the alternatives do not change. Returns an error that names the alternative and
+ * leaves `choices` as it was, or "".
+ */
+std::string readTrialChoices(
+  const std::string& text, const GivenSettings& usual, std::vector<TrialChoice>& choices);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Devices of a session: turned and scaled, lost in contact and back, played back, and on the servo
+// thread, where every tick is recorded.
+#include "PlacedDevice.h"
+#include "ServoStep.h"
+#include "TrajectoryFile.h"
+
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace
+{
+using namespace palpate::testing;
+
+/// Twice the scale: the hand moves half as far for the same depth.
+void checkMapping(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Flat");
+  session->SetScale(2.0);
+  session->SetDeviceOrigin(0.0, 0.0, 1.0);
+  // The device's z along the body's -x would need another normal; here a turn about z.
+  session->SetDeviceRight(0.0, 3.0, 0.0);
+  session->SetDeviceUp(-1.0, 0.0, 0.0);
+  PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
+  double tip[3];
+  session->GetTip(tip);
+  PALPATE_CHECK_NEAR(tip[0], -0.4, 1e-12); // the device's y, 0.2 mm, twice
+  PALPATE_CHECK_NEAR(tip[1], 0.6, 1e-12);
+  PALPATE_CHECK_NEAR(tip[2], -1.0, 1e-12); // 1 mm less twice 1 mm
+  PALPATE_CHECK_NEAR(device->Force, 11.04, 0.01);
+}
+
+/// Lost in contact and back: a state, no force, the device's own words.
+void checkLost(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Flat");
+  PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
+  PALPATE_CHECK(session->GetState() == vtkHapticSession::Running);
+  PALPATE_CHECK(session->GetDeviceStatus() == "in place" && session->GetSafetyText().empty());
+  device->Lost = true;
+  session->Step(0.001); // one tick
+  PALPATE_CHECK(session->GetState() == vtkHapticSession::DeviceLost);
+  PALPATE_CHECK(device->Force == 0.0 && appliedTo(session) == 0.0);
+  PALPATE_CHECK(session->GetDeviceStatus() == "pulled out");
+  PALPATE_CHECK_TEXT(session->GetSafetyText(), "no force", "position");
+  device->Lost = false;
+  session->Step(0.001);
+  PALPATE_CHECK(session->GetState() == vtkHapticSession::Running);
+  PALPATE_CHECK(device->Force == 0.0); // it came back within the body: the gate
+  session->Stop();
+  PALPATE_CHECK(device->Force == 0.0);
+}
+
+/// Written and played again, in virtual time: the same bits.
+void checkReplay(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> first;
+  first->SetBody(body);
+  first->SetResponseName("Sphere");
+  first->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
+  PALPATE_CHECK(first->Start());
+  first->Step(first->GetPathDuration());
+  const std::string file = "TestHapticSessionDevices-replay.csv";
+  PALPATE_CHECK(palpate::writeTrajectory(file, first->GetTicks()).empty());
+  vtkNew<vtkHapticSession> again;
+  Messages messages(again);
+  again->SetBody(body);
+  again->SetResponseName("Sphere");
+  PALPATE_CHECK(again->SetDevice("replay:" + file));
+  std::remove(file.c_str()); // it has been read
+  PALPATE_CHECK(again->Start() && messages.none());
+  again->Step(first->GetPathDuration());
+  PALPATE_CHECK(again->GetTicks().size() == first->GetTicks().size());
+  for (std::size_t i = 0; i < std::min(again->GetTicks().size(), first->GetTicks().size()); ++i)
+  {
+    PALPATE_CHECK(again->GetTicks()[i].tip == first->GetTicks()[i].tip);
+    PALPATE_CHECK(again->GetTicks()[i].appliedForce == first->GetTicks()[i].appliedForce);
+  }
+  PALPATE_CHECK(!again->SetDevice("replay:" + file));
+  PALPATE_CHECK_TEXT(messages.takeErrors(), file.c_str());
+  PALPATE_CHECK(again->Start()); // the device is the one before
+}
+
+/// On the servo thread every tick is recorded, and counted by another way.
+void checkRealTime(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Flat");
+  session->RealTimeOn();
+  auto owned = std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6));
+  PlacedDevice* device = owned.get();
+  session->SetDevice(std::move(owned));
+  session->PassivityControlOff();
+  PALPATE_CHECK(session->GetRealTimeGrant().empty());
+  PALPATE_CHECK(session->Start());
+  PALPATE_CHECK(!session->GetRealTimeGrant().empty());
+  const auto waitFor = [&session](auto condition)
+  {
+    for (int i = 0; i < 10000 && !condition(); ++i) // at most some 20 s, on a loaded machine
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      session->GetState(); // as a display would: drains what has been recorded
+    }
+    return condition();
+  };
+  PALPATE_CHECK(waitFor([&] { return session->GetNumberOfTicks() > 50; }));
+  device->Height = -1e-3;
+  PALPATE_CHECK(waitFor([&] { return device->Force > 11.0; }));
+  session->SetResponseName("Small");
+  PALPATE_CHECK(session->ApplyChanges());
+  PALPATE_CHECK(waitFor([&] { return device->Force < 6.0; }));
+  device->Lost = true;
+  PALPATE_CHECK(waitFor([&] { return session->GetState() == vtkHapticSession::DeviceLost; }));
+  PALPATE_CHECK(device->Force == 0.0);
+  device->Lost = false;
+  PALPATE_CHECK(waitFor([&] { return session->GetState() == vtkHapticSession::Running; }));
+  session->Stop();
+  PALPATE_CHECK(device->Force == 0.0);
+  PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
+
+  vtkNew<vtkPolyData> recording;
+  vtkNew<vtkTable> statistics;
+  session->GetRecording(recording);
+  session->GetStatistics(statistics);
+  const auto value = [&statistics](const char* column)
+  { return statistics->GetValueByName(0, column).ToDouble(); };
+  PALPATE_CHECK(value("Overruns") == 0.0);
+  PALPATE_CHECK(recording->GetNumberOfPoints() == session->GetNumberOfTicks());
+  PALPATE_CHECK(value("Ticks") == static_cast<double>(session->GetNumberOfTicks()));
+  PALPATE_CHECK(value("Missed") == static_cast<double>(session->GetNumberOfMissedTicks()));
+  PALPATE_CHECK(value("InvalidSamples") > 0.0 && value("SceneChanges") == 1.0);
+  PALPATE_CHECK(value("TicksInContact") > 0.0 && value("MedianTick (ns)") > 0.0);
+  PALPATE_CHECK_NEAR(value("PeakForce (N)"), 11.04, 0.01);
+  // Ticks that were not missed lie on whole periods, in order; the two counts agree.
+  vtkDataArray* time = recording->GetPointData()->GetArray("Time");
+  double skipped = 0.0;
+  for (vtkIdType i = 1; i < time->GetNumberOfTuples(); ++i)
+  {
+    const double periods = 1000.0 * (time->GetTuple1(i) - time->GetTuple1(i - 1));
+    PALPATE_CHECK(periods > 0.5);
+    PALPATE_CHECK_NEAR(periods, std::round(periods), 1e-6); // of minutes in double precision
+    skipped += std::round(periods) - 1.0;
+  }
+  PALPATE_CHECK(skipped <= value("Missed"));
+  vtkNew<vtkTable> timing;
+  session->GetTiming(timing);
+  PALPATE_CHECK(timing->GetNumberOfRows() > 3 && timing->GetNumberOfColumns() == 4);
+  for (vtkIdType column = 1; column < timing->GetNumberOfColumns(); ++column)
+  {
+    for (vtkIdType row = 1; row < timing->GetNumberOfRows(); ++row)
+    {
+      PALPATE_CHECK(
+        timing->GetValue(row, column).ToDouble() >= timing->GetValue(row - 1, column).ToDouble());
+    }
+  }
+  PALPATE_CHECK_TEXT(session->GetStatisticsText(), "missed", "wake-up", "worst");
+}
+} // namespace
+
+int TestHapticSessionDevices(int, char*[])
+{
+  const Body body = threeTools();
+  checkMapping(body);
+  checkLost(body);
+  checkReplay(body);
+  checkRealTime(body);
+  return palpate::testing::result();
+}

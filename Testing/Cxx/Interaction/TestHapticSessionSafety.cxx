@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies between the ideal force and the hand: devices weaker than the tool, limits, the gate,
+// and tools changed in contact.
+#include "PlacedDevice.h"
+#include "ServoStep.h"
+
+namespace
+{
+using namespace palpate::testing;
+
+/// The paper's tools 1 mm deep. A device good for 2 N/mm levels them to about 2 N; one common
+/// factor keeps their ratios. The forces, uncapped and capped, are those of the project's
+/// reference: 11.4, 11.0, 5.45 N against 1.99, 2.00, 1.96 N.
+void checkFit(vtkPolyData* body)
+{
+  double capped[3];
+  double fitted[3];
+  double ideal[3];
+  const char* const names[3] = { "Flat", "Sphere", "Small" };
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkNew<vtkHapticSession> session;
+    session->SetBody(body);
+    session->SetResponseName(names[i]);
+    pressed(session, deviceOf(10.0, 2000.0));
+    ideal[i] = idealOf(session);
+    capped[i] = appliedTo(session);
+    PALPATE_CHECK(session->GetForceFactor() == 1.0);
+    PALPATE_CHECK_TEXT(session->GetSafetyText(), "stiffness capped");
+
+    session->Stop();
+    session->FitForceOn();
+    session->SetFitDepth(1.0);
+    for (const char* name : names)
+    {
+      session->AddFitResponse(name);
+    }
+    pressed(session, deviceOf(10.0, 2000.0));
+    fitted[i] = appliedTo(session);
+    PALPATE_CHECK(idealOf(session) == ideal[i]);
+    PALPATE_CHECK_NEAR(fitted[i], session->GetForceFactor() * ideal[i], 1e-6);
+    PALPATE_CHECK_TEXT(session->GetSafetyText(), "force \u00d70.1");
+  }
+  // The stiffest is the larger sphere, 1 mm deep.
+  const double factor = 2.0 / makeTool("sphere:6.35")->GetStiffness(1.0, 3.45);
+  const double reference[3] = { 11.04, 11.4, 5.45 };
+  const double referenceCapped[3] = { 2.00, 1.99, 1.96 };
+  for (int i = 0; i < 3; ++i)
+  {
+    PALPATE_CHECK_NEAR(ideal[i], reference[i], 0.05); // three figures
+    PALPATE_CHECK_NEAR(capped[i], referenceCapped[i], 0.005 + 1e-9);
+    PALPATE_CHECK_NEAR(fitted[i] / ideal[i], factor, 1e-3 * factor); // of the storage
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    PALPATE_CHECK_NEAR(fitted[i] / fitted[1], ideal[i] / ideal[1], 1e-6);
+  }
+  PALPATE_CHECK(fitted[2] / fitted[1] < 0.5);
+}
+
+/// The force limit beside the device's, and errors by name.
+void checkLimits(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Sphere");
+  session->StiffnessCapOff();
+  session->SetForceLimit(1.5);
+  pressed(session, deviceOf(10.0, 2000.0));
+  PALPATE_CHECK_NEAR(appliedTo(session), 1.5, 1e-12);
+  PALPATE_CHECK_TEXT(session->GetSafetyText(), "largest");
+  Messages messages(session);
+  const auto refused = [&](const char* word)
+  {
+    PALPATE_CHECK(!session->Start());
+    PALPATE_CHECK_TEXT(messages.takeErrors(), word);
+    PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
+  };
+  session->SetForceLimit(std::nan(""));
+  refused("MaximumForce");
+  session->SetForceLimit(1.5);
+  session->SetEntryRamp(-1.0);
+  refused("EntryRamp");
+  session->SetEntryRamp(0.0);
+  session->SetScale(0.0);
+  refused("Scale");
+  session->SetScale(1.0);
+  session->SetDeviceUp(1.0, 1.0, 0.0); // not at right angles with x
+  refused("Rotation");
+  session->SetDeviceUp(0.0, 1.0, 0.0);
+  session->FitForceOn();
+  session->SetFitDepth(0.0);
+  refused("FitDepth");
+  session->SetFitDepth(1.0);
+  session->AddFitResponse("Elsewhere");
+  refused("Elsewhere");
+  session->ClearFitResponses();
+  session->SetDevice(std::unique_ptr<palpate::HapticDevice>());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "null");
+  PALPATE_CHECK(session->Start() && messages.none());
+}
+
+void checkGate(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Flat");
+  for (const bool gate : { true, false })
+  {
+    auto owned = std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6));
+    PlacedDevice* device = owned.get();
+    device->Height = -1e-3; // within the body from the start
+    session->SetDevice(std::move(owned));
+    session->PassivityControlOff();
+    session->SetGate(gate);
+    PALPATE_CHECK(session->Start());
+    session->Step(0.1);
+    PALPATE_CHECK(idealOf(session) > 11.0);
+    PALPATE_CHECK((appliedTo(session) == 0.0) == gate);
+    PALPATE_CHECK((device->Force == 0.0) == gate);
+    device->Height = 1e-3;
+    session->Step(0.01);
+    device->Height = -1e-3;
+    session->Step(0.01);
+    PALPATE_CHECK_NEAR(appliedTo(session), idealOf(session), 1e-12);
+  }
+}
+
+/// Another tool under the hand, in contact: neither a restart nor a step of force.
+void checkChange(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Flat");
+  PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
+  const double before = device->Force;
+  const double time = session->GetTime();
+  session->SetResponseName("Small");
+  PALPATE_CHECK(session->ApplyChanges());
+  double last = before;
+  double largest = 0.0;
+  for (int i = 0; i < 60; ++i)
+  {
+    session->Step(0.001);
+    largest = std::max(largest, std::abs(device->Force - last));
+    last = device->Force;
+  }
+  PALPATE_CHECK_NEAR(session->GetTime(), time + 0.06, 1e-12);
+  vtkNew<vtkHapticSession> alone;
+  alone->SetBody(body);
+  alone->SetResponseName("Small");
+  PALPATE_CHECK_NEAR(last, pressed(alone, deviceOf(100.0, 1e6))->Force, 1e-12);
+  // Straight in time over 50 ms: 50 equal steps of 1 ms, with a hundredth of rounding of the ramp.
+  PALPATE_CHECK_NEAR(largest, (before - last) / 50.0, 0.01 * (before - last) / 50.0);
+  PALPATE_CHECK(session->GetTicks().back().scene == 1);
+
+  // What cannot be changed to is named, and what runs goes on.
+  Messages messages(session);
+  session->SetResponseName("Elsewhere");
+  PALPATE_CHECK(!session->ApplyChanges());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Elsewhere");
+  session->SetResponseName("Small");
+  session->SetFrictionCoefficient(-1.0);
+  PALPATE_CHECK(!session->ApplyChanges());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "FrictionCoefficient");
+  session->SetFrictionCoefficient(0.0);
+  session->Step(0.1);
+  PALPATE_CHECK(device->Force == last && session->GetTicks().back().scene == 1);
+  // Another body, two millimetres lower: the tip is outside.
+  Body lower = Body::New();
+  lower->DeepCopy(body);
+  for (vtkIdType i = 0; i < lower->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    lower->GetPoint(i, x);
+    lower->GetPoints()->SetPoint(i, x[0], x[1], x[2] - 2.0);
+  }
+  session->SetBody(lower);
+  PALPATE_CHECK(session->ApplyChanges());
+  session->Step(0.06);
+  PALPATE_CHECK(device->Force == 0.0 && session->GetContactCell() == -1 && messages.none());
+  session->Stop();
+  PALPATE_CHECK(session->ApplyChanges()); // nothing runs: nothing happens
+}
+} // namespace
+
+int TestHapticSessionSafety(int, char*[])
+{
+  const Body body = threeTools();
+  checkFit(body);
+  checkLimits(body);
+  checkGate(body);
+  checkChange(body);
+  return palpate::testing::result();
+}

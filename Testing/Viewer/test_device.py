@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate --device, --list-devices, --record: what is there, and the same hand again."""
+import re
+import unittest
+
+import bodies
+from session import SessionCase, run
+from test_trajectory import read
+
+
+class Device(SessionCase):
+    def test_a_recorded_hand_feels_the_same_again(self):
+        record = self.folder / "record.csv"
+        arguments = ("--site", "0,0,1", "--slide-to", "0.5,0,1")
+        self.press(bodies.sphere(), "body.vtp", *arguments, "--record", record)
+        first = (self.output / "trajectory.csv").read_bytes()
+        self.assertEqual(record.read_bytes(), first)
+        self.press(bodies.sphere(), "body.vtp", *arguments, "--device", f"replay:{record}")
+        again = (self.output / "trajectory.csv").read_bytes()
+        # The replayed session ends with the last recorded tick, one period earlier.
+        self.assertEqual(first.splitlines()[:-1], again.splitlines())
+
+    def test_a_hand_of_a_script(self):
+        script = self.folder / "hand.csv"
+        script.write_text("time_s,tip_x_mm,tip_y_mm,tip_z_mm\n0,0.4,0.3,30\n1,0.4,0.3,24\n1.5,0.4,0.3,24\n")
+        result = self.press(bodies.sphere(), "body.vtp", "--device", f"replay:{script}")
+        self.assertIn(" 1500 ticks", result.stdout)
+        _, table = read(self.output / "trajectory.csv")
+        self.assertAlmostEqual(table["deflection_mm"].max(), 1.0, delta=0.05)  # facets of the sphere
+        self.assertAlmostEqual(table["tip_z_mm"][500], 27.0, places=12)  # half-way in time
+
+    def test_list_devices_needs_no_display_and_no_body(self):
+        result = run("--list-devices", environment={"DISPLAY": None})
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"\S")  # what there is, or that there is nothing
+        self.assertEqual(self.files(), {})
+
+    def test_devices_that_are_not_there_are_named(self):
+        path = bodies.write(bodies.sphere(), self.folder / "body.vtp")
+        broken = self.folder / "broken.csv"
+        broken.write_text("time_s,tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0,soft\n")
+        for device, word in (("mouse", "mouse"), ("", "hid:PATH"), ("hid:", "hid:PATH"),
+                             ("hid:/dev/nowhere", "/dev/nowhere"), ("bridge:", "bridge:ADDRESS"),
+                             ("bridge:nowhere", "nowhere"), ("replay:", "replay:FILE"),
+                             ("replay:nowhere.csv", "nowhere.csv"),
+                             (f"replay:{broken}", "broken.csv:2")):
+            with self.subTest(device=device):
+                self.refuse_after_drawing(path, device, word)
+
+    def refuse_after_drawing(self, path, device, word):
+        result = run(path, "--device", device, "--output", self.output)
+        self.assertTrue(0 < result.returncode < 128, result.stderr)
+        self.assertIn(word, result.stderr)
+        self.assertFalse([name for name in self.files() if re.search("png|csv", name)])
+
+
+if __name__ == "__main__":
+    unittest.main()
