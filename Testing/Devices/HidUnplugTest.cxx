@@ -52,10 +52,14 @@ public:
     const ServoTick done = this->Step.step(this->Device.read(time), time);
     this->Device.write(done.deviceForce);
     this->Force = done.deviceForce;
+    this->LastReading = done.fresh ? time : this->LastReading;
+    this->Silence = time - this->LastReading;
     return reported;
   }
   void forgetLosses() { this->Losses = this->Device.errors().disconnections; }
   const Vector3d& force() const { return this->Force; }
+  /// s at the last tick since one with a new reading.
+  double silence() const { return this->Silence; }
 
 private:
   HidDevice& Device;
@@ -63,6 +67,8 @@ private:
   Clock::time_point Begin = Clock::now();
   Clock::time_point Deadline = Begin;
   std::uint64_t Losses = 0;
+  double LastReading = 0.0;
+  double Silence = 0.0;
   Vector3d Force = Vector3d::Zero();
 };
 
@@ -169,6 +175,43 @@ TEST(HidUnplug, ItReturnsAndIsFeltAgain)
   EXPECT_TRUE(ticksUntilForce(servo)) << device->status();
   EXPECT_EQ(device->errors().disconnections, static_cast<std::uint64_t>(Rounds));
   print("from the plug's return to a connected device", wall);
+}
+
+TEST(HidUnplug, ASilentDeviceIsLetGoInTheFirstTickAfterItsTimeOut)
+{
+  constexpr int Rounds = 20;
+  const std::shared_ptr<const ContactBody> plate = uniformBody(openPlate(10.0, 20));
+  EmulatedHid hid(modelOf(describedDevice()));
+  std::string error;
+  const auto device = HidDevice::open(hid.path(), error);
+  ASSERT_TRUE(device) << error;
+  const double timeOut = device->specification().sampleTimeOut;
+  Firmware firmware(hid, press);
+  Servo servo(*device, plate);
+  int pressing = 0;
+  for (int round = 0; round < Rounds; ++round)
+  {
+    ASSERT_TRUE(ticksUntilForce(servo)) << device->status();
+    firmware.hang(true);
+    bool wasPressing = false;
+    int ticks = 0;
+    while (servo.silence() <= timeOut)
+    {
+      wasPressing = servo.force().norm() > 0.0;
+      servo.tick();
+      ASSERT_LT(++ticks, 5000) << "readings go on";
+    }
+    ASSERT_EQ(servo.force(), Vector3d::Zero()) << "round " << round;
+    pressing += wasPressing ? 1 : 0;
+    for (int i = 0; i < 20; ++i)
+    {
+      servo.tick();
+      ASSERT_EQ(servo.force(), Vector3d::Zero()) << "round " << round << ", tick " << i;
+    }
+    firmware.hang(false);
+  }
+  EXPECT_GT(pressing, Rounds / 2) << "most fell silent in mid-contact";
+  EXPECT_EQ(device->errors().disconnections, 0U);
 }
 
 TEST(HidUnplug, AStrangerInItsPlaceIsNotUsed)
