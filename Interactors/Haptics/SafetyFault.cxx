@@ -27,7 +27,7 @@ SettingFault faultOfForceFactor(double factor)
 
 SettingFault faultOf(const SafetySettings& settings)
 {
-  if (const SettingFault fault = faultOfForceFactor(settings.forceFactor))
+  if (SettingFault fault = faultOfForceFactor(settings.forceFactor))
   {
     return fault;
   }
