@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrajectoryFile.h"
+
+#include "NumberedLines.h"
 #include "TrajectoryTable.h"
 
 #include <algorithm>
@@ -16,6 +18,7 @@ namespace palpate
 namespace
 {
 using namespace TrajectoryTable;
+using NumberedLines::trim;
 
 constexpr std::size_t Absent = static_cast<std::size_t>(-1);
 
@@ -56,16 +59,6 @@ TrajectoryRow rowOf(const ServoTick& tick)
     row.state = ContactState::Invalid;
   }
   return row;
-}
-
-std::string_view trim(std::string_view text)
-{
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos)
-  {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 /// A comma within double quotes does not part fields; a pair of quotes around a field goes.
@@ -194,16 +187,6 @@ private:
   std::vector<std::string_view> Fields;
 };
 
-std::string locate(const std::string& name, std::size_t line, const std::string& fault)
-{
-  std::string text = name;
-  text += ":";
-  text += std::to_string(line);
-  text += ": ";
-  text += fault;
-  return text;
-}
-
 /// What keeps the rows from being read again, or "".
 std::string faultOf(const Trajectory& trajectory)
 {
@@ -281,30 +264,10 @@ std::string writeTrajectory(const std::string& path, const Trajectory& trajector
 std::string readTrajectory(std::istream& stream, const std::string& name, Trajectory& trajectory)
 {
   Reader reader;
-  std::string text;
-  std::size_t number = 0;
-  while (std::getline(stream, text))
-  {
-    ++number;
-    std::string_view line = text;
-    if (number == 1 && line.substr(0, 3) == "\xEF\xBB\xBF") // a byte order mark
-    {
-      line.remove_prefix(3);
-    }
-    const std::string fault = reader.line(trim(line));
-    if (!fault.empty())
-    {
-      return locate(name, number, fault);
-    }
-  }
-  if (stream.bad())
-  {
-    return name + ": cannot be read to its end";
-  }
-  const std::string fault = reader.end();
+  std::string fault = NumberedLines::read(stream, name, reader);
   if (!fault.empty())
   {
-    return locate(name, number, fault);
+    return fault;
   }
   trajectory = std::move(reader.Result);
   return {};

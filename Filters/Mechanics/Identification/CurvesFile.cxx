@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvesFile.h"
 
+#include "NumberedLines.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,6 +16,8 @@ namespace palpate
 {
 namespace
 {
+using NumberedLines::trim;
+
 enum Column : std::size_t
 {
   Site,
@@ -30,16 +34,6 @@ constexpr std::array<std::string_view, ColumnCount> Names = { "site", "x_mm", "y
   "deflection_mm", "force_N", "time_s", "phase" };
 constexpr std::size_t RequiredColumns = Time;
 constexpr std::size_t Absent = static_cast<std::size_t>(-1);
-
-std::string_view trim(std::string_view text)
-{
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos)
-  {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string_view> split(std::string_view line)
 {
@@ -236,44 +230,15 @@ private:
   std::map<std::string, std::size_t> Index; ///< site -> curve
 };
 
-std::string locate(const std::string& name, std::size_t line, const std::string& fault)
-{
-  std::string text = name;
-  text += ":";
-  text += std::to_string(line);
-  text += ": ";
-  text += fault;
-  return text;
-}
 } // namespace
 
 std::string readCurves(std::istream& stream, const std::string& name, MeasuredCurves& curves)
 {
   Reader reader;
-  std::string text;
-  std::size_t number = 0;
-  while (std::getline(stream, text))
-  {
-    ++number;
-    std::string_view line = text;
-    if (number == 1 && line.substr(0, 3) == "\xEF\xBB\xBF") // a byte order mark
-    {
-      line.remove_prefix(3);
-    }
-    const std::string fault = reader.line(trim(line));
-    if (!fault.empty())
-    {
-      return locate(name, number, fault);
-    }
-  }
-  if (stream.bad())
-  {
-    return name + ": cannot be read to its end";
-  }
-  const std::string fault = reader.end();
+  std::string fault = NumberedLines::read(stream, name, reader);
   if (!fault.empty())
   {
-    return locate(name, number, fault);
+    return fault;
   }
   reader.Result.file = name;
   curves = std::move(reader.Result);
