@@ -28,6 +28,13 @@ struct ContactBody
       progress(1.0);
     }
   }
+  /// The surface of another, copied, under other responses.
+  ContactBody(const ContactBody& same, const ResponseArrays& responses)
+    : surface(same.surface)
+    , tree(same.tree, surface)
+    , response(responses, &surface)
+  {
+  }
   ContactBody(const ContactBody&) = delete;
   ContactBody& operator=(const ContactBody&) = delete;
 

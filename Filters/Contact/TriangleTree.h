@@ -29,6 +29,15 @@ class TriangleTree
 {
 public:
   explicit TriangleTree(const PackedMesh& mesh);
+  /// That of an equal mesh, over this one.
+  TriangleTree(const TriangleTree& equal, const PackedMesh& mesh)
+    : Mesh(mesh)
+    , Levels(equal.Levels)
+    , Horizon(equal.Horizon)
+  {
+  }
+  TriangleTree(const TriangleTree&) = delete;
+  TriangleTree& operator=(const TriangleTree&) = delete;
 
   /// Globally closest point, in the body's frame; triangle -1 if the body has no usable triangle or
   /// the tip is not finite. For a tip farther off than 10000 times the body's size the point that

@@ -295,6 +295,24 @@ std::shared_ptr<const ContactBody> makeContactBody(
     points.data(), points.size() / 3, triangles.data(), triangles.size() / 3, arrays, progress);
 }
 
+std::shared_ptr<const ContactBody> makeContactBody(
+  vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same)
+{
+  ResponseArrays arrays;
+  if (!viewResponse(body, name, arrays, error))
+  {
+    error = "no response '" + name + "' on the body: " + error;
+    return nullptr;
+  }
+  if (arrays.points != same.surface.pointCount())
+  {
+    error = "the body has " + std::to_string(arrays.points) +
+      " points, the surface it is to have " + std::to_string(same.surface.pointCount());
+    return nullptr;
+  }
+  return std::make_shared<const ContactBody>(same, arrays);
+}
+
 std::string describeDefects(const ContactBody& body)
 {
   const PackedMesh::Defects& found = body.surface.defects();

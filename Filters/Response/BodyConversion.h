@@ -53,6 +53,11 @@ PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const BuildProgress& progress = {});
 
+/// The same of a body with the same points and triangles as `same` was made of, other responses:
+/// the surface is copied, a tenth of the work.
+PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
+  vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same);
+
 /// What was wrong with the mesh and what became of it, each fault with its number; "" for a sound
 /// mesh. Open borders are nothing wrong.
 PALPATERESPONSE_EXPORT std::string describeDefects(const ContactBody& body);

@@ -2,9 +2,11 @@
 #ifndef ResponseTool_h
 #define ResponseTool_h
 
-#include "vtkSmartPointer.h"
+#include "palpateResponseModule.h" // For export macro
 
-#include <string>
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
 
 class vtkContactTool;
 class vtkPolyData;
@@ -13,7 +15,7 @@ namespace palpate
 {
 /// `set`, or if that is null the tool that the response `name` of the body says it is of. Null, and
 /// what is missing, if there is none.
-vtkSmartPointer<vtkContactTool> findTool(
+PALPATERESPONSE_EXPORT vtkSmartPointer<vtkContactTool> findTool(
   vtkContactTool* set, vtkPolyData* body, const std::string& name, std::string& error);
 } // namespace palpate
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactDeflection.h"
 
-#include "AxisymmetricTool.h"
 #include "BodyConversion.h"
-#include "LayerContact.h"
-#include "LayerSurface.h"
+#include "ContactField.h"
 #include "ReducedModulus.h"
 #include "ResponseTool.h"
 #include "SurfacePatch.h"
 #include "vtkContactTool.h"
 
 #include "vtkCellArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,23 +17,15 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace
 {
-/// The contact of one tip, read back from the probe's arrays.
-struct TipContact
-{
-  vtkIdType cell = -1;
-  double deflection = 0.0;
-  palpate::Vector3 point;
-  palpate::Vector3 normal;
-};
-
 /// Returns an error that names what is missing, or "".
-std::string readTip(vtkPolyData* tips, vtkIdType index, TipContact& contact)
+std::string readTip(vtkPolyData* tips, vtkIdType index, palpate::FieldContact& contact)
 {
   vtkPointData* data = tips->GetPointData();
   vtkDataArray* cells = data->GetArray("ContactCell");
@@ -53,23 +42,29 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, TipContact& contact)
   contact.deflection = deflections->GetTuple1(index);
   points->GetTuple(index, contact.point.data());
   normals->GetTuple(index, contact.normal.data());
+  vtkDataArray* forces = data->GetArray("NormalForce");
+  contact.force = forces ? forces->GetTuple1(index) : 0.0;
   return {};
 }
 
-/// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, which
-/// is what a base stiffens by, and 0 where there is none.
-double thicknessAt(const palpate::BodyMesh& mesh, std::int32_t triangle,
-  const palpate::Vector3& contact, vtkDataArray* thickness)
+void addGlobalPart(const std::vector<vtkDataArray*>& modes, const palpate::ContactField& field,
+  vtkFloatArray* displacement)
 {
-  const auto& corners = mesh.corners(triangle);
-  const palpate::Vector3 weights = mesh.project(contact, triangle).weights;
-  double inverse = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t k = 0; k < field.modeWeights().size(); ++k)
   {
-    const double h = thickness->GetTuple1(corners[i]);
-    inverse += h > 0.0 ? weights[static_cast<Eigen::Index>(i)] / h : 0.0;
+    const double weight = field.modeWeights()[k];
+    vtkSMPTools::For(0, displacement->GetNumberOfTuples(),
+      [mode = modes[k], weight, displacement](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          palpate::Vector3 phi;
+          mode->GetTuple(i, phi.data());
+          Eigen::Map<Eigen::Vector3f>(displacement->GetPointer(3 * i)) +=
+            (weight * phi).cast<float>();
+        }
+      });
   }
-  return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 } // namespace
 
@@ -122,31 +117,46 @@ const palpate::BodyMesh& vtkContactDeflection::PrepareMesh(vtkPolyData* body)
   return *this->Mesh;
 }
 
-vtkContactDeflection::Field vtkContactDeflection::MakeField(
-  vtkPolyData* body, const palpate::AxisymmetricTool& tool, double thickness, double deflection)
+bool vtkContactDeflection::CheckTip(vtkPolyData* tips, palpate::FieldContact& contact)
 {
-  if (!(thickness > 0.0))
+  if (!tips || tips->GetNumberOfPoints() == 0)
   {
-    return [&tool, deflection, nu = this->PoissonRatio](double r)
-    { return tool.surfaceDisplacement(r, deflection, nu); };
+    return true;
   }
-  vtkDataArray* stored = body->GetFieldData()->GetArray((this->ResponseName + "LayerBase").c_str());
-  const auto base = stored && stored->GetNumberOfValues() == 1 && stored->GetTuple1(0) == 1.0
-    ? palpate::LayerBase::Slip
-    : palpate::LayerBase::Bonded;
-  if (!this->Kernel || this->Kernel->poissonsRatio() != this->PoissonRatio ||
-    this->Kernel->base() != base)
+  const vtkIdType count = tips->GetNumberOfPoints();
+  const vtkIdType tip = this->TipIndex < 0 ? count - 1 : this->TipIndex;
+  if (tip >= count)
   {
-    this->Kernel = std::make_shared<const palpate::LayerKernel>(this->PoissonRatio, base);
+    vtkErrorMacro(<< "TipIndex " << tip << " is beyond the last of " << count << " tips.");
+    return false;
   }
-  auto layer = std::make_shared<const palpate::LayerContact>(tool, this->Kernel, thickness);
-  if (deflection > layer->deepest())
+  const std::string missing = readTip(tips, tip, contact);
+  if (!missing.empty())
   {
-    vtkWarningMacro(<< "No field: the layer of " << thickness
-                    << " mm at the contact is thinner than a tenth of the contact radius.");
+    vtkErrorMacro(<< missing << ".");
   }
-  auto surface = std::make_shared<const palpate::LayerSurface>(*layer, deflection);
-  return [layer, surface](double r) { return surface->at(r); };
+  return missing.empty();
+}
+
+palpate::ContactField vtkContactDeflection::MakeField(
+  vtkPolyData* body, const palpate::AxisymmetricTool& tool, const palpate::FieldContact& contact)
+{
+  const palpate::FieldSettings settings{ this->ResponseName, this->PoissonRatio,
+    this->MaximumDistance };
+  palpate::ContactField field(body, tool, contact, settings, this->Kernel);
+  if (!field.fault().empty())
+  {
+    vtkWarningMacro(<< field.fault() << ".");
+  }
+  const std::string model = palpate::responseText(body, this->ResponseName, "Model");
+  if (palpate::isInSeries(body, this->ResponseName) && field.modeWeights().empty() &&
+    model != this->WarnedOfModel)
+  {
+    vtkWarningMacro(<< "The response has a global compliance, but the body no GlobalMode0...; the "
+                       "field shows the local part alone, at the whole deflection.");
+    this->WarnedOfModel = model; // a live display asks for the field many times a second
+  }
+  return field;
 }
 
 int vtkContactDeflection::RequestData(
@@ -189,21 +199,10 @@ int vtkContactDeflection::RequestData(
   displacement->SetNumberOfComponents(3);
   displacement->SetNumberOfTuples(body->GetNumberOfPoints());
   displacement->Fill(0.0);
-  TipContact contact;
-  if (tips && tips->GetNumberOfPoints() > 0)
+  palpate::FieldContact contact;
+  if (!this->CheckTip(tips, contact))
   {
-    const vtkIdType tip = this->TipIndex < 0 ? tips->GetNumberOfPoints() - 1 : this->TipIndex;
-    const std::string missing =
-      tip < tips->GetNumberOfPoints() ? readTip(tips, tip, contact) : std::string();
-    if (tip >= tips->GetNumberOfPoints() || !missing.empty())
-    {
-      vtkErrorMacro(<< (missing.empty()
-                           ? "TipIndex " + std::to_string(tip) + " is beyond the last of " +
-                             std::to_string(tips->GetNumberOfPoints()) + " tips"
-                           : missing)
-                    << ".");
-      return 0;
-    }
+    return 0;
   }
   const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
   if (contact.cell >= firstPoly + body->GetNumberOfPolys() ||
@@ -215,25 +214,18 @@ int vtkContactDeflection::RequestData(
   }
   if (contact.cell >= 0 && contact.deflection > 0.0)
   {
-    const std::string model = palpate::responseText(body, this->ResponseName, "Model");
-    if (model.find("compliance") != std::string::npos && model != this->WarnedOfModel)
-    {
-      vtkWarningMacro(<< "The response has a global compliance; the field shows the local "
-                         "part alone, at the whole deflection.");
-      this->WarnedOfModel = model; // a live display asks for the field many times a second
-    }
+    const palpate::ContactField field = this->MakeField(body, *law, contact);
+    addGlobalPart(palpate::globalModes(body, this->ResponseName), field, displacement);
     const palpate::BodyMesh& mesh = this->PrepareMesh(body);
-    const auto triangle = static_cast<std::int32_t>(contact.cell - firstPoly);
-    vtkDataArray* layers =
-      body->GetPointData()->GetArray((this->ResponseName + "LayerThickness").c_str());
-    const Field field = this->MakeField(body, *law,
-      layers ? thicknessAt(mesh, triangle, contact.point, layers) : 0.0, contact.deflection);
-    palpate::visitSurfacePatch(mesh, triangle, contact.point, contact.normal, this->MaximumDistance,
+    palpate::visitSurfacePatch(mesh, static_cast<std::int32_t>(contact.cell - firstPoly),
+      contact.point, contact.normal, this->MaximumDistance,
       [&](std::int32_t id, double distance, const palpate::Vector3& away)
       {
-        const palpate::SurfaceDisplacement u = field(distance);
-        const Eigen::Vector3f vector = (u.radial * away - u.normal * contact.normal).cast<float>();
-        displacement->SetTypedTuple(id, vector.data());
+        const palpate::SurfaceDisplacement u = field.local(distance);
+        const double share = field.fade(distance, mesh.pointNormal(id).dot(contact.normal));
+        float* vector = displacement->GetPointer(3 * static_cast<vtkIdType>(id));
+        Eigen::Map<Eigen::Vector3f>(vector) +=
+          (share * (u.radial * away - u.normal * contact.normal)).cast<float>();
       });
   }
   output->ShallowCopy(body);

@@ -11,6 +11,7 @@
  *
  * The field covers the part of the surface that is connected to the contact and whose normal is
  * within 60° of the contact normal, and ends there: beyond, and behind, the body is no half-space.
+ * With MaximumDistance it fades smoothly to zero: it is exact within 3/4 of that distance and 50°.
  * Within it r is the length of the circular arc that leaves and arrives along the surface,
  * r = chord (θ/2)/sin(θ/2) with θ the angle between the normals; exact on planes, spheres and
  * around cylinders.
@@ -19,11 +20,15 @@
  * On a half-space PoissonRatio scales u_r alone. Where the response has layers (its point array
  * `LayerThickness` and field array `LayerBase`), the field is that of a layer as thick as at the
  * contact (palpate::LayerSurface), in which PoissonRatio decides how the surface bulges beside the
- * tool; it must be that of the response. On a body whose response has a global compliance the field
+ * tool; it must be that of the response.
+ *
+ * Where the response has a global compliance and the body carries its modes (NumberOfModes of
+ * vtkElasticCompliance), the whole surface moves by them under the tip's `NormalForce`, and the
+ * local part is that of the deflection they leave (palpate::ContactField). Without modes the field
  * shows the local part at the whole deflection; a warning says so, once.
  *
  * Cost: the mesh is linked once per change of its points or triangles, O(n); then one evaluation of
- * the law per point within the field.
+ * the law per point within the field, and a sum per point of the body where it bends.
  */
 #ifndef vtkContactDeflection_h
 #define vtkContactDeflection_h
@@ -32,9 +37,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <functional> // For std::function
-#include <memory>     // For std::unique_ptr
-#include <string>     // For std::string
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class vtkContactTool;
 
@@ -42,8 +46,9 @@ namespace palpate
 {
 class AxisymmetricTool;
 class BodyMesh;
+class ContactField;
 class LayerKernel;
-struct SurfaceDisplacement;
+struct FieldContact;
 } // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkContactDeflection : public vtkPolyDataAlgorithm
@@ -73,8 +78,9 @@ public:
 
   ///@{
   /**
-   * The field ends at this distance from the contact, mm, even where it would be valid beyond; 0
-   * (default) for no such end. It has fallen to about (2a/πr) of the deflection at r.
+   * The field ends at this distance from the contact, mm, even where it would be valid beyond, and
+   * fades from 3/4 of it on; 0 (default) for no such end. It has fallen to about (2a/πr) of the
+   * deflection at r.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
@@ -104,10 +110,11 @@ private:
   void operator=(const vtkContactDeflection&) = delete;
 
   const palpate::BodyMesh& PrepareMesh(vtkPolyData* body);
-  /// The displacement at a distance from the contact. `tool` must outlive it.
-  using Field = std::function<palpate::SurfaceDisplacement(double)>;
-  Field MakeField(
-    vtkPolyData* body, const palpate::AxisymmetricTool& tool, double thickness, double deflection);
+  /// The contact of the tip that TipIndex chooses; false, and an error, if the tips are wrong.
+  bool CheckTip(vtkPolyData* tips, palpate::FieldContact& contact);
+  /// `tool` must outlive it.
+  palpate::ContactField MakeField(
+    vtkPolyData* body, const palpate::AxisymmetricTool& tool, const palpate::FieldContact& contact);
 
   vtkSmartPointer<vtkContactTool> Tool;
   vtkIdType TipIndex = -1;

@@ -2,6 +2,7 @@
 #include "vtkElasticCompliance.h"
 
 #include "FilterStage.h"
+#include "GlobalModes.h"
 #include "PatchCompliance.h"
 #include "ReducedModulus.h"
 #include "VolumeConversion.h"
@@ -9,8 +10,11 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -60,6 +64,27 @@ void attachCompliances(
   output->GetPointData()->AddArray(status);
 }
 
+void attachModes(const palpate::GlobalModes& modes, vtkPolyData* output)
+{
+  vtkNew<vtkIntArray> signs;
+  signs->SetName("GlobalModeSign");
+  for (std::size_t k = 0; k < modes.fields.size(); ++k)
+  {
+    const Eigen::Matrix3Xd& field = modes.fields[k];
+    vtkNew<vtkFloatArray> vectors;
+    vectors->SetName(("GlobalMode" + std::to_string(k)).c_str());
+    vectors->SetNumberOfComponents(3);
+    vectors->SetNumberOfTuples(field.cols());
+    for (vtkIdType i = 0; i < field.cols(); ++i)
+    {
+      vectors->SetTuple(i, field.col(i).data());
+    }
+    output->GetPointData()->AddArray(vectors);
+    signs->InsertNextValue(modes.signs[k]);
+  }
+  output->GetFieldData()->AddArray(signs);
+}
+
 void attachDisplacement(const palpate::ElasticBody& body, std::int32_t point, double radius,
   double force, vtkPolyData* output)
 {
@@ -91,6 +116,7 @@ int vtkElasticCompliance::RequestData(
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->MemoryEstimate = 0.0;
+  this->NeglectedByModes = 0.0;
   if (!grid || grid->GetNumberOfCells() == 0)
   {
     return 1;
@@ -164,10 +190,21 @@ int vtkElasticCompliance::RequestData(
   std::vector<std::int32_t> points(static_cast<std::size_t>(surface.pointTotal()));
   std::iota(points.begin(), points.end(), 0);
   palpate::PatchCompliances compliances = palpate::patchCompliances(
-    body, points, this->PatchRadius, palpate::FilterStage{ this, 0.4, 0.99 });
+    body, points, this->PatchRadius, palpate::FilterStage{ this, 0.4, 0.8 });
   if (compliances.compliance.empty())
   {
     return 1; // aborted
+  }
+  palpate::GlobalModes modes;
+  if (this->NumberOfModes > 0)
+  {
+    modes = palpate::globalModes(body, compliances, this->PatchRadius, this->NumberOfModes,
+      palpate::FilterStage{ this, 0.8, 0.99 });
+    if (modes.fields.empty())
+    {
+      return 1; // aborted
+    }
+    this->NeglectedByModes = modes.neglected;
   }
   palpate::spreadValidCompliances(surface, compliances);
   std::size_t without = 0;
@@ -185,6 +222,10 @@ int vtkElasticCompliance::RequestData(
 
   palpate::convertSurface(surface, grid, output);
   attachCompliances(compliances, output, surface.pointTotal());
+  if (this->NumberOfModes > 0)
+  {
+    attachModes(modes, output);
+  }
   if (this->LoadedPoint >= 0)
   {
     attachDisplacement(body, static_cast<std::int32_t>(this->LoadedPoint), this->PatchRadius,
@@ -223,6 +264,12 @@ bool vtkElasticCompliance::CheckProperties()
   if (this->Solver < Automatic || this->Solver > Simplicial)
   {
     vtkErrorMacro(<< "Solver must be 0, 1 or 2, but is " << this->Solver << ".");
+    return false;
+  }
+  if (this->NumberOfModes < 0 || this->NumberOfModes > palpate::MostGlobalModes)
+  {
+    vtkErrorMacro(<< "NumberOfModes must lie between 0 and " << palpate::MostGlobalModes
+                  << ", but is " << this->NumberOfModes << ".");
     return false;
   }
   if (this->LoadedPoint < -1 || !std::isfinite(this->LoadForce))
@@ -278,6 +325,8 @@ void vtkElasticCompliance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "MemoryEstimate: " << this->MemoryEstimate << " MiB\n";
   os << indent << "Solver: " << this->Solver << "\n";
+  os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
+  os << indent << "NeglectedByModes: " << this->NeglectedByModes << "\n";
   os << indent << "LoadedPoint: " << this->LoadedPoint << "\n";
   os << indent << "LoadForce: " << this->LoadForce << " N\n";
 }

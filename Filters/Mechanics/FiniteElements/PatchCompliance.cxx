@@ -3,6 +3,7 @@
 
 #include "MissedEnergy.h"
 #include "PatchSelfTerm.h"
+#include "PatchSite.h"
 
 #include <algorithm>
 #include <atomic>
@@ -67,11 +68,6 @@ struct Site
   double missedShare = 0.0;
 };
 
-double radiusAt(const ElasticBody& body, std::int32_t point, double radius)
-{
-  return radius > 0.0 ? radius : PatchSpacings * body.surface().spacing(point);
-}
-
 bool isFixedAlong(const ElasticBody& body, std::int32_t node, const Eigen::Vector3d& direction)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -93,16 +89,15 @@ void prepareSite(const ElasticBody& body, std::int32_t point, double radius, Sit
     site.status = PatchStatus::Degenerate;
     return;
   }
-  for (std::size_t k = 0; k < 2; ++k)
+  site.loads = patchLoadsAt(body, point, radius);
+  for (const PatchLoad& load : site.loads)
   {
-    site.loads[k] = makePatchLoad(
-      body.mesh(), surface, point, (k == 0 ? 1.0 : 2.0) * radiusAt(body, point, radius));
-    if (!site.loads[k].complete)
+    if (!load.complete)
     {
       site.status = PatchStatus::Edge;
       return;
     }
-    for (const auto& entry : site.loads[k].nodes)
+    for (const auto& entry : load.nodes)
     {
       if (isFixedAlong(body, entry.first, normal))
       {
@@ -131,17 +126,6 @@ SparseLoad sparseLoad(
   return load;
 }
 
-LocalPatch cutAt(
-  const ElasticBody& body, std::int32_t point, double radius, const std::array<PatchLoad, 2>& loads)
-{
-  const BodySurface& surface = body.surface();
-  // A wider patch than the automatic one needs a wider cut.
-  const double unit =
-    std::max(surface.spacing(point), radiusAt(body, point, radius) / PatchSpacings);
-  return cutOut(body.mesh(), body.topology(), surface, point, loads,
-    { CutReach[0] * unit, CutReach[1] * unit }, body.materialAt(surface.node(point)).poissonRatio);
-}
-
 using TermsByKey = std::map<PatchKey, SelfTerms>;
 
 /// The self-terms of all cut-outs, each of the different ones once.
@@ -156,7 +140,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
           prepareSite(body, points[i], radius, site);
           if (site.status == PatchStatus::Valid)
           {
-            const LocalPatch patch = cutAt(body, points[i], radius, site.loads);
+            const LocalPatch patch = patchCutAt(body, points[i], radius, site.loads);
             site.key = patchKey(patch);
             site.missedShare = missed.share(body.surface().position(points[i]), patch);
           }
@@ -181,7 +165,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
     [&](std::size_t j)
     {
       const auto& [site, result] = jobs[j];
-      *result = patchSelfTerms(cutAt(body, points[site], radius, sites[site].loads));
+      *result = patchSelfTerms(patchCutAt(body, points[site], radius, sites[site].loads));
     });
 }
 } // namespace
@@ -247,7 +231,8 @@ Eigen::Matrix3Xd patchForces(const ElasticBody& body, std::int32_t point, double
   const BodySurface& surface = body.surface();
   const Eigen::Vector3d inward = -surface.normal(point);
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, body.mesh().nodes.cols());
-  const PatchLoad load = makePatchLoad(body.mesh(), surface, point, radiusAt(body, point, radius));
+  const PatchLoad load =
+    makePatchLoad(body.mesh(), surface, point, patchRadiusAt(body, point, radius));
   if (!load.complete)
   {
     forces.col(surface.node(point)) = inward;

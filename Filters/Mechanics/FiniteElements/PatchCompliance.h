@@ -33,13 +33,10 @@ struct PatchCompliances
   std::vector<PatchStatus> status;
 };
 
-/// Automatic radius of the smaller patch, in spacings of the surface points.
-constexpr double PatchSpacings = 0.75;
-
 /**
  * The compliances of the given surface points (the others are left NaN and Degenerate), from a
- * factorised body. `radius` (mm) of the smaller patch, 0: PatchSpacings times the spacing at each
- * point. The larger patch has twice the radius.
+ * factorised body. `radius` (mm) of the smaller patch, 0: PatchSpacings (PatchSite) times the
+ * spacing at each point. The larger patch has twice the radius.
  *
  * Local parts are computed by as many threads as the machine has cores; results do not depend on
  * how many. Empty when the observer stopped it.

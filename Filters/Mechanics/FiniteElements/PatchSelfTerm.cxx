@@ -89,8 +89,9 @@ std::vector<std::int32_t> orderNodes(const LocalPatch& patch, const std::vector<
   return ordered;
 }
 
-/// The compliances of the two loads on one cut.
-std::array<double, 2> solveCut(const LocalPatch& patch, std::size_t cut,
+/// The motion of one cut under the two loads, that of the half-space where it is prescribed; NaN
+/// where the cut has no stiffness.
+TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   const std::vector<ElementMatrix>& stiffness, const TwoColumns& motion)
 {
   const std::vector<CutNode>& marks = patch.nodes[cut];
@@ -130,19 +131,14 @@ std::array<double, 2> solveCut(const LocalPatch& patch, std::size_t cut,
       }
     }
   }
-  std::array<double, 2> sum = { 0.0, 0.0 };
   for (std::size_t k = 0; k < 2; ++k)
   {
     for (const auto& [node, share] : patch.loads[k].nodes)
     {
-      const std::size_t at = 3 * static_cast<std::size_t>(node) + 2;
-      if (dof[at] >= 0)
+      const int row = dof[3 * static_cast<std::size_t>(node) + 2];
+      if (row >= 0)
       {
-        right(dof[at], static_cast<Eigen::Index>(k)) += share;
-      }
-      else
-      {
-        sum[k] += share * motion(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(k));
+        right(row, static_cast<Eigen::Index>(k)) += share;
       }
     }
   }
@@ -152,39 +148,76 @@ std::array<double, 2> solveCut(const LocalPatch& patch, std::size_t cut,
     lower);
   if (solver.info() != Eigen::Success)
   {
-    return { NotANumber, NotANumber };
+    return TwoColumns::Constant(motion.rows(), 2, NotANumber);
   }
-  const TwoColumns moved = solver.solve(right);
-  for (std::size_t k = 0; k < 2; ++k)
+  const TwoColumns solution = solver.solve(right);
+  TwoColumns moved = motion;
+  for (std::size_t at = 0; at < dof.size(); ++at)
   {
-    for (const auto& [node, share] : patch.loads[k].nodes)
+    if (dof[at] >= 0)
     {
-      const int at = dof[3 * static_cast<std::size_t>(node) + 2];
-      sum[k] += at >= 0 ? share * moved(at, static_cast<Eigen::Index>(k)) : 0.0;
+      moved.row(static_cast<Eigen::Index>(at)) = solution.row(dof[at]);
     }
   }
-  return sum;
+  return moved;
 }
-} // namespace
 
-SelfTerms patchSelfTerms(const LocalPatch& patch)
+/// False when flattening has inverted an element.
+bool stiffnessOf(const LocalPatch& patch, std::vector<ElementMatrix>& stiffness)
 {
-  SelfTerms terms = { { { NotANumber, NotANumber }, { NotANumber, NotANumber } } };
-  std::vector<ElementMatrix> stiffness(patch.mesh.elements.size());
+  stiffness.resize(patch.mesh.elements.size());
   for (std::size_t e = 0; e < stiffness.size(); ++e)
   {
     const VolumeElement& element = patch.mesh.elements[e];
     if (!elementStiffness(element.kind, elementNodes(patch.mesh, element),
           { 1.0, patch.poissonRatio }, stiffness[e]))
     {
-      return terms;
+      return false;
     }
+  }
+  return true;
+}
+} // namespace
+
+SelfTerms patchSelfTerms(const LocalPatch& patch)
+{
+  SelfTerms terms = { { { NotANumber, NotANumber }, { NotANumber, NotANumber } } };
+  std::vector<ElementMatrix> stiffness;
+  if (!stiffnessOf(patch, stiffness))
+  {
+    return terms;
   }
   const TwoColumns motion = halfSpaceMotion(patch);
   for (std::size_t cut = 0; cut < 2; ++cut)
   {
-    terms[cut] = solveCut(patch, cut, stiffness, motion);
+    const TwoColumns moved = solveCut(patch, cut, stiffness, motion);
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      terms[cut][k] = 0.0;
+      for (const auto& [node, share] : patch.loads[k].nodes)
+      {
+        terms[cut][k] +=
+          share * moved(3 * static_cast<Eigen::Index>(node) + 2, static_cast<Eigen::Index>(k));
+      }
+    }
   }
   return terms;
+}
+
+std::array<Eigen::Matrix3Xd, 2> patchMotions(const LocalPatch& patch)
+{
+  const Eigen::Index nodes = patch.mesh.nodes.cols();
+  std::array<Eigen::Matrix3Xd, 2> motions;
+  motions.fill(Eigen::Matrix3Xd::Constant(3, nodes, NotANumber));
+  std::vector<ElementMatrix> stiffness;
+  if (stiffnessOf(patch, stiffness))
+  {
+    const TwoColumns moved = solveCut(patch, 1, stiffness, halfSpaceMotion(patch));
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      motions[k] = moved.col(static_cast<Eigen::Index>(k)).reshaped(3, nodes);
+    }
+  }
+  return motions;
 }
 } // namespace palpate

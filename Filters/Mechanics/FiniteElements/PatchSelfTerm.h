@@ -29,6 +29,10 @@ namespace palpate
 /// flattening.
 using SelfTerms = std::array<std::array<double, 2>, 2>;
 SelfTerms patchSelfTerms(const LocalPatch& patch);
+
+/// How the nodes of the outer cut move under each load (3 × nodes, mm/N for E = 1 MPa, in the
+/// tangent frame: z into the body); NaN when an element is inverted by flattening.
+std::array<Eigen::Matrix3Xd, 2> patchMotions(const LocalPatch& patch);
 } // namespace palpate
 
 #endif

@@ -126,17 +126,6 @@ void addElement(const VolumeElement& element, const ElementMatrix& k, const std:
   }
 }
 
-std::int32_t rootOf(std::vector<std::int32_t>& parent, std::int32_t i)
-{
-  while (parent[static_cast<std::size_t>(i)] != i)
-  {
-    std::int32_t& up = parent[static_cast<std::size_t>(i)];
-    up = parent[static_cast<std::size_t>(up)];
-    i = up;
-  }
-  return i;
-}
-
 /// One part of the body: its first element and what its fixed directions say of its rigid motions.
 struct Part
 {
@@ -173,30 +162,16 @@ std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topolo
 std::string findFloatingPart(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& fixed)
 {
-  std::vector<std::int32_t> parent(static_cast<std::size_t>(mesh.nodeTotal()));
-  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
-  {
-    parent[static_cast<std::size_t>(i)] = i;
-  }
-  for (const VolumeElement& element : mesh.elements)
-  {
-    const std::int32_t root = rootOf(parent, element.nodes[0]);
-    for (int i = 1; i < nodeCount(element.kind); ++i)
-    {
-      parent[static_cast<std::size_t>(rootOf(parent, element.nodes[static_cast<std::size_t>(i)]))] =
-        root;
-    }
-  }
+  const std::vector<std::int32_t> partNumber = partOfNodes(mesh);
   std::vector<Part> parts(static_cast<std::size_t>(mesh.nodeTotal()));
+  const auto partOf = [&](std::int32_t node) -> Part&
+  { return parts[static_cast<std::size_t>(partNumber[static_cast<std::size_t>(node)])]; };
   for (std::int32_t e = 0; e < mesh.elementTotal(); ++e)
   {
-    Part& part = parts[static_cast<std::size_t>(
-      rootOf(parent, mesh.elements[static_cast<std::size_t>(e)].nodes[0]))];
+    Part& part = partOf(mesh.elements[static_cast<std::size_t>(e)].nodes[0]);
     part.firstElement = part.firstElement < 0 ? e : part.firstElement;
     ++part.elements;
   }
-  const auto partOf = [&](std::int32_t node) -> Part&
-  { return parts[static_cast<std::size_t>(rootOf(parent, node))]; };
   const auto inBody = [&topology](std::int32_t node)
   { return topology.elementsBegin(node) != topology.elementsEnd(node); };
   for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)

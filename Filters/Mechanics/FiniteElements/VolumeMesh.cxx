@@ -2,6 +2,7 @@
 #include "VolumeMesh.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace palpate
 {
@@ -22,7 +23,38 @@ struct FaceRecord
   std::int32_t element;
   int face;
 };
+
+std::int32_t rootOf(std::vector<std::int32_t>& parent, std::int32_t i)
+{
+  while (parent[static_cast<std::size_t>(i)] != i)
+  {
+    std::int32_t& up = parent[static_cast<std::size_t>(i)];
+    up = parent[static_cast<std::size_t>(up)];
+    i = up;
+  }
+  return i;
+}
 } // namespace
+
+std::vector<std::int32_t> partOfNodes(const VolumeMesh& mesh)
+{
+  std::vector<std::int32_t> parent(static_cast<std::size_t>(mesh.nodeTotal()));
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const VolumeElement& element : mesh.elements)
+  {
+    const std::int32_t root = rootOf(parent, element.nodes[0]);
+    for (int i = 1; i < nodeCount(element.kind); ++i)
+    {
+      parent[static_cast<std::size_t>(rootOf(parent, element.nodes[static_cast<std::size_t>(i)]))] =
+        root;
+    }
+  }
+  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
+  {
+    parent[static_cast<std::size_t>(i)] = rootOf(parent, i);
+  }
+  return parent;
+}
 
 int nodeCount(ElementKind kind)
 {

@@ -53,6 +53,9 @@ struct VolumeMesh
 /// The mean of an element's nodes.
 Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element);
 
+/// A number for each node, the same for nodes of elements that hang together, if only by a node.
+std::vector<std::int32_t> partOfNodes(const VolumeMesh& mesh);
+
 /// A side of the body: face `face` of element `element`.
 struct BoundaryFace
 {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RegularField.h"
+
+#include "HalfSpaceField.h"
+#include "PatchSelfTerm.h"
+#include "PatchSite.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double DentEnds = 0.5;            // cos 60°
+constexpr double DentIsWhole = 0.642787610; // cos 50°
+
+/// The weights of the two patches: what is left behaves as the force of a point to order c⁴.
+constexpr std::array<double, 2> PatchWeights = { 4.0 / 3.0, -1.0 / 3.0 };
+
+/// How much of the dent is seen at each point of the surface, 0 to 1.
+std::vector<double> dentShares(const BodySurface& surface, std::int32_t point)
+{
+  std::vector<double> shares(static_cast<std::size_t>(surface.pointTotal()), 0.0);
+  std::vector<unsigned char> seen(shares.size(), 0);
+  std::vector<std::int32_t> front = { point };
+  seen[static_cast<std::size_t>(point)] = 1;
+  while (!front.empty())
+  {
+    const std::int32_t at = front.back();
+    front.pop_back();
+    const double facing = std::clamp(
+      (surface.normal(at).dot(surface.normal(point)) - DentEnds) / (DentIsWhole - DentEnds), 0.0,
+      1.0);
+    shares[static_cast<std::size_t>(at)] = facing * facing * (3.0 - 2.0 * facing);
+    for (const std::int32_t* t = surface.trianglesBegin(at); t != surface.trianglesEnd(at); ++t)
+    {
+      for (const std::int32_t next : surface.triangle(*t))
+      {
+        if (!seen[static_cast<std::size_t>(next)] &&
+          surface.normal(next).dot(surface.normal(point)) > DentEnds)
+        {
+          seen[static_cast<std::size_t>(next)] = 1;
+          front.push_back(next);
+        }
+      }
+    }
+  }
+  return shares;
+}
+
+/// The surface of the half-space at a point of the body, for E = 1 MPa; not nearer than `nearest`
+/// to the force, where the elements around tell.
+Eigen::Vector3d dentAt(const BodySurface& surface, std::int32_t point, std::int32_t at,
+  double nearest, double poissonRatio)
+{
+  const Eigen::Vector3d chord = surface.position(at) - surface.position(point);
+  const Eigen::Vector3d& normal = surface.normal(at);
+  const Eigen::Vector3d away = (chord - chord.dot(normal) * normal).normalized(); // 0 stays 0
+  const Eigen::Vector3d flat = boussinesqDisplacement(
+    Eigen::Vector3d(std::max(chord.norm(), nearest), 0.0, 0.0), poissonRatio);
+  return flat[0] * away - flat[2] * surface.normal(point);
+}
+
+/// The dent on the elements around the point, at the points of the surface: x, y, z by point.
+std::vector<std::pair<std::int32_t, Eigen::Vector3d>> dentOfElements(
+  const ElasticBody& body, std::int32_t point, const LocalPatch& patch)
+{
+  const BodySurface& surface = body.surface();
+  const std::array<Eigen::Matrix3Xd, 2> motions = patchMotions(patch);
+  const Eigen::Matrix3Xd moved = tangentFrame(surface.normal(point)) *
+    (PatchWeights[0] * motions[0] + PatchWeights[1] * motions[1]);
+  std::vector<std::pair<std::int32_t, Eigen::Vector3d>> found;
+  std::vector<unsigned char> seen(patch.nodes[1].size(), 0);
+  for (std::size_t e = 0; e < patch.elements.size(); ++e)
+  {
+    const VolumeElement& whole = body.mesh().elements[static_cast<std::size_t>(patch.elements[e])];
+    const VolumeElement& cut = patch.mesh.elements[e];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(nodeCount(cut.kind)); ++i)
+    {
+      const std::int32_t at = surface.pointOfNode(whole.nodes[i]);
+      if (at >= 0 && !seen[static_cast<std::size_t>(cut.nodes[i])])
+      {
+        seen[static_cast<std::size_t>(cut.nodes[i])] = 1;
+        found.emplace_back(at, moved.col(cut.nodes[i]));
+      }
+    }
+  }
+  return found;
+}
+} // namespace
+
+Eigen::Matrix3Xd RegularField::at(std::int32_t point) const
+{
+  const BodySurface& surface = this->Body.surface();
+  const auto loads = patchLoadsAt(this->Body, point, this->Radius);
+  const LocalPatch patch = patchCutAt(this->Body, point, this->Radius, loads);
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, this->Body.mesh().nodes.cols());
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    for (const auto& [node, share] : loads[k].nodes)
+    {
+      forces.col(node) -= PatchWeights[k] * share * surface.normal(point);
+    }
+  }
+  const Eigen::Matrix3Xd whole = this->Body.displacement(forces);
+
+  const std::vector<double> shares = dentShares(surface, point);
+  const double modulus = this->Body.materialAt(surface.node(point)).youngsModulus;
+  Eigen::Matrix3Xd dent = Eigen::Matrix3Xd::Zero(3, surface.pointTotal());
+  for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
+  {
+    if (i != point && shares[static_cast<std::size_t>(i)] > 0.0)
+    {
+      dent.col(i) = dentAt(surface, point, i, patch.spacing, patch.poissonRatio);
+    }
+  }
+  for (const auto& [i, moved] : dentOfElements(this->Body, point, patch))
+  {
+    dent.col(i) = moved;
+  }
+  Eigen::Matrix3Xd field(3, surface.pointTotal());
+  for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
+  {
+    const double share = shares[static_cast<std::size_t>(i)];
+    field.col(i) = whole.col(surface.node(i));
+    if (share > 0.0)
+    {
+      field.col(i) -= share / modulus * dent.col(i);
+    }
+  }
+  return field;
+}
+} // namespace palpate
