@@ -25,6 +25,8 @@ public:
   /// The longest duration of a class.
   static std::int64_t longestOf(std::size_t index) noexcept;
 
+  /// How many durations a class holds.
+  std::uint64_t count(std::size_t index) const noexcept { return this->Counts[index]; }
   std::uint64_t total() const noexcept;
   /// The least duration that `share` (0 to 1) of all do not exceed: never less than the true one,
   /// and less than 1/32 more. 0 if there is none.

@@ -99,6 +99,8 @@ public:
   /// Since the loop was made.
   std::uint64_t ticks() const noexcept { return this->Meter.ticks.total(); }
   std::uint64_t missed() const noexcept { return this->Meter.missed.total(); }
+  /// Ticks that drain() will never see.
+  std::uint64_t overruns() const noexcept { return this->Recording.overruns(); }
 
 private:
   void run(std::promise<RealTimeGrant>& granted) noexcept;
