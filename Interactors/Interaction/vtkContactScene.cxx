@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactScene.h"
 
-#include "DeflectionLegend.h"
+#include "BodyDisplay.h"
+#include "ColorLegend.h"
+#include "ContactCircle.h"
+#include "ContactReading.h"
+#include "ContactValidity.h"
 #include "DisplayColors.h"
-#include "vtkContactDeflection.h"
+#include "ForceScale.h"
+#include "ForceTrail.h"
+#include "RoundNumber.h"
+#include "SceneCamera.h"
+#include "SceneCaption.h"
+#include "ShownContact.h"
 #include "vtkContactTool.h"
+#include "vtkHapticSession.h"
 #include "vtkHapticToolRepresentation.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
+#include "vtkCommand.h"
 #include "vtkLightKit.h"
 #include "vtkLookupTable.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -26,68 +32,43 @@
 #include "vtkScalarBarActor.h"
 #include "vtkSphereSource.h"
 #include "vtkTextActor.h"
-#include "vtkTextProperty.h"
-#include "vtkTriangleMeshPointNormals.h"
-#include "vtkTubeFilter.h"
-#include "vtkWarpVector.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <vector>
 
 namespace
 {
 constexpr double ArrowLength = 40.0; // mm, of the largest force
-constexpr double TrailRadius = 0.5;  // mm
 constexpr double MarkerRadius = 2.0; // mm
-constexpr int CaptionSize = 17;
-constexpr double LegendWidth = 175.0; // pixels
-constexpr double RaisedFocus = 0.09;  // of the distance, so that the longest arrow fits in
-
-/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
-double roundDown(double value)
-{
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  const double share = value / decade;
-  return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
-}
+constexpr int LegendSize = 15;
+constexpr double LegendWidth = 175.0;   // pixels
+constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that they stay put
+constexpr double LegendBottom = 0.15;
+constexpr double LegendTop = 0.97;
 } // namespace
 
 vtkStandardNewMacro(vtkContactScene);
 
 vtkContactScene::vtkContactScene()
-  : Tip(vtkSmartPointer<vtkPolyData>::New())
-  , Deflection(vtkSmartPointer<vtkContactDeflection>::New())
-  , Warp(vtkSmartPointer<vtkWarpVector>::New())
-  , BodyActor(vtkSmartPointer<vtkActor>::New())
-  , TrailActor(vtkSmartPointer<vtkActor>::New())
-  , Colors(vtkSmartPointer<vtkLookupTable>::New())
+  : Colors(vtkSmartPointer<vtkLookupTable>::New())
+  , ForceColors(vtkSmartPointer<vtkLookupTable>::New())
+  , Body(std::make_unique<palpate::BodyDisplay>(this->Colors))
+  , Circle(std::make_unique<palpate::ContactCircle>())
+  , Trail(std::make_unique<palpate::ForceTrail>(this->ForceColors))
+  , Scale(std::make_unique<palpate::ForceScale>())
+  , Caption(std::make_unique<palpate::SceneCaption>())
   , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
-  , Caption(vtkSmartPointer<vtkTextActor>::New())
+  , TrailLegend(vtkSmartPointer<vtkScalarBarActor>::New())
   , ToolRepresentation(vtkSmartPointer<vtkHapticToolRepresentation>::New())
   , Marker(vtkSmartPointer<vtkActor>::New())
+  , Shown(std::make_unique<palpate::ShownContact>())
 {
-  palpate::fillDeflectionColors(this->Colors);
-  this->Deflection->SetInputData(1, this->Tip);
-  this->Warp->SetInputConnection(this->Deflection->GetOutputPort());
-  this->Warp->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "ContactDisplacement");
-  vtkNew<vtkTriangleMeshPointNormals> normals;
-  normals->SetInputConnection(this->Warp->GetOutputPort());
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(normals->GetOutputPort());
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectColorArray("ContactDisplacement");
-  mapper->SetLookupTable(this->Colors);
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->InterpolateScalarsBeforeMappingOn();
-  this->BodyActor->SetMapper(mapper);
-  this->TrailActor->GetProperty()->SetColor(
-    palpate::TrailColor[0], palpate::TrailColor[1], palpate::TrailColor[2]);
-  this->TrailActor->GetProperty()->LightingOff();
-  this->TrailActor->VisibilityOff();
-  palpate::styleDeflectionLegend(this->Legend, this->Colors, CaptionSize - 2);
+  palpate::fillColors(this->Colors, palpate::DeflectionColors);
+  this->Colors->SetVectorModeToMagnitude();
+  palpate::fillColors(this->ForceColors, palpate::TrailColors);
+  palpate::styleLegend(this->Legend, this->Colors, "Displacement (mm)", LegendSize);
+  palpate::styleLegend(this->TrailLegend, this->ForceColors, "Force (N)", LegendSize);
+  this->TrailLegend->SetLabelFormat("%.4g");
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(MarkerRadius);
   ball->SetThetaResolution(24);
@@ -98,15 +79,18 @@ vtkContactScene::vtkContactScene()
   this->Marker->GetProperty()->SetColor(
     palpate::ToolColor[0], palpate::ToolColor[1], palpate::ToolColor[2]);
   this->Marker->VisibilityOff();
-  this->Caption->GetTextProperty()->SetColor(palpate::TextColor.data());
-  this->Caption->GetTextProperty()->SetFontSize(CaptionSize);
-  this->Caption->GetTextProperty()->SetLineSpacing(1.2);
-  this->Caption->SetPosition(16, 14);
   this->SetLargestDeflection(1.0);
   this->SetLargestForce(1.0);
+  this->SwitchTrail();
 }
 
-vtkContactScene::~vtkContactScene() = default;
+vtkContactScene::~vtkContactScene()
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->RenderObserver);
+  }
+}
 
 void vtkContactScene::SetRenderer(vtkRenderer* renderer)
 {
@@ -117,28 +101,51 @@ void vtkContactScene::SetRenderer(vtkRenderer* renderer)
   lights->SetKeyToFillRatio(2.0);
   lights->SetKeyToHeadRatio(2.2);
   lights->AddLightsToRenderer(renderer);
-  renderer->AddActor(this->BodyActor);
-  renderer->AddActor(this->TrailActor);
+  renderer->AddActor(this->Body->actor());
+  renderer->AddActor(this->Trail->actor());
+  renderer->AddActor(this->Circle->actor());
   renderer->AddViewProp(this->ToolRepresentation);
   renderer->AddActor(this->Marker);
   renderer->AddViewProp(this->Legend);
-  renderer->AddViewProp(this->Caption);
+  renderer->AddViewProp(this->TrailLegend);
+  renderer->AddViewProp(this->Caption->actor());
+  renderer->AddViewProp(this->Scale->arrow());
+  renderer->AddViewProp(this->Scale->label());
+  this->RenderObserver =
+    renderer->AddObserver(vtkCommand::StartEvent, this, &vtkContactScene::Arrange);
+}
+
+vtkRenderer* vtkContactScene::GetRenderer()
+{
+  return this->Renderer;
 }
 
 void vtkContactScene::SetBody(vtkPolyData* body)
 {
-  this->Deflection->SetInputData(0, body);
+  this->BodyData = body;
+  this->Body->setBody(body);
 }
 
 void vtkContactScene::SetTool(vtkContactTool* tool)
 {
-  this->Deflection->SetTool(tool);
+  this->Body->setTool(tool);
   this->ToolRepresentation->SetTool(tool);
 }
 
 void vtkContactScene::SetPoissonRatio(double ratio)
 {
-  this->Deflection->SetPoissonRatio(ratio);
+  this->Body->setPoissonRatio(ratio);
+}
+
+void vtkContactScene::SetResponseName(const std::string& name)
+{
+  this->ResponseName = name;
+  this->Body->setResponseName(name);
+}
+
+std::string vtkContactScene::GetResponseName()
+{
+  return this->ResponseName;
 }
 
 void vtkContactScene::SetLargestDeflection(double largest)
@@ -148,27 +155,81 @@ void vtkContactScene::SetLargestDeflection(double largest)
 
 void vtkContactScene::SetLargestForce(double largest)
 {
-  this->ToolRepresentation->SetForceScale(roundDown(ArrowLength / largest));
+  const double scale = palpate::roundDown(ArrowLength / largest);
+  this->ToolRepresentation->SetForceScale(scale);
+  this->Scale->choose(largest, scale);
+  this->ForceColors->SetTableRange(0.0, palpate::roundUp(largest));
 }
 
 void vtkContactScene::SetExaggeration(double factor)
 {
-  this->Warp->SetScaleFactor(factor);
+  this->Body->setExaggeration(factor);
 }
 
 double vtkContactScene::GetExaggeration()
 {
-  return this->Warp->GetScaleFactor();
+  return this->Body->exaggeration();
+}
+
+void vtkContactScene::SetDeflectionByShader(bool on)
+{
+  this->Body->setByShader(on);
+}
+
+bool vtkContactScene::GetDeflectionByShader()
+{
+  return this->Body->byShader();
 }
 
 void vtkContactScene::SetTitle(const std::string& title)
 {
-  this->Title = title;
+  this->Caption->setTitle(title);
 }
 
 void vtkContactScene::SetRemark(const std::string& remark)
 {
-  this->Remark = remark;
+  this->Caption->setRemark(remark);
+}
+
+void vtkContactScene::SetComponentsVisibility(bool visible)
+{
+  this->ToolRepresentation->SetComponentsVisibility(visible);
+}
+
+bool vtkContactScene::GetComponentsVisibility()
+{
+  return this->ToolRepresentation->GetComponentsVisibility();
+}
+
+void vtkContactScene::SetAppliedForceVisibility(bool visible)
+{
+  this->ToolRepresentation->SetAppliedForceVisibility(visible);
+}
+
+bool vtkContactScene::GetAppliedForceVisibility()
+{
+  return this->ToolRepresentation->GetAppliedForceVisibility();
+}
+
+void vtkContactScene::SetContactCircleVisibility(bool visible)
+{
+  this->CircleVisible = visible;
+}
+
+bool vtkContactScene::GetContactCircleVisibility()
+{
+  return this->CircleVisible;
+}
+
+void vtkContactScene::SetTrailVisibility(bool visible)
+{
+  this->TrailVisible = visible;
+  this->SwitchTrail();
+}
+
+bool vtkContactScene::GetTrailVisibility()
+{
+  return this->TrailVisible;
 }
 
 void vtkContactScene::SetBlind(bool blind)
@@ -176,117 +237,177 @@ void vtkContactScene::SetBlind(bool blind)
   this->Blind = blind;
   this->ToolRepresentation->SetVisibility(!blind);
   this->Legend->SetVisibility(!blind);
+  this->Scale->setVisibility(!blind);
   this->Marker->SetVisibility(blind);
+  this->SwitchTrail();
 }
 
 bool vtkContactScene::ShowTrail(vtkPolyData* probed)
 {
-  vtkDataArray* contact = probed->GetPointData()->GetArray("ContactPoint");
-  vtkDataArray* cell = probed->GetPointData()->GetArray("ContactCell");
-  if (!contact || !cell)
+  std::vector<palpate::ShownContact> contacts(
+    static_cast<std::size_t>(probed->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
   {
-    vtkErrorMacro(<< "A trail needs the output of a vtkToolContactProbe.");
-    return false;
-  }
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> line;
-  line->InsertNextCell(0);
-  for (vtkIdType i = 0; i < contact->GetNumberOfTuples(); ++i)
-  {
-    if (cell->GetTuple1(i) >= 0.0)
+    if (!palpate::readTip(probed, static_cast<vtkIdType>(i), contacts[i]))
     {
-      line->InsertCellPoint(points->InsertNextPoint(contact->GetTuple3(i)));
+      vtkErrorMacro(<< "A trail needs the output of a vtkToolContactProbe.");
+      return false;
     }
+    palpate::findValidity(this->BodyData, this->ResponseName, contacts[i]);
   }
-  line->UpdateCellCount(static_cast<int>(points->GetNumberOfPoints()));
-  vtkNew<vtkPolyData> trail;
-  trail->SetPoints(points);
-  trail->SetLines(line);
-  vtkNew<vtkTubeFilter> tube;
-  tube->SetInputData(trail);
-  tube->SetRadius(TrailRadius);
-  tube->SetNumberOfSides(12);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(tube->GetOutputPort());
-  this->TrailActor->SetMapper(mapper);
-  this->TrailActor->SetVisibility(points->GetNumberOfPoints() > 1);
+  this->Trail->clear();
+  this->TrailIsLive = false;
+  std::for_each(contacts.begin(), contacts.end(),
+    [this](const palpate::ShownContact& contact) { this->Trail->add(contact); });
+  this->Trail->draw();
+  this->SwitchTrail();
   return true;
+}
+
+void vtkContactScene::SetTrailLength(int contacts)
+{
+  this->TrailLength = std::max(contacts, 0);
+}
+
+int vtkContactScene::GetTrailLength()
+{
+  return this->TrailLength;
+}
+
+void vtkContactScene::ClearTrail()
+{
+  this->Trail->clear();
+  this->Trail->draw();
+  this->SwitchTrail();
+}
+
+void vtkContactScene::SwitchTrail()
+{
+  const bool visible = this->TrailVisible && !this->Blind && !this->Trail->isEmpty();
+  this->Trail->actor()->SetVisibility(visible);
+  this->TrailLegend->SetVisibility(visible);
 }
 
 bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
 {
-  vtkPointData* data = probed->GetPointData();
-  vtkDataArray* force = data->GetArray("Force");
-  vtkDataArray* normal = data->GetArray("Normal");
-  vtkDataArray* contact = data->GetArray("ContactPoint");
-  vtkDataArray* deflection = data->GetArray("Deflection");
-  vtkDataArray* cell = data->GetArray("ContactCell");
-  if (!force || !normal || !contact || !deflection || !cell || index < 0 ||
-    index >= probed->GetNumberOfPoints())
+  palpate::ShownContact contact;
+  if (!palpate::readTip(probed, index, contact))
   {
     vtkErrorMacro(<< "Tip " << index << " of " << probed->GetNumberOfPoints()
                   << ": not a tip of a vtkToolContactProbe's output.");
     return false;
   }
-  std::array<double, 3> tip{};
-  std::array<double, 3> forceNow{};
-  std::array<double, 3> normalNow{};
-  std::array<double, 3> contactNow{};
-  probed->GetPoint(index, tip.data());
-  force->GetTuple(index, forceNow.data());
-  normal->GetTuple(index, normalNow.data());
-  contact->GetTuple(index, contactNow.data());
-  this->ShowContact(tip.data(), contactNow.data(), normalNow.data(), forceNow.data(),
-    deflection->GetTuple1(index), static_cast<vtkIdType>(cell->GetTuple1(index)));
+  palpate::findValidity(this->BodyData, this->ResponseName, contact);
+  this->Show(contact);
   return true;
+}
+
+void vtkContactScene::ShowSession(vtkHapticSession* session)
+{
+  const double asItWas[3] = { 0.0, 0.0, 0.0 };
+  this->ShowSession(session, asItWas);
+}
+
+void vtkContactScene::ShowSession(vtkHapticSession* session, const double freeDirection[3])
+{
+  palpate::ShownContact contact = palpate::readSession(session);
+  if (!contact.touches())
+  {
+    contact.normal = Eigen::Vector3d(freeDirection);
+  }
+  palpate::findValidity(session->GetBody(), session->GetResponseName(), contact);
+  if (!this->TrailIsLive)
+  {
+    this->Trail->clear();
+    this->TrailIsLive = true;
+  }
+  this->Trail->add(contact);
+  this->Trail->keep(static_cast<std::size_t>(this->TrailLength));
+  this->Trail->draw();
+  this->SwitchTrail();
+  this->Show(contact);
 }
 
 void vtkContactScene::ShowContact(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell)
 {
+  palpate::ShownContact contact;
+  contact.tip = Eigen::Vector3d(tip);
+  contact.contactPoint = Eigen::Vector3d(contactPoint);
+  contact.normal = Eigen::Vector3d(normal);
+  contact.force = Eigen::Vector3d(force);
+  contact.deflection = deflection;
+  contact.cell = cell;
+  palpate::findValidity(this->BodyData, this->ResponseName, contact);
+  this->Show(contact);
+}
+
+void vtkContactScene::Show(const palpate::ShownContact& contact)
+{
+  *this->Shown = contact;
+  this->Shown->hasApplied &= this->GetAppliedForceVisibility();
+  if (contact.touches() || !this->HasTouched)
+  {
+    std::copy_n(contact.contactPoint.data(), 3, this->Contact);
+    this->HasTouched = contact.touches();
+  }
   if (this->Blind)
   {
-    // On the surface: how deep the hand gets would tell how hard the body pushes back.
-    const double* place = cell < 0 ? tip : contactPoint;
-    this->Marker->SetPosition(place[0], place[1], place[2]);
-    this->WriteCaption("");
-    cell = -1; // no dent
+    this->ShowBlind(contact);
   }
   else
   {
-    this->ToolRepresentation->SetContact(tip, normal, contactPoint, force);
-    this->PlaceLegend();
-    this->DescribeContact(deflection, vtkMath::Norm(force));
+    this->Body->show(contact);
+    this->ContactRadius = contact.touches() ? this->Body->contactRadius() : 0.0;
+    this->ToolRepresentation->SetBeyondValidity(!contact.isValid());
+    const Eigen::Vector3d& applied = this->Shown->hasApplied ? contact.applied : contact.force;
+    this->ToolRepresentation->SetContact(contact.tip.data(), contact.normal.data(),
+      contact.contactPoint.data(), contact.force.data(), contact.friction.data(), applied.data());
+    this->ShowCircle(contact);
+    vtkContactTool* tool = this->ToolRepresentation->GetTool();
+    this->Caption->describe(*this->Shown, tool ? tool->GetDescription() : std::string(),
+      this->ContactRadius, this->GetExaggeration());
   }
-  vtkDataArray* shown = this->Tip->GetPointData()->GetArray("ContactCell");
-  if (cell < 0 && shown && shown->GetTuple1(0) < 0.0)
-  {
-    return; // no dent before, none now: the body need not be drawn anew
-  }
-  std::copy_n(contactPoint, 3, this->Contact);
-  vtkNew<vtkPoints> point;
-  point->SetDataTypeToDouble();
-  point->InsertNextPoint(tip);
-  this->Tip->SetPoints(point);
-  const auto store = [this](const char* name, int components, const double* value)
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->InsertNextTuple(value);
-    this->Tip->GetPointData()->AddArray(array);
-  };
-  const auto cellNumber = static_cast<double>(cell);
-  store("Deflection", 1, &deflection);
-  store("Normal", 3, normal);
-  store("ContactPoint", 3, contactPoint);
-  store("ContactCell", 1, &cellNumber);
-  this->Tip->Modified();
+  this->Arrange();
+}
+
+void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
+{
+  // On the surface: how deep the hand gets would tell how hard the body pushes back.
+  const Eigen::Vector3d& place = contact.touches() ? contact.contactPoint : contact.tip;
+  this->Marker->SetPosition(place.x(), place.y(), place.z());
+  this->Caption->describeNothing();
+  this->Circle->hide();
+  palpate::ShownContact unseen = contact;
+  unseen.cell = -1; // no dent
+  this->Body->show(unseen);
+}
+
+void vtkContactScene::ShowCircle(const palpate::ShownContact& contact)
+{
+  const double depth = this->GetExaggeration() * this->Body->circleDepth();
+  this->Circle->show(contact.contactPoint - depth * contact.normal, contact.normal,
+    this->CircleVisible ? this->ContactRadius : 0.0, !contact.isValid());
+}
+
+double vtkContactScene::GetContactRadius()
+{
+  return this->ContactRadius;
+}
+
+double vtkContactScene::GetValidity()
+{
+  return this->Shown->validity;
+}
+
+bool vtkContactScene::IsValid()
+{
+  return this->Shown->isValid();
 }
 
 void vtkContactScene::SetFieldRadius(double radius)
 {
-  this->Deflection->SetMaximumDistance(radius);
+  this->Body->setFieldRadius(radius);
 }
 
 double vtkContactScene::GetLegendShare()
@@ -296,87 +417,60 @@ double vtkContactScene::GetLegendShare()
   return std::min(1.0, LegendWidth / static_cast<double>(width));
 }
 
-void vtkContactScene::PlaceLegend()
+void vtkContactScene::Arrange()
 {
-  const double share = this->GetLegendShare(); // at the right edge
-  this->Legend->GetPositionCoordinate()->SetValue(1.0 - share, 0.25);
-  this->Legend->SetWidth(0.85 * share);
-}
-
-void vtkContactScene::DescribeContact(double deflection, double force)
-{
-  std::array<char, 256> text{};
-  vtkContactTool* tool = this->ToolRepresentation->GetTool();
-  const double scale = this->ToolRepresentation->GetForceScale();
-  std::snprintf(text.data(), text.size(),
-    "Tool: %s\nDeflection %.2f mm, force %#.3g N\nForce arrow: 10 mm = %.3g N",
-    tool ? tool->GetDescription().c_str() : "", deflection, force, 10.0 / scale);
-  std::string caption = text.data();
-  if (this->GetExaggeration() != 1.0)
+  if (!this->Renderer)
   {
-    std::snprintf(text.data(), text.size(), "\nDent drawn x%.3g", this->GetExaggeration());
-    caption += text.data();
+    return;
   }
-  this->WriteCaption(caption);
-}
-
-void vtkContactScene::WriteCaption(const std::string& contact)
-{
-  std::string caption;
-  for (const std::string& part : { this->Title, contact, this->Remark })
+  const int* size = this->Renderer->GetSize();
+  if (this->Renderer->IsActiveCameraCreated())
   {
-    caption += caption.empty() || part.empty() ? part : "\n" + part;
+    this->Scale->place(this->Renderer, Eigen::Vector3d(this->Contact));
   }
-  this->Caption->SetInput(caption.c_str());
+  this->Caption->write(size[0] - this->Scale->width());
+  // The legends in a column at the right edge, above caption and scale.
+  const double share = this->GetLegendShare();
+  const double reserved = std::max(CaptionHeight, this->Caption->height());
+  const double low = std::min(std::max(reserved / std::max(size[1], 1), LegendBottom), 0.4);
+  const bool two = this->TrailLegend->GetVisibility() != 0;
+  const auto place = [share](vtkScalarBarActor* legend, double bottom, double top)
+  {
+    legend->GetPositionCoordinate()->SetValue(1.0 - share, bottom);
+    legend->SetWidth(0.85 * share);
+    legend->SetHeight(top - bottom);
+  };
+  const double middle = 0.5 * (low + LegendTop);
+  if (two)
+  {
+    place(this->TrailLegend, low, middle - 0.02);
+    place(this->Legend, middle + 0.02, LegendTop);
+  }
+  else
+  {
+    place(this->Legend, std::max(low, 0.25), std::max(low, 0.25) + 0.5);
+  }
 }
 
 void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
 {
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
   double bounds[6];
-  this->Deflection->Update();
-  vtkBoundingBox all(this->Deflection->GetOutput()->GetBounds());
+  this->Body->bounds(bounds);
+  vtkBoundingBox all(bounds);
   const double* tool = this->ToolRepresentation->GetBounds();
   if (tool && !this->Blind)
   {
     all.AddBounds(tool); // with the arrow: neither is to be cut off
   }
   all.GetBounds(bounds);
-  double position[3];
-  double focus[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    focus[k] = 0.5 * (bounds[2 * k] + bounds[2 * k + 1]);
-    position[k] = focus[k] + direction[k];
-  }
-  camera->SetFocalPoint(focus);
-  camera->SetPosition(position);
-  camera->SetViewUp(up);
-  this->Renderer->ResetCamera(bounds);
-  camera->Zoom(1.15);
-  camera->SetWindowCenter(this->GetLegendShare(), 0.0); // the middle of what the legend leaves free
-  this->Renderer->ResetCameraClippingRange();
+  palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },
+    this->GetLegendShare());
 }
 
 void vtkContactScene::LookAtContact(double distance, const double direction[3], const double up[3])
 {
-  double unit[3] = { direction[0], direction[1], direction[2] };
-  vtkMath::Normalize(unit);
-  double raise[3] = { up[0], up[1], up[2] };
-  vtkMath::Normalize(raise);
-  double focus[3];
-  double position[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    focus[k] = this->Contact[k] + RaisedFocus * distance * raise[k];
-    position[k] = focus[k] + distance * unit[k];
-  }
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetFocalPoint(focus);
-  camera->SetPosition(position);
-  camera->SetViewUp(up);
-  camera->SetWindowCenter(this->GetLegendShare(), 0.0);
-  this->Renderer->ResetCameraClippingRange();
+  palpate::lookAtPoint(this->Renderer, Eigen::Vector3d(this->Contact), distance,
+    { Eigen::Vector3d(direction), Eigen::Vector3d(up) }, this->GetLegendShare());
 }
 
 vtkHapticToolRepresentation* vtkContactScene::GetToolRepresentation()
@@ -386,7 +480,17 @@ vtkHapticToolRepresentation* vtkContactScene::GetToolRepresentation()
 
 vtkActor* vtkContactScene::GetBodyActor()
 {
-  return this->BodyActor;
+  return this->Body->actor();
+}
+
+vtkActor* vtkContactScene::GetTrailActor()
+{
+  return this->Trail->actor();
+}
+
+vtkActor* vtkContactScene::GetCircleActor()
+{
+  return this->Circle->actor();
 }
 
 vtkScalarBarActor* vtkContactScene::GetLegend()
@@ -394,10 +498,17 @@ vtkScalarBarActor* vtkContactScene::GetLegend()
   return this->Legend;
 }
 
+vtkScalarBarActor* vtkContactScene::GetTrailLegend()
+{
+  return this->TrailLegend;
+}
+
 void vtkContactScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
   os << indent << "Blind: " << this->Blind << "\n";
   os << indent << "Exaggeration: " << this->GetExaggeration() << "\n";
+  os << indent << "TrailLength: " << this->TrailLength << "\n";
 }

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactScene
- * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, force, legend
+ * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, forces, legends
  *
- * Give it a renderer, a body with responses and the tool; ShowTip with the output of
- * vtkToolContactProbe (or vtkHapticSession::GetRecording) puts one tip on stage: the body is
- * displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration, coloured by
- * its magnitude with a legend in mm; the tool stands at the tip with its force arrow; a caption
- * names tool, deflection, force and the scale of the arrow.
+ * Give it a renderer, a body with responses and the tool. ShowTip puts one tip of
+ * vtkToolContactProbe's output (or vtkHapticSession::GetRecording) on stage, ShowSession the newest
+ * tick of a session.
  *
- * The force scale is chosen once, by SetLargestForce, as a round number of mm per N, and stays.
+ * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration,
+ *   coloured by its magnitude with a legend in mm.
+ * - The tool stands at the tip, with the force on it as an arrow and a number in N; where there is
+ *   friction also with its parts, normal and friction; where a device applies another force than
+ *   the ideal one also with that, beside it (vtkHapticToolRepresentation).
+ * - The contact circle: radius a of the tool at the deflection, on half-space or layer, local part
+ *   alone where the body gives way as a whole.
+ * - The trail: where the tool has touched, coloured by the force there, with a legend in N.
+ * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows; it
+ *   is chosen once, by SetLargestForce, and stays.
+ * - A caption names tool, deflection, contact radius, forces, why the applied force is another, and
+ *   what limits the validity.
+ *
+ * Beyond the depth that `Validity` of the response gives at the contact, arrows, circle and trail
+ * are dashed, and the caption names the assumption that breaks.
  */
 #ifndef vtkContactScene_h
 #define vtkContactScene_h
@@ -18,18 +30,27 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
 class vtkActor;
-class vtkContactDeflection;
 class vtkContactTool;
+class vtkHapticSession;
 class vtkHapticToolRepresentation;
 class vtkLookupTable;
 class vtkPolyData;
 class vtkRenderer;
 class vtkScalarBarActor;
-class vtkTextActor;
-class vtkWarpVector;
+
+namespace palpate
+{
+class BodyDisplay;
+class ContactCircle;
+class ForceScale;
+class ForceTrail;
+class SceneCaption;
+struct ShownContact;
+} // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkContactScene : public vtkObject
 {
@@ -38,23 +59,37 @@ public:
   vtkTypeMacro(vtkContactScene, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The renderer; the scene adds its props and sets the background. Call once. */
+  /** The renderer; the scene adds its props, sets the background and arranges legends and labels
+   * whenever it renders. Call once. */
   void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer();
 
   /** The body, with the responses the tips were probed with. */
   void SetBody(vtkPolyData* body);
   void SetTool(vtkContactTool* tool);
   /** Poisson's ratio of the body, for the radial displacement. */
   void SetPoissonRatio(double ratio);
+  ///@{
+  /** Prefix of the response that is touched, for its validity and its field. Default "Response". */
+  void SetResponseName(const std::string& name);
+  std::string GetResponseName();
+  ///@}
 
   /** Legend of the deflection field: 0 to `largest` mm. Default 1. */
   void SetLargestDeflection(double largest);
-  /** Makes the arrow of a force of `largest` N about 40 mm long. Default 1. */
+  /** Makes the arrow of a force of `largest` N about 40 mm long, and the colours of the trail reach
+   * to it. Default 1. */
   void SetLargestForce(double largest);
   ///@{
   /** The dent is drawn this many times deeper than it is; said in the caption. Default 1. */
   void SetExaggeration(double factor);
   double GetExaggeration();
+  ///@}
+  ///@{
+  /** On (default): the vertex shader displaces the body, at a cost that does not grow with the
+   * mesh. Off: vtkContactDeflection does, point by point. */
+  void SetDeflectionByShader(bool on);
+  bool GetDeflectionByShader();
   ///@}
   /** First line of the caption. */
   void SetTitle(const std::string& title);
@@ -62,33 +97,75 @@ public:
   /** Last line of the caption, from the next contact shown on. Default none. */
   void SetRemark(const std::string& remark);
 
+  ///@{
+  /** Which parts are drawn, from the next contact shown on: the parts of the force (normal,
+   * friction), the applied force where it differs, the circle of contact, the trail with its
+   * legend. Default on. */
+  void SetComponentsVisibility(bool visible);
+  bool GetComponentsVisibility();
+  void SetAppliedForceVisibility(bool visible);
+  bool GetAppliedForceVisibility();
+  void SetContactCircleVisibility(bool visible);
+  bool GetContactCircleVisibility();
+  void SetTrailVisibility(bool visible);
+  bool GetTrailVisibility();
+  ///@}
+
   /**
    * For a blind comparison: of a contact only its place is shown, by a ball, which rests on the
-   * surface however deep the tip is. No tool, force, dent, legend; the caption is title and remark.
-   * Default off.
+   * surface however deep the tip is. No tool, force, dent, circle, trail, legend; the caption is
+   * title and remark. Default off.
    */
   void SetBlind(bool blind);
 
-  /** Draws the contact points of a probe's output as a line: the way the tool goes. */
+  /** Draws the contact points of a probe's output as the trail: the way the tool goes. */
   bool ShowTrail(vtkPolyData* probed);
+  ///@{
+  /** The live trail: how many of the last contacts of ShowSession it keeps, at least 0.05 mm apart;
+   * 0 for none. Default 600: 20 s of motion at 30 pictures per second. It takes the place of a
+   * trail of ShowTrail. */
+  void SetTrailLength(int contacts);
+  int GetTrailLength();
+  void ClearTrail();
+  ///@}
 
-  /** Shows tip `index` of a probe's output; returns false if the probe's arrays are missing. */
+  /** Shows tip `index` of a probe's output; returns false if the probe's arrays are missing.
+   * Without an array FrictionForce or AppliedForce there is no friction, or no applied force. */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
+  ///@{
   /**
-   * Shows a contact given by numbers (a live session): tip, contact point, unit normal and force on
-   * the tool, deflection, and the cell of the body (-1: no contact).
+   * Shows the newest tick of a session, with friction, applied force, its reasons and the validity
+   * of the session's response at the contact, and adds it to the trail. Where nothing is touched
+   * the tool stands along `freeDirection`, of any length but zero; default: as it last did.
+   */
+  void ShowSession(vtkHapticSession* session);
+  void ShowSession(vtkHapticSession* session, const double freeDirection[3]);
+  ///@}
+
+  /**
+   * Shows a contact given by numbers: tip, contact point, unit normal and force on the tool,
+   * deflection, and the cell of the body (-1: no contact).
    */
   void ShowContact(const double tip[3], const double contactPoint[3], const double normal[3],
     const double force[3], double deflection, vtkIdType cell);
 
+  ///@{
+  /** Of the contact shown: radius of its circle, mm (0: none); the depth its response is valid to,
+   * mm (infinite: none is known); and whether the deflection is within it. */
+  double GetContactRadius();
+  double GetValidity();
+  bool IsValid();
+  ///@}
+
   /** The deflection field ends at this distance from the contact, mm; 0 (default): where validity
-   * ends. Live sessions set it, since the cost of a frame grows with the field. */
+   * ends. */
   void SetFieldRadius(double radius);
 
   ///@{
-  /** Camera: the whole body with the tool seen from `direction`; or the contact from `distance` mm,
-   * from `direction`. `up` points up in the picture. */
+  /** Camera: the whole body with the tool seen from `direction`; or from `distance` mm the last
+   * contact that touched (before the first: the contact point last shown). `up` points up in the
+   * picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
   ///@}
@@ -97,7 +174,10 @@ public:
   /** The parts, to restyle them. */
   vtkHapticToolRepresentation* GetToolRepresentation();
   vtkActor* GetBodyActor();
+  vtkActor* GetTrailActor();
+  vtkActor* GetCircleActor();
   vtkScalarBarActor* GetLegend();
+  vtkScalarBarActor* GetTrailLegend();
   ///@}
 
 protected:
@@ -108,26 +188,37 @@ private:
   vtkContactScene(const vtkContactScene&) = delete;
   void operator=(const vtkContactScene&) = delete;
 
+  void Show(const palpate::ShownContact& contact);
+  void ShowBlind(const palpate::ShownContact& contact);
+  void ShowCircle(const palpate::ShownContact& contact);
   double GetLegendShare(); ///< of the width of the viewport
-  void PlaceLegend();
-  void DescribeContact(double deflection, double force);
-  void WriteCaption(const std::string& contact);
+  void SwitchTrail();
+  void Arrange();
 
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkPolyData> Tip; ///< the contact shown, as a probe's output
-  vtkSmartPointer<vtkContactDeflection> Deflection;
-  vtkSmartPointer<vtkWarpVector> Warp;
-  vtkSmartPointer<vtkActor> BodyActor;
-  vtkSmartPointer<vtkActor> TrailActor;
+  unsigned long RenderObserver = 0;
+  vtkSmartPointer<vtkPolyData> BodyData;
+  std::string ResponseName = "Response";
   vtkSmartPointer<vtkLookupTable> Colors;
+  vtkSmartPointer<vtkLookupTable> ForceColors;
+  std::unique_ptr<palpate::BodyDisplay> Body;
+  std::unique_ptr<palpate::ContactCircle> Circle;
+  std::unique_ptr<palpate::ForceTrail> Trail;
+  std::unique_ptr<palpate::ForceScale> Scale;
+  std::unique_ptr<palpate::SceneCaption> Caption;
   vtkSmartPointer<vtkScalarBarActor> Legend;
-  vtkSmartPointer<vtkTextActor> Caption;
+  vtkSmartPointer<vtkScalarBarActor> TrailLegend;
   vtkSmartPointer<vtkHapticToolRepresentation> ToolRepresentation;
   vtkSmartPointer<vtkActor> Marker; ///< of a contact that is shown blind
   bool Blind = false;
-  std::string Title;
-  std::string Remark;
-  double Contact[3] = { 0.0, 0.0, 0.0 };
+  bool CircleVisible = true;
+  bool TrailVisible = true;
+  bool TrailIsLive = false;
+  int TrailLength = 600;
+  std::unique_ptr<palpate::ShownContact> Shown; ///< the contact last shown
+  bool HasTouched = false;
+  double ContactRadius = 0.0;
+  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< what LookAtContact looks at
 };
 
 #endif

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkHapticSession);
 
@@ -29,6 +30,14 @@ void vtkHapticSession::SetBody(vtkPolyData* body)
 {
   this->Body = body;
   this->Modified();
+}
+
+void vtkHapticSession::SetBody(vtkPolyData* body, palpate::BodyKernels kernels)
+{
+  this->SetBody(body);
+  static_cast<palpate::BodyKernels&>(*this->Known) = std::move(kernels);
+  this->Known->body = body;
+  this->Known->time = body ? body->GetMTime() : 0;
 }
 
 vtkPolyData* vtkHapticSession::GetBody()
@@ -119,6 +128,12 @@ vtkIdType vtkHapticSession::GetNumberOfMissedTicks() const
 {
   const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
   return loop ? static_cast<vtkIdType>(loop->missed()) : 0;
+}
+
+vtkIdType vtkHapticSession::GetNumberOfLostTicks() const
+{
+  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
+  return loop ? static_cast<vtkIdType>(loop->overruns()) : 0;
 }
 
 void vtkHapticSession::Stop()
@@ -237,9 +252,30 @@ const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks()
   return this->Run->run->ticks();
 }
 
+const palpate::ServoTick& vtkHapticSession::GetNewestTick()
+{
+  return this->Newest();
+}
+
+const palpate::TickHistory& vtkHapticSession::GetLastTicks()
+{
+  static const palpate::TickHistory none(0.0, 1.0);
+  if (!this->Run)
+  {
+    return none;
+  }
+  this->Run->run->collect();
+  return this->Run->run->history();
+}
+
 void vtkHapticSession::GetRecording(vtkPolyData* recording)
 {
   palpate::fillRecording(this->GetTicks(), this->FirstPoly, recording);
+}
+
+void vtkHapticSession::GetHistory(vtkPolyData* history)
+{
+  palpate::fillRecording(this->GetLastTicks(), this->FirstPoly, history);
 }
 
 void vtkHapticSession::GetStatistics(vtkTable* statistics)
@@ -270,6 +306,15 @@ void vtkHapticSession::GetTiming(vtkTable* timing)
   }
 }
 
+void vtkHapticSession::GetTimingHistogram(vtkTable* histogram)
+{
+  histogram->Initialize();
+  if (const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr)
+  {
+    palpate::fillTimingHistogram(loop->statistics(), histogram);
+  }
+}
+
 std::string vtkHapticSession::GetStatisticsText()
 {
   const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
@@ -297,6 +342,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "RealTime: " << this->RealTime << "\n";
+  os << indent << "HistorySeconds: " << this->HistorySeconds << " s\n";
   os << indent << "Scale: " << this->Scale << "\n";
   os << indent << "Gate: " << this->Gate << "\n";
   os << indent << "EntryRamp: " << this->EntryRamp << " s\n";

@@ -22,7 +22,8 @@
  *
  * With RealTime, Start starts the servo thread at Rate; Step does nothing, and the getters give the
  * newest tick. Every tick is recorded there too, as long as somebody reads: what waits unread for
- * more than RecordedSeconds is lost, and counted.
+ * more than RecordedSeconds is lost, and counted. HistorySeconds keeps the last ticks alone, for
+ * charts of a session without end.
  *
  * Two forces are told: the ideal one, and the one applied after the safety chain has fitted it to
  * the device (force factor, stiffness cap, limits, passivity); GetSafetyText says what acted.
@@ -55,12 +56,14 @@ class vtkTable;
 
 namespace palpate
 {
+struct BodyKernels;
 struct ContactBody;
 struct ContactSettings;
 class HapticDevice;
 struct SafetySettings;
 struct ServoScene;
 struct ServoTick;
+class TickHistory;
 struct SessionDevice;
 } // namespace palpate
 
@@ -83,6 +86,13 @@ public:
   void SetBody(vtkPolyData* body);
   vtkPolyData* GetBody();
   ///@}
+
+#ifndef __VTK_WRAP__
+  /** The same with what Start and ApplyChanges would make of its responses: where somebody has made
+   * that in the background, ApplyChanges takes no time. Good until the body is changed, or Start.
+   */
+  void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
+#endif
 
   ///@{
   /** Prefix of the response arrays. Default "Response". */
@@ -228,7 +238,7 @@ public:
 
   ///@{
   /** Whether every tick is kept for GetRecording. Read at Start. Default on. With RealTime contacts
-   * and peaks are counted among the ticks recorded. */
+   * and peaks are counted among the ticks recorded, or in the history. */
   vtkSetMacro(Recording, bool);
   vtkGetMacro(Recording, bool);
   vtkBooleanMacro(Recording, bool);
@@ -237,6 +247,13 @@ public:
   /** With RealTime: how long ticks wait to be read, s, 0.1 to 100; 600 bytes each. Default 5. */
   vtkSetClampMacro(RecordedSeconds, double, 0.1, 100.0);
   vtkGetMacro(RecordedSeconds, double);
+  ///@}
+  ///@{
+  /** Whether the ticks of the last seconds are kept for GetHistory, and how many s: 0 to 100; 600
+   * bytes each. With RealTime those that wait to be read, for at most this long if nothing else is
+   * recorded. Read at Start. Default 0: none. */
+  vtkSetClampMacro(HistorySeconds, double, 0.0, 100.0);
+  vtkGetMacro(HistorySeconds, double);
   ///@}
   ///@{
   /** With RealTime: keep the memory of the process from being paged out, if the system allows it; a
@@ -253,6 +270,13 @@ public:
   /** Ticks made and ticks missed since Start; in virtual time none is missed. */
   vtkIdType GetNumberOfTicks() const;
   vtkIdType GetNumberOfMissedTicks() const;
+  /** Ticks made since Start that nobody read in time: neither recording nor history has them. */
+  vtkIdType GetNumberOfLostTicks() const;
+  /** How often Start has succeeded: what tells one run from the next. */
+  vtkIdType GetNumberOfStarts() const
+  {
+    return this->Starts;
+  }
 
   /** Reads body and path and begins at time 0. Returns false after an error that names the fault.
    */
@@ -304,6 +328,10 @@ public:
    * chain). Cells are counted as in the newest body. */
   void GetRecording(vtkPolyData* recording);
 
+  /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
+   */
+  void GetHistory(vtkPolyData* history);
+
   /** One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
    * (mm), median and 99th percentile of the time per tick (ns, wall clock, so they differ from run
    * to run); with RealTime also ticks missed, samples invalid and repeated, forces refused, ticks
@@ -313,13 +341,21 @@ public:
   /** With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): which time that share
    * of the ticks did not exceed, to 1/32; the last row, share 1, is the worst. Empty otherwise. */
   void GetTiming(vtkTable* timing);
-  /** The two above, in lines for a person. */
+  /** With RealTime: how many ticks had which Period, WakeUp and Tick: a row per class of durations,
+   * longer than `From (us)` and up to `To (us)`, at most 1/32 apart, from the first to the last
+   * that holds any; counts as double. Empty otherwise. */
+  void GetTimingHistogram(vtkTable* histogram);
+  /** Statistics and timing, in lines for a person. */
   std::string GetStatisticsText();
   /** With RealTime: what the system granted the servo thread, and why not more. */
   std::string GetRealTimeGrant();
 
   /** Every tick since Start, for C++. */
   const std::vector<palpate::ServoTick>& GetTicks();
+  /** The newest tick, whole, for C++: valid until the next call. A default one before the first. */
+  const palpate::ServoTick& GetNewestTick();
+  /** Those of the last HistorySeconds, numbered, for C++. */
+  const palpate::TickHistory& GetLastTicks();
 
 protected:
   vtkHapticSession();
@@ -366,6 +402,8 @@ private:
   bool Recording = true;
   bool LockMemory = false;
   double RecordedSeconds = 5.0;
+  double HistorySeconds = 0.0;
+  vtkIdType Starts = 0;
   double Steered[3] = { 0.0, 0.0, 0.0 };
   vtkIdType FirstPoly = 0;
 

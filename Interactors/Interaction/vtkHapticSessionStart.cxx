@@ -69,7 +69,9 @@ std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
   }
   if (this->Known->body != this->Body || this->Known->time != this->Body->GetMTime())
   {
-    *this->Known = { this->Body, this->Body->GetMTime(), {}, {} };
+    *this->Known = {};
+    this->Known->body = this->Body;
+    this->Known->time = this->Body->GetMTime();
   }
   auto& kernel = this->Known->read[responseName];
   if (kernel)
@@ -283,19 +285,22 @@ bool vtkHapticSession::StartRun(std::unique_ptr<Started> started)
     return false;
   }
   palpate::ServoStep step(std::move(scene), started->mapping, started->safety, this->ClutchButtons);
+  const palpate::TicksKept kept{ this->Recording, this->HistorySeconds };
   if (!this->RealTime)
   {
-    started->run = std::make_unique<palpate::VirtualRun>(
-      started->device, std::move(step), this->Rate, this->Recording);
+    started->run =
+      std::make_unique<palpate::VirtualRun>(started->device, std::move(step), this->Rate, kept);
   }
   else
   {
     palpate::ServoLoopSettings settings;
     settings.rate = this->Rate;
-    settings.recordedSeconds = this->Recording ? this->RecordedSeconds : 0.0;
+    settings.recordedSeconds = this->Recording
+      ? this->RecordedSeconds
+      : std::min(this->RecordedSeconds, kept.historySeconds);
     settings.realTime.lockMemory = this->LockMemory;
-    auto live = std::make_unique<palpate::RealTimeRun>(
-      started->device, std::move(step), settings, this->Recording);
+    auto live =
+      std::make_unique<palpate::RealTimeRun>(started->device, std::move(step), settings, kept);
     const std::string error = live->start();
     if (!error.empty())
     {
@@ -305,5 +310,6 @@ bool vtkHapticSession::StartRun(std::unique_ptr<Started> started)
     started->run = std::move(live);
   }
   this->Run = std::move(started);
+  ++this->Starts;
   return true;
 }

@@ -2,51 +2,50 @@
 #include "vtkHapticToolRepresentation.h"
 
 #include "DisplayColors.h"
+#include "ForceArrow.h"
+#include "LabelLayout.h"
+#include "RigidFrame.h"
+#include "ShownContact.h"
 #include "vtkContactTool.h"
 #include "vtkContactToolSource.h"
 
 #include "vtkActor.h"
-#include "vtkArrowSource.h"
-#include "vtkCoordinate.h"
+#include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkTextActor.h"
-#include "vtkTextProperty.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <vector>
 
 namespace
 {
-constexpr double ArrowShaftRadius = 0.9; // mm
-constexpr double ArrowHeadRadius = 2.4;  // mm
-constexpr double ArrowHeadLength = 6.0;  // mm, at most 40 % of the arrow
-constexpr int LabelSize = 22;
+constexpr double Beside = 6.0; // mm, from the ideal force to the applied one
 
-/// Rigid frame at `origin` whose column `axis` (0 = x, 2 = z) is `direction`.
-vtkSmartPointer<vtkMatrix4x4> frameAlong(
-  const double origin[3], const double direction[3], int axis)
+constexpr palpate::ArrowLook TotalLook = { palpate::ForceColor, 0.9, 2.4, 6.0, 22, true, 0.0 };
+constexpr palpate::ArrowLook AppliedLook = { palpate::AppliedForceColor, 0.9, 2.4, 6.0, 16, true,
+  0.65 };
+constexpr palpate::ArrowLook NormalLook = { palpate::NormalForceColor, 0.45, 1.4, 4.0, 16, false,
+  0.65 };
+constexpr palpate::ArrowLook FrictionLook = { palpate::FrictionForceColor, 0.45, 1.4, 4.0, 16,
+  false, 0.65 };
+
+/// The unit vector across `arrow` that points to the right for the camera.
+Eigen::Vector3d rightOf(const Eigen::Vector3d& arrow, vtkCamera* camera)
 {
-  double along[3] = { direction[0], direction[1], direction[2] };
-  vtkMath::Normalize(along);
-  double side[3];
-  double other[3];
-  vtkMath::Perpendiculars(along, side, other, 0.0);
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  for (int row = 0; row < 3; ++row)
-  {
-    matrix->SetElement(row, axis, along[row]);
-    matrix->SetElement(row, (axis + 1) % 3, side[row]);
-    matrix->SetElement(row, (axis + 2) % 3, other[row]);
-    matrix->SetElement(row, 3, origin[row]);
-  }
-  return matrix;
+  const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
+  const Eigen::Vector3d along = arrow.normalized();
+  const Eigen::Vector3d right = ahead.cross(along);
+  // An arrow straight towards the eye has no right side of its own.
+  return right.norm() > 0.1 ? right.normalized()
+                            : ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
 }
 } // namespace
 
@@ -55,9 +54,10 @@ vtkStandardNewMacro(vtkHapticToolRepresentation);
 vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   : Source(vtkSmartPointer<vtkContactToolSource>::New())
   , ToolActor(vtkSmartPointer<vtkActor>::New())
-  , Arrow(vtkSmartPointer<vtkArrowSource>::New())
-  , ArrowActor(vtkSmartPointer<vtkActor>::New())
-  , Label(vtkSmartPointer<vtkTextActor>::New())
+  , Total(std::make_unique<palpate::ForceArrow>(TotalLook))
+  , NormalPart(std::make_unique<palpate::ForceArrow>(NormalLook))
+  , Friction(std::make_unique<palpate::ForceArrow>(FrictionLook))
+  , Applied(std::make_unique<palpate::ForceArrow>(AppliedLook))
 {
   this->Source->SetLength(22.0);
   vtkNew<vtkPolyDataMapper> toolMapper;
@@ -70,26 +70,13 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   tool->SetSpecularPower(30.0);
   tool->BackfaceCullingOn();
 
-  this->Arrow->SetTipResolution(32);
-  this->Arrow->SetShaftResolution(32);
-  vtkNew<vtkPolyDataMapper> arrowMapper;
-  arrowMapper->SetInputConnection(this->Arrow->GetOutputPort());
-  this->ArrowActor->SetMapper(arrowMapper);
-  this->ArrowActor->GetProperty()->SetColor(
-    palpate::ForceColor[0], palpate::ForceColor[1], palpate::ForceColor[2]);
-  this->ArrowActor->GetProperty()->SetAmbient(0.3);
-  this->ArrowActor->VisibilityOff();
-
-  vtkTextProperty* text = this->Label->GetTextProperty();
-  text->SetColor(palpate::ForceColor.data());
-  text->SetFontSize(LabelSize);
-  text->SetBold(1);
-  this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-  this->Label->VisibilityOff();
-
   this->AddPart(this->ToolActor);
-  this->AddPart(this->ArrowActor);
-  this->AddPart(this->Label);
+  for (palpate::ForceArrow* arrow :
+    { this->Total.get(), this->NormalPart.get(), this->Friction.get(), this->Applied.get() })
+  {
+    this->AddPart(arrow->actor());
+    this->AddPart(arrow->label());
+  }
 }
 
 vtkHapticToolRepresentation::~vtkHapticToolRepresentation() = default;
@@ -119,39 +106,80 @@ double vtkHapticToolRepresentation::GetToolLength()
 void vtkHapticToolRepresentation::SetContact(
   const double tip[3], const double normal[3], const double contactPoint[3], const double force[3])
 {
+  const double none[3] = { 0.0, 0.0, 0.0 };
+  this->SetContact(tip, normal, contactPoint, force, none, force);
+}
+
+void vtkHapticToolRepresentation::SetContact(const double tip[3], const double normal[3],
+  const double contactPoint[3], const double force[3], const double friction[3],
+  const double applied[3])
+{
   if (vtkMath::Norm(normal) > 0.0)
   {
     std::copy_n(normal, 3, this->Axis);
   }
-  this->ToolActor->SetUserMatrix(frameAlong(tip, this->Axis, 2));
-  const double magnitude = vtkMath::Norm(force);
-  const double length = magnitude * this->ForceScale;
-  const bool visible = std::isfinite(length) && length > 0.0;
-  this->ArrowActor->SetVisibility(visible);
-  this->Label->SetVisibility(visible);
-  if (visible)
+  this->ToolActor->SetUserMatrix(palpate::frameAlong(tip, this->Axis, 2));
+  std::copy_n(contactPoint, 3, this->ContactPoint);
+
+  const Eigen::Vector3d origin(contactPoint);
+  const Eigen::Vector3d total(force);
+  const Eigen::Vector3d rubbing(friction);
+  const Eigen::Vector3d told(applied);
+  this->Total->show(origin, total, this->ForceScale, this->BeyondValidity);
+  if (this->ComponentsVisibility && palpate::isNoticeable(rubbing, total))
   {
-    // vtkArrowSource has unit length along x; the frame is stretched to the length in mm.
-    auto frame = frameAlong(contactPoint, force, 0);
-    this->Arrow->SetShaftRadius(ArrowShaftRadius / length);
-    this->Arrow->SetTipRadius(ArrowHeadRadius / length);
-    this->Arrow->SetTipLength(std::min(ArrowHeadLength / length, 0.4));
-    std::array<double, 3> head{};
-    for (int row = 0; row < 3; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
-      {
-        frame->SetElement(row, column, length * frame->GetElement(row, column));
-      }
-      head[static_cast<std::size_t>(row)] = contactPoint[row] + frame->GetElement(row, 0);
-    }
-    this->ArrowActor->SetUserMatrix(frame);
-    this->Label->GetPositionCoordinate()->SetValue(head.data());
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "  %#.3g N", magnitude);
-    this->Label->SetInput(text.data());
+    this->NormalPart->show(
+      origin, total - rubbing, this->ForceScale, this->BeyondValidity, "normal");
+    this->Friction->show(origin, rubbing, this->ForceScale, this->BeyondValidity, "friction");
+  }
+  else
+  {
+    this->NormalPart->hide();
+    this->Friction->hide();
+  }
+  if (this->AppliedForceVisibility && palpate::isNoticeable(told - total, total))
+  {
+    this->Applied->show(origin, told, this->ForceScale, this->BeyondValidity, "applied");
+  }
+  else
+  {
+    this->Applied->hide();
   }
   this->Modified();
+}
+
+int vtkHapticToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  if (renderer && this->Applied->isShown())
+  {
+    // Beside the ideal force, or beside itself where there is none.
+    const Eigen::Vector3d origin(this->ContactPoint);
+    const Eigen::Vector3d arrow =
+      (this->Total->isShown() ? this->Total->head() : this->Applied->head()) - origin;
+    this->Applied->moveTo(origin + Beside * rightOf(arrow, renderer->GetActiveCamera()));
+  }
+  return this->Superclass::RenderOpaqueGeometry(viewport);
+}
+
+int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  std::vector<palpate::AnchoredLabel> labels;
+  const auto add = [&labels](palpate::ForceArrow& arrow, const Eigen::Vector3d& tail)
+  {
+    if (arrow.isShown())
+    {
+      labels.push_back({ arrow.label(), tail, arrow.head() });
+    }
+  };
+  add(*this->Total, this->Total->tail());
+  // Whichever way it leans, it stands to the right of the ideal force.
+  const Eigen::Vector3d right = this->Applied->tail() - Eigen::Vector3d(this->ContactPoint);
+  add(*this->Applied, this->Applied->head() - right);
+  add(*this->NormalPart, this->NormalPart->tail());
+  add(*this->Friction, this->Friction->tail());
+  palpate::arrangeLabels(viewport, labels);
+  return this->Superclass::RenderOverlay(viewport);
 }
 
 void vtkHapticToolRepresentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -159,4 +187,7 @@ void vtkHapticToolRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tool: " << this->GetTool() << "\n";
   os << indent << "ForceScale: " << this->ForceScale << " mm/N\n";
+  os << indent << "ComponentsVisibility: " << this->ComponentsVisibility << "\n";
+  os << indent << "AppliedForceVisibility: " << this->AppliedForceVisibility << "\n";
+  os << indent << "BeyondValidity: " << this->BeyondValidity << "\n";
 }

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticToolRepresentation
- * @brief the tool where it touches, and the force on it as an arrow with its value
+ * @brief the tool where it touches, and the forces on it as arrows with their values
  *
  * The tool stands on its tip along the contact normal, translucent, so that neither the dent nor
- * the arrow hides in it. The arrow starts at the contact point, is ForceScale mm long per newton,
- * and carries the magnitude in newtons at its head. Without force there is no arrow.
+ * the arrow hides in it. The arrow of the total, ideal force starts at the contact point, is
+ * ForceScale mm long per newton, and carries the magnitude in newtons at its head. Without force
+ * there is no arrow.
+ *
+ * Where there is friction, of at least 2 % of the force, two thinner arrows from the same point
+ * show the parts of the force, normal and friction. Where the applied force (what a device is told,
+ * behind its safety chain) differs from the ideal one by more than 2 %, it is drawn beside it, to
+ * the right as seen by the camera, at the same scale. Labels do not cover one another.
+ *
+ * BeyondValidity dashes the arrows.
  *
  * Body frame; mm and N.
  */
@@ -16,11 +24,16 @@
 #include "vtkPropAssembly.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <memory> // For std::unique_ptr
+
 class vtkActor;
-class vtkArrowSource;
 class vtkContactTool;
 class vtkContactToolSource;
-class vtkTextActor;
+
+namespace palpate
+{
+class ForceArrow;
+} // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticToolRepresentation : public vtkPropAssembly
 {
@@ -47,12 +60,38 @@ public:
   double GetToolLength();
   ///@}
 
+  ///@{
+  /** Whether normal force and friction are drawn, where there is friction; whether the applied
+   * force, where it differs. From the next contact on. Default on. */
+  vtkSetMacro(ComponentsVisibility, bool);
+  vtkGetMacro(ComponentsVisibility, bool);
+  vtkSetMacro(AppliedForceVisibility, bool);
+  vtkGetMacro(AppliedForceVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether the arrows are dashed: the force is beyond what its law is valid for. From the next
+   * contact on. Default off. */
+  vtkSetMacro(BeyondValidity, bool);
+  vtkGetMacro(BeyondValidity, bool);
+  ///@}
+
   /**
    * Places the tool: its tip, the outward normal it stands along, where the arrow starts, and the
    * force on it (N). A zero normal leaves the direction as it was.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3]);
+  /** The same with the friction that is part of the force, and what the device applies instead of
+   * the force (the force itself where it applies that, or where there is no device). */
+  void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
+    const double force[3], const double friction[3], const double applied[3]);
+
+  ///@{
+  /** Reimplemented: what depends on the camera, place of the applied force and of the labels. */
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  ///@}
 
 protected:
   vtkHapticToolRepresentation();
@@ -64,11 +103,16 @@ private:
 
   vtkSmartPointer<vtkContactToolSource> Source;
   vtkSmartPointer<vtkActor> ToolActor;
-  vtkSmartPointer<vtkArrowSource> Arrow;
-  vtkSmartPointer<vtkActor> ArrowActor;
-  vtkSmartPointer<vtkTextActor> Label;
+  std::unique_ptr<palpate::ForceArrow> Total;
+  std::unique_ptr<palpate::ForceArrow> NormalPart;
+  std::unique_ptr<palpate::ForceArrow> Friction;
+  std::unique_ptr<palpate::ForceArrow> Applied;
   double ForceScale = 10.0;
-  double Axis[3] = { 0.0, 0.0, 1.0 }; ///< the tool stands along it
+  bool ComponentsVisibility = true;
+  bool AppliedForceVisibility = true;
+  bool BeyondValidity = false;
+  double Axis[3] = { 0.0, 0.0, 1.0 };         ///< the tool stands along it
+  double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< where the arrows start
 };
 
 #endif

@@ -1,64 +1,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInteractorStyleHaptic.h"
 
+#include "KeyHelp.h"
+#include "SurfacePicker.h"
+#include "TickTape.h"
+#include "TrajectoryFile.h"
 #include "vtkContactScene.h"
 #include "vtkHapticSession.h"
 
-#include "vtkDataArray.h"
-#include "vtkGenericCell.h"
+#include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkStaticCellLocator.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+#include <filesystem>
 
 namespace
 {
 constexpr double DepthPerNotch = 0.1;     // mm
 constexpr unsigned long TimerPeriod = 33; // ms
+constexpr double LargestExaggeration = 64.0;
 
-/// World point under a display position, at a depth of the view volume from 0 (near) to 1 (far).
-void worldAt(vtkRenderer* renderer, const int* position, double depth, double world[3])
-{
-  renderer->SetDisplayPoint(position[0], position[1], depth);
-  renderer->DisplayToWorld();
-  double point[4];
-  renderer->GetWorldPoint(point);
-  for (int k = 0; k < 3; ++k)
-  {
-    world[k] = point[k] / point[3];
-  }
-}
+const char* const Keys = "?\tthis help, on and off\n"
+                         "\n"
+                         "mouse on the body\tthe tool hovers under the pointer\n"
+                         "left button\tpress and slide\n"
+                         "wheel\tpress deeper, or less deep\n"
+                         "left beside the body\torbit\n"
+                         "middle, right\tpan, zoom\n"
+                         "Ctrl + wheel\tzoom\n"
+                         "\n"
+                         "1 to 9\tchoose the tool\n"
+                         "v\tthe pointer moves the tool in the plane of the view\n"
+                         "+  -\tdraw the dent deeper, less deep than it is\n"
+                         "c\tcompare the tools\n"
+                         "g  t\tcharts; how the servo thread keeps time\n"
+                         "x\tstop and start the session\n"
+                         "k\tkeep a record; write it\n"
+                         "p\twrite a picture of the window\n"
+                         "r\tthe whole body in view\n"
+                         "q\tquit";
 } // namespace
 
 vtkStandardNewMacro(vtkInteractorStyleHaptic);
 
-vtkInteractorStyleHaptic::vtkInteractorStyleHaptic() = default;
-vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic() = default;
+vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
+  : Picker(std::make_unique<palpate::SurfacePicker>())
+  , Help(std::make_unique<palpate::KeyHelp>())
+  , Tape(std::make_unique<palpate::TickTape>())
+{
+  this->Help->setText(Keys);
+}
+
+vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
+{
+  this->StopUpdates();
+}
 
 void vtkInteractorStyleHaptic::SetSession(vtkHapticSession* session)
 {
   this->Session = session;
-  this->Locator = nullptr;
-  this->Body = nullptr;
-  if (session && session->GetBody())
-  {
-    this->Body =
-      vtkSmartPointer<vtkPolyData>::New(); // a locator builds links; not in the session's
-    this->Body->ShallowCopy(session->GetBody());
-  }
+  this->Modified();
 }
 
 void vtkInteractorStyleHaptic::SetScene(vtkContactScene* scene)
 {
   this->Scene = scene;
+  this->Modified();
+}
+
+vtkHapticSession* vtkInteractorStyleHaptic::GetSession()
+{
+  return this->Session;
+}
+
+vtkContactScene* vtkInteractorStyleHaptic::GetScene()
+{
+  return this->Scene;
 }
 
 void vtkInteractorStyleHaptic::SetPressDepth(double depth)
@@ -67,87 +91,161 @@ void vtkInteractorStyleHaptic::SetPressDepth(double depth)
   this->Modified();
 }
 
+void vtkInteractorStyleHaptic::SetWheelDepth(double depth)
+{
+  constexpr double rounding = 1e-9; // of notches that add up
+  this->WheelDepth = depth < rounding ? 0.0 : std::min(depth, this->MaximumDepth);
+  this->Modified();
+}
+
+bool vtkInteractorStyleHaptic::StartSession()
+{
+  if (!this->Session || !this->Session->Start())
+  {
+    return false;
+  }
+  this->StartUpdates();
+  return true;
+}
+
+void vtkInteractorStyleHaptic::StopSession()
+{
+  if (this->Session)
+  {
+    this->Session->Stop();
+  }
+}
+
+void vtkInteractorStyleHaptic::ToggleSession()
+{
+  if (this->Session && this->Session->GetState() != vtkHapticSession::Stopped)
+  {
+    this->StopSession();
+  }
+  else
+  {
+    this->StartSession();
+  }
+}
+
 void vtkInteractorStyleHaptic::StartUpdates()
 {
-  if (this->Interactor)
+  if (this->Interactor && this->Timer == 0)
   {
-    this->UseTimers = 1;
-    this->Interactor->CreateRepeatingTimer(TimerPeriod);
+    this->Timer = this->Interactor->CreateRepeatingTimer(TimerPeriod);
+    this->Interactor->EnableRenderOff(); // but for the frames of the timer
   }
+}
+
+void vtkInteractorStyleHaptic::StopUpdates()
+{
+  if (this->Interactor && this->Timer != 0)
+  {
+    this->Interactor->DestroyTimer(this->Timer);
+    this->Interactor->EnableRenderOn();
+  }
+  this->Timer = 0;
+}
+
+vtkRenderer* vtkInteractorStyleHaptic::FindSceneRenderer()
+{
+  vtkRenderer* renderer = this->Scene ? this->Scene->GetRenderer() : nullptr;
+  const int* position = this->Interactor->GetEventPosition();
+  return renderer && renderer->IsInViewport(position[0], position[1]) ? renderer : nullptr;
+}
+
+bool vtkInteractorStyleHaptic::IsBesideScene()
+{
+  const int* position = this->Interactor->GetEventPosition();
+  vtkRenderer* poked = this->Interactor->FindPokedRenderer(position[0], position[1]);
+  return !poked || !poked->GetInteractive() || !poked->IsInViewport(position[0], position[1]);
 }
 
 bool vtkInteractorStyleHaptic::PickSurface(double point[3], double normal[3])
 {
-  const int* position = this->Interactor->GetEventPosition();
-  this->FindPokedRenderer(position[0], position[1]);
-  if (!this->CurrentRenderer || !this->Body)
+  vtkRenderer* renderer = this->FindSceneRenderer();
+  if (!renderer || !this->Session)
   {
     return false;
   }
-  if (!this->Locator)
-  {
-    this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-    this->Locator->SetDataSet(this->Body);
-    this->Locator->BuildLocator();
-  }
-  double nearPoint[3];
-  double farPoint[3];
-  worldAt(this->CurrentRenderer, position, 0.0, nearPoint);
-  worldAt(this->CurrentRenderer, position, 1.0, farPoint);
-  double t = 0.0;
-  double parametric[3];
-  int subId = 0;
-  vtkIdType cellId = -1;
-  vtkNew<vtkGenericCell> cell;
-  if (!this->Locator->IntersectWithLine(
-        nearPoint, farPoint, 0.0, t, point, parametric, subId, cellId, cell))
-  {
-    return false;
-  }
-  vtkDataArray* normals =
-    this->Body->GetPointData()->GetArray((this->Session->GetResponseName() + "Normal").c_str());
-  double weights[3] = { 1.0 - parametric[0] - parametric[1], parametric[0], parametric[1] };
-  std::fill_n(normal, 3, 0.0);
-  for (vtkIdType k = 0; normals && k < 3; ++k)
-  {
-    const double* corner = normals->GetTuple3(cell->GetPointId(k));
-    for (int i = 0; i < 3; ++i)
-    {
-      normal[i] += weights[k] * corner[i];
-    }
-  }
-  return vtkMath::Normalize(normal) > 0.0;
+  this->Picker->setBody(this->Session->GetBody(), this->Session->GetResponseName());
+  return this->Picker->pick(renderer, this->Interactor->GetEventPosition(), point, normal);
 }
 
-bool vtkInteractorStyleHaptic::Steer()
+bool vtkInteractorStyleHaptic::SteerOverSurface()
 {
   double point[3];
   double normal[3];
-  if (!this->Session || !this->PickSurface(point, normal))
+  if (!this->PickSurface(point, normal))
   {
     return false;
   }
-  this->SteerTo(point, normal, this->Pressing ? -this->PressDepth : this->HoverHeight);
-  return true;
-}
-
-void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double normal[3])
-{
-  this->SteerTo(point, normal, this->HoverHeight);
-}
-
-void vtkInteractorStyleHaptic::SteerTo(const double point[3], const double normal[3], double height)
-{
+  const double depth = this->Pressing ? this->PressDepth : this->WheelDepth;
+  const double height = this->Pressing || depth > 0.0 ? -depth : this->HoverHeight;
   double tip[3];
   for (int k = 0; k < 3; ++k)
   {
     tip[k] = point[k] + height * normal[k];
   }
   std::copy_n(normal, 3, this->HoverNormal);
+  this->SteerTo(tip);
+  return true;
+}
+
+/// To where the line of sight under the pointer is as far away as the tip, and `away` mm farther.
+bool vtkInteractorStyleHaptic::SteerInView(double away)
+{
+  vtkRenderer* renderer = this->FindSceneRenderer();
+  if (!renderer || !this->Session)
+  {
+    return false;
+  }
+  double sight[3];
+  double nearPoint[3];
+  double farPoint[3];
+  renderer->GetActiveCamera()->GetDirectionOfProjection(sight);
+  const int* position = this->Interactor->GetEventPosition();
+  palpate::worldUnder(renderer, position, 0.0, nearPoint);
+  palpate::worldUnder(renderer, position, 1.0, farPoint);
+  double whole[3];
+  double toTip[3];
+  vtkMath::Subtract(farPoint, nearPoint, whole);
+  vtkMath::Subtract(this->SteeredTip, nearPoint, toTip);
+  const double share = (vtkMath::Dot(toTip, sight) + away) / vtkMath::Dot(whole, sight);
+  double tip[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    tip[k] = nearPoint[k] + share * whole[k];
+    this->HoverNormal[k] = -sight[k];
+  }
+  this->SteerTo(tip);
+  return true;
+}
+
+bool vtkInteractorStyleHaptic::Steer()
+{
+  return this->Steering == ViewPlane ? this->SteerInView(0.0) : this->SteerOverSurface();
+}
+
+void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double normal[3])
+{
+  double tip[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    tip[k] = point[k] + this->HoverHeight * normal[k];
+  }
+  std::copy_n(normal, 3, this->HoverNormal);
+  this->SteerTo(tip);
+}
+
+void vtkInteractorStyleHaptic::SteerTo(const double tip[3])
+{
+  std::copy_n(tip, 3, this->SteeredTip);
   if (this->Session)
   {
     this->Session->SteerTo(tip);
   }
+  this->InvokeEvent(SteeredEvent, this->SteeredTip);
 }
 
 void vtkInteractorStyleHaptic::OnMouseMove()
@@ -161,10 +259,14 @@ void vtkInteractorStyleHaptic::OnMouseMove()
 
 void vtkInteractorStyleHaptic::OnLeftButtonDown()
 {
-  this->Pressing = true;
-  if (!this->Steer())
+  this->Pressing = this->Steering == Surface;
+  if (this->Pressing && this->SteerOverSurface())
   {
-    this->Pressing = false;
+    return;
+  }
+  this->Pressing = false;
+  if (!this->IsBesideScene())
+  {
     this->Superclass::OnLeftButtonDown();
   }
 }
@@ -180,94 +282,313 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
   this->Superclass::OnLeftButtonUp();
 }
 
+void vtkInteractorStyleHaptic::OnMiddleButtonDown()
+{
+  if (!this->IsBesideScene())
+  {
+    this->Superclass::OnMiddleButtonDown();
+  }
+}
+
+void vtkInteractorStyleHaptic::OnRightButtonDown()
+{
+  if (!this->IsBesideScene())
+  {
+    this->Superclass::OnRightButtonDown();
+  }
+}
+
+/// False where the wheel is to zoom.
+bool vtkInteractorStyleHaptic::TurnWheel(double notches)
+{
+  if (this->IsBesideScene())
+  {
+    return true;
+  }
+  if (this->Interactor->GetControlKey())
+  {
+    return false;
+  }
+  if (this->Steering == ViewPlane)
+  {
+    return this->SteerInView(notches * DepthPerNotch);
+  }
+  double point[3];
+  double normal[3];
+  if (!this->Pressing && !this->PickSurface(point, normal))
+  {
+    return false;
+  }
+  if (this->Pressing)
+  {
+    this->SetPressDepth(this->PressDepth + notches * DepthPerNotch);
+  }
+  else
+  {
+    this->SetWheelDepth(this->WheelDepth + notches * DepthPerNotch);
+  }
+  this->Steer();
+  return true;
+}
+
 void vtkInteractorStyleHaptic::OnMouseWheelForward()
 {
-  if (!this->Pressing)
+  if (!this->TurnWheel(1.0))
   {
     this->Superclass::OnMouseWheelForward();
-    return;
   }
-  this->SetPressDepth(this->PressDepth + DepthPerNotch);
-  this->Steer();
 }
 
 void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 {
-  if (!this->Pressing)
+  if (!this->TurnWheel(-1.0))
   {
     this->Superclass::OnMouseWheelBackward();
-    return;
   }
-  this->SetPressDepth(this->PressDepth - DepthPerNotch);
-  this->Steer();
 }
 
 void vtkInteractorStyleHaptic::OnChar()
 {
-  const char key = this->Interactor->GetKeyCode();
+  if (!this->DoKey(this->Interactor->GetKeyCode()))
+  {
+    this->Superclass::OnChar();
+  }
+}
+
+/// False for a key that this style leaves to the one it is made of.
+bool vtkInteractorStyleHaptic::DoKey(char key)
+{
   if (key >= '1' && key <= '9')
   {
     int tool = key - '1';
     this->InvokeEvent(ToolChosenEvent, &tool);
-    return;
+    return true;
   }
-  if (key == ' ')
+  switch (key)
   {
-    this->InvokeEvent(SwitchEvent);
-    return;
+    case '?':
+      this->SetHelpVisibility(!this->GetHelpVisibility());
+      return true;
+    case ' ':
+      this->InvokeEvent(SwitchEvent);
+      return true;
+    case 'c':
+      this->InvokeEvent(CompareEvent);
+      return true;
+    case 'g':
+      this->InvokeEvent(ChartsEvent);
+      return true;
+    case 't':
+      this->InvokeEvent(HistogramEvent);
+      return true;
+    case 'v':
+      this->SetSteering(this->Steering == Surface ? ViewPlane : Surface);
+      return true;
+    case '+':
+      this->ExaggerateMore();
+      return true;
+    case '-':
+      this->ExaggerateLess();
+      return true;
+    case 'x':
+      this->ToggleSession();
+      return true;
+    case 'k':
+      this->ToggleRecording();
+      return true;
+    case 'p':
+      this->WritePicture();
+      return true;
+    case 'r':
+      if (this->Scene && this->Scene->GetRenderer())
+      {
+        this->Scene->GetRenderer()->ResetCamera();
+      }
+      return true;
+    default:
+      return false;
   }
-  this->Superclass::OnChar();
 }
 
-void vtkInteractorStyleHaptic::TellSafety()
+void vtkInteractorStyleHaptic::SetHelpVisibility(bool visible)
 {
-  double applied[3];
-  this->Session->GetForce(applied);
-  std::ostringstream text;
-  text << "Applied " << std::fixed << std::setprecision(2) << vtkMath::Norm(applied) << " N";
-  const std::string why = this->Session->GetSafetyText();
-  text << (why.empty() ? "" : ": ") << why;
-  if (this->Session->GetState() == vtkHapticSession::DeviceLost)
+  this->Help->show(visible && this->Scene ? this->Scene->GetRenderer() : nullptr);
+  this->Modified();
+}
+
+bool vtkInteractorStyleHaptic::GetHelpVisibility() const
+{
+  return this->Help->isShown();
+}
+
+void vtkInteractorStyleHaptic::SetKeyHelp(const std::string& text)
+{
+  this->Help->setText(text);
+  this->Help->place();
+  this->Modified();
+}
+
+std::string vtkInteractorStyleHaptic::GetKeyHelp() const
+{
+  return this->Help->text();
+}
+
+void vtkInteractorStyleHaptic::ExaggerateMore()
+{
+  if (this->Scene)
   {
-    text << "\nDevice: " << this->Session->GetDeviceStatus();
+    this->Scene->SetExaggeration(
+      std::min(2.0 * this->Scene->GetExaggeration(), LargestExaggeration));
   }
-  this->Scene->SetRemark(text.str());
+}
+
+void vtkInteractorStyleHaptic::ExaggerateLess()
+{
+  if (this->Scene)
+  {
+    this->Scene->SetExaggeration(std::max(0.5 * this->Scene->GetExaggeration(), 1.0));
+  }
+}
+
+std::string vtkInteractorStyleHaptic::FreeName(const char* ending)
+{
+  const std::filesystem::path folder(this->OutputFolder);
+  std::error_code ignored; // whoever writes the file will tell
+  std::filesystem::create_directories(folder, ignored);
+  std::filesystem::path name;
+  for (int number = 1; name.empty() || std::filesystem::exists(name, ignored); ++number)
+  {
+    name = folder / ("palpate-" + std::to_string(number) + ending);
+  }
+  return name.string();
+}
+
+std::string vtkInteractorStyleHaptic::WritePicture(const std::string& fileName)
+{
+  vtkRenderWindow* window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
+  if (!window)
+  {
+    vtkErrorMacro(<< "There is no window to write a picture of.");
+    return {};
+  }
+  const std::string name = fileName.empty() ? this->FreeName(".png") : fileName;
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(name.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    this->Notice = "cannot write " + name;
+    return {};
+  }
+  this->Notice = "picture " + name;
+  return name;
+}
+
+bool vtkInteractorStyleHaptic::StartRecording()
+{
+  if (!this->Session || !(this->Session->GetHistorySeconds() > 0.0))
+  {
+    vtkErrorMacro(<< "A record is taken from the history of a session: set its HistorySeconds.");
+    return false;
+  }
+  this->Tape->start(this->Session->GetLastTicks());
+  this->Notice = "recording";
+  return true;
+}
+
+std::string vtkInteractorStyleHaptic::WriteRecording(const std::string& fileName)
+{
+  if (!this->Tape->isRunning())
+  {
+    vtkErrorMacro(<< "There is no record to write: call StartRecording.");
+    return {};
+  }
+  this->Tape->take(this->Session->GetLastTicks());
+  this->Tape->stop();
+  const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;
+  const std::string error = palpate::writeTrajectory(name, this->Tape->ticks());
+  if (!error.empty())
+  {
+    this->Notice = error;
+    vtkErrorMacro(<< error << ".");
+    return {};
+  }
+  this->Notice = "record " + name;
+  return name;
+}
+
+bool vtkInteractorStyleHaptic::IsRecording() const
+{
+  return this->Tape->isRunning();
+}
+
+vtkIdType vtkInteractorStyleHaptic::GetNumberOfRecordedTicks() const
+{
+  return static_cast<vtkIdType>(this->Tape->ticks().size());
+}
+
+void vtkInteractorStyleHaptic::ToggleRecording()
+{
+  if (this->Tape->isRunning())
+  {
+    this->WriteRecording();
+  }
+  else
+  {
+    this->StartRecording();
+  }
 }
 
 void vtkInteractorStyleHaptic::OnTimer()
 {
   const auto begin = std::chrono::steady_clock::now();
-  if (!this->Session || !this->Scene || begin < this->NextFrame)
+  if (begin < this->NextFrame)
   {
     return;
   }
-  double tip[3];
-  double contact[3];
-  double normal[3];
-  double force[3];
-  this->Session->GetTip(tip);
-  this->Session->GetContactPoint(contact);
-  this->Session->GetNormal(normal);
-  this->Session->GetIdealForce(force);
-  const vtkIdType cell = this->Session->GetContactCell();
-  this->StrongestForce = std::max(this->StrongestForce, vtkMath::Norm(force));
-  if (this->ShowsSafety)
-  {
-    this->TellSafety();
-  }
-  this->Scene->ShowContact(tip, contact, cell < 0 ? this->HoverNormal : normal, force,
-    this->Session->GetDeflection(), cell);
-  this->Interactor->Render();
+  this->ShowFrame();
   const auto end = std::chrono::steady_clock::now();
   this->NextFrame = end + (end - begin);
+}
+
+void vtkInteractorStyleHaptic::ShowFrame()
+{
+  if (!this->Session || !this->Scene || !this->Interactor)
+  {
+    return;
+  }
+  if (this->Tape->isRunning())
+  {
+    this->Tape->take(this->Session->GetLastTicks());
+  }
+  this->InvokeEvent(FrameEvent);
+  double force[3];
+  this->Session->GetIdealForce(force);
+  this->StrongestForce = std::max(this->StrongestForce, vtkMath::Norm(force));
+  this->Scene->ShowSession(this->Session, this->HoverNormal);
+  this->Help->place();
+  this->Interactor->EnableRenderOn();
+  this->Interactor->Render();
+  if (this->Timer != 0)
+  {
+    this->Interactor->EnableRenderOff();
+  }
 }
 
 void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Steering: " << this->Steering << "\n";
   os << indent << "PressDepth: " << this->PressDepth << " mm\n";
+  os << indent << "WheelDepth: " << this->WheelDepth << " mm\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << " mm\n";
   os << indent << "HoverHeight: " << this->HoverHeight << " mm\n";
   os << indent << "StrongestForce: " << this->StrongestForce << " N\n";
   os << indent << "Pressing: " << this->Pressing << "\n";
+  os << indent << "OutputFolder: " << this->OutputFolder << "\n";
+  os << indent << "Notice: " << this->Notice << "\n";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkResponseChart.h"
 
+#include "ChartStyle.h"
 #include "DisplayColors.h"
 
 #include "vtkAxis.h"
@@ -11,14 +12,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkPlot.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace
@@ -27,39 +25,6 @@ constexpr int TitleSize = 20;
 constexpr int AxisTitleSize = 17;
 constexpr int LabelSize = 15;
 constexpr float LineWidth = 3.0F;
-
-/// The smallest of 1, 2, 5 times a power of ten that divides `largest` into at most eight steps.
-double niceStep(double largest)
-{
-  const double least = largest / 8.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(least)));
-  const double share = least / decade;
-  return decade * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
-}
-
-/// Axis from 0 to the first tick that is not below `largest`. VTK's own choice of ticks differs
-/// between versions.
-void fitAxis(vtkAxis* axis, double largest)
-{
-  if (!(largest > 0.0) || !std::isfinite(largest))
-  {
-    return;
-  }
-  const double step = niceStep(largest);
-  const int last = static_cast<int>(std::ceil(largest / step - 1e-9));
-  vtkNew<vtkDoubleArray> positions;
-  vtkNew<vtkStringArray> labels;
-  for (int i = 0; i <= last; ++i)
-  {
-    std::array<char, 32> label{};
-    std::snprintf(label.data(), label.size(), "%.4g", i * step);
-    positions->InsertNextValue(i * step);
-    labels->InsertNextValue(label.data());
-  }
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetRange(0.0, last * step);
-  axis->SetCustomTickPositions(positions, labels);
-}
 
 /// Largest finite value of a column.
 double largestIn(vtkTable* table, vtkIdType column)
@@ -105,16 +70,12 @@ vtkResponseChart::vtkResponseChart()
   this->Chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   this->Chart->GetLegend()->SetLabelSize(LabelSize);
   this->Chart->GetLegend()->SetPadding(8);
-  this->Chart->GetTitleProperties()->SetFontSize(TitleSize);
-  this->Chart->GetTitleProperties()->SetColor(palpate::TextColor.data());
+  palpate::styleTitle(this->Chart, TitleSize);
   const char* titles[2] = { "Force on the tool (N)", "Deflection (mm)" };
   for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
     vtkAxis* axis = this->Chart->GetAxis(side);
-    axis->SetTitle(titles[side]);
-    axis->GetTitleProperties()->SetFontSize(AxisTitleSize);
-    axis->GetTitleProperties()->SetBold(0);
-    axis->GetLabelProperties()->SetFontSize(LabelSize);
+    palpate::styleAxis(axis, titles[side], AxisTitleSize, LabelSize);
     axis->SetMinimumLimit(0.0);
   }
 }
@@ -128,7 +89,7 @@ vtkChartXY* vtkResponseChart::GetChart()
 
 void vtkResponseChart::SetTitle(const std::string& title)
 {
-  this->Chart->SetTitle(title);
+  palpate::setTitle(this->Chart, title);
   this->Modified();
 }
 
@@ -163,8 +124,8 @@ bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label, doubl
   ++this->Curves;
   this->LargestDeflection = std::max(this->LargestDeflection, largestIn(table, 0));
   this->LargestForce = std::max(this->LargestForce, largestIn(table, 1));
-  fitAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), this->LargestDeflection);
-  fitAxis(this->Chart->GetAxis(vtkAxis::LEFT), this->LargestForce);
+  palpate::fitAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), this->LargestDeflection);
+  palpate::fitAxis(this->Chart->GetAxis(vtkAxis::LEFT), this->LargestForce);
   this->Modified();
   return true;
 }

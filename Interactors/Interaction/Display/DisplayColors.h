@@ -12,9 +12,15 @@ using Color = std::array<double, 3>;
 constexpr std::array<Color, 6> CurveColors = { { { 0.00, 0.45, 0.70 }, { 0.84, 0.37, 0.00 },
   { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 }, { 0.90, 0.62, 0.00 }, { 0.34, 0.71, 0.91 } } };
 
+// The forces, in the scene and in charts: the total that is ideal, what the device is told, and the
+// two parts of the total.
 constexpr Color ForceColor = { 0.84, 0.20, 0.00 };
+constexpr Color AppliedForceColor = { 0.00, 0.45, 0.70 };
+constexpr Color NormalForceColor = { 0.36, 0.36, 0.40 };
+constexpr Color FrictionForceColor = { 0.00, 0.50, 0.36 };
+
 constexpr Color ToolColor = { 0.45, 0.52, 0.62 };
-constexpr Color TrailColor = { 0.00, 0.45, 0.70 };
+constexpr Color CircleColor = { 0.10, 0.75, 0.95 }; // seen on the light and the dark of a dent
 constexpr Color TextColor = { 0.10, 0.10, 0.12 };
 constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };
 
@@ -22,6 +28,11 @@ constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };
 // falls all the way, so that it reads in grey too.
 constexpr std::array<Color, 5> DeflectionColors = { { { 0.90, 0.86, 0.82 }, { 0.93, 0.69, 0.55 },
   { 0.80, 0.36, 0.47 }, { 0.46, 0.15, 0.49 }, { 0.12, 0.05, 0.30 } } };
+
+// Force along a trail: yellow-green to dark blue (after ColorBrewer's YlGnBu), apart from the
+// body's colours; lightness falls here too.
+constexpr std::array<Color, 5> TrailColors = { { { 0.72, 0.88, 0.55 }, { 0.35, 0.74, 0.67 },
+  { 0.11, 0.53, 0.73 }, { 0.12, 0.30, 0.62 }, { 0.03, 0.08, 0.30 } } };
 } // namespace palpate
 
 #endif

@@ -3,24 +3,18 @@
 #ifndef HapticSessionState_h
 #define HapticSessionState_h
 
+#include "BodyKernels.h"
 #include "SessionRun.h"
 #include "SteeredDevice.h"
 #include "vtkHapticSession.h"
 
-#include <map>
 #include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 /// What was read of the body, per response, as long as it is the same.
-struct vtkHapticSession::Kernels
+struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
   vtkMTimeType time = 0;
-  std::map<std::string, std::shared_ptr<const palpate::ContactBody>> read;
-  /// Largest force (N) and stiffness (N/mm) of a response down to a depth.
-  std::map<std::pair<std::string, double>, std::optional<std::pair<double, double>>> peaks;
 };
 
 /// From Start to the next Start.

@@ -7,11 +7,10 @@
 namespace palpate
 {
 VirtualRun::VirtualRun(
-  std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, bool recording)
-  : SessionRun(std::move(hand))
+  std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept)
+  : SessionRun(std::move(hand), rate, kept)
   , Step(std::move(servo))
   , Period(1.0 / rate)
-  , Recording(recording)
 {
 }
 
@@ -53,18 +52,16 @@ void VirtualRun::tick()
   this->Device->write(this->Newest.deviceForce);
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
   this->Step.takeRetired(); // and freed here: the tick is over
-  this->Summary.add(this->Newest);
-  if (this->Recording)
+  this->keep(this->Newest);
+  if (this->KeepsAll)
   {
-    this->Ticks.push_back(this->Newest);
     this->Nanoseconds.push_back(spent.count());
   }
 }
 
 RealTimeRun::RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
-  const ServoLoopSettings& settings, bool recording)
-  : SessionRun(std::move(hand))
-  , Recording(recording)
+  const ServoLoopSettings& settings, const TicksKept& kept)
+  : SessionRun(std::move(hand), settings.rate, kept)
   , Loop(*this->Device, std::move(servo), settings)
 {
 }
@@ -83,14 +80,6 @@ const ServoTick& RealTimeRun::newest()
 void RealTimeRun::collect()
 {
   this->Loop.freeScenes();
-  this->Loop.drain(
-    [this](const ServoTick& tick)
-    {
-      this->Summary.add(tick);
-      if (this->Recording)
-      {
-        this->Ticks.push_back(tick);
-      }
-    });
+  this->Loop.drain([this](const ServoTick& tick) { this->keep(tick); });
 }
 } // namespace palpate

@@ -4,6 +4,7 @@
 
 #include "ServoLoop.h"
 #include "ServoStep.h"
+#include "TickHistory.h"
 #include "TickSummary.h"
 
 #include <memory>
@@ -12,13 +13,23 @@
 
 namespace palpate
 {
+/// Which ticks are kept.
+struct TicksKept
+{
+  bool all = true;             ///< of the whole run
+  double historySeconds = 0.0; ///< the last ones
+};
+
 /// What lives from the Start of a session to the next: a device under a servo step. For the thread
 /// that owns the session.
 class SessionRun
 {
 public:
-  explicit SessionRun(std::shared_ptr<HapticDevice> hand)
+  /// `rate` in ticks per second.
+  SessionRun(std::shared_ptr<HapticDevice> hand, double rate, const TicksKept& kept)
     : Device(std::move(hand))
+    , KeepsAll(kept.all)
+    , History(kept.historySeconds, rate)
   {
   }
   virtual ~SessionRun() = default;
@@ -46,12 +57,26 @@ public:
   HapticDevice& device() { return *this->Device; }
   /// Every tick, if it is recorded, until the last collect().
   const std::vector<ServoTick>& ticks() const { return this->Ticks; }
+  /// The last ones, likewise.
+  const TickHistory& history() const { return this->History; }
   const TickSummary& summary() const { return this->Summary; }
   /// Time each recorded tick took, in virtual time.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
 protected:
+  void keep(const ServoTick& tick)
+  {
+    this->Summary.add(tick);
+    this->History.add(tick);
+    if (this->KeepsAll)
+    {
+      this->Ticks.push_back(tick);
+    }
+  }
+
   std::shared_ptr<HapticDevice> Device;
+  bool KeepsAll;
+  TickHistory History;
   std::vector<ServoTick> Ticks;
   std::vector<double> Nanoseconds;
   TickSummary Summary;
@@ -61,7 +86,8 @@ protected:
 class VirtualRun final : public SessionRun
 {
 public:
-  VirtualRun(std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, bool recording);
+  VirtualRun(
+    std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept);
   ~VirtualRun() override { this->stop(); }
 
   void stop() override;
@@ -78,7 +104,6 @@ private:
 
   ServoStep Step;
   double Period;
-  bool Recording;
   double Reached = 0.0; ///< time stepped to so far, s; ticks fall behind by less than one
   bool Running = true;
   ServoTick Newest;
@@ -89,7 +114,7 @@ class RealTimeRun final : public SessionRun
 {
 public:
   RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
-    const ServoLoopSettings& settings, bool recording);
+    const ServoLoopSettings& settings, const TicksKept& kept);
 
   /// Returns an error, or "".
   std::string start() { return this->Loop.start(); }
@@ -104,7 +129,6 @@ public:
   ServoLoop* loop() override { return &this->Loop; }
 
 private:
-  bool Recording;
   ServoLoop Loop; ///< after the device, so that it ends before
 };
 } // namespace palpate

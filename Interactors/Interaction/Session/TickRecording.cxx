@@ -45,7 +45,10 @@ void addSummary(const TickSummary& summary, std::uint64_t ticks, vtkTable* table
 }
 } // namespace
 
-void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording)
+namespace
+{
+template <class Ticks>
+void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
 {
   const auto count = static_cast<vtkIdType>(ticks.size());
   vtkNew<vtkPoints> points;
@@ -89,6 +92,17 @@ void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtk
   recording->GetPointData()->AddArray(factor);
   recording->GetPointData()->AddArray(links);
   contacts.attach(recording);
+}
+} // namespace
+
+void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording)
+{
+  fillFrom(ticks, firstPoly, recording);
+}
+
+void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording)
+{
+  fillFrom(ticks, firstPoly, recording);
 }
 
 void fillStatistics(
@@ -143,5 +157,45 @@ void fillTiming(const ServoStatistics& statistics, vtkTable* table)
   add("Period (us)", &statistics.period);
   add("WakeUp (us)", &statistics.wakeUp);
   add("Tick (us)", &statistics.tick);
+}
+
+void fillTimingHistogram(const ServoStatistics& statistics, vtkTable* table)
+{
+  const std::pair<const char*, const LatencyCounts*> times[] = { { "Period", &statistics.period },
+    { "WakeUp", &statistics.wakeUp }, { "Tick", &statistics.tick } };
+  std::size_t first = LatencyCounts::Classes;
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < LatencyCounts::Classes; ++i)
+  {
+    for (const auto& [name, counts] : times)
+    {
+      if (counts->count(i) > 0)
+      {
+        first = std::min(first, i);
+        end = i + 1;
+      }
+    }
+  }
+  const auto add = [&](const char* name, const auto& value)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (std::size_t i = first; i < end; ++i)
+    {
+      column->InsertNextValue(value(i));
+    }
+    table->AddColumn(column);
+  };
+  constexpr double microsecond = 1e-3; // of a nanosecond
+  table->Initialize();
+  add("From (us)",
+    [](std::size_t i)
+    { return i > 0 ? microsecond * static_cast<double>(LatencyCounts::longestOf(i - 1)) : 0.0; });
+  add("To (us)",
+    [](std::size_t i) { return microsecond * static_cast<double>(LatencyCounts::longestOf(i)); });
+  for (const auto& [name, counts] : times)
+  {
+    add(name, [c = counts](std::size_t i) { return static_cast<double>(c->count(i)); });
+  }
 }
 } // namespace palpate

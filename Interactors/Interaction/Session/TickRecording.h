@@ -3,6 +3,7 @@
 #define TickRecording_h
 
 #include "ServoStatistics.h"
+#include "TickHistory.h"
 #include "TickSummary.h"
 
 #include "vtkType.h"
@@ -19,6 +20,7 @@ namespace palpate
 /// `firstPoly` is the cell id of the body's first triangle.
 void fillRecording(
   const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
+void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 
 /// One row, see vtkHapticSession::GetStatistics; `nanoseconds` holds the time of each tick.
 void fillStatistics(
@@ -28,6 +30,8 @@ void fillStatistics(const TickSummary& summary, const ServoStatistics& statistic
 
 /// A row per share of the ticks, see vtkHapticSession::GetTiming.
 void fillTiming(const ServoStatistics& statistics, vtkTable* table);
+/// A row per class of durations, see vtkHapticSession::GetTimingHistogram.
+void fillTimingHistogram(const ServoStatistics& statistics, vtkTable* table);
 } // namespace palpate
 
 #endif

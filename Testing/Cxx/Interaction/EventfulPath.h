@@ -5,6 +5,7 @@
 
 #include "Response/TestBodies.h"
 #include "SimulatedDevice.h"
+#include "TriangleProjection.h"
 #include "WorkspaceMapping.h"
 
 #include <cmath>

@@ -4,6 +4,7 @@
 #define palpate_testing_SceneParts_h
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkHapticToolRepresentation.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
@@ -62,6 +63,44 @@ struct ToolParts
     , arrow(vtkActor::SafeDownCast(representation->GetParts()->GetItemAsObject(1)))
     , label(vtkTextActor::SafeDownCast(representation->GetParts()->GetItemAsObject(2)))
   {
+  }
+};
+
+/// All arrows of a tool representation with their labels, in the order they are assembled.
+struct ForceParts
+{
+  vtkActor *total, *normal, *friction, *applied;
+  vtkTextActor *totalLabel, *normalLabel, *frictionLabel, *appliedLabel;
+
+  explicit ForceParts(vtkHapticToolRepresentation* representation)
+  {
+    vtkPropCollection* parts = representation->GetParts();
+    const auto actor = [parts](int i) { return vtkActor::SafeDownCast(parts->GetItemAsObject(i)); };
+    const auto text = [parts](int i)
+    { return vtkTextActor::SafeDownCast(parts->GetItemAsObject(i)); };
+    this->total = actor(1);
+    this->totalLabel = text(2);
+    this->normal = actor(3);
+    this->normalLabel = text(4);
+    this->friction = actor(5);
+    this->frictionLabel = text(6);
+    this->applied = actor(7);
+    this->appliedLabel = text(8);
+  }
+};
+
+/// The scale of forces in the corner of a scene: the last two of its props.
+struct ScaleParts
+{
+  vtkActor2D* arrow;
+  vtkTextActor* label;
+
+  explicit ScaleParts(vtkRenderer* renderer)
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    const int count = props->GetNumberOfItems();
+    this->arrow = vtkActor2D::SafeDownCast(props->GetItemAsObject(count - 2));
+    this->label = vtkTextActor::SafeDownCast(props->GetItemAsObject(count - 1));
   }
 };
 

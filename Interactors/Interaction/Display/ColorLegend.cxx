@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DeflectionLegend.h"
-
-#include "DisplayColors.h"
+#include "ColorLegend.h"
 
 #include "vtkLookupTable.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <string>
 
 namespace palpate
 {
-void fillDeflectionColors(vtkLookupTable* table)
+void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
 {
   constexpr int size = 256;
-  constexpr double last = DeflectionColors.size() - 1;
+  const double last = static_cast<double>(colors.size()) - 1.0;
   table->SetNumberOfTableValues(size);
   for (int i = 0; i < size; ++i)
   {
@@ -24,17 +23,16 @@ void fillDeflectionColors(vtkLookupTable* table)
     Color color{};
     for (std::size_t k = 0; k < 3; ++k)
     {
-      color[k] = (1.0 - share) * DeflectionColors[left][k] + share * DeflectionColors[left + 1][k];
+      color[k] = (1.0 - share) * colors[left][k] + share * colors[left + 1][k];
     }
     table->SetTableValue(i, color[0], color[1], color[2]);
   }
-  table->SetVectorModeToMagnitude();
 }
 
-void styleDeflectionLegend(vtkScalarBarActor* legend, vtkLookupTable* colors, int fontSize)
+void styleLegend(vtkScalarBarActor* legend, vtkLookupTable* table, const char* title, int fontSize)
 {
-  legend->SetLookupTable(colors);
-  legend->SetTitle("Displacement (mm)\n ");
+  legend->SetLookupTable(table);
+  legend->SetTitle((std::string(title) + "\n ").c_str()); // a line of air above the bar
   legend->SetNumberOfLabels(5);
   legend->SetLabelFormat("%.2f");
   legend->SetBarRatio(0.25);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartStyle.h"
+
+#include "DisplayColors.h"
+
+#include "vtkAxis.h"
+#include "vtkChart.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPen.h"
+#include "vtkStringArray.h"
+#include "vtkTextProperty.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr double TitleGap = 0.4; // of a line, between the title and the frame
+
+/// The smallest of 1, 2, 5 times a power of ten that divides `span` into at most `steps` steps.
+double niceStep(double span, int steps)
+{
+  const double least = span / steps;
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  const double share = least / decade;
+  return decade * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
+}
+
+std::string textOf(double value)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+/// Ticks at first, first + 1, ... last times `step`; `label` says what stands there.
+template <class Label>
+void setTicks(vtkAxis* axis, int first, int last, double step, const Label& label)
+{
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (int i = first; i <= last; ++i)
+  {
+    positions->InsertNextValue(i * step);
+    labels->InsertNextValue(label(i));
+  }
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetCustomTickPositions(positions, labels);
+}
+} // namespace
+
+double fitAxis(vtkAxis* axis, double largest, int steps)
+{
+  if (!(largest > 0.0) || !std::isfinite(largest))
+  {
+    return 0.0;
+  }
+  const double step = niceStep(largest, steps);
+  const int last = static_cast<int>(std::ceil(largest / step - 1e-9));
+  setTicks(axis, 0, last, step, [step](int i) { return textOf(i * step); });
+  axis->SetRange(0.0, last * step);
+  return last * step;
+}
+
+void fitAxisBefore(vtkAxis* axis, double span, int steps)
+{
+  const double step = niceStep(span, steps);
+  const int first = -static_cast<int>(std::floor(span / step + 1e-9));
+  setTicks(axis, first, 0, step, [step](int i) { return textOf(i * step); });
+  axis->SetRange(-span, 0.0);
+}
+
+void fitLogAxis(vtkAxis* axis, int first, int last, double below)
+{
+  setTicks(axis, first, last, 1.0,
+    [](int i) { return i > 3 ? "1e" + std::to_string(i) : textOf(std::pow(10.0, i)); });
+  axis->SetRange(first - below, last);
+}
+
+void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize)
+{
+  axis->SetTitle(title);
+  axis->GetTitleProperties()->SetFontSize(titleSize);
+  axis->GetTitleProperties()->SetBold(0);
+  axis->GetLabelProperties()->SetFontSize(labelSize);
+}
+
+void styleTitle(vtkChart* chart, int size)
+{
+  vtkTextProperty* text = chart->GetTitleProperties();
+  text->SetFontSize(size);
+  text->SetColor(TextColor.data());
+  text->SetLineSpacing(TitleGap);
+}
+
+void setTitle(vtkChart* chart, const std::string& title)
+{
+  chart->SetTitle(title.empty() ? title : title + "\n "); // the empty line is the gap
+}
+} // namespace palpate

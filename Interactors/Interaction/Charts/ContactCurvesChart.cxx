@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContactCurvesChart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* DeflectionName = "Deflection (mm)";
+} // namespace
+
+ContactCurvesChart::Line::Line(const std::string& label)
+  : trusted(DeflectionName, (label + " (N)").c_str())
+  , beyond(DeflectionName, (label + " beyond validity (N)").c_str())
+{
+}
+
+void ContactCurvesChart::Line::show(const Curve& curve)
+{
+  const double join = std::clamp(curve.validity, 0.0, curve.end);
+  this->trusted.begin();
+  this->beyond.begin();
+  for (int i = 0; std::isfinite(curve.end) && i <= Steps; ++i)
+  {
+    const double depth = curve.end * i / Steps;
+    const double before = curve.end * (i - 1) / Steps;
+    if (before < join && join < depth) // both parts have the point where they join
+    {
+      this->trusted.add(join, curve.force(join));
+      this->beyond.add(join, curve.force(join));
+    }
+    if (depth <= join)
+    {
+      this->trusted.add(depth, curve.force(depth));
+    }
+    if (depth >= join && join < curve.end)
+    {
+      this->beyond.add(depth, curve.force(depth));
+    }
+  }
+  this->trusted.end();
+  this->beyond.end();
+}
+
+ContactCurvesChart::ContactCurvesChart()
+  : LiveChart("Curves at the contact", DeflectionName, "Normal force (N)")
+  , Now(DeflectionName, "Normal force now (N)")
+{
+}
+
+void ContactCurvesChart::choose(const std::vector<Style>& styles)
+{
+  if (styles == this->Styles)
+  {
+    return;
+  }
+  this->Styles = styles;
+  this->chart()->ClearPlots();
+  this->Lines.clear();
+  for (const Style& style : styles)
+  {
+    auto line = std::make_unique<Line>(style.label);
+    line->trusted.addLine(this->chart(), style.label, style.color, style.width);
+    line->beyond.addLine(this->chart(), "", style.color, style.width, vtkPen::DOT_LINE);
+    this->Lines.push_back(std::move(line));
+  }
+  if (!styles.empty())
+  {
+    this->Now.addMarker(this->chart(), "Now", ForceColor, 11.0F);
+  }
+}
+
+void ContactCurvesChart::show(const std::vector<Curve>& curves)
+{
+  double deepest = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < std::min(curves.size(), this->Lines.size()); ++i)
+  {
+    this->Lines[i]->show(curves[i]);
+    const double force = curves[i].force(curves[i].end);
+    deepest = std::isfinite(curves[i].end) ? std::max(deepest, curves[i].end) : deepest;
+    largest = std::isfinite(force) ? std::max(largest, force) : largest;
+  }
+  this->growAcross(deepest);
+  this->growUp(largest);
+}
+
+void ContactCurvesChart::showPoint(double deflection, double force)
+{
+  this->growAcross(deflection);
+  this->growUp(force);
+  this->Now.begin();
+  this->Now.add(deflection, force);
+  this->Now.end();
+}
+
+void ContactCurvesChart::hidePoint()
+{
+  this->Now.begin();
+  this->Now.end();
+}
+} // namespace palpate

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContactCurvesChart_h
+#define ContactCurvesChart_h
+
+#include "LiveChart.h"
+#include "PlotTable.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Force (N) over deflection (mm) of some curves at a contact, dotted beyond validity, with a
+/// running point.
+class ContactCurvesChart : public LiveChart
+{
+public:
+  static constexpr int Steps = 60; ///< of a curve
+
+  /// How a curve looks.
+  struct Style
+  {
+    std::string label;
+    Color color;
+    float width;
+
+    bool operator==(const Style& other) const
+    {
+      return this->label == other.label && this->color == other.color && this->width == other.width;
+    }
+  };
+  /// What it is.
+  struct Curve
+  {
+    std::function<double(double)> force; ///< N at mm; NaN: there is none
+    double end = 0.0;                    ///< mm
+    double validity = 0.0;               ///< mm
+  };
+
+  ContactCurvesChart();
+
+  /// The curves there are; without effect if they are the same as before.
+  void choose(const std::vector<Style>& styles);
+  /// One curve per style.
+  void show(const std::vector<Curve>& curves);
+  /// Puts the running point, or takes it away.
+  void showPoint(double deflection, double force);
+  void hidePoint();
+
+private:
+  struct Line
+  {
+    explicit Line(const std::string& label);
+    void show(const Curve& curve);
+
+    PlotTable trusted; ///< up to validity
+    PlotTable beyond;
+  };
+
+  std::vector<Style> Styles;
+  std::vector<std::unique_ptr<Line>> Lines;
+  PlotTable Now;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContactResponse_h
+#define ContactResponse_h
+
+#include "ResponseField.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// Where on a body a contact is.
+struct ContactTriangle
+{
+  std::array<vtkIdType, 3> corners{};
+  Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
+
+  /// Of triangle `index` of the body's polygons and a point on it, mm, or on the smooth surface
+  /// over it, by the normals of the response `name`. Returns false if there is no such triangle.
+  bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
+};
+
+/**
+ * One response of a body at one contact: the curves of the triangle's corners and their blend by
+ * area coordinates, evaluated by the kernel of the tick, whatever the size of the body.
+ */
+class ContactResponse
+{
+public:
+  /// Null, and an error, if the body has no response `name` that keeps the contract.
+  static std::unique_ptr<ContactResponse> read(vtkPolyData* body, const std::string& name,
+    const ContactTriangle& triangle, std::string& error);
+
+  /// Of corner k at a deflection (mm), N; NaN where it has no response.
+  double cornerForce(int k, double deflection) const;
+  double cornerRange(int k) const { return this->Field.range(k); }
+  /// Blended, N and mm; NaN if a corner with a say has no response.
+  double force(double deflection) const;
+  double range() const;
+  /// Depth at which the first assumption of a corner breaks, mm; infinite if the body does not
+  /// tell.
+  double validity() const { return this->Validity; }
+
+private:
+  ContactResponse(const ResponseArrays& arrays, const Vector3& weights)
+    : Field(arrays)
+    , Weights(weights)
+  {
+  }
+  bool isSound() const;
+  BlendedResponse blend() const { return { this->Field, { 0, 1, 2 }, this->Weights }; }
+
+  ResponseField Field; ///< of three points
+  Vector3 Weights;
+  double Validity = std::numeric_limits<double>::infinity();
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ForceDeflectionChart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* DeflectionName = "Deflection (mm)";
+} // namespace
+
+ForceDeflectionChart::ForceDeflectionChart()
+  : LiveChart("Force over deflection, this touch", DeflectionName, "Force (N)")
+  , Ideal(DeflectionName, "Ideal force (N)")
+  , Applied(DeflectionName, "Applied force (N)")
+  , Now(DeflectionName, "Ideal force now (N)")
+{
+  this->Ideal.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
+  this->AppliedPlot = this->Applied.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);
+  this->AppliedPlot->SetVisible(false);
+  this->Now.addMarker(this->chart(), "Now", ForceColor, 11.0F);
+}
+
+bool ForceDeflectionChart::isNear(const Point& one, const Point& other) const
+{
+  const double across = Resolution * this->endAcross();
+  const double up = Resolution * this->endUp();
+  return std::abs(one.deflection - other.deflection) < across &&
+    std::abs(one.ideal - other.ideal) < up &&
+    !(std::abs(one.applied - other.applied) >= up); // NaN: nothing is applied
+}
+
+void ForceDeflectionChart::add(bool touches, double deflection, double ideal, double applied)
+{
+  if (touches && !this->Touches)
+  {
+    this->Way.clear();
+  }
+  this->Touches = touches;
+  if (std::isfinite(applied))
+  {
+    this->AppliedPlot->SetVisible(true);
+  }
+  if (!touches)
+  {
+    return;
+  }
+  const Point point{ deflection, ideal, applied };
+  const std::size_t count = this->Way.size();
+  if (count > 1 && this->isNear(this->Way[count - 2], point))
+  {
+    this->Way.back() = point;
+  }
+  else
+  {
+    this->Way.push_back(point);
+  }
+  if (this->Way.size() > LargestCount)
+  {
+    this->Way.pop_front();
+  }
+  this->LargestDeflection = std::max(this->LargestDeflection, deflection);
+  this->LargestForce = std::max({ this->LargestForce, ideal, applied });
+}
+
+void ForceDeflectionChart::clear()
+{
+  this->Way.clear();
+  this->Touches = false;
+  this->AppliedPlot->SetVisible(false);
+  this->LargestDeflection = this->LargestForce = 0.0;
+  this->show();
+}
+
+void ForceDeflectionChart::show()
+{
+  this->growAcross(this->LargestDeflection);
+  this->growUp(this->LargestForce);
+  this->Ideal.begin();
+  this->Applied.begin();
+  for (const Point& point : this->Way)
+  {
+    this->Ideal.add(point.deflection, point.ideal);
+    this->Applied.add(point.deflection, point.applied);
+  }
+  this->Ideal.end();
+  this->Applied.end();
+  this->Now.begin();
+  if (this->Touches && !this->Way.empty())
+  {
+    this->Now.add(this->Way.back().deflection, this->Way.back().ideal);
+  }
+  this->Now.end();
+}
+} // namespace palpate

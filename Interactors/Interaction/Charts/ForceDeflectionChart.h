@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ForceDeflectionChart_h
+#define ForceDeflectionChart_h
+
+#include "LiveChart.h"
+#include "PlotTable.h"
+
+#include <deque>
+
+namespace palpate
+{
+/**
+ * Ideal and applied force (N) over the deflection (mm) since the tool touched last.
+ *
+ * A way is kept in points that are Resolution of an axis apart, in deflection or a force; of a
+ * touch of more than LargestCount of them the last ones.
+ */
+class ForceDeflectionChart : public LiveChart
+{
+public:
+  static constexpr double Resolution = 1.0 / 400.0;
+  static constexpr std::size_t LargestCount = 4000;
+
+  ForceDeflectionChart();
+
+  void add(bool touches, double deflection, double ideal, double applied);
+  void clear();
+  void show();
+
+private:
+  struct Point
+  {
+    double deflection = 0.0;
+    double ideal = 0.0;
+    double applied = 0.0;
+  };
+  bool isNear(const Point& one, const Point& other) const;
+
+  PlotTable Ideal;
+  PlotTable Applied;
+  PlotTable Now;
+  vtkPlot* AppliedPlot;  ///< visible where a force is applied
+  std::deque<Point> Way; ///< the last point is the newest, whatever its distance
+  bool Touches = false;
+  double LargestDeflection = 0.0;
+  double LargestForce = 0.0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ForceTimeChart.h"
+
+#include "ChartStyle.h"
+
+#include "vtkAxis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* Title = "Force over time";
+constexpr const char* TimeName = "Time before now (s)";
+constexpr std::size_t Bins = 500; // a point or two of each: more than such a chart has pixels
+constexpr int Steps = 5;
+} // namespace
+
+ForceTimeChart::Line::Line(double seconds, const char* name)
+  : signal(seconds, Bins)
+  , table(TimeName, name)
+{
+}
+
+void ForceTimeChart::Line::show(double now)
+{
+  this->table.begin();
+  this->signal.visit(
+    now, [&](double time, double value) { this->table.add(time - now, value); },
+    [this]() { this->table.addGap(); });
+  this->table.end();
+}
+
+ForceTimeChart::ForceTimeChart(double seconds)
+  : LiveChart(Title, TimeName, "Force (N)")
+  , Ideal(seconds, "Ideal force (N)")
+  , Applied(seconds, "Applied force (N)")
+  , Friction(seconds, "Friction (N)")
+{
+  // The applied force lies on the ideal one, of which it leaves the borders to be seen.
+  this->Ideal.table.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
+  this->AppliedPlot =
+    this->Applied.table.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);
+  this->FrictionPlot =
+    this->Friction.table.addLine(this->chart(), "Friction", FrictionForceColor, 2.0F);
+  this->setSeconds(seconds);
+}
+
+void ForceTimeChart::setSeconds(double seconds)
+{
+  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction })
+  {
+    line->signal = SignalEnvelope(seconds, Bins);
+  }
+  fitAxisBefore(this->chart()->GetAxis(vtkAxis::BOTTOM), seconds, Steps);
+  this->clear();
+}
+
+void ForceTimeChart::add(double time, double ideal, double applied, double friction)
+{
+  this->Ideal.signal.add(time, ideal);
+  this->Applied.signal.add(time, applied);
+  this->Friction.signal.add(time, friction);
+  this->Largest = std::max({ this->Largest, ideal, applied });
+  if (std::isfinite(applied))
+  {
+    this->AppliedPlot->SetVisible(true);
+  }
+  if (friction > 0.0)
+  {
+    this->FrictionPlot->SetVisible(true);
+  }
+}
+
+void ForceTimeChart::clear()
+{
+  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction })
+  {
+    line->signal.clear();
+    line->show(0.0);
+  }
+  this->AppliedPlot->SetVisible(false);
+  this->FrictionPlot->SetVisible(false);
+  this->Largest = 0.0;
+}
+
+void ForceTimeChart::show(long long lostTicks)
+{
+  const double now = this->Ideal.signal.newest();
+  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction })
+  {
+    line->show(now);
+  }
+  this->growUp(this->Largest);
+  if (lostTicks != this->LostTicks)
+  {
+    this->LostTicks = lostTicks;
+    const std::string lost = " (" + std::to_string(lostTicks) + " ticks lost)";
+    this->setTitle(Title + (lostTicks > 0 ? lost : std::string()));
+  }
+}
+} // namespace palpate

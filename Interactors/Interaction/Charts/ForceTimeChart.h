@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ForceTimeChart_h
+#define ForceTimeChart_h
+
+#include "LiveChart.h"
+#include "PlotTable.h"
+#include "SignalEnvelope.h"
+
+namespace palpate
+{
+/// Ideal, applied and friction force (N) over the last seconds; the latter two from when there is
+/// one.
+class ForceTimeChart : public LiveChart
+{
+public:
+  explicit ForceTimeChart(double seconds);
+
+  void setSeconds(double seconds);
+  double seconds() const { return this->Ideal.signal.seconds(); }
+  void add(double time, double ideal, double applied, double friction);
+  void clear();
+  /// Of what was added; `lostTicks` is told in the title.
+  void show(long long lostTicks);
+
+private:
+  struct Line
+  {
+    explicit Line(double seconds, const char* name);
+    void show(double now);
+
+    SignalEnvelope signal;
+    PlotTable table;
+  };
+
+  Line Ideal;
+  Line Applied;
+  Line Friction;
+  vtkPlot* AppliedPlot;
+  vtkPlot* FrictionPlot;
+  double Largest = 0.0;
+  long long LostTicks = 0;
+};
+} // namespace palpate
+
+#endif

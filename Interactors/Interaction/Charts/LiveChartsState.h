@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of vtkLiveCharts that its header does not show.
+#ifndef LiveChartsState_h
+#define LiveChartsState_h
+
+#include "ContactCurvesChart.h"
+#include "ContactResponse.h"
+#include "FeltContact.h"
+#include "ForceDeflectionChart.h"
+#include "ForceTimeChart.h"
+#include "TickHistogramChart.h"
+#include "vtkHapticSession.h"
+#include "vtkLiveCharts.h"
+
+#include "vtkContextActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+struct vtkLiveCharts::Parts
+{
+  palpate::ForceTimeChart time{ 10.0 };
+  palpate::ForceDeflectionChart way;
+  palpate::ContactCurvesChart curves;
+  palpate::TickHistogramChart histogram;
+  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkTable> timing;
+
+  vtkSmartPointer<vtkRenderer> renderer;
+  vtkSmartPointer<vtkHapticSession> session;
+  vtkSmartPointer<vtkPolyData> body; // of ShowTip
+  std::string name = "Response";
+  std::vector<std::pair<std::string, std::string>> compared; // name and label
+
+  double largestForce = 0.0;
+  double largestDeflection = 0.0;
+
+  // What the ranges and curves are of.
+  vtkSmartPointer<vtkPolyData> known;
+  vtkMTimeType knownTime = 0;
+  std::string knownName;
+
+  // How far was read: of a session's run, of a recording.
+  vtkIdType run = 0;
+  std::uint64_t seen = 0;
+  vtkSmartPointer<vtkPolyData> probed;
+  vtkMTimeType probedTime = 0;
+  vtkIdType nextTip = 0;
+  palpate::FeltContact touched; ///< the newest contact
+
+  std::vector<std::pair<palpate::LiveChart*, bool>> all() // in their order, all visible or not
+  {
+    return { { &this->time, this->time.chart()->GetVisible() },
+      { &this->way, this->way.chart()->GetVisible() },
+      { &this->curves, this->curves.chart()->GetVisible() },
+      { &this->histogram, this->histogram.chart()->GetVisible() } };
+  }
+
+  /// What was felt, not the ranges.
+  void forget();
+  /// Takes over other responses than before, if they are.
+  void follow(vtkPolyData* of, const std::string& responseName);
+  void chooseRanges();
+  void add(const palpate::FeltContact& felt);
+  void showCurves(const palpate::FeltContact& now, std::string& error);
+  void showCorners(const palpate::ContactTriangle& place, std::string& error);
+  void showCompared(const palpate::ContactTriangle& place, std::string& error);
+  void layOut();
+};
+
+#endif

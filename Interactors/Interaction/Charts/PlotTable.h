@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PlotTable_h
+#define PlotTable_h
+
+#include "DisplayColors.h"
+
+#include "vtkChartXY.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPen.h"
+#include "vtkPlot.h"
+#include "vtkPlotPoints.h"
+#include "vtkTable.h"
+
+#include <limits>
+#include <string>
+
+namespace palpate
+{
+/// Two columns that are filled again and again, and the line or marker that they are drawn as. A
+/// row of NaN is a gap.
+class PlotTable
+{
+public:
+  PlotTable(const char* x, const char* y)
+  {
+    this->X->SetName(x);
+    this->Y->SetName(y);
+    this->Table->AddColumn(this->X);
+    this->Table->AddColumn(this->Y);
+    this->begin();
+    this->end();
+  }
+
+  void begin()
+  {
+    this->X->SetNumberOfValues(0);
+    this->Y->SetNumberOfValues(0);
+  }
+  void add(double x, double y)
+  {
+    this->X->InsertNextValue(x);
+    this->Y->InsertNextValue(y);
+  }
+  void addGap()
+  {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    this->add(none, none);
+  }
+  /// Nothing to draw is a gap too, so that its entry in the legend stays.
+  void end()
+  {
+    if (this->X->GetNumberOfValues() == 0)
+    {
+      this->addGap();
+    }
+    this->X->Modified();
+    this->Y->Modified();
+    this->Table->Modified();
+  }
+
+  vtkPlot* addLine(vtkChartXY* chart, const std::string& label, const Color& color, float width,
+    int penType = vtkPen::SOLID_LINE)
+  {
+    return this->addPlot(vtkChart::LINE, chart, label, color, width, penType);
+  }
+  vtkPlot* addMarker(vtkChartXY* chart, const std::string& label, const Color& color, float size)
+  {
+    vtkPlot* plot = this->addPlot(vtkChart::POINTS, chart, label, color, size, vtkPen::SOLID_LINE);
+    auto* points = vtkPlotPoints::SafeDownCast(plot);
+    points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+    points->SetMarkerSize(size);
+    plot->SetLegendVisibility(false); // where it would be as large as a word
+    return plot;
+  }
+
+private:
+  vtkPlot* addPlot(int type, vtkChartXY* chart, const std::string& label, const Color& color,
+    float width, int penType)
+  {
+    vtkPlot* plot = chart->AddPlot(type);
+    plot->SetInputData(this->Table, 0, 1);
+    plot->GetPen()->SetColorF(color[0], color[1], color[2]);
+    plot->GetPen()->SetLineType(penType);
+    plot->SetWidth(width);
+    plot->SetLabel(label);
+    plot->SetLegendVisibility(!label.empty());
+    return plot;
+  }
+
+  vtkNew<vtkTable> Table;
+  vtkNew<vtkDoubleArray> X;
+  vtkNew<vtkDoubleArray> Y;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ResponseReach_h
+#define ResponseReach_h
+
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// How far a response of a body goes: what the axes of a chart are chosen from.
+struct ResponseReach
+{
+  double deflection = 0.0; ///< mm
+  double force = 0.0;      ///< largest of any point there, N
+  double halfForce = 0.0;  ///< and half as deep
+
+  /// Down to `deflection`, or for 0 to the largest Range; zeros if the body has no such response.
+  /// The forces are those of stored samples, no smaller than asked for. O(points).
+  static ResponseReach of(vtkPolyData* body, const std::string& name, double deflection);
+};
+} // namespace palpate
+
+#endif

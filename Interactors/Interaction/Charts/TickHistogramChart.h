@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TickHistogramChart_h
+#define TickHistogramChart_h
+
+#include "LiveChart.h"
+#include "PlotTable.h"
+
+#include <array>
+
+namespace palpate
+{
+/// How many ticks had which period, wake-up and duration: both axes logarithmic, ClassesPerDecade
+/// classes to a decade from 0.1 us on.
+class TickHistogramChart : public LiveChart
+{
+public:
+  static constexpr int ClassesPerDecade = 10;
+  static constexpr int FirstDecade = -1; ///< of a microsecond
+  static constexpr int LastDecade = 6;
+
+  TickHistogramChart();
+
+  /// Of vtkHapticSession::GetTimingHistogram. The plotted tables hold logarithms to the base ten, a
+  /// stair per class; a class that holds none lies below the axis.
+  void show(vtkTable* histogram);
+
+private:
+  void fitAxes(int decades, double largestCount);
+
+  std::array<PlotTable, 3> Stairs; ///< period, wake-up, tick
+  int DecadesAcross = 0;
+  int DecadesUp = 0;
+};
+} // namespace palpate
+
+#endif

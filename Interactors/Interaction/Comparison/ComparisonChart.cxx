@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ComparisonChart.h"
+
+#include "DisplayColors.h"
+#include "InnerMessages.h"
+#include "PointCopies.h"
+#include "vtkContactTool.h"
+#include "vtkResponseChart.h"
+#include "vtkResponseCurves.h"
+
+#include "vtkAxis.h"
+#include "vtkChartXY.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPen.h"
+#include "vtkPlotPoints.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+
+#include <array>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr float MarkSize = 13.0F;
+constexpr float DepthWidth = 1.5F;
+constexpr Color DepthColor = { 0.45, 0.45, 0.48 };
+
+/// Two columns, deflection and force.
+vtkSmartPointer<vtkTable> makeTable(const std::vector<std::array<double, 2>>& rows)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  for (std::size_t column = 0; column < 2; ++column)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(column == 0 ? "Deflection (mm)" : "Force (N)");
+    for (const auto& row : rows)
+    {
+      values->InsertNextValue(row[column]);
+    }
+    table->AddColumn(values);
+  }
+  return table;
+}
+} // namespace
+
+ComparisonChart::ComparisonChart()
+  : Renderer(vtkSmartPointer<vtkRenderer>::New())
+  , Chart(vtkSmartPointer<vtkResponseChart>::New())
+  , Point(makeTable({ { 0.0, 0.0 } }))
+{
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  this->Renderer->InteractiveOff();
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->AddItem(this->Chart->GetChart());
+  actor->GetScene()->SetRenderer(this->Renderer);
+  this->Renderer->AddActor(actor);
+}
+
+ComparisonChart::~ComparisonChart() = default;
+
+vtkResponseChart* ComparisonChart::chart()
+{
+  return this->Chart;
+}
+
+void ComparisonChart::addTo(vtkRenderWindow* window, const double (&viewport)[4])
+{
+  this->Renderer->SetViewport(viewport);
+  window->AddRenderer(this->Renderer);
+}
+
+std::string ComparisonChart::drawCurves(
+  vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools, double deflection)
+{
+  const vtkSmartPointer<vtkPolyData> one = copyPoint(body, point);
+  this->Chart->RemoveAllCurves();
+  this->PointPlot = nullptr;
+  for (const ComparedTool& compared : tools)
+  {
+    vtkNew<vtkResponseCurves> curves;
+    InnerMessages messages;
+    listen(curves, messages);
+    curves->SetInputData(one);
+    curves->SetResponseName(compared.responseName);
+    curves->AddPointId(0);
+    curves->Update();
+    if (!messages.error.empty())
+    {
+      return messages.error;
+    }
+    vtkDataArray* validity =
+      one->GetPointData()->GetArray((compared.responseName + "Validity").c_str());
+    this->Chart->AddCurve(
+      curves->GetOutput(), compared.tool->GetDescription(), validity->GetTuple1(0));
+  }
+  this->drawDepth(deflection);
+  this->drawPoint();
+  return {};
+}
+
+void ComparisonChart::drawDepth(double deflection)
+{
+  const double top = this->Chart->GetChart()->GetAxis(vtkAxis::LEFT)->GetMaximum();
+  vtkPlot* line = this->Chart->GetChart()->AddPlot(vtkChart::LINE);
+  line->SetInputData(makeTable({ { deflection, 0.0 }, { deflection, top } }), 0, 1);
+  line->GetPen()->SetColorF(DepthColor[0], DepthColor[1], DepthColor[2]);
+  line->GetPen()->SetLineType(vtkPen::DASH_LINE);
+  line->SetWidth(DepthWidth);
+  std::array<char, 64> label{};
+  std::snprintf(label.data(), label.size(), "depth of the verdict, %.2f mm", deflection);
+  line->SetLabel(label.data());
+}
+
+void ComparisonChart::drawPoint()
+{
+  this->PointPlot = this->Chart->GetChart()->AddPlot(vtkChart::POINTS);
+  auto* points = vtkPlotPoints::SafeDownCast(this->PointPlot);
+  points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+  points->SetMarkerSize(MarkSize);
+  points->GetPen()->SetColorF(ForceColor[0], ForceColor[1], ForceColor[2]);
+  this->PointPlot->SetInputData(this->Point, 0, 1);
+  this->PointPlot->SetLegendVisibility(false);
+  this->PointPlot->SetVisible(this->Point->GetValue(0, 0).ToDouble() > 0.0);
+}
+
+void ComparisonChart::mark(double deflection, double force)
+{
+  this->Point->SetValue(0, 0, deflection);
+  this->Point->SetValue(0, 1, force);
+  this->Point->Modified();
+  if (this->PointPlot)
+  {
+    this->PointPlot->SetVisible(deflection > 0.0);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RegimeColors_h
+#define RegimeColors_h
+
+#include "DisplayColors.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+class vtkScalarsToColors;
+
+namespace palpate
+{
+/// Of the verdicts of vtkContactRegime, 0 to 2: dark where shape matters. Okabe and Ito.
+constexpr std::array<Color, 3> VerdictColors = { { { 0.00, 0.45, 0.70 }, { 0.90, 0.62, 0.00 },
+  { 0.95, 0.90, 0.25 } } };
+
+/// The same in few words, for a legend.
+constexpr std::array<const char*, 3> VerdictNames = { "shape\nmatters", "mixed",
+  "point force\nsuffices" };
+
+// What the maps of vtkRegimeMap are coloured by; NaN is grey.
+vtkSmartPointer<vtkScalarsToColors> makeIndexColors();
+vtkSmartPointer<vtkScalarsToColors> makeSensitivityColors();
+vtkSmartPointer<vtkScalarsToColors> makeVerdictColors();
+} // namespace palpate
+
+#endif

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RegimeStatement.h"
+
+#include "BodyConversion.h"
+#include "InnerMessages.h"
+#include "PointCopies.h"
+#include "ResponseField.h"
+#include "vtkContactRegime.h"
+#include "vtkContactTool.h"
+
+#include "vtkDataObject.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Depths = 160; // between 0 and the range, denser where it is shallow
+const std::string DepthName = "Depth";
+constexpr int PointForceSuffices = 2; // of vtkContactRegime
+
+/// At which depths a point is judged, and the most cautious verdict there so far.
+struct DepthVerdicts
+{
+  std::vector<double> depths; ///< rising
+  std::vector<int> verdicts;
+  std::size_t asked = 0; ///< the depth that was asked for
+};
+
+DepthVerdicts makeDepths(double range, double asked)
+{
+  DepthVerdicts all;
+  all.depths = { asked };
+  for (int i = 1; i <= Depths; ++i)
+  {
+    const double share = static_cast<double>(i) / Depths;
+    all.depths.push_back(range * share * share);
+  }
+  std::sort(all.depths.begin(), all.depths.end());
+  const auto place = std::find(all.depths.begin(), all.depths.end(), asked);
+  all.asked = static_cast<std::size_t>(place - all.depths.begin());
+  all.verdicts.assign(all.depths.size(), PointForceSuffices);
+  return all;
+}
+
+/// One point, once per depth, which is half of its range: so the regime filter judges them all in
+/// one run.
+vtkSmartPointer<vtkPolyData> pointAtDepths(
+  vtkPolyData* body, vtkIdType point, const std::vector<double>& depths)
+{
+  auto copies = copyPoint(body, point, static_cast<vtkIdType>(depths.size()));
+  vtkNew<vtkFloatArray> ranges;
+  ranges->SetName((DepthName + "Range").c_str());
+  for (const double depth : depths)
+  {
+    ranges->InsertNextValue(static_cast<float>(2.0 * depth));
+  }
+  copies->GetPointData()->AddArray(ranges);
+  return copies;
+}
+
+std::string judgeTool(vtkPolyData* atDepths, vtkContactTool* tool, const ComparedMaterial& material,
+  DepthVerdicts& all, ToolRegime& judged)
+{
+  vtkNew<vtkContactRegime> regime;
+  InnerMessages messages;
+  listen(regime, messages);
+  regime->SetInputData(atDepths);
+  regime->SetTool(tool);
+  regime->SetResponseName(DepthName);
+  chooseMaterial(regime, atDepths, material);
+  regime->Update();
+  if (!messages.error.empty())
+  {
+    return messages.error;
+  }
+  vtkPointData* found = regime->GetOutput()->GetPointData();
+  const auto value = [found](const char* array, std::size_t i)
+  { return found->GetArray(array)->GetTuple1(static_cast<vtkIdType>(i)); };
+  judged.index = value("RegimeIndex", all.asked);
+  judged.sensitivity = value("ToolSensitivity", all.asked);
+  judged.verdict = static_cast<int>(value("RegimeVerdict", all.asked));
+  for (std::size_t i = 0; i < all.verdicts.size(); ++i)
+  {
+    all.verdicts[i] = std::min(all.verdicts[i], static_cast<int>(value("RegimeVerdict", i)));
+  }
+  return {};
+}
+
+double spreadOf(const std::vector<ToolRegime>& tools)
+{
+  double least = tools.front().force;
+  double largest = least;
+  double sum = 0.0;
+  for (const ToolRegime& tool : tools)
+  {
+    least = std::min(least, tool.force);
+    largest = std::max(largest, tool.force);
+    sum += tool.force;
+  }
+  return (largest - least) * static_cast<double>(tools.size()) / sum;
+}
+
+/// What follows from all tools together.
+void summarize(const DepthVerdicts& all, RegimeStatement& statement)
+{
+  const auto sameAs = [&](std::size_t i) { return all.verdicts[i] == all.verdicts[all.asked]; };
+  std::size_t first = all.asked;
+  std::size_t last = all.asked;
+  while (first > 0 && sameAs(first - 1))
+  {
+    --first;
+  }
+  while (last + 1 < all.depths.size() && sameAs(last + 1))
+  {
+    ++last;
+  }
+  statement.verdict = all.verdicts[all.asked];
+  statement.from = first > 0 ? all.depths[first] : 0.0;
+  statement.to = all.depths[last];
+  statement.spread = spreadOf(statement.tools);
+  statement.validity = statement.tools.front().validity;
+  for (const ToolRegime& tool : statement.tools)
+  {
+    statement.validity = std::min(statement.validity, tool.validity);
+  }
+}
+
+/// "0.97" or "0.97 to 1.00".
+template <class Value>
+std::string rangeInWords(const std::vector<ToolRegime>& tools, const Value& value)
+{
+  double least = value(tools.front());
+  double largest = least;
+  for (const ToolRegime& tool : tools)
+  {
+    least = std::min(least, value(tool));
+    largest = std::max(largest, value(tool));
+  }
+  std::array<char, 32> low{};
+  std::array<char, 32> high{};
+  std::snprintf(low.data(), low.size(), "%.2f", least);
+  std::snprintf(high.data(), high.size(), "%.2f", largest);
+  const std::string from = low.data();
+  const std::string to = high.data();
+  return from == to ? from : from + " to " + to;
+}
+} // namespace
+
+void chooseMaterial(vtkContactRegime* regime, vtkPolyData* body, const ComparedMaterial& material)
+{
+  regime->SetYoungsModulus(material.youngsModulus);
+  regime->SetPoissonRatio(material.poissonRatio);
+  const std::array<const char*, 2> arrays = { "LayerThickness", "GlobalCompliance" };
+  for (int i = 0; i < 2; ++i)
+  {
+    const char* name = arrays[static_cast<std::size_t>(i)];
+    const bool there = body->GetPointData()->HasArray(name) != 0;
+    regime->SetInputArrayToProcess(
+      i + 1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, there ? name : "");
+  }
+}
+
+std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
+  const ComparedMaterial& material, double deflection, RegimeStatement& statement)
+{
+  statement = {};
+  DepthVerdicts all;
+  for (const ComparedTool& compared : tools)
+  {
+    const vtkSmartPointer<vtkPolyData> one = copyPoint(body, point);
+    ResponseArrays arrays;
+    const float* validity = nullptr;
+    const unsigned char* limit = nullptr;
+    std::string error;
+    if (!viewResponse(one, compared.responseName, arrays, error) ||
+      !viewValidity(one, compared.responseName, validity, limit, error))
+    {
+      return error;
+    }
+    const ResponseField response(arrays);
+    if (!response.isValid(0))
+    {
+      return "point " + std::to_string(point) + " has no response '" + compared.responseName + "'";
+    }
+    if (all.depths.empty())
+    {
+      statement.deflection = std::min(deflection, response.range(0));
+      all = makeDepths(response.range(0), statement.deflection);
+    }
+    ToolRegime judged;
+    judged.force = response.evaluate(0, statement.deflection).force;
+    judged.validity = validity[0];
+    error = judgeTool(pointAtDepths(body, point, all.depths), compared.tool, material, all, judged);
+    if (!error.empty())
+    {
+      return error;
+    }
+    statement.tools.push_back(judged);
+  }
+  if (!statement.tools.empty())
+  {
+    summarize(all, statement);
+  }
+  return {};
+}
+
+std::string verdictInWords(const RegimeStatement& statement)
+{
+  switch (statement.verdict)
+  {
+    case 2:
+      return "A point force suffices: the shape of the tool hardly matters.";
+    case 1:
+      return "Mixed: the shape of the tool matters a little.";
+    default:
+      return "The shape of the tool matters.";
+  }
+}
+
+std::string numbersInWords(const RegimeStatement& statement)
+{
+  if (statement.tools.empty())
+  {
+    return {};
+  }
+  const std::string index =
+    rangeInWords(statement.tools, [](const ToolRegime& tool) { return tool.index; });
+  const std::string sensitivity =
+    rangeInWords(statement.tools, [](const ToolRegime& tool) { return tool.sensitivity; });
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(),
+    "At %.2f mm: lambda %s, size sensitivity %s, forces %.0f %% apart.\n"
+    "The same from %.2f to %.2f mm; the laws of all tools are valid to %.2f mm.",
+    statement.deflection, index.c_str(), sensitivity.c_str(), 100.0 * statement.spread,
+    statement.from, statement.to, statement.validity);
+  return text.data();
+}
+} // namespace palpate

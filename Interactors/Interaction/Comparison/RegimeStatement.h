@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RegimeStatement_h
+#define RegimeStatement_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkContactRegime;
+class vtkContactTool;
+class vtkPolyData;
+
+namespace palpate
+{
+/// A tool, and the prefix of its responses on the bodies that are compared.
+struct ComparedTool
+{
+  vtkSmartPointer<vtkContactTool> tool;
+  std::string responseName;
+};
+
+/// What a body is made of besides its point arrays GlobalCompliance (mm/N) and LayerThickness (mm),
+/// which count where they are there.
+struct ComparedMaterial
+{
+  double youngsModulus = 0.1; ///< MPa
+  double poissonRatio = 0.45;
+};
+
+/// One tool pressed at one point: see vtkContactRegime. NaN where there is no stable contact.
+struct ToolRegime
+{
+  double force = 0.0; ///< N, of the stored response
+  double index = 0.0; ///< λ
+  double sensitivity = 0.0;
+  int verdict = 0;
+  double validity = 0.0; ///< of the response, mm
+};
+
+/// What can be said of several tools pressed equally deep at one point of a body.
+struct RegimeStatement
+{
+  double deflection = 0.0;       ///< mm
+  std::vector<ToolRegime> tools; ///< in their order
+  int verdict = 0;               ///< the most cautious of the tools'
+  double from = 0.0;             ///< mm: the verdict is the same from here ...
+  double to = 0.0;               ///< ... to here, at most to the end of the responses
+  double spread = 0.0;           ///< (largest - smallest force)/mean
+  double validity = 0.0;         ///< mm: the responses of all tools hold down to here
+};
+
+/// The regime filter with this material, and with the arrays that the body has.
+void chooseMaterial(vtkContactRegime* regime, vtkPolyData* body, const ComparedMaterial& material);
+
+/// Judges a point of a body; an error in words, or "". A `deflection` (mm) beyond the range of the
+/// responses is taken as that range. Some milliseconds.
+std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
+  const ComparedMaterial& material, double deflection, RegimeStatement& statement);
+
+// The statement for a reader.
+std::string verdictInWords(const RegimeStatement& statement);
+/// λ, sensitivity and spread at this depth; the depths the verdict and the responses hold for.
+std::string numbersInWords(const RegimeStatement& statement);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BodyDisplay.h"
+
+#include "BodyConversion.h"
+#include "DentMapper.h"
+#include "ModeAttributes.h"
+#include "ReducedModulus.h"
+#include "ResponseTool.h"
+#include "vtkContactDeflection.h"
+#include "vtkContactTool.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTriangleMeshPointNormals.h"
+#include "vtkWarpVector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* Displacement = "ContactDisplacement";
+constexpr const char* Normals = "SurfaceNormals";
+
+void colorByDisplacement(vtkMapper* mapper, vtkLookupTable* colors)
+{
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(Displacement);
+  mapper->SetLookupTable(colors);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+}
+
+vtkSmartPointer<vtkFloatArray> normalsOf(const BodyMesh& mesh)
+{
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetName(Normals);
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.pointCount()));
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const Eigen::Vector3f normal = mesh.pointNormal(static_cast<std::int32_t>(i)).cast<float>();
+    normals->SetTypedTuple(i, normal.data());
+  }
+  return normals;
+}
+
+vtkIdType triangleOf(vtkPolyData* body, vtkIdType cell)
+{
+  return cell - body->GetNumberOfVerts() - body->GetNumberOfLines();
+}
+
+/// Mean length of the edges of a triangle, mm.
+double edgeAt(vtkPolyData* body, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  body->GetPolys()->GetCellAtId(triangleOf(body, cell), corners);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    Vector3 from;
+    Vector3 to;
+    body->GetPoint(corners->GetId(i), from.data());
+    body->GetPoint(corners->GetId((i + 1) % 3), to.data());
+    sum += (to - from).norm();
+  }
+  return sum / 3.0;
+}
+
+double longestOf(const std::vector<vtkDataArray*>& modes)
+{
+  double longest = 0.0;
+  for (vtkDataArray* mode : modes)
+  {
+    longest = std::max(longest, mode->GetMaxNorm());
+  }
+  return longest;
+}
+
+FieldContact fieldContact(const ShownContact& shown)
+{
+  FieldContact contact;
+  contact.cell = shown.cell;
+  contact.deflection = shown.deflection;
+  contact.force = (shown.force - shown.friction).dot(shown.normal);
+  contact.point = shown.contactPoint;
+  contact.normal = shown.normal;
+  return contact;
+}
+} // namespace
+
+BodyDisplay::BodyDisplay(vtkLookupTable* colors)
+  : Actor(vtkSmartPointer<vtkActor>::New())
+  , Mapper(vtkSmartPointer<DentMapper>::New())
+  , Shader(this->Actor)
+  , Tip(vtkSmartPointer<vtkPolyData>::New())
+  , Deflection(vtkSmartPointer<vtkContactDeflection>::New())
+  , Warp(vtkSmartPointer<vtkWarpVector>::New())
+  , FilterMapper(vtkSmartPointer<vtkPolyDataMapper>::New())
+{
+  this->Deflection->SetInputData(1, this->Tip);
+  this->Warp->SetInputConnection(this->Deflection->GetOutputPort());
+  this->Warp->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, Displacement);
+  vtkNew<vtkTriangleMeshPointNormals> normals;
+  normals->SetInputConnection(this->Warp->GetOutputPort());
+  this->FilterMapper->SetInputConnection(normals->GetOutputPort());
+  colorByDisplacement(this->FilterMapper, colors);
+  colorByDisplacement(this->Mapper, colors);
+  this->Mapper->MapDataArrayToVertexAttribute(
+    DeflectionShader::NormalAttribute, Normals, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  this->Actor->SetMapper(this->Mapper);
+}
+
+BodyDisplay::~BodyDisplay() = default;
+
+void BodyDisplay::setBody(vtkPolyData* body)
+{
+  this->Body = body;
+  this->Deflection->SetInputData(0, body);
+  this->Shown.cell = -1; // a contact with the body before
+  this->BodyTime = 0;
+  this->refresh();
+}
+
+void BodyDisplay::setTool(vtkContactTool* tool)
+{
+  this->Tool = tool;
+  this->Deflection->SetTool(tool);
+  this->refresh();
+}
+
+void BodyDisplay::setPoissonRatio(double ratio)
+{
+  this->Deflection->SetPoissonRatio(ratio);
+  this->refresh();
+}
+
+void BodyDisplay::setResponseName(const std::string& name)
+{
+  this->Deflection->SetResponseName(name);
+  this->BodyTime = 0; // other modes, or none
+  this->refresh();
+}
+
+void BodyDisplay::setFieldRadius(double radius)
+{
+  this->FieldRadius = radius;
+  this->refresh();
+}
+
+void BodyDisplay::setExaggeration(double factor)
+{
+  this->Warp->SetScaleFactor(factor);
+  this->refresh();
+}
+
+double BodyDisplay::exaggeration() const
+{
+  return this->Warp->GetScaleFactor();
+}
+
+void BodyDisplay::setByShader(bool on)
+{
+  if (this->ByShader == on)
+  {
+    return;
+  }
+  this->ByShader = on;
+  this->BodyTime = 0;
+  if (on)
+  {
+    this->Actor->SetMapper(this->Mapper);
+  }
+  else
+  {
+    this->Actor->SetMapper(this->FilterMapper);
+    this->Shader.remove();
+  }
+  this->refresh();
+}
+
+void BodyDisplay::show(const ShownContact& contact)
+{
+  this->Shown = contact;
+  this->refresh();
+}
+
+void BodyDisplay::refresh()
+{
+  if (!this->Body)
+  {
+    return;
+  }
+  if (this->ByShader)
+  {
+    this->showByShader();
+  }
+  else
+  {
+    this->showByFilter();
+  }
+}
+
+void BodyDisplay::takeBody()
+{
+  this->BodyTime = this->Body->GetMTime();
+  this->HasField = this->Body->GetNumberOfPoints() > 0;
+  vtkNew<vtkPolyData> drawn;
+  drawn->CopyStructure(this->Body);
+  const std::string fault = this->HasField ? checkTriangles(this->Body) : std::string();
+  this->complain(fault.empty() ? fault : "Wrong body: " + fault);
+  if (!this->HasField || !fault.empty())
+  {
+    this->HasField = false;
+    this->Shader.remove();
+    this->Mapper->SetInputData(drawn);
+    return;
+  }
+  const BodyMesh mesh = makeBodyMesh(this->Body);
+  drawn->GetPointData()->SetNormals(normalsOf(mesh));
+  vtkNew<vtkFloatArray> none; // without it the mapper would make no texture of the colours
+  none->SetName(Displacement);
+  none->SetNumberOfTuples(drawn->GetNumberOfPoints());
+  none->Fill(0.0);
+  drawn->GetPointData()->AddArray(none);
+  const auto modes = globalModes(this->Body, this->Deflection->GetResponseName());
+  this->ModeLength = longestOf(modes);
+  addModeAttributes(mesh, modes, drawn, this->Mapper);
+  this->Mapper->SetInputData(drawn);
+  this->Shader.install(static_cast<int>(std::min(modes.size(), MostModes)));
+}
+
+ContactField BodyDisplay::makeField(const FieldContact& contact)
+{
+  const std::string name = this->Deflection->GetResponseName();
+  const double poisson = this->Deflection->GetPoissonRatio();
+  std::string fault;
+  this->CircleRadius = 0.0;
+  this->CircleDepth = 0.0;
+  if (contact.cell < 0 || !this->HasField || this->Body->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  const auto tool = findTool(this->Tool, this->Body, name, fault);
+  const AxisymmetricTool* law = tool ? tool->GetKernel() : nullptr;
+  if (fault.empty() && !isPoissonsRatio(poisson))
+  {
+    fault = "PoissonRatio must lie between 0 and 0.5";
+  }
+  const vtkIdType triangle = triangleOf(this->Body, contact.cell);
+  if (fault.empty() && (triangle < 0 || triangle >= this->Body->GetNumberOfPolys()))
+  {
+    fault = "The cell of the contact is not a triangle of the body";
+  }
+  if (!law || !fault.empty())
+  {
+    this->complain(fault);
+    return {};
+  }
+  ContactField field(this->Body, *law, contact, { name, poisson, this->FieldRadius }, this->Kernel);
+  this->complain(field.fault());
+  if (!field.isEmpty())
+  {
+    this->CircleRadius = field.contactRadius();
+    this->CircleDepth =
+      contact.deflection - field.localDeflection() + field.local(this->CircleRadius).normal;
+  }
+  return field;
+}
+
+void BodyDisplay::complain(const std::string& fault)
+{
+  if (!fault.empty() && fault != this->Fault)
+  {
+    vtkErrorWithObjectMacro(this->Deflection, << fault << ".");
+  }
+  this->Fault = fault;
+}
+
+void BodyDisplay::showByShader()
+{
+  if (this->BodyTime != this->Body->GetMTime())
+  {
+    this->takeBody();
+  }
+  const FieldContact contact = fieldContact(this->Shown);
+  const ContactField field = this->makeField(contact);
+  const double edge = field.isEmpty() ? 1.0 : edgeAt(this->Body, contact.cell);
+  this->Shader.show(field, contact, edge, this->exaggeration());
+  double around = 0.0;
+  for (const double weight : field.modeWeights())
+  {
+    around += std::abs(weight) * this->ModeLength;
+  }
+  const Vector3 deepest =
+    contact.point - this->exaggeration() * contact.deflection * contact.normal;
+  this->Mapper->setDent(deepest.data(), contact.cell < 0 ? -1.0 : this->exaggeration() * around);
+}
+
+void BodyDisplay::showByFilter()
+{
+  const ShownContact& contact = this->Shown;
+  vtkDataArray* before = this->Tip->GetPointData()->GetArray("ContactCell");
+  if (!contact.touches() && before && before->GetTuple1(0) < 0.0)
+  {
+    return; // no dent before, none now: the body need not be drawn anew
+  }
+  this->HasField = true; // the filter checks the body
+  const ContactField field = this->makeField(fieldContact(contact));
+  this->Deflection->SetMaximumDistance(DeflectionShader::reachOf(field));
+  vtkNew<vtkPoints> point;
+  point->SetDataTypeToDouble();
+  point->InsertNextPoint(contact.tip.data());
+  this->Tip->SetPoints(point);
+  const auto store = [this](const char* name, int components, const double* value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->InsertNextTuple(value);
+    this->Tip->GetPointData()->AddArray(array);
+  };
+  const auto cell = static_cast<double>(contact.cell);
+  const double force = fieldContact(contact).force;
+  store("Deflection", 1, &contact.deflection);
+  store("Normal", 3, contact.normal.data());
+  store("NormalForce", 1, &force);
+  store("ContactPoint", 3, contact.contactPoint.data());
+  store("ContactCell", 1, &cell);
+  this->Tip->Modified();
+}
+
+void BodyDisplay::bounds(double bounds[6])
+{
+  this->Body->GetBounds(bounds);
+}
+} // namespace palpate

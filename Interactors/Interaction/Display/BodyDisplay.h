@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BodyDisplay_h
+#define BodyDisplay_h
+
+#include "DeflectionShader.h"
+#include "ShownContact.h"
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+
+class vtkActor;
+class vtkContactDeflection;
+class vtkContactTool;
+class vtkLookupTable;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkWarpVector;
+
+namespace palpate
+{
+class DentMapper;
+
+/**
+ * The body with the dent of one contact, coloured by the length of the displacement.
+ *
+ * By shader (the default) a frame costs the same at any size of the mesh; otherwise
+ * vtkContactDeflection computes each point anew. Both draw the same field, see ContactField; the
+ * shader's limits stand in DeflectionShader. Pickers that draw (vtkHardwareSelector) see the
+ * displaced surface either way; those that intersect the data of the actor (vtkCellPicker) see it
+ * by vtkContactDeflection, and the undisturbed body by shader.
+ *
+ * Setters take effect in the next frame. A body that has changed is noticed by show().
+ */
+class BodyDisplay
+{
+public:
+  /// `colors` has the colours and the range of the displacement, mm.
+  explicit BodyDisplay(vtkLookupTable* colors);
+  ~BodyDisplay();
+  BodyDisplay(const BodyDisplay&) = delete;
+  BodyDisplay& operator=(const BodyDisplay&) = delete;
+
+  void setBody(vtkPolyData* body);
+  void setTool(vtkContactTool* tool);
+  void setPoissonRatio(double ratio);
+  /// Prefix of the response that is felt. Default "Response".
+  void setResponseName(const std::string& name);
+  /// The field ends at this distance from the contact, mm, fading over its last quarter; 0
+  /// (default): DeflectionShader::FieldRadii contact radii.
+  void setFieldRadius(double radius);
+  /// The dent is drawn this many times deeper than it is.
+  void setExaggeration(double factor);
+  double exaggeration() const;
+  void setByShader(bool on);
+  bool byShader() const { return this->ByShader; }
+
+  void show(const ShownContact& contact);
+
+  /// Of the contact shown, mm: radius of its circle, and how deep below the contact point that
+  /// lies; 0 without contact.
+  double contactRadius() const { return this->CircleRadius; }
+  double circleDepth() const { return this->CircleDepth; }
+
+  /// Of the body as it is drawn, mm.
+  void bounds(double bounds[6]);
+  vtkActor* actor() { return this->Actor; }
+
+private:
+  void takeBody();
+  void refresh();
+  void showByShader();
+  void showByFilter();
+  /// A field of the shown contact; empty, and an error, if the body does not allow it.
+  ContactField makeField(const FieldContact& contact);
+  void complain(const std::string& fault);
+
+  vtkSmartPointer<vtkActor> Actor;
+  ShownContact Shown;
+  double CircleRadius = 0.0;
+  double CircleDepth = 0.0;
+  double FieldRadius = 0.0;
+  bool ByShader = true;
+
+  vtkSmartPointer<vtkPolyData> Body;
+  vtkMTimeType BodyTime = 0; ///< of the body that is drawn by shader
+  vtkSmartPointer<vtkContactTool> Tool;
+  std::string Fault;       ///< that was complained about last
+  bool HasField = true;    ///< the body is one a field can be drawn on
+  double ModeLength = 0.0; ///< longest vector of any mode
+  std::shared_ptr<const LayerKernel> Kernel;
+  vtkSmartPointer<DentMapper> Mapper;
+  DeflectionShader Shader;
+
+  vtkSmartPointer<vtkPolyData> Tip; ///< the contact shown, as a probe's output
+  vtkSmartPointer<vtkContactDeflection> Deflection;
+  vtkSmartPointer<vtkWarpVector> Warp;
+  vtkSmartPointer<vtkPolyDataMapper> FilterMapper;
+};
+} // namespace palpate
+
+#endif

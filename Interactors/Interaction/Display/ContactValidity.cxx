@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContactValidity.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <array>
+
+namespace palpate
+{
+void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact)
+{
+  contact.validity = std::numeric_limits<double>::infinity();
+  contact.limit = 0;
+  if (!body || !contact.touches() || contact.cell >= body->GetNumberOfCells())
+  {
+    return;
+  }
+  vtkDataArray* validity = body->GetPointData()->GetArray((responseName + "Validity").c_str());
+  vtkDataArray* limit = body->GetPointData()->GetArray((responseName + "Limit").c_str());
+  if (!validity || !limit)
+  {
+    return;
+  }
+  vtkNew<vtkIdList> corners;
+  body->GetCellPoints(contact.cell, corners);
+  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType corner = corners->GetId(i);
+    if (validity->GetTuple1(corner) < contact.validity)
+    {
+      contact.validity = validity->GetTuple1(corner);
+      contact.limit = static_cast<int>(limit->GetTuple1(corner));
+    }
+  }
+}
+
+std::string describeLimit(int code)
+{
+  static constexpr std::array<const char*, 7> names = { "", "strain", "curvature of the body",
+    "layer thickness", "the opposite wall", "an edge", "end of the measured data" };
+  return code >= 0 && code < static_cast<int>(names.size()) ? names[static_cast<std::size_t>(code)]
+                                                            : "";
+}
+} // namespace palpate

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContactValidity_h
+#define ContactValidity_h
+
+#include "ShownContact.h"
+
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// Sets validity and limit of a contact from Validity and Limit of the response with this prefix:
+/// of the three corners of its cell the weakest. Without those arrays, or without a contact,
+/// nothing is known to break: infinite.
+void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
+
+/// The assumption with the contract's code, in words: "strain", "layer thickness"; "" for none.
+std::string describeLimit(int code);
+} // namespace palpate
+
+#endif

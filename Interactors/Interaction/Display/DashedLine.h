@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef DashedLine_h
+#define DashedLine_h
+
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Core>
+
+class vtkCellArray;
+class vtkDoubleArray;
+class vtkPoints;
+class vtkPolyData;
+
+namespace palpate
+{
+/// Lines through points, stretches of which are dashed, for vtkTubeFilter: no line has two points
+/// in one place. A value per point goes along, linear between them.
+class DashedLine
+{
+public:
+  /// Lengths of a dash and of the gap after it, mm, > 0.
+  DashedLine(double dash, double gap);
+  ~DashedLine();
+  DashedLine(const DashedLine&) = delete;
+  DashedLine& operator=(const DashedLine&) = delete;
+
+  /// Begins a line.
+  void moveTo(const Eigen::Vector3d& point, double value = 0.0);
+  /// From the last point to this one; dashes go on around corners.
+  void lineTo(const Eigen::Vector3d& point, double value = 0.0, bool dashed = false);
+
+  /// All lines so far; the values as the active scalars, `name`.
+  vtkSmartPointer<vtkPolyData> take(const char* name);
+
+private:
+  void extend(const Eigen::Vector3d& point, double value);
+  void end();
+
+  double Dash;
+  double Gap;
+  bool InGap = false;
+  double Left; ///< mm of the present dash or gap
+  Eigen::Vector3d Last = Eigen::Vector3d::Zero();
+  double LastValue = 0.0;
+  vtkIdType Open = 0; ///< points of the line under way
+  vtkSmartPointer<vtkPoints> Points;
+  vtkSmartPointer<vtkCellArray> Lines;
+  vtkSmartPointer<vtkDoubleArray> Values;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ForceArrow.h"
+
+#include "DashedLine.h"
+#include "RigidFrame.h"
+
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkConeSource.h"
+#include "vtkCoordinate.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTubeFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Dash = 3.2;        // mm
+constexpr double Gap = 1.8;         // mm
+constexpr double LargestHead = 0.4; // of the arrow
+constexpr int Sides = 32;
+} // namespace
+
+ForceArrow::ForceArrow(const ArrowLook& look)
+  : Look(look)
+  , Shaft(vtkSmartPointer<vtkTubeFilter>::New())
+  , Cone(vtkSmartPointer<vtkConeSource>::New())
+  , Actor(vtkSmartPointer<vtkActor>::New())
+  , Label(vtkSmartPointer<vtkTextActor>::New())
+{
+  this->Shaft->SetNumberOfSides(Sides);
+  this->Shaft->CappingOn();
+  this->Cone->SetResolution(Sides);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(this->Shaft->GetOutputPort());
+  both->AddInputConnection(this->Cone->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(both->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  this->Actor->SetMapper(mapper);
+  this->Actor->GetProperty()->SetColor(look.color[0], look.color[1], look.color[2]);
+  this->Actor->GetProperty()->SetAmbient(0.3);
+
+  vtkTextProperty* text = this->Label->GetTextProperty();
+  text->SetColor(this->Look.color.data());
+  text->SetFontSize(look.labelSize);
+  text->SetBold(look.bold ? 1 : 0);
+  text->SetBackgroundColor(BackgroundColor.data()); // the tool and other arrows may be behind it
+  text->SetBackgroundOpacity(look.labelOpacity);
+  this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  this->hide();
+}
+
+ForceArrow::~ForceArrow() = default;
+
+void ForceArrow::show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale,
+  bool dashed, const std::string& name)
+{
+  const double magnitude = force.norm();
+  const double length = magnitude * scale;
+  if (!std::isfinite(length) || !(length > 0.0))
+  {
+    this->hide();
+    return;
+  }
+  const double size = std::min(1.0, length / this->Look.headLength);
+  const double neck = length - std::min(this->Look.headLength, LargestHead * length);
+  DashedLine shaft(size * Dash, size * Gap);
+  shaft.moveTo(Eigen::Vector3d::Zero());
+  shaft.lineTo(Eigen::Vector3d(neck, 0.0, 0.0), 0.0, dashed);
+  this->Shaft->SetInputData(shaft.take("Force"));
+  this->Shaft->SetRadius(size * this->Look.shaftRadius);
+  this->Cone->SetHeight(length - neck);
+  this->Cone->SetRadius(size * this->Look.headRadius);
+  this->Cone->SetCenter(0.5 * (length + neck), 0.0, 0.0);
+  this->Along = scale * force;
+  this->moveTo(origin);
+  this->Actor->VisibilityOn();
+  this->Label->VisibilityOn();
+  std::array<char, 64> text{};
+  std::snprintf(
+    text.data(), text.size(), "%s %#.3g N", name.empty() ? " " : name.c_str(), magnitude);
+  this->Label->SetInput(text.data());
+}
+
+void ForceArrow::hide()
+{
+  this->Actor->VisibilityOff();
+  this->Label->VisibilityOff();
+}
+
+bool ForceArrow::isShown() const
+{
+  return this->Actor->GetVisibility() != 0;
+}
+
+void ForceArrow::moveTo(const Eigen::Vector3d& origin)
+{
+  this->Head = origin + this->Along;
+  this->Actor->SetUserMatrix(frameAlong(origin.data(), this->Along.data(), 0));
+  this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
+}
+} // namespace palpate

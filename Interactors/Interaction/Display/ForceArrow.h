@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ForceArrow_h
+#define ForceArrow_h
+
+#include "DisplayColors.h"
+
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Core>
+
+#include <string>
+
+class vtkActor;
+class vtkAppendPolyData;
+class vtkConeSource;
+class vtkTextActor;
+class vtkTubeFilter;
+
+namespace palpate
+{
+/// How an arrow looks: radii and length of its head, mm. The head is at most 40 % of the arrow, and
+/// an arrow shorter than a head is slimmer.
+struct ArrowLook
+{
+  Color color;
+  double shaftRadius;
+  double headRadius;
+  double headLength;
+  int labelSize; ///< points
+  bool bold;
+  double labelOpacity; ///< of what is behind the text
+};
+
+/// One force as an arrow, with its newtons at the head.
+class ForceArrow
+{
+public:
+  explicit ForceArrow(const ArrowLook& look);
+  ~ForceArrow();
+  ForceArrow(const ForceArrow&) = delete;
+  ForceArrow& operator=(const ForceArrow&) = delete;
+
+  /// From `origin` (mm), `scale` mm per N; the label is the magnitude, after `name` or, without
+  /// one, after a gap as wide as the head. Zero or not finite: nothing.
+  void show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale, bool dashed,
+    const std::string& name = "");
+  void hide();
+  bool isShown() const;
+  /// The same arrow elsewhere.
+  void moveTo(const Eigen::Vector3d& origin);
+
+  Eigen::Vector3d tail() const { return this->Head - this->Along; }
+  const Eigen::Vector3d& head() const { return this->Head; }
+  vtkActor* actor() { return this->Actor; }
+  vtkTextActor* label() { return this->Label; }
+
+private:
+  ArrowLook Look;
+  Eigen::Vector3d Along = Eigen::Vector3d::Zero(); ///< from origin to head, mm
+  Eigen::Vector3d Head = Eigen::Vector3d::Zero();
+  vtkSmartPointer<vtkTubeFilter> Shaft;
+  vtkSmartPointer<vtkConeSource> Cone;
+  vtkSmartPointer<vtkActor> Actor;
+  vtkSmartPointer<vtkTextActor> Label;
+};
+} // namespace palpate
+
+#endif

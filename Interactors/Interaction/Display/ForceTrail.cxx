@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ForceTrail.h"
+
+#include "DashedLine.h"
+
+#include "vtkActor.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTubeFilter.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr double LineRadius = 0.5; // mm
+constexpr double Dash = 1.5;       // mm
+constexpr double Gap = 1.5;        // mm
+constexpr double Nearest = 0.05;   // mm, between two contacts
+} // namespace
+
+ForceTrail::ForceTrail(vtkLookupTable* colors)
+  : Tube(vtkSmartPointer<vtkTubeFilter>::New())
+  , Actor(vtkSmartPointer<vtkActor>::New())
+{
+  this->Tube->SetRadius(LineRadius);
+  this->Tube->SetNumberOfSides(12);
+  this->Tube->CappingOn();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(this->Tube->GetOutputPort());
+  mapper->SetLookupTable(colors);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  this->Actor->SetMapper(mapper);
+  this->Actor->GetProperty()->LightingOff();
+  this->clear();
+  this->draw();
+}
+
+ForceTrail::~ForceTrail() = default;
+
+void ForceTrail::clear()
+{
+  this->Contacts.clear();
+  this->IsNear = false;
+  this->InAir = true;
+}
+
+void ForceTrail::add(const ShownContact& contact)
+{
+  if (!contact.touches())
+  {
+    this->InAir = true;
+    this->IsNear = false;
+    return;
+  }
+  const Place place{ contact.contactPoint, contact.force.norm(), contact.isValid(), this->InAir };
+  this->InAir = false;
+  if (this->IsNear)
+  {
+    this->Contacts.pop_back(); // its neighbour before is what the distance counts from
+  }
+  this->IsNear = !place.begins && !this->Contacts.empty() &&
+    (place.point - this->Contacts.back().point).norm() < Nearest;
+  this->Contacts.push_back(place);
+}
+
+void ForceTrail::keep(std::size_t contacts)
+{
+  while (this->Contacts.size() > contacts)
+  {
+    this->Contacts.pop_front();
+  }
+}
+
+void ForceTrail::draw()
+{
+  DashedLine line(Dash, Gap);
+  bool begins = true;
+  for (const Place& place : this->Contacts)
+  {
+    if (begins || place.begins)
+    {
+      line.moveTo(place.point, place.force);
+    }
+    else
+    {
+      line.lineTo(place.point, place.force, !place.valid);
+    }
+    begins = false;
+  }
+  this->Tube->SetInputData(line.take("Force"));
+}
+} // namespace palpate

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ForceTrail_h
+#define ForceTrail_h
+
+#include "ShownContact.h"
+
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <deque>
+
+class vtkActor;
+class vtkLookupTable;
+class vtkTubeFilter;
+
+namespace palpate
+{
+/// Where the tool has touched: a line through contact points, coloured by the force there, dashed
+/// beyond validity, interrupted where nothing was touched.
+class ForceTrail
+{
+public:
+  /// `colors` has the colours and the range of the force, N.
+  explicit ForceTrail(vtkLookupTable* colors);
+  ~ForceTrail();
+  ForceTrail(const ForceTrail&) = delete;
+  ForceTrail& operator=(const ForceTrail&) = delete;
+
+  void clear();
+  /// A contact nearer to the last one than can be seen takes its place; one that touches nothing
+  /// ends the line.
+  void add(const ShownContact& contact);
+  /// Forgets the oldest contacts but so many.
+  void keep(std::size_t contacts);
+  /// What has been added is seen from now on.
+  void draw();
+
+  /// Whether there is a line to be seen.
+  bool isEmpty() const { return this->Contacts.size() < 2; }
+  vtkActor* actor() { return this->Actor; }
+
+private:
+  struct Place
+  {
+    Eigen::Vector3d point;
+    double force;
+    bool valid;
+    bool begins; ///< a line: nothing was touched before
+  };
+
+  std::deque<Place> Contacts;
+  bool IsNear = false; ///< the last contact: the next may take its place
+  bool InAir = true;
+  vtkSmartPointer<vtkTubeFilter> Tube;
+  vtkSmartPointer<vtkActor> Actor;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RoundNumber_h
+#define RoundNumber_h
+
+#include <cmath>
+
+namespace palpate
+{
+/// The largest of 1, 2, 5 times a power of ten that is not above `value` > 0.
+inline double roundDown(double value)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  const double share = value / decade;
+  return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
+}
+
+/// The smallest of 1, 2, 3, 4, 6, 8 times a power of ten that is not below `value` > 0: quarters of
+/// it are short numbers too.
+inline double roundUp(double value)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double share : { 1.0, 2.0, 3.0, 4.0, 6.0, 8.0 })
+  {
+    if (value <= share * decade)
+    {
+      return share * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+} // namespace palpate
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneCaption.h"
+
+#include "ContactValidity.h"
+#include "DisplayColors.h"
+#include "ShownContact.h"
+
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Left = 16.0;        // pixels
+constexpr double Bottom = 14.0;      // pixels
+constexpr double LetterWidth = 0.52; // of the font's size, on average
+constexpr double LineSpacing = 1.2;  // of the font's height
+constexpr int FontSize = 17;
+constexpr int SmallFontSize = 14;
+constexpr double Narrow = 400.0; // pixels
+
+std::string millimetres(double length)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f mm", length);
+  return text.data();
+}
+
+std::string newtons(const Eigen::Vector3d& force)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%#.3g N", force.norm());
+  return text.data();
+}
+
+std::string number(double value)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+/// Lines of at most so many letters, broken at blanks, after a comma or colon if there is one not
+/// too early.
+std::string wrapped(const std::string& text, std::size_t letters)
+{
+  constexpr std::size_t none = std::string::npos;
+  std::string result;
+  std::size_t lineBegin = 0;
+  std::size_t blank = none; // the last one of the line under way
+  std::size_t pause = none; // the last one after a comma or colon
+  for (const char c : text)
+  {
+    if (c == ' ')
+    {
+      blank = result.size();
+      pause = !result.empty() && (result.back() == ',' || result.back() == ':') ? blank : pause;
+    }
+    result += c;
+    const bool pauses = pause != none && 3 * (pause - lineBegin) > letters;
+    const std::size_t end = pauses ? pause : blank;
+    if (c != '\n' && result.size() - lineBegin > letters && end != none)
+    {
+      result[end] = '\n';
+      lineBegin = end + 1;
+      blank = blank == end ? none : blank;
+      pause = none;
+    }
+    else if (c == '\n')
+    {
+      lineBegin = result.size();
+      blank = none;
+      pause = none;
+    }
+  }
+  return result;
+}
+} // namespace
+
+SceneCaption::SceneCaption()
+  : Actor(vtkSmartPointer<vtkTextActor>::New())
+{
+  vtkTextProperty* text = this->Actor->GetTextProperty();
+  text->SetColor(TextColor.data());
+  text->SetLineSpacing(LineSpacing);
+  this->Actor->SetPosition(Left, Bottom);
+}
+
+SceneCaption::~SceneCaption() = default;
+
+void SceneCaption::describe(
+  const ShownContact& contact, const std::string& tool, double contactRadius, double exaggeration)
+{
+  std::string& text = this->Contact;
+  text = "Tool: " + tool;
+  if (contact.touches())
+  {
+    text += "\nDeflection " + millimetres(contact.deflection);
+    text += contactRadius > 0.0 ? ", contact radius " + millimetres(contactRadius) : "";
+    text += "\nForce " + newtons(contact.force);
+    text += contact.hasFriction() ? ": normal " + newtons(contact.force - contact.friction) +
+        ", friction " + newtons(contact.friction)
+                                  : "";
+  }
+  if (contact.appliedDiffers())
+  {
+    text += "\nApplied " + newtons(contact.applied);
+    text += contact.safety.empty() ? "" : ": " + contact.safety;
+  }
+  if (!contact.isValid())
+  {
+    const std::string limit = describeLimit(contact.limit);
+    text += contact.validity > 0.0 ? "\nDashed: beyond validity, " + millimetres(contact.validity)
+                                   : "\nDashed: not valid at any depth";
+    text += limit.empty() ? "" : " (" + limit + ")";
+  }
+  if (contact.touches() && exaggeration != 1.0)
+  {
+    text += "\nDent drawn x" + number(exaggeration);
+  }
+}
+
+void SceneCaption::write(double width)
+{
+  std::string all;
+  for (const std::string& part : { this->Title, this->Contact, this->Remark })
+  {
+    all += all.empty() || part.empty() ? part : "\n" + part;
+  }
+  const int font = width < Narrow ? SmallFontSize : FontSize;
+  const double letters = std::max((width - 2.0 * Left) / (LetterWidth * font), 10.0);
+  const std::string text = wrapped(all, static_cast<std::size_t>(letters));
+  this->Actor->GetTextProperty()->SetFontSize(font);
+  this->Actor->SetInput(text.c_str());
+  const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
+  this->Height = Bottom + LineSpacing * font * static_cast<double>(lines);
+}
+} // namespace palpate

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SceneCaption_h
+#define SceneCaption_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkTextActor;
+
+namespace palpate
+{
+struct ShownContact;
+
+/// The text in the corner of a scene: a title, what is to be said of the contact, a remark. Few
+/// lines; what needs not be said is left out.
+class SceneCaption
+{
+public:
+  SceneCaption();
+  ~SceneCaption();
+  SceneCaption(const SceneCaption&) = delete;
+  SceneCaption& operator=(const SceneCaption&) = delete;
+
+  void setTitle(const std::string& title) { this->Title = title; }
+  void setRemark(const std::string& remark) { this->Remark = remark; }
+  /// From the next write() on.
+  void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
+    double exaggeration);
+  void describeNothing() { this->Contact.clear(); }
+
+  /// In a strip of the picture of so many pixels: lines that are longer are broken, and in a narrow
+  /// strip the font is smaller.
+  void write(double width);
+  /// From the lower edge of the picture, pixels.
+  double height() const { return this->Height; }
+
+  vtkTextActor* actor() { return this->Actor; }
+
+private:
+  double Height = 0.0;
+  std::string Title;
+  std::string Contact;
+  std::string Remark;
+  vtkSmartPointer<vtkTextActor> Actor;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "KeyHelp.h"
+
+#include "DisplayColors.h"
+
+#include "vtkActor2D.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <sstream>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int FontSize = 15;
+constexpr int SmallestFontSize = 9;
+constexpr int Margin = 22; // pixels, around the text
+constexpr int Gap = 28;    // pixels, between the columns
+constexpr int TopLayer = 5;
+constexpr Color KeyColor = { 0.00, 0.36, 0.58 };
+
+} // namespace
+
+KeyHelp::KeyHelp()
+  : Keys(vtkSmartPointer<vtkTextActor>::New())
+  , Meanings(vtkSmartPointer<vtkTextActor>::New())
+{
+  this->Sheet.setColors({ 1.0, 1.0, 1.0 }, { 0.6, 0.62, 0.65 });
+  this->Sheet.setOpacity(0.94);
+  this->Sheet.fill()->SetLayerNumber(TopLayer);
+  this->Sheet.outline()->SetLayerNumber(TopLayer);
+  for (vtkTextActor* actor : { this->Keys.Get(), this->Meanings.Get() })
+  {
+    actor->SetLayerNumber(TopLayer);
+    vtkTextProperty* look = actor->GetTextProperty();
+    look->SetFontSize(FontSize);
+    look->SetLineSpacing(1.3);
+    look->SetColor(TextColor.data());
+    look->SetVerticalJustificationToTop();
+  }
+  this->Keys->GetTextProperty()->SetColor(KeyColor.data());
+}
+
+KeyHelp::~KeyHelp() = default;
+
+void KeyHelp::setText(const std::string& text)
+{
+  this->Text = text;
+  std::string keys;
+  std::string meanings;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t tab = line.find('\t');
+    keys += (tab == std::string::npos ? line : line.substr(0, tab)) + "\n";
+    meanings += (tab == std::string::npos ? "" : line.substr(tab + 1)) + "\n";
+  }
+  const auto withoutEnd = [](std::string& lineList)
+  { lineList.erase(std::min(lineList.find_last_not_of('\n') + 1, lineList.size())); };
+  withoutEnd(keys);
+  withoutEnd(meanings);
+  this->Keys->SetInput(keys.c_str());
+  this->Meanings->SetInput(meanings.c_str());
+}
+
+void KeyHelp::show(vtkRenderer* renderer)
+{
+  const std::initializer_list<vtkProp*> props = { this->Sheet.fill(), this->Sheet.outline(),
+    this->Keys.Get(), this->Meanings.Get() };
+  for (vtkProp* prop : props)
+  {
+    if (this->Renderer)
+    {
+      this->Renderer->RemoveViewProp(prop);
+    }
+    if (renderer)
+    {
+      renderer->AddViewProp(prop);
+    }
+  }
+  this->Renderer = renderer;
+  this->place();
+}
+
+void KeyHelp::place()
+{
+  if (!this->Renderer || !this->Renderer->GetVTKWindow())
+  {
+    return;
+  }
+  const int* size = this->Renderer->GetSize();
+  double keys[2];
+  double meanings[2];
+  const auto measure = [&](int fontSize)
+  {
+    this->Keys->GetTextProperty()->SetFontSize(fontSize);
+    this->Meanings->GetTextProperty()->SetFontSize(fontSize);
+    this->Keys->GetSize(this->Renderer, keys);
+    this->Meanings->GetSize(this->Renderer, meanings);
+    return std::pair(
+      keys[0] + Gap + meanings[0] + 2 * Margin, std::max(keys[1], meanings[1]) + 2 * Margin);
+  };
+  auto sheet = measure(FontSize);
+  const double share = std::min(size[0] / sheet.first, size[1] / sheet.second);
+  if (share < 1.0)
+  {
+    sheet = measure(std::max(static_cast<int>(share * FontSize), SmallestFontSize));
+  }
+  const double left = std::floor(0.5 * (size[0] - sheet.first));
+  const double bottom = std::floor(0.5 * (size[1] - sheet.second));
+  this->Sheet.place(left, bottom, sheet.first, sheet.second);
+  const double top = bottom + sheet.second - Margin;
+  this->Keys->SetPosition(left + Margin, top);
+  this->Meanings->SetPosition(left + Margin + keys[0] + Gap, top);
+}
+} // namespace palpate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef KeyHelp_h
+#define KeyHelp_h
+
+#include "PixelBox.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkRenderer;
+class vtkTextActor;
+
+namespace palpate
+{
+/// A sheet in the middle of a renderer: what keys and mouse do, in two columns.
+class KeyHelp
+{
+public:
+  KeyHelp();
+  ~KeyHelp();
+  KeyHelp(const KeyHelp&) = delete;
+  KeyHelp& operator=(const KeyHelp&) = delete;
+
+  /// A line per key: "key<tab>what it does"; an empty line is a gap.
+  void setText(const std::string& text);
+  const std::string& text() const { return this->Text; }
+
+  /// Shows it in a renderer, over what is there; null: nowhere.
+  void show(vtkRenderer* renderer);
+  bool isShown() const { return this->Renderer != nullptr; }
+  /// Puts it into the middle, whatever the size of the window has become; before a frame.
+  void place();
+
+private:
+  std::string Text;
+  vtkSmartPointer<vtkTextActor> Keys;
+  vtkSmartPointer<vtkTextActor> Meanings;
+  PixelBox Sheet;
+  vtkRenderer* Renderer = nullptr;
+};
+} // namespace palpate
+
+#endif

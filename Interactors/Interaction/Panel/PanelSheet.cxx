@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PanelSheet.h"
+
+#include "PanelLook.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// Pixels, of a sheet that has room.
+constexpr double Width = 240.0;
+constexpr double Margin = 16.0;
+constexpr double HeadingHeight = 40.0;
+constexpr double SliderHeight = 48.0;
+constexpr double ButtonHeight = 32.0;
+constexpr double ButtonGap = 5.0;
+constexpr double StatusHeight = 58.0;
+constexpr int FontSize = 14;
+constexpr int HeadingSize = 13;
+constexpr int SmallestSize = 8;
+} // namespace
+
+PanelSheet::PanelSheet()
+{
+  stylePanelText(this->Status, HeadingColor);
+  this->Status->GetTextProperty()->SetVerticalJustificationToTop();
+}
+
+PanelSheet::~PanelSheet()
+{
+  this->hide();
+}
+
+bool PanelSheet::Row::isShown() const
+{
+  return (this->text && this->text->GetVisibility()) ||
+    (this->slider && this->slider->GetVisibility()) ||
+    std::any_of(this->buttons.begin(), this->buttons.end(),
+      [](const auto& button) { return button->GetVisibility(); });
+}
+
+void PanelSheet::addHeading(const std::string& text)
+{
+  Row row;
+  row.text = vtkSmartPointer<vtkTextActor>::New();
+  row.text->SetInput(text.c_str());
+  stylePanelText(row.text, HeadingColor);
+  row.text->GetTextProperty()->SetBold(1);
+  row.height = HeadingHeight;
+  this->Rows.push_back(row);
+}
+
+PanelSlider* PanelSheet::addSlider(Action changed, Action released)
+{
+  Row row;
+  row.slider = vtkSmartPointer<PanelSlider>::New();
+  row.height = SliderHeight;
+  vtkNew<vtkSliderWidget> widget;
+  widget->SetRepresentation(row.slider);
+  widget->SetAnimationModeToJump();
+  this->observe(widget, vtkCommand::StartInteractionEvent, changed);
+  this->observe(widget, vtkCommand::InteractionEvent, changed);
+  PanelSlider* slider = row.slider;
+  this->observe(widget, vtkCommand::EndInteractionEvent,
+    [slider, released]
+    {
+      slider->release();
+      released();
+    });
+  this->Widgets.emplace_back(widget);
+  this->Sliders.push_back(row.slider);
+  this->Rows.push_back(row);
+  return slider;
+}
+
+PanelButton* PanelSheet::addButton(const std::string& label, Action pressed, int inRow)
+{
+  const auto button = vtkSmartPointer<PanelButton>::New();
+  button->setLabel(label);
+  vtkNew<vtkButtonWidget> widget;
+  widget->SetRepresentation(button);
+  this->observe(widget, vtkCommand::StateChangedEvent, pressed);
+  this->Widgets.emplace_back(widget);
+  this->Buttons.push_back(button);
+  if (this->Rows.empty() || this->Rows.back().buttons.empty() ||
+    this->Rows.back().columns != inRow ||
+    static_cast<int>(this->Rows.back().buttons.size()) == inRow)
+  {
+    Row row;
+    row.columns = inRow;
+    row.height = ButtonHeight;
+    this->Rows.push_back(row);
+  }
+  if (inRow == 1)
+  {
+    button->alignLeft();
+  }
+  this->Rows.back().buttons.push_back(button);
+  return button;
+}
+
+void PanelSheet::addStatus()
+{
+  Row row;
+  row.text = this->Status.Get();
+  row.height = StatusHeight;
+  this->Rows.push_back(row);
+}
+
+void PanelSheet::clear()
+{
+  this->hide();
+  this->Rows.clear();
+  this->Sliders.clear();
+  this->Buttons.clear();
+  this->Widgets.clear();
+  this->Actions.clear();
+}
+
+void PanelSheet::setStatus(const std::string& text)
+{
+  this->Status->SetInput(text.c_str());
+}
+
+std::string PanelSheet::status() const
+{
+  const char* text = this->Status->GetInput();
+  return text ? text : "";
+}
+
+void PanelSheet::show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor)
+{
+  this->hide();
+  this->Renderer = renderer;
+  for (const auto& widget : this->Widgets)
+  {
+    widget->SetInteractor(interactor);
+    widget->SetDefaultRenderer(renderer);
+    widget->SetCurrentRenderer(renderer);
+    widget->On();
+  }
+  for (const Row& row : this->Rows)
+  {
+    if (row.text)
+    {
+      renderer->AddViewProp(row.text);
+    }
+  }
+  this->place();
+}
+
+void PanelSheet::hide()
+{
+  if (!this->Renderer)
+  {
+    return;
+  }
+  for (const auto& widget : this->Widgets)
+  {
+    widget->Off();
+    widget->SetInteractor(nullptr);
+  }
+  for (const Row& row : this->Rows)
+  {
+    if (row.text)
+    {
+      this->Renderer->RemoveViewProp(row.text);
+    }
+  }
+  this->Renderer = nullptr;
+}
+
+void PanelSheet::place()
+{
+  if (!this->Renderer || !this->Renderer->GetVTKWindow())
+  {
+    return;
+  }
+  const int* size = this->Renderer->GetSize();
+  double needed = Margin;
+  for (const Row& row : this->Rows)
+  {
+    needed += row.isShown() ? row.height : 0.0;
+  }
+  const double share = std::min({ 1.0, size[0] / Width, size[1] / needed });
+  const double left = std::round(share * Margin);
+  const double width = size[0] - 2.0 * left;
+  const int fontSize = std::max(static_cast<int>(share * FontSize), SmallestSize);
+  double top = size[1];
+  for (Row& row : this->Rows)
+  {
+    if (!row.isShown())
+    {
+      continue;
+    }
+    const double height = std::round(share * row.height);
+    const double bottom = top - height;
+    if (row.text)
+    {
+      const bool isStatus = row.text == this->Status.Get();
+      row.text->GetTextProperty()->SetFontSize(
+        isStatus ? fontSize - 1 : std::max(static_cast<int>(share * HeadingSize), SmallestSize));
+      row.text->SetPosition(left, isStatus ? top - std::round(0.2 * height) : bottom + 7.0 * share);
+    }
+    if (row.slider)
+    {
+      row.slider->place(left, bottom, width, height, fontSize);
+    }
+    const double gap = std::round(share * ButtonGap);
+    const double each = (width + gap) / std::max<double>(row.columns, 1.0);
+    for (std::size_t i = 0; i < row.buttons.size(); ++i)
+    {
+      const double from = std::round(left + static_cast<double>(i) * each);
+      const double to = std::round(left + static_cast<double>(i + 1) * each - gap);
+      row.buttons[i]->place(from, bottom + gap, to - from, height - gap, fontSize);
+    }
+    top = bottom;
+  }
+}
+
+void PanelSheet::observe(vtkObject* object, unsigned long event, const Action& action)
+{
+  this->Actions.push_back(action);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&this->Actions.back());
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<Action*>(data))(); });
+  object->AddObserver(event, command);
+}
+} // namespace palpate

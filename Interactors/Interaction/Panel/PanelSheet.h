@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PanelSheet_h
+#define PanelSheet_h
+
+#include "PanelButton.h"
+#include "PanelSlider.h"
+
+#include "vtkButtonWidget.h"
+#include "vtkNew.h"
+#include "vtkSliderWidget.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextActor.h"
+
+#include <functional>
+#include <list>
+#include <string>
+#include <vector>
+
+class vtkRenderWindowInteractor;
+class vtkRenderer;
+
+namespace palpate
+{
+/// Headings, sliders and buttons one below the other, in a renderer. Knows nothing of what they are
+/// for.
+class PanelSheet
+{
+public:
+  using Action = std::function<void()>;
+
+  PanelSheet();
+  ~PanelSheet();
+  PanelSheet(const PanelSheet&) = delete;
+  PanelSheet& operator=(const PanelSheet&) = delete;
+
+  void addHeading(const std::string& text);
+  /// `changed` when the handle moves, `released` when it is let go.
+  PanelSlider* addSlider(Action changed, Action released);
+  /// `inRow` buttons side by side, as many as there are calls; left: the label begins there.
+  PanelButton* addButton(const std::string& label, Action pressed, int inRow = 1);
+  void addStatus();
+  void clear();
+
+  void setStatus(const std::string& text);
+  std::string status() const;
+
+  void show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor);
+  void hide();
+  bool isShown() const { return this->Renderer != nullptr; }
+  /// Of whatever size the renderer has become; before a frame.
+  void place();
+
+  const std::vector<vtkSmartPointer<PanelSlider>>& sliders() const { return this->Sliders; }
+  const std::vector<vtkSmartPointer<PanelButton>>& buttons() const { return this->Buttons; }
+
+private:
+  /// A line of the sheet: one of the three, or some buttons.
+  struct Row
+  {
+    vtkSmartPointer<vtkTextActor> text;
+    vtkSmartPointer<PanelSlider> slider;
+    std::vector<vtkSmartPointer<PanelButton>> buttons;
+    int columns = 1;
+    double height = 0.0;
+
+    bool isShown() const;
+  };
+
+  void observe(vtkObject* object, unsigned long event, const Action& action);
+
+  std::vector<Row> Rows;
+  std::vector<vtkSmartPointer<PanelSlider>> Sliders;
+  std::vector<vtkSmartPointer<PanelButton>> Buttons;
+  std::vector<vtkSmartPointer<vtkAbstractWidget>> Widgets;
+  vtkNew<vtkTextActor> Status;
+  std::list<Action> Actions; ///< that widgets point to
+  vtkRenderer* Renderer = nullptr;
+};
+} // namespace palpate
+
+#endif

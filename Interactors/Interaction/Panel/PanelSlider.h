@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PanelSlider_h
+#define PanelSlider_h
+
+#include "PanelScale.h"
+#include "PixelBox.h"
+
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSliderRepresentation.h"
+#include "vtkTextActor.h"
+
+#include <functional>
+#include <string>
+
+namespace palpate
+{
+/// How a slider of a panel looks and where it is hit: name and value above a track. A press
+/// anywhere on the row moves the handle there and holds it.
+class PanelSlider : public vtkSliderRepresentation
+{
+public:
+  static PanelSlider* New() { VTK_STANDARD_NEW_BODY(PanelSlider); }
+  vtkTypeMacro(PanelSlider, vtkSliderRepresentation);
+
+  /// How a value is written, with its unit.
+  using Format = std::function<std::string(double)>;
+  void setMeaning(const std::string& name, const PanelScale& scale, Format format);
+  const std::string& name() const { return this->Title; }
+
+  void setQuantity(double value);
+  double quantity() const { return this->Scale.valueAt(this->Share); }
+  bool isHeld() const { return this->Held; }
+  void release() { this->Held = false; }
+
+  /// The row, in pixels of the renderer, from its lower left corner.
+  void place(double left, double bottom, double width, double height, int fontSize);
+  /// Of the handle at a value, in pixels of the renderer.
+  void findHandle(double value, double position[2]) const;
+
+  void SetTitleText(const char* title) override { this->Title = title ? title : ""; }
+  const char* GetTitleText() override { return this->Title.c_str(); }
+  void StartWidgetInteraction(double position[2]) override;
+  void WidgetInteraction(double position[2]) override;
+  void Highlight(int) override {}
+  void BuildRepresentation() override {}
+  void GetActors2D(vtkPropCollection* props) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+
+protected:
+  PanelSlider();
+  ~PanelSlider() override = default;
+
+private:
+  PanelSlider(const PanelSlider&) = delete;
+  void operator=(const PanelSlider&) = delete;
+
+  void follow(const double position[2]);
+  void show();
+  template <class Do>
+  void forEachActor(const Do& act);
+
+  std::string Title;
+  PanelScale Scale;
+  Format Write;
+  double Share = 0.0;
+  bool Held = false;
+  PixelBox Row; ///< is not drawn
+  PixelBox Track;
+  PixelBox Filled;
+  PixelBox Handle;
+  vtkNew<vtkTextActor> Name;
+  vtkNew<vtkTextActor> ValueText;
+};
+} // namespace palpate
+
+#endif

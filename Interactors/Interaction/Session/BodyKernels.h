@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BodyKernels_h
+#define BodyKernels_h
+
+#include "ContactBody.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace palpate
+{
+/// What a session's ticks need of a body, per prefix of its responses. May be made on any thread.
+struct BodyKernels
+{
+  /// Largest force (N) and stiffness (N/mm).
+  using Peaks = std::pair<double, double>;
+
+  std::map<std::string, std::shared_ptr<const ContactBody>> read;
+  /// Of a response down to a depth, mm.
+  std::map<std::pair<std::string, double>, std::optional<Peaks>> peaks;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef NewestRequest_h
+#define NewestRequest_h
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
+namespace palpate
+{
+/**
+ * A thread that works on what was asked for last: a request that comes while another is under way
+ * takes the place of those that wait, and tells the one under way that it is stale. Nobody waits
+ * for it but the destructor. The thread begins with the first request and yields to the window and
+ * to others where it may.
+ */
+template <class Request, class Result>
+class NewestRequest
+{
+public:
+  /// Whether to give up: something newer is asked for, or nobody wants the result any more.
+  using Stale = std::function<bool()>;
+  /// Runs on the thread. What it returns when it is stale is thrown away.
+  using Work = std::function<Result(const Request&, const Stale&)>;
+
+  explicit NewestRequest(Work work)
+    : Does(std::move(work))
+  {
+  }
+  ~NewestRequest()
+  {
+    if (this->Thread.joinable())
+    {
+      {
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        this->Ending = true;
+        ++this->Newest;
+      }
+      this->Wake.notify_one();
+      this->Thread.join();
+    }
+  }
+  NewestRequest(const NewestRequest&) = delete;
+  NewestRequest& operator=(const NewestRequest&) = delete;
+
+  void submit(Request request)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Waiting = std::move(request);
+      this->Done.reset(); // of an older request
+      ++this->Newest;
+    }
+    if (!this->Thread.joinable())
+    {
+      this->Thread = std::thread([this] { this->run(); });
+    }
+    this->Wake.notify_one();
+  }
+
+  /// Nothing is asked for any more.
+  void cancel()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Waiting.reset();
+    this->Done.reset();
+    ++this->Newest;
+  }
+
+  /// Whether the newest request has no result yet.
+  bool isBusy() const
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->Waiting || this->UnderWay == this->Newest;
+  }
+
+  /// The result of the newest request, once; nothing until then.
+  std::optional<Result> collect()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return std::exchange(this->Done, std::nullopt);
+  }
+
+private:
+  void run()
+  {
+#ifdef __linux__
+    constexpr int yielding = 10;
+    setpriority(PRIO_PROCESS, 0, yielding); // of this thread alone, and of those it starts
+#endif
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    while (true)
+    {
+      this->Wake.wait(lock, [this] { return this->Ending || this->Waiting; });
+      if (this->Ending)
+      {
+        return;
+      }
+      const Request request = std::move(*std::exchange(this->Waiting, std::nullopt));
+      const std::uint64_t mine = this->Newest;
+      this->UnderWay = mine;
+      lock.unlock();
+      Result result = this->Does(request, [this, mine] { return this->Newest != mine; });
+      lock.lock();
+      this->UnderWay = None;
+      if (this->Newest == mine)
+      {
+        this->Done = std::move(result);
+      }
+    }
+  }
+
+  static constexpr std::uint64_t None = ~std::uint64_t{ 0 };
+
+  Work Does;
+  mutable std::mutex Mutex;
+  std::condition_variable Wake;
+  std::optional<Request> Waiting;
+  std::optional<Result> Done;
+  std::atomic<std::uint64_t> Newest{ 0 }; ///< changed under the lock, read without
+  std::uint64_t UnderWay = None;
+  bool Ending = false;
+  std::thread Thread;
+};
+} // namespace palpate
+
+#endif

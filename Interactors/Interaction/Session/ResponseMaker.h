@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ResponseMaker_h
+#define ResponseMaker_h
+
+#include "BodyKernels.h"
+
+#include "vtkContactTool.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// What responses are to be made. Nothing in it is shared with another thread but to be read.
+struct ResponseRequest
+{
+  vtkSmartPointer<vtkPolyData> body;
+  std::vector<vtkSmartPointer<vtkContactTool>> tools;
+  std::vector<std::string> names; ///< prefix of each tool's response
+  bool stored = false;            ///< the body brings them: only the kernels are made
+  double youngsModulus = 0.0;     ///< MPa
+  double poissonRatio = 0.0;
+  double maximumDeflection = 0.0; ///< mm
+  double layerThickness = 0.0;    ///< mm, of a body without such an array
+  std::string thicknessArray;     ///< "": the constant
+  std::string complianceArray;    ///< "": none
+  double complianceFactor = 1.0;  ///< the body's, by which compliance and modes are multiplied
+  /// Kernel of the same surface, to be spared making it again; may be null.
+  std::shared_ptr<const ContactBody> surface;
+};
+
+/// The responses that were made, or why not.
+struct MadeResponses
+{
+  vtkSmartPointer<vtkPolyData> from; ///< the body that was asked for
+  vtkSmartPointer<vtkPolyData> body; ///< the same with the responses; null after an error
+  std::vector<vtkSmartPointer<vtkContactTool>> tools;
+  double poissonRatio = 0.0;
+  BodyKernels kernels;
+  std::string error;
+  std::string warning;
+};
+
+/// Takes a while: some 1 us per point and tool. Gives up when stale() says so. On any thread.
+MadeResponses makeResponses(const ResponseRequest& request, const std::function<bool()>& stale);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkContactSetup
+ * @brief what is touched with what: body, tools, material, model, and the responses that follow
+ *
+ * Give it a bare body and tools and say what the body is made of; Update makes the responses of all
+ * tools, each under a prefix of its own: `Response` for the first, then `Response2`, `Response3`...
+ * GetOutput is the body with them, GetTool and GetResponseName say whose they are. ApplyTo gives
+ * them to a session, running or not, ShowIn to a scene.
+ *
+ * Under a hand nothing may wait for that (a second for some hundred thousand points). Request makes
+ * the responses, and what the session makes of them, on a thread of its own; of several requests
+ * the newest wins; Collect, called once a frame, takes them over when they are there. Until then,
+ * and after an error, output, session and scene stay as they are.
+ *
+ * Lengths in mm, moduli in MPa. The body is not written to; its points and cells must not be
+ * changed in place once it has been given (SetBody again, after changes). For one thread, the
+ * graphics thread; only Update waits.
+ */
+#ifndef vtkContactSetup_h
+#define vtkContactSetup_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkContactScene;
+class vtkContactTool;
+class vtkHapticSession;
+class vtkPolyData;
+
+namespace palpate
+{
+struct MadeResponses;
+struct ResponseRequest;
+} // namespace palpate
+
+class PALPATEINTERACTION_EXPORT vtkContactSetup : public vtkObject
+{
+public:
+  static vtkContactSetup* New();
+  vtkTypeMacro(vtkContactSetup, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModelType
+  {
+    HalfSpace = 0,
+    Layer = 1,  ///< on a rigid base, bonded: the property LayerThickness, or the array (mm)
+    Series = 2, ///< local, in series with the array GlobalCompliance (mm/N)
+    Stored = 3  ///< the body brings its responses: they are used as they are
+  };
+
+  ///@{
+  /** The body: triangles, outward normals if it has any; with the arrays its models need. */
+  void SetBody(vtkPolyData* body);
+  vtkPolyData* GetBody();
+  ///@}
+
+  ///@{
+  /** The tools; changing one counts as a change of the setup. With Stored they are what is drawn.
+   */
+  void AddTool(vtkContactTool* tool);
+  void RemoveAllTools();
+  int GetNumberOfTools();
+  /** Null where there is none. */
+  vtkContactTool* GetTool(int tool);
+  /** Prefix of its response arrays. */
+  std::string GetResponseName(int tool);
+  ///@}
+
+  ///@{
+  /** The tool in the hand, from 0. Choosing another needs no new responses. Default 0. */
+  void SetChosenTool(int tool);
+  vtkGetMacro(ChosenTool, int);
+  ///@}
+  ///@{
+  /** What most changes the tool in the hand: the half angle of a cone (degrees), else the radius
+   * (mm). Nothing is set, and 0 got, where HasToolSize says no: power laws, profiles, no tool. */
+  void SetToolSize(double size);
+  double GetToolSize();
+  bool HasToolSize();
+  bool IsToolSizeAngle();
+  ///@}
+
+  ///@{
+  /** Young's modulus, MPa, > 0. Default 0.1. */
+  vtkSetMacro(YoungsModulus, double);
+  vtkGetMacro(YoungsModulus, double);
+  ///@}
+  ///@{
+  /** Poisson's ratio, 0 to 0.5. Default 0.45. With Series the compliance stays the one it is. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+  ///@{
+  /** Depth of the last sample, mm, > 0. Default 2. */
+  vtkSetMacro(MaximumDeflection, double);
+  vtkGetMacro(MaximumDeflection, double);
+  ///@}
+
+  ///@{
+  /** What lies under the surface: see above. Default HalfSpace. */
+  vtkSetMacro(Model, int);
+  vtkGetMacro(Model, int);
+  ///@}
+  /** Whether the body and the properties have what a model needs; Stored and the others exclude
+   * each other. */
+  bool HasModel(int model);
+  ///@{
+  /** Thickness of the layer, mm, the same everywhere. Default 0: as the array of this name says. */
+  vtkSetMacro(LayerThickness, double);
+  vtkGetMacro(LayerThickness, double);
+  ///@}
+  ///@{
+  /** Young's modulus (MPa) at which GlobalCompliance and the global modes of the body were found:
+   * for another they are scaled. Default 0: they hold as they are, whatever the modulus. */
+  vtkSetMacro(ComplianceModulus, double);
+  vtkGetMacro(ComplianceModulus, double);
+  ///@}
+
+  /** Makes the responses now. Returns false after an error, with the output as it was. */
+  bool Update();
+  /** Has them made in the background, unless they are, or are being made, as everything is set now.
+   */
+  void Request();
+  /** Whether what was requested is not there yet. */
+  bool IsBusy();
+  /** Takes over what was requested, if it is there: true once. False, after an error, if it could
+   * not be made. Never waits. */
+  bool Collect();
+  /** The newest error; "" after a success. */
+  vtkGetMacro(Error, std::string);
+
+  /** The body with the responses; null before the first. A new one each time. */
+  vtkPolyData* GetOutput();
+  /** The tool its response was made for; null before the first Update or Collect. */
+  vtkContactTool* GetOutputTool(int tool);
+
+  /** Largest force of any tool of the output at any point, MaximumDeflection deep, N; 0 before the
+   * first. */
+  double GetLargestForce();
+
+  /** Gives a session the output, the response of the tool in the hand and Poisson's ratio, and
+   * applies it if it runs. Returns false after an error. */
+  bool ApplyTo(vtkHapticSession* session);
+  /** Gives a scene the output and the tool in the hand as its response was made. */
+  void ShowIn(vtkContactScene* scene);
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkContactSetup();
+  ~vtkContactSetup() override;
+
+private:
+  vtkContactSetup(const vtkContactSetup&) = delete;
+  void operator=(const vtkContactSetup&) = delete;
+
+  bool MakeRequest(palpate::ResponseRequest& request);
+  bool TakeOver(palpate::MadeResponses&& made);
+
+  int ChosenTool = 0;
+  double YoungsModulus = 0.1;
+  double PoissonRatio = 0.45;
+  double MaximumDeflection = 2.0;
+  int Model = HalfSpace;
+  double LayerThickness = 0.0;
+  double ComplianceModulus = 0.0;
+  std::string Error;
+
+  struct State;
+  std::unique_ptr<State> Kept;
+};
+
+#endif

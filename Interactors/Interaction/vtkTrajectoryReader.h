@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTrajectoryReader
+ * @brief a recorded trajectory (.csv) as a polyline of tips that grows with time
+ *
+ * Reads what a session has recorded (`palpate --record`, the offscreen session's trajectory.csv),
+ * or any .csv with the columns time_s, tip_x_mm, tip_y_mm, tip_z_mm; see palpate::readTrajectory.
+ *
+ * Output: the tips in order, mm, body frame, as one polyline with the point arrays `Time` (double,
+ * s) and, as far as the file has them, `ContactPoint` (3, mm), `Deflection` (mm), `NormalForce`
+ * (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total), `ContactState` (uint8, as
+ * of vtkToolContactProbe); of the device, in its own frame, `DevicePosition` (3, m) and `SentForce`
+ * (3, N). Ticks without a valid sample have no tip and are left out.
+ *
+ * Time: the file's times are announced, FrameRate per second, and the output asked for at a time t
+ * ends with the last tip that is not after t: as input of a vtkToolContactProbe its last tip is the
+ * present one, with the history of friction behind it. With WholePath, or when no time is asked
+ * for, all of it is there.
+ *
+ * Errors: no file, or one that is not a trajectory: file, line and what is wrong; the output is
+ * then empty. Cost: the file is read again when its name or its time of change differs; a request
+ * then copies the tips up to its time.
+ */
+#ifndef vtkTrajectoryReader_h
+#define vtkTrajectoryReader_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <filesystem> // For std::filesystem::file_time_type
+#include <memory>     // For std::unique_ptr
+#include <string>     // For std::string
+
+namespace palpate
+{
+struct Trajectory;
+}
+
+class PALPATEINTERACTION_EXPORT vtkTrajectoryReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTrajectoryReader* New();
+  vtkTypeMacro(vtkTrajectoryReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file. Required. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** Time steps announced per second, 1 to 10000; a session has a thousand ticks and more in each.
+   * Default 25. */
+  vtkSetClampMacro(FrameRate, double, 1.0, 10000.0);
+  vtkGetMacro(FrameRate, double);
+  ///@}
+
+  ///@{
+  /** All tips, whatever the time. Default off. */
+  vtkSetMacro(WholePath, bool);
+  vtkGetMacro(WholePath, bool);
+  vtkBooleanMacro(WholePath, bool);
+  ///@}
+
+  /** Whether the first line that is no comment names the columns of a trajectory; 1 or 0. */
+  static int CanReadFile(VTK_FILEPATH const char* fileName);
+
+protected:
+  vtkTrajectoryReader();
+  ~vtkTrajectoryReader() override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkTrajectoryReader(const vtkTrajectoryReader&) = delete;
+  void operator=(const vtkTrajectoryReader&) = delete;
+
+  /// Returns what is wrong, or "".
+  std::string Read();
+
+  char* FileName = nullptr;
+  double FrameRate = 25.0;
+  bool WholePath = false;
+
+  std::unique_ptr<palpate::Trajectory> Known; ///< what was read last, ticks with a tip only
+  std::string KnownFile;
+  std::filesystem::file_time_type KnownTime; ///< of the file's last change
+};
+
+#endif

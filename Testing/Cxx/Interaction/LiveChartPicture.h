@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One live chart in a window, over a session that presses and slides.
+#ifndef palpate_testing_LiveChartPicture_h
+#define palpate_testing_LiveChartPicture_h
+
+#include "LiveChartChecks.h"
+#include "Picture.h"
+
+#include "vtkHapticSession.h"
+
+namespace palpate::testing
+{
+/// A sphere pressed 1.2 mm into a plane whose modulus varies, where the device gives no more than
+/// 10 N, and slid with friction.
+inline vtkSmartPointer<vtkHapticSession> slidingSession()
+{
+  auto session = vtkSmartPointer<vtkHapticSession>::New();
+  const Body body = unevenResponse(planeBody(20.0, 20), "sphere:6.35");
+  session->SetBody(body);
+  session->SetFrictionCoefficient(0.3);
+  session->SetPath(pressAndSlide(1.2));
+  return session;
+}
+
+/// A window as large as a chart may be in a live window.
+struct LiveChartPicture : Picture
+{
+  enum Chart
+  {
+    Time,
+    Deflection,
+    Curves,
+    Histogram
+  };
+
+  explicit LiveChartPicture(Chart shown, int width = 420, int height = 300)
+    : Picture(width, height)
+  {
+    this->charts->SetTimeVisibility(shown == Time);
+    this->charts->SetDeflectionVisibility(shown == Deflection);
+    this->charts->SetCurvesVisibility(shown == Curves);
+    this->charts->SetHistogramVisibility(shown == Histogram);
+    this->charts->SetRenderer(this->addRenderer());
+  }
+
+  vtkNew<vtkLiveCharts> charts;
+};
+} // namespace palpate::testing
+
+#endif

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sliders dragged and buttons pressed by events of the interactor, under a hand that presses; what
+// is felt then is asserted by the tools' closed forms.
+#include "Picture.h"
+#include "SceneBodies.h"
+
+#include "vtkContactPanel.h"
+#include "vtkContactScene.h"
+#include "vtkContactSetup.h"
+#include "vtkHapticSession.h"
+#include "vtkInteractorStyleHaptic.h"
+
+#include "vtkRenderWindowInteractor.h"
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Depth = 1.0; // mm
+constexpr double Poisson = 0.4;
+
+/// A layer under a sphere, in a window with the panel at its right.
+struct Window
+{
+  Picture picture{ 1000, 760 };
+  vtkSmartPointer<vtkRenderer> left = picture.addRenderer(0.0, 0.75);
+  vtkSmartPointer<vtkRenderer> right = picture.addRenderer(0.75, 1.0);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkContactSetup> setup;
+  vtkNew<vtkContactScene> scene;
+  vtkNew<vtkHapticSession> session;
+  vtkNew<vtkInteractorStyleHaptic> style;
+  vtkNew<vtkContactPanel> panel;
+
+  Window()
+  {
+    this->interactor->SetRenderWindow(this->picture.window);
+    this->setup->SetBody(planeBody(15.0, 60));
+    this->setup->AddTool(makeTool("sphere:5"));
+    this->setup->AddTool(makeTool("flat:1"));
+    this->setup->AddTool(makeTool("cone:60"));
+    this->setup->SetYoungsModulus(0.05);
+    this->setup->SetPoissonRatio(Poisson);
+    this->setup->SetLayerThickness(8.0);
+    PALPATE_CHECK(this->setup->Update());
+    this->scene->SetRenderer(this->left);
+    this->setup->ShowIn(this->scene);
+    this->session->RealTimeOn();
+    this->session->RecordingOff();
+    this->session->SetHistorySeconds(5.0);
+    PALPATE_CHECK(this->setup->ApplyTo(this->session));
+    this->style->SetSession(this->session);
+    this->style->SetScene(this->scene);
+    this->interactor->SetInteractorStyle(this->style);
+    const double tip[3] = { 0.3, 0.2, -Depth };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    const double above[3] = { 0.3, 0.2, 5.0 };
+    this->session->SteerTo(above);
+    PALPATE_CHECK(this->session->Start());
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    this->session->SteerTo(tip);
+    this->scene->ShowContact(above, above, up, above, 0.0, -1);
+    const double from[3] = { 0.0, -1.0, 0.5 };
+    this->scene->LookAtContact(80.0, from, up);
+    this->picture.window->Render();
+    this->panel->SetRenderer(this->right);
+    this->panel->SetSetup(this->setup);
+    this->panel->SetStyle(this->style);
+    this->panel->On();
+    this->style->ShowFrame();
+  }
+
+  void send(unsigned long event, const int position[2])
+  {
+    this->interactor->SetEventInformation(position[0], position[1]);
+    this->interactor->InvokeEvent(event);
+  }
+  void press(const std::string& label)
+  {
+    int place[2];
+    PALPATE_CHECK(this->panel->FindButton(label, place));
+    this->send(vtkCommand::MouseMoveEvent, place);
+    this->send(vtkCommand::LeftButtonPressEvent, place);
+    this->send(vtkCommand::LeftButtonReleaseEvent, place);
+    this->settle();
+  }
+  /// From where the handle is to a value, by three moves.
+  void drag(const std::string& name, double from, double to)
+  {
+    int start[2];
+    int end[2];
+    PALPATE_CHECK(this->panel->FindSlider(name, from, start));
+    PALPATE_CHECK(this->panel->FindSlider(name, to, end));
+    this->send(vtkCommand::MouseMoveEvent, start);
+    this->send(vtkCommand::LeftButtonPressEvent, start);
+    for (int step = 1; step <= 3; ++step)
+    {
+      const int place[2] = { start[0] + step * (end[0] - start[0]) / 3, start[1] + step };
+      this->send(vtkCommand::MouseMoveEvent, place);
+      this->style->ShowFrame();
+    }
+    this->send(vtkCommand::LeftButtonReleaseEvent, end);
+    this->settle();
+  }
+  /// Until the hand is where it was steered to, bounded.
+  void arrive()
+  {
+    for (int i = 0; i < 2000 && std::abs(this->session->GetDeflection() - Depth) > 1e-7; ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+  /// Until what was asked for is felt, bounded.
+  void settle()
+  {
+    this->style->ShowFrame();
+    for (int i = 0; i < 2000 && this->setup->IsBusy(); ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      this->panel->Update();
+    }
+    this->panel->Update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // the force goes over
+    const vtkIdType ticks = this->session->GetNumberOfTicks();
+    for (int i = 0; i < 2000 && this->session->GetNumberOfTicks() < ticks + 60; ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    this->style->ShowFrame();
+  }
+  double force()
+  {
+    double ideal[3];
+    this->session->GetIdealForce(ideal);
+    return vtkMath::Norm(ideal);
+  }
+  /// Of the tool in the hand on a half-space of what the setup says.
+  double expected()
+  {
+    const double nu = this->setup->GetPoissonRatio();
+    return this->setup->GetTool(this->setup->GetChosenTool())
+      ->GetForce(Depth, this->setup->GetYoungsModulus() / (1.0 - nu * nu));
+  }
+};
+
+constexpr double Storage = 1e-3; // relative, of curves of eight samples
+
+void checkMaterial(Window& w)
+{
+  w.arrive();
+  PALPATE_CHECK_NEAR(w.session->GetDeflection(), Depth, 1e-6);
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  const double before = w.force();
+  w.drag("Young's modulus", 0.05, 2.0);
+  // A pixel is 4 % of the modulus: 4 decades over 208 pixels.
+  PALPATE_CHECK_NEAR(w.setup->GetYoungsModulus(), 2.0, 0.1);
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  PALPATE_CHECK_NEAR(w.force() / before, w.setup->GetYoungsModulus() / 0.05, 0.1);
+  w.drag("Poisson's ratio", Poisson, 0.1);
+  PALPATE_CHECK_NEAR(w.setup->GetPoissonRatio(), 0.1, 0.01);
+  PALPATE_CHECK(w.session->GetPoissonRatio() == w.setup->GetPoissonRatio());
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  w.drag("Friction", 0.0, 0.5);
+  PALPATE_CHECK_NEAR(w.session->GetFrictionCoefficient(), 0.5, 0.01);
+  w.drag("Dent drawn deeper", 1.0, 8.0);
+  PALPATE_CHECK_NEAR(w.scene->GetExaggeration(), 8.0, 0.5);
+}
+
+void checkTools(Window& w)
+{
+  w.drag("Radius", 5.0, 10.0);
+  PALPATE_CHECK_NEAR(w.setup->GetToolSize(), 10.0, 0.4);
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  w.press("2   flat, 1 mm");
+  PALPATE_CHECK(w.setup->GetChosenTool() == 1);
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  w.interactor->SetKeyCode('3');
+  w.interactor->InvokeEvent(vtkCommand::CharEvent);
+  w.settle();
+  PALPATE_CHECK(w.setup->GetChosenTool() == 2 && w.setup->IsToolSizeAngle());
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  w.drag("Half angle", 60.0, 45.0);
+  PALPATE_CHECK_NEAR(w.setup->GetToolSize(), 45.0, 1.0);
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  int nowhere[2];
+  PALPATE_CHECK(!w.panel->FindSlider("Radius", 1.0, nowhere));
+  PALPATE_CHECK(!w.panel->FindButton("In series", nowhere)); // the body has no compliance
+}
+
+void checkModel(Window& w)
+{
+  w.press("Layer");
+  PALPATE_CHECK(w.setup->GetModel() == vtkContactSetup::Layer);
+  PALPATE_CHECK(w.force() > 1.01 * w.expected()); // a near base stiffens
+  w.press("Half-space");
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  // A program may change the setup as well: the panel asks for the responses, and shows it.
+  w.setup->SetYoungsModulus(0.4);
+  w.settle();
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
+  int handle[2];
+  PALPATE_CHECK(w.panel->FindSlider("Young's modulus", 0.4, handle));
+  w.send(vtkCommand::LeftButtonPressEvent, handle); // held where it is: at most a pixel away
+  w.send(vtkCommand::LeftButtonReleaseEvent, handle);
+  PALPATE_CHECK_NEAR(w.setup->GetYoungsModulus(), 0.4, 0.02);
+  w.settle();
+}
+
+void checkSession(Window& w)
+{
+  const auto folder = std::filesystem::current_path() / "TestContactPanel";
+  std::filesystem::remove_all(folder);
+  w.style->SetOutputFolder(folder.string());
+  w.press("Record");
+  PALPATE_CHECK(w.style->IsRecording());
+  PALPATE_CHECK_TEXT(w.panel->GetStatus(), "recording", " s");
+  w.press("Record");
+  PALPATE_CHECK(!w.style->IsRecording() && w.style->GetNumberOfRecordedTicks() > 10);
+  PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.csv"));
+  w.press("Picture");
+  PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.png"));
+  w.press("Keys: ?");
+  PALPATE_CHECK(w.style->GetHelpVisibility());
+  w.press("Keys: ?");
+  w.press("Stop");
+  PALPATE_CHECK(w.session->GetState() == vtkHapticSession::Stopped);
+}
+} // namespace
+
+int TestContactPanel(int argc, char* argv[])
+{
+  Window window;
+  checkMaterial(window);
+  checkTools(window);
+  checkModel(window);
+  checkSession(window);
+  // The panel alone is the picture: the scene is that of other tests.
+  window.setup->SetYoungsModulus(0.035);
+  window.setup->SetChosenTool(0);
+  window.setup->SetToolSize(6.35);
+  window.session->SetFrictionCoefficient(0.3);
+  window.style->SetNotice("");
+  window.settle();
+  window.left->RemoveAllViewProps();
+  checkBaseline(window.picture.window, argc, argv);
+  return palpate::testing::result();
+}

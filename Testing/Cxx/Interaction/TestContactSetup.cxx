@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Body, tools, material and model become responses, now or in the background, and reach a running
+// session. The forces are those of closed forms.
+#include "PlacedDevice.h"
+
+#include "vtkContactSetup.h"
+#include "vtkHapticSession.h"
+
+#include <chrono>
+#include <thread>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Modulus = 0.3; // MPa
+constexpr double Poisson = 0.4;
+constexpr double Reduced = Modulus / (1.0 - Poisson * Poisson);
+constexpr double Stored = 1e-6; // relative: responses are floats
+
+/// Force of a response at a point, as deep as it reaches, 2 mm.
+double deepest(vtkContactSetup* setup, int tool)
+{
+  vtkDataArray* force =
+    setup->GetOutput()->GetPointData()->GetArray((setup->GetResponseName(tool) + "Force").c_str());
+  return force->GetComponent(60, force->GetNumberOfComponents() - 1);
+}
+
+vtkSmartPointer<vtkContactSetup> makeSetup(vtkPolyData* body)
+{
+  auto setup = vtkSmartPointer<vtkContactSetup>::New();
+  setup->SetBody(body);
+  setup->AddTool(makeTool("sphere:5"));
+  setup->AddTool(makeTool("flat:1"));
+  setup->SetYoungsModulus(Modulus);
+  setup->SetPoissonRatio(Poisson);
+  return setup;
+}
+
+/// True if the request has succeeded; false, after an error, if not.
+bool collected(vtkContactSetup* setup)
+{
+  bool taken = setup->Collect();
+  while (!taken && setup->IsBusy())
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    taken = setup->Collect();
+  }
+  return taken || setup->Collect();
+}
+
+void checkNow()
+{
+  const Body body = planeBody(10.0, 10);
+  const auto setup = makeSetup(body);
+  PALPATE_CHECK(setup->GetOutput() == nullptr && setup->GetLargestForce() == 0.0);
+  PALPATE_CHECK(setup->Update());
+  const auto sphere = makeTool("sphere:5");
+  PALPATE_CHECK_NEAR(deepest(setup, 0) / sphere->GetForce(2.0, Reduced), 1.0, Stored);
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * Reduced * 2.0), 1.0, Stored);
+  PALPATE_CHECK_NEAR(setup->GetLargestForce() / sphere->GetForce(2.0, Reduced), 1.0, Stored);
+  PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // is not written to
+  PALPATE_CHECK(setup->GetOutput()->GetPoints() == body->GetPoints());
+  PALPATE_CHECK(setup->GetToolSize() == 5.0 && !setup->IsToolSizeAngle());
+  setup->SetChosenTool(1);
+  setup->SetToolSize(1.5);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 1.5 * Reduced * 2.0), 1.0, Stored);
+  setup->SetChosenTool(7);
+  PALPATE_CHECK(setup->GetChosenTool() == 1);
+}
+
+/// Of several requests the newest wins; each result is collected once.
+void checkInTheBackground()
+{
+  const auto setup = makeSetup(planeBody(20.0, 150));
+  PALPATE_CHECK(setup->Update());
+  vtkPolyData* before = setup->GetOutput();
+  setup->Request();
+  PALPATE_CHECK(!setup->IsBusy()); // nothing has changed
+  for (const double factor : { 5.0, 4.0, 3.0, 2.0 })
+  {
+    setup->SetYoungsModulus(factor * Modulus);
+    setup->Request();
+    PALPATE_CHECK(setup->GetOutput() == before);
+  }
+  PALPATE_CHECK(collected(setup));
+  PALPATE_CHECK(setup->GetOutput() != before);
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 2.0 * Reduced * 2.0), 1.0, Stored);
+  PALPATE_CHECK(!setup->Collect() && !setup->IsBusy());
+  // A tool changed in place counts; so does what is asked for while something is under way.
+  setup->GetTool(1)->SetRadius(3.0);
+  setup->Request();
+  setup->SetYoungsModulus(Modulus);
+  PALPATE_CHECK(setup->Update()); // in want of the request
+  PALPATE_CHECK(!collected(setup));
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 3.0 * Reduced * 2.0), 1.0, Stored);
+}
+
+void checkErrors()
+{
+  vtkNew<vtkContactSetup> empty;
+  Messages missing(empty);
+  PALPATE_CHECK(!empty->Update());
+  PALPATE_CHECK_TEXT(missing.takeErrors(), "body", "SetBody");
+
+  const auto setup = makeSetup(planeBody(10.0, 10));
+  Messages messages(setup);
+  PALPATE_CHECK(setup->Update() && messages.none());
+  vtkPolyData* before = setup->GetOutput();
+  setup->SetYoungsModulus(-1.0);
+  PALPATE_CHECK(!setup->Update());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Young", "-1");
+  setup->SetYoungsModulus(-2.0);
+  setup->Request();
+  PALPATE_CHECK(!collected(setup));
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Young", "-2");
+  PALPATE_CHECK_TEXT(setup->GetError(), "Young", "-2");
+  PALPATE_CHECK(setup->GetOutput() == before);
+  setup->SetYoungsModulus(Modulus);
+  setup->SetModel(vtkContactSetup::Series);
+  PALPATE_CHECK(!setup->Update());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "model 2");
+  setup->SetModel(vtkContactSetup::HalfSpace);
+  PALPATE_CHECK(setup->Update() && setup->GetError().empty());
+}
+
+void checkModels()
+{
+  const Body body = planeBody(10.0, 10);
+  const auto setup = makeSetup(body);
+  PALPATE_CHECK(setup->HasModel(vtkContactSetup::HalfSpace));
+  PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Layer));
+  PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Series));
+  PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Stored));
+  const double halfSpace = 2.0 * Reduced * 2.0; // flat, 1 mm
+  // A layer is stiffer, by the share a/h times a number of order 1 where it is thick.
+  setup->SetLayerThickness(1e4);
+  setup->SetModel(vtkContactSetup::Layer);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / halfSpace, 1.0, 1e-3);
+  setup->SetLayerThickness(2.0);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK(deepest(setup, 1) > 1.3 * halfSpace);
+  // In series: 1/k = 1/(2 a E*) + C, the compliance being that of the modulus it was found at.
+  constexpr double compliance = 0.8;
+  pointArray(body, "GlobalCompliance", [](vtkIdType) { return compliance; });
+  setup->SetBody(body);
+  setup->SetModel(vtkContactSetup::Series);
+  setup->SetComplianceModulus(Modulus);
+  PALPATE_CHECK(setup->Update());
+  const double series = 2.0 / (1.0 / (2.0 * Reduced) + compliance);
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / series, 1.0, Stored);
+  setup->SetYoungsModulus(3.0 * Modulus);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (3.0 * series), 1.0, Stored);
+  setup->SetComplianceModulus(0.0);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) * (1.0 / (6.0 * Reduced) + compliance) / 2.0, 1.0, Stored);
+  // What the body brings is used as it is.
+  const auto stored = makeSetup(setup->GetOutput());
+  stored->SetModel(vtkContactSetup::Stored);
+  PALPATE_CHECK(!stored->HasModel(vtkContactSetup::HalfSpace) && stored->Update());
+  PALPATE_CHECK(deepest(stored, 1) == deepest(setup, 1));
+}
+
+/// The force of a running session goes over to what has been collected, and not before.
+void checkSession()
+{
+  const auto setup = makeSetup(planeBody(10.0, 10));
+  PALPATE_CHECK(setup->Update());
+  vtkNew<vtkHapticSession> session;
+  PALPATE_CHECK(setup->ApplyTo(session)); // does not run yet
+  pressed(session, deviceOf(1e3, 1e6));
+  const auto sphere = makeTool("sphere:5");
+  const double force = sphere->GetForce(1.0, Reduced);
+  // Where three curves of eight samples are blended, 1 mm deep in 2: storage error 2e-4.
+  PALPATE_CHECK_NEAR(idealOf(session) / force, 1.0, 1e-3);
+  setup->SetYoungsModulus(2.0 * Modulus);
+  setup->Request();
+  while (setup->IsBusy())
+  {
+    session->Step(0.01);
+  }
+  PALPATE_CHECK_NEAR(idealOf(session) / force, 1.0, 1e-3);
+  PALPATE_CHECK(setup->Collect() && setup->ApplyTo(session));
+  session->Step(0.1);
+  PALPATE_CHECK_NEAR(idealOf(session) / force, 2.0, 2e-3);
+  setup->SetChosenTool(1);
+  PALPATE_CHECK(setup->ApplyTo(session));
+  session->Step(0.1);
+  PALPATE_CHECK_NEAR(idealOf(session) / (2.0 * 2.0 * Reduced), 1.0, 1e-5);
+}
+} // namespace
+
+int TestContactSetup(int, char*[])
+{
+  checkNow();
+  checkInTheBackground();
+  checkErrors();
+  checkModels();
+  checkSession();
+  return palpate::testing::result();
+}

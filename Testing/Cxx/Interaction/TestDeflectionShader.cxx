@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The dent that the vertex shader makes against that of vtkContactDeflection, pixel by pixel: where
+// the surface is, what colour and how it is lit, which cells are picked.
+#include "TwoPaths.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkSignedCharArray.h"
+#include "vtkStringArray.h"
+#include "vtkToolContactResponse.h"
+
+#include <string>
+
+namespace
+{
+using namespace palpate::testing;
+using palpate::Vector3;
+
+constexpr double Depth = 1.2;
+constexpr double Exaggeration = 2.0;
+
+/// What the table of the shader may be off by (DeflectionTable.h), of the deflection, with twice
+/// that for what a shift along the surface makes of it on slopes up to 2.
+constexpr double Surface = 2e-3;
+/// Of 255: 1e-3 of the deflection is a quarter of a step of the legend's 256; the next step differs
+/// by up to 3.
+constexpr double Color = 4.0;
+/// Of 255: the filter weighs the facets around a point by area, the shader takes the slope over two
+/// edges. They agree to second order in the edge; 0.05 rad is 13.
+constexpr double Light = 13.0;
+
+struct Case
+{
+  std::string tool;
+  Body body;
+  Vector3 contact;
+  double poisson = 0.0; // of all the largest radial displacement
+  double edge = 0.0;    ///< a tool with a sharp rim: the share of pixels whose light may differ
+};
+
+vtkSmartPointer<vtkContactScene> makeScene(const Case& tried, vtkPolyData* tip)
+{
+  auto scene = vtkSmartPointer<vtkContactScene>::New();
+  scene->SetBody(tried.body);
+  scene->SetTool(makeTool(tried.tool));
+  scene->SetPoissonRatio(tried.poisson);
+  scene->SetLargestDeflection(Depth);
+  scene->SetExaggeration(Exaggeration);
+  scene->ShowTip(tip, 0);
+  return scene;
+}
+
+Body pressed(const Case& tried)
+{
+  const Vector3 tip = tried.contact - Depth * tried.contact.normalized();
+  return probed(tried.body, singleTip(tip.x(), tip.y(), tip.z()));
+}
+
+void checkCase(const Case& tried)
+{
+  const int before = palpate::testing::failures();
+  const Body tip = pressed(tried);
+  auto scene = makeScene(tried, tip);
+  for (const Vector3& aside : { Vector3(0.0, 0.0, 0.0), Vector3(0.8, -0.3, 0.0) })
+  {
+    TwoPaths paths(scene, tried.contact, tried.contact.normalized() + aside, 9.0);
+    const Deviation depth(paths.depths(true), paths.depths(false), Surface * Exaggeration * Depth);
+    const Deviation color(paths.colors(true, false), paths.colors(false, false), Color);
+    const Deviation light(paths.colors(true, true), paths.colors(false, true), Light);
+    const Deviation cells(paths.cells(true), paths.cells(false));
+    std::cout << tried.tool << " on " << tried.body->GetNumberOfCells() << " triangles: surface "
+              << depth.largest << " mm (" << depth.share << "), colour " << color.largest << " ("
+              << color.share << "), light " << light.largest << " (" << light.share << "), cells "
+              << cells.share << std::endl;
+    // At silhouettes and on the edges of facets a pixel may show another facet.
+    PALPATE_CHECK(depth.share < 0.002);
+    PALPATE_CHECK(color.share < 0.002);
+    PALPATE_CHECK(light.share <= 0.005 + tried.edge);
+    PALPATE_CHECK(cells.share < 0.01);
+    // A body that is not displaced, or not lit so, is far beyond that.
+    auto flat = makeScene(tried, tip);
+    flat->SetExaggeration(0.0);
+    TwoPaths still(flat, tried.contact, tried.contact.normalized() + aside, 9.0);
+    PALPATE_CHECK(
+      Deviation(paths.depths(true), still.depths(true)).largest > 0.5 * Exaggeration * Depth);
+    PALPATE_CHECK(
+      Deviation(paths.colors(true, true), still.colors(true, true), Light).share > 0.05);
+  }
+  if (palpate::testing::failures() > before)
+  {
+    std::cerr << "in the case " << tried.tool << std::endl;
+  }
+}
+
+Body lifted(const Body& body, double height)
+{
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    body->GetPoint(i, x);
+    x[2] += height;
+    body->GetPoints()->SetPoint(i, x);
+  }
+  return body;
+}
+
+/// A plane, 0.4 mm from point to point, above the origin.
+Body plane(const std::string& tool)
+{
+  return withResponse(lifted(planeBody(24.0, 120), 50.0), tool);
+}
+
+Body layered(const std::string& tool, double thickness)
+{
+  const Body body = lifted(planeBody(24.0, 120), 50.0);
+  vtkNew<vtkToolContactResponse> response;
+  response->SetInputData(body);
+  response->SetTool(makeTool(tool));
+  response->SetPoissonRatio(0.45);
+  response->SetLayerThickness(thickness);
+  response->Update();
+  return response->GetOutput();
+}
+
+/// In series with as many modes as there may be: the plane tilts and sags under the tool.
+Body bending(const std::string& tool)
+{
+  const Body body = lifted(planeBody(24.0, 120), 50.0);
+  vtkNew<vtkSignedCharArray> signs;
+  signs->SetName("GlobalModeSign");
+  for (int k = 0; k < 6; ++k)
+  {
+    vtkNew<vtkFloatArray> mode;
+    mode->SetName(("GlobalMode" + std::to_string(k)).c_str());
+    mode->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+    {
+      const double* x = body->GetPoint(i);
+      const double height = 0.2 / (k + 1) * std::cos(0.3 * x[0] + 0.2 * k) * std::cos(0.07 * x[1]);
+      mode->InsertNextTuple3(0.001 * k * x[1], 0.01, height);
+    }
+    body->GetPointData()->AddArray(mode);
+    signs->InsertNextValue(k == 1 ? -1 : 1);
+  }
+  pointArray(body, "GlobalCompliance", [](vtkIdType) { return 0.03; });
+  vtkNew<vtkToolContactResponse> response;
+  response->SetInputData(body);
+  response->SetTool(makeTool(tool));
+  response->SetYoungsModulus(2.0); // some 8 N: the modes sag 0.3 mm and turn normals by 0.2
+  response->SetInputArrayToProcess(
+    2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
+  response->Update();
+  const Body result = response->GetOutput();
+  result->GetFieldData()->AddArray(signs);
+  return result;
+}
+} // namespace
+
+int TestDeflectionShader(int, char*[])
+{
+  const Vector3 top(0.0, 0.0, 50.0);
+  checkCase({ "sphere:6.35", plane("sphere:6.35"), top });
+  checkCase({ "paraboloid:3", plane("paraboloid:3"), top, 0.3 });
+  checkCase({ "cone:65", plane("cone:65"), top });
+  checkCase({ "flat:2", plane("flat:2"), top, 0.0, 0.05 });
+  checkCase({ "truncated:1.5,60", plane("truncated:1.5,60"), top, 0.3, 0.05 });
+  checkCase({ "sphere:6.35", layered("sphere:6.35", 4.0), top, 0.45 });
+  checkCase({ "flat:2", layered("flat:2", 2.0), top, 0.45, 0.05 });
+  checkCase({ "sphere:6.35", bending("sphere:6.35"), top, 0.3 });
+  checkCase({ "sphere:5", withResponse(sphereBody(20.0, 6), "sphere:5"), Vector3(0.0, 0.0, 20.0) });
+  checkCase(
+    { "sphere:5", withResponse(tubeBody(15.0, 60.0), "sphere:5"), Vector3(0.0, 0.0, 15.0) });
+  return palpate::testing::result();
+}

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The curves at the contact: the blend against the probe at the same place, the corners against
+// vtkResponseCurves, on facets and on the smooth surface; compared tools; where they turn dotted.
+#include "LiveChartChecks.h"
+
+#include "vtkAxis.h"
+#include "vtkHapticSession.h"
+#include "vtkPen.h"
+#include "vtkResponseCurves.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <array>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Range = 2.0; // mm, vtkToolContactResponse's own
+constexpr int Steps = 60;
+constexpr const char* Corners[3] = { "Corner 1", "Corner 2", "Corner 3" };
+
+double felt(vtkPolyData* probed, const char* name)
+{
+  return probed->GetPointData()->GetArray(name)->GetTuple1(0);
+}
+
+std::array<vtkIdType, 3> cornersOf(vtkPolyData* body, vtkPolyData* probed)
+{
+  vtkNew<vtkIdList> ids;
+  body->GetPolys()->GetCellAtId(static_cast<vtkIdType>(felt(probed, "ContactCell")), ids);
+  return { ids->GetId(0), ids->GetId(1), ids->GetId(2) };
+}
+
+vtkSmartPointer<vtkTable> storedCurves(
+  vtkPolyData* body, const std::string& name, std::initializer_list<vtkIdType> points)
+{
+  vtkNew<vtkResponseCurves> curves;
+  curves->SetInputData(body);
+  curves->SetResponseName(name);
+  curves->SetNumberOfRows(Steps + 1);
+  for (const vtkIdType point : points)
+  {
+    curves->AddPointId(point);
+  }
+  curves->Update();
+  return curves->GetOutput();
+}
+
+/// Two evaluations of the same samples; those of a stored curve but for the order of sums.
+void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType column)
+{
+  vtkIdType row = 0;
+  for (const auto& [depth, force] : curve)
+  {
+    while (row < Steps && expected->GetValue(row, 0).ToDouble() < depth - 1e-9)
+    {
+      ++row;
+    }
+    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9) // not where it turns dotted
+    {
+      const double stored = expected->GetValue(row, column).ToDouble();
+      PALPATE_CHECK_NEAR(force, stored, 1e-12 * stored);
+    }
+  }
+  PALPATE_CHECK(row == Steps && curve.size() > Steps);
+}
+
+/// On a plane a tip straight below the contact point has it too: the blend at any depth is what the
+/// probe says there.
+void checkFacets()
+{
+  const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
+  vtkDataArray* limits = body->GetPointData()->GetArray("ResponseValidity");
+  for (vtkIdType i = 0; i < limits->GetNumberOfTuples(); ++i)
+  {
+    limits->SetTuple1(i, 0.31 + 0.1 * static_cast<double>(i % 5));
+  }
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetBody(body);
+  vtkChartXY* chart = charts->GetCurvesChart();
+  for (const auto& [x, y] :
+    { Row{ 0.37, 0.81 }, Row{ -7.2, 3.1 }, Row{ 4.0, 4.0 }, Row{ 1.0, 6.0 } })
+  {
+    const Body pressed = probed(body, singleTip(x, y, -0.7));
+    PALPATE_CHECK(charts->ShowTip(pressed, 0));
+    const std::vector<Row> blend = curveOf(chart, "Blend");
+    PALPATE_CHECK(blend.size() == Steps + 3); // and where it turns dotted, in both parts
+    for (const auto& [depth, force] : blend)
+    {
+      const double expected =
+        depth > 0.0 ? felt(probed(body, singleTip(x, y, -depth)), "NormalForce") : 0.0;
+      PALPATE_CHECK_NEAR(force, expected, 1e-12 * expected);
+    }
+    const auto ids = cornersOf(body, pressed);
+    vtkSmartPointer<vtkTable> stored = storedCurves(body, "Response", { ids[0], ids[1], ids[2] });
+    double validity = Range;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      checkCurve(curveOf(chart, Corners[k]), stored, static_cast<vtkIdType>(k) + 1);
+      validity = std::min(validity, limits->GetTuple1(ids[k]));
+    }
+    vtkPlot* solid = plotOf(chart, "Blend");
+    vtkPlot* dotted = chart->GetPlot(chart->GetPlotIndex(solid) + 1);
+    PALPATE_CHECK(pointsOf(solid).back().first == validity);
+    PALPATE_CHECK(pointsOf(dotted).front() == pointsOf(solid).back());
+    PALPATE_CHECK(solid->GetPen()->GetLineType() == vtkPen::SOLID_LINE);
+    PALPATE_CHECK(dotted->GetPen()->GetLineType() == vtkPen::DOT_LINE);
+    PALPATE_CHECK(!dotted->GetLegendVisibility());
+    const Row now{ felt(pressed, "Deflection"), felt(pressed, "NormalForce") };
+    PALPATE_CHECK(pointsOf(plotOf(chart, "Now")) == std::vector<Row>{ now });
+  }
+}
+
+/// When the tool leaves the curves stay, and the running point goes.
+void checkLeaving()
+{
+  const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetBody(body);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const double height : { 1.0, -0.7, 1.0 })
+  {
+    points->InsertNextPoint(1.0, 6.0, height);
+  }
+  const Body tips = Body::New();
+  tips->SetPoints(points);
+  const Body passed = probed(body, tips);
+  vtkChartXY* chart = charts->GetCurvesChart();
+  PALPATE_CHECK(charts->ShowTip(passed, 0));
+  PALPATE_CHECK(chart->GetNumberOfPlots() == 0);
+  PALPATE_CHECK(charts->ShowTip(passed, 1));
+  const std::vector<Row> blend = curveOf(chart, "Blend");
+  PALPATE_CHECK(blend.size() > Steps && pointsOf(plotOf(chart, "Now")).size() == 1);
+  for (int i = 0; i < 2; ++i) // from tip to tip, and at once
+  {
+    PALPATE_CHECK(charts->ShowTip(passed, 2));
+    PALPATE_CHECK(curveOf(chart, "Blend") == blend && pointsOf(plotOf(chart, "Now")).empty());
+    PALPATE_CHECK(charts->ShowTip(passed, 0));
+  }
+}
+
+/// Cells before the triangles move their ids, not their curves.
+void checkOtherCells()
+{
+  const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
+  const Body more = Body::New();
+  more->ShallowCopy(body);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 3 });
+  vertices->InsertNextCell({ 5 });
+  more->SetVerts(vertices);
+  std::vector<std::vector<Row>> blends;
+  for (const Body& each : { body, more })
+  {
+    vtkNew<vtkLiveCharts> charts;
+    charts->SetBody(each);
+    PALPATE_CHECK(charts->ShowTip(probed(each, singleTip(0.37, 0.81, -0.7)), 0));
+    blends.push_back(curveOf(charts->GetCurvesChart(), "Blend"));
+  }
+  PALPATE_CHECK(blends[0] == blends[1]);
+}
+
+/// The point on the smooth surface has other area coordinates than its foot on the facet: the blend
+/// at the depth felt is the force felt.
+void checkSmooth()
+{
+  const Body body = unevenResponse(sphereBody(40.0, 3), "flat:1.6");
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetBody(body);
+  vtkNew<vtkToolContactProbe> probe;
+  probe->SetInputData(0, body);
+  probe->SetContactSurfaceToSmooth();
+  constexpr int row = 15; // 0.5 mm
+  for (const auto& [x, y] : { Row{ 3.0, 8.0 }, Row{ -15.0, 6.0 }, Row{ 12.0, -21.0 } })
+  {
+    double tip[3] = { x, y, std::sqrt(39.5 * 39.5 - x * x - y * y) };
+    for (int i = 0; i < 2; ++i) // the second time exactly so deep
+    {
+      probe->SetTipData(singleTip(tip[0], tip[1], tip[2]));
+      probe->Update();
+      vtkPointData* data = probe->GetOutput()->GetPointData();
+      const double* contact = data->GetArray("ContactPoint")->GetTuple3(0);
+      const double* normal = data->GetArray("Normal")->GetTuple3(0);
+      for (int k = 0; k < 3; ++k)
+      {
+        tip[k] = contact[k] - Range * row / Steps * normal[k];
+      }
+    }
+    PALPATE_CHECK_NEAR(felt(probe->GetOutput(), "Deflection"), 0.5, 1e-9);
+    PALPATE_CHECK(charts->ShowTip(probe->GetOutput(), 0));
+    const double force = felt(probe->GetOutput(), "NormalForce");
+    const std::vector<Row> blend = curveOf(charts->GetCurvesChart(), "Blend");
+    const auto at = std::find_if(blend.begin(), blend.end(),
+      [](const Row& each) { return std::abs(each.first - 0.5) < 1e-9; });
+    // The kernel's coordinates are good to 2e-6 mm of 6 mm long edges, over which it varies
+    // threefold.
+    PALPATE_CHECK(at != blend.end());
+    PALPATE_CHECK_NEAR(at->second, force, 2e-6 * force);
+  }
+}
+
+/// At a vertex the blend of each tool is the vertex' own curve.
+void checkCompared()
+{
+  const Body body = planeBody(20.0, 20);
+  Body last = body;
+  for (const auto& [name, tool] : { std::pair<const char*, const char*>{ "A", "flat:1.6" },
+         { "B", "sphere:6.35" }, { "C", "cone:60" } })
+  {
+    vtkNew<vtkToolContactResponse> filter;
+    filter->SetInputData(last);
+    filter->SetTool(makeTool(tool));
+    filter->SetResponseName(name);
+    filter->Update();
+    last = Body::New();
+    last->ShallowCopy(filter->GetOutput());
+  }
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetBody(last);
+  charts->SetResponseName("B");
+  charts->AddComparedResponse("A");
+  charts->AddComparedResponse("B", "the ball");
+  charts->AddComparedResponse("C");
+  const Body pressed = probed(last, singleTip(4.0, 4.0, -0.7), "B");
+  PALPATE_CHECK(charts->ShowTip(pressed, 0));
+  vtkChartXY* chart = charts->GetCurvesChart();
+  PALPATE_CHECK(chart->GetNumberOfPlots() == 7); // each with its dotted part, and the point
+  const vtkIdType vertex = 12 * 21 + 12;
+  const std::pair<std::string, const char*> labels[] = { { "A", nullptr }, { "B", "the ball" },
+    { "C", nullptr } };
+  for (const auto& [name, label] : labels)
+  {
+    auto* tool =
+      vtkStringArray::SafeDownCast(last->GetFieldData()->GetAbstractArray((name + "Tool").c_str()));
+    const std::string shown = label ? std::string(label) : std::string(tool->GetValue(0));
+    checkCurve(curveOf(chart, shown), storedCurves(last, name, { vertex }), 1);
+  }
+  const Row now{ 0.7, felt(pressed, "NormalForce") };
+  PALPATE_CHECK(pointsOf(plotOf(chart, "Now")) == std::vector<Row>{ now });
+  charts->RemoveAllComparedResponses();
+  PALPATE_CHECK(charts->ShowTip(pressed, 0));
+  PALPATE_CHECK(curveOf(chart, "Blend").size() > Steps);
+
+  charts->AddComparedResponse("D");
+  Messages messages(charts);
+  PALPATE_CHECK(!charts->ShowTip(pressed, 0));
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "'DSamples'");
+}
+
+/// Live as from a probe; beyond the range the blend goes as far as the tool.
+void checkSession()
+{
+  const Body body = unevenResponse(planeBody(20.0, 20), "sphere:6.35");
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetPath(pressAndSlide(2.5));
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetSession(session);
+  PALPATE_CHECK(session->GetHistorySeconds() == charts->GetDuration());
+  charts->Update(); // not started: nothing to show, no error
+  PALPATE_CHECK(charts->GetCurvesChart()->GetNumberOfPlots() == 0);
+  PALPATE_CHECK(session->Start());
+  session->Step(1.7);
+  charts->Update();
+  PALPATE_CHECK(session->GetDeflection() > 2.4);
+  vtkChartXY* chart = charts->GetCurvesChart();
+  const std::vector<Row> blend = curveOf(chart, "Blend");
+  PALPATE_CHECK(blend.back().first == session->GetDeflection());
+  PALPATE_CHECK(pointsOf(plotOf(chart, "Now")) == std::vector<Row>{ blend.back() });
+  double force[3];
+  session->GetIdealForce(force);
+  PALPATE_CHECK_NEAR(blend.back().second, vtkMath::Norm(force), 1e-9 * vtkMath::Norm(force));
+  PALPATE_CHECK(chart->GetAxis(vtkAxis::BOTTOM)->GetMaximum() >= session->GetDeflection());
+  PALPATE_CHECK(chart->GetAxis(vtkAxis::LEFT)->GetMaximum() >= blend.back().second);
+  session->Stop();
+  charts->Update();
+  PALPATE_CHECK(pointsOf(plotOf(chart, "Now")).empty());
+}
+} // namespace
+
+int TestLiveChartsCurves(int, char*[])
+{
+  checkFacets();
+  checkLeaving();
+  checkOtherCells();
+  checkSmooth();
+  checkCompared();
+  checkSession();
+  return palpate::testing::result();
+}

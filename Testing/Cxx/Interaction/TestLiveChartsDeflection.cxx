@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture of force over deflection of a touch: its way in, a slide, ideal and applied force.
+#include "LiveChartPicture.h"
+
+int TestLiveChartsDeflection(int argc, char* argv[])
+{
+  using namespace palpate::testing;
+  const auto session = slidingSession();
+  LiveChartPicture picture(LiveChartPicture::Deflection);
+  picture.charts->SetSession(session);
+  PALPATE_CHECK(session->Start());
+  session->Step(1.9);
+  picture.charts->Update();
+  const auto sound = draw(picture.window);
+  checkBaseline(picture.window, argc, argv);
+
+  vtkChartXY* chart = picture.charts->GetDeflectionChart();
+  for (const char* part : { "Ideal", "Applied", "Now" })
+  {
+    plotOf(chart, part)->SetVisible(false);
+    checkFaultShows(std::string(part) + " is missing", sound, picture.window);
+    plotOf(chart, part)->SetVisible(true);
+  }
+  checkSound(sound, picture.window);
+  session->Step(1.0); // up again
+  picture.charts->Update();
+  checkFaultShows("the tool has left", sound, picture.window);
+  return palpate::testing::result();
+}
