@@ -23,7 +23,9 @@ namespace
 constexpr int Width = 1280;
 constexpr int Height = 960;
 constexpr double LongestFrame = 60.0; // s, that a record can wait for
-constexpr double FieldRadii = 10.0;   // the field is drawn this many contact radii far
+constexpr double PanelWidth = 256.0;  // pixels
+constexpr double LargestPanelShare = 0.4;
+constexpr double ChartShare = 0.28; // of the height
 } // namespace
 
 LiveTouch::LiveTouch(
@@ -40,6 +42,7 @@ LiveTouch::LiveTouch(
   this->Interactor->SetRenderWindow(this->Window);
   this->View->SetRenderer(this->Renderer);
   this->View->SetBody(responses.body);
+  this->View->SetTool(responses.tools.front());
   this->View->SetTitle(scene.title);
   this->View->SetPoissonRatio(scene.poissonsRatio);
   this->View->SetLargestDeflection(options.maximumDeflection);
@@ -55,6 +58,7 @@ LiveTouch::LiveTouch(
   this->Style->SetScene(this->View);
   this->Style->SetMaximumDepth(options.maximumDeflection);
   this->Style->SetPressDepth(scene.depth);
+  this->Style->SetOutputFolder(options.output);
   this->Interactor->SetInteractorStyle(this->Style);
 }
 
@@ -76,8 +80,11 @@ void LiveTouch::open()
   this->Style->HoverAt(site.point.data(), site.normal.data());
   const std::array<double, 3> tip = site.above(this->Style->GetHoverHeight());
   const double none[3] = { 0.0, 0.0, 0.0 };
-  this->chooseLook(0);
   this->Interactor->Initialize();
+  if (this->HasPanel)
+  {
+    this->Panel->On();
+  }
   this->View->ShowContact(tip.data(), site.point.data(), site.normal.data(), none, 0.0, -1);
   this->View->LookAtBody(this->Scene.viewFrom.data(), this->Scene.up.data());
   this->Window->Render();
@@ -99,31 +106,72 @@ std::string LiveTouch::run()
   return error.empty() ? this->writeRecord() : error;
 }
 
-void LiveTouch::chooseLook(std::size_t tool)
+void LiveTouch::when(vtkObject* speaker, unsigned long event, std::function<void(void*)> action)
 {
-  vtkContactTool* chosen = this->Responses.tools[tool];
-  this->View->SetTool(chosen);
-  this->View->SetFieldRadius(FieldRadii * chosen->GetContactRadius(this->Style->GetMaximumDepth()));
+  this->Actions.push_back(std::make_unique<std::function<void(void*)>>(std::move(action)));
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this->Actions.back().get());
+  command->SetCallback([](vtkObject*, unsigned long, void* client, void* data)
+    { (*static_cast<std::function<void(void*)>*>(client))(data); });
+  speaker->AddObserver(event, command);
+}
+
+void LiveTouch::onTool(std::function<void(int)> action)
+{
+  this->when(this->Panel, vtkContactPanel::ToolShownEvent,
+    [action = std::move(action)](void* tool) { action(*static_cast<const int*>(tool)); });
 }
 
 void LiveTouch::onNumber(std::function<void(int)> action)
 {
-  this->Number = std::move(action);
-  vtkNew<vtkCallbackCommand> chosen;
-  chosen->SetClientData(this);
-  chosen->SetCallback([](vtkObject*, unsigned long, void* client, void* number)
-    { static_cast<LiveTouch*>(client)->Number(*static_cast<const int*>(number)); });
-  this->Style->AddObserver(vtkInteractorStyleHaptic::ToolChosenEvent, chosen);
+  this->when(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
+    [action = std::move(action)](void* number) { action(*static_cast<const int*>(number)); });
 }
 
 void LiveTouch::onSpace(std::function<void()> action)
 {
-  this->Space = std::move(action);
-  vtkNew<vtkCallbackCommand> pressed;
-  pressed->SetClientData(this);
-  pressed->SetCallback([](vtkObject*, unsigned long, void* client, void*)
-    { static_cast<LiveTouch*>(client)->Space(); });
-  this->Style->AddObserver(vtkInteractorStyleHaptic::SwitchEvent, pressed);
+  this->when(this->Style, vtkInteractorStyleHaptic::SwitchEvent,
+    [action = std::move(action)](void*) { action(); });
+}
+
+void LiveTouch::usePanel(vtkContactSetup* setup)
+{
+  this->HasPanel = true;
+  this->Window->AddRenderer(this->PanelRenderer);
+  this->Window->AddRenderer(this->ChartRenderer);
+  this->Charts->SetRenderer(this->ChartRenderer);
+  this->Charts->SetSession(this->Session);
+  this->Panel->SetRenderer(this->PanelRenderer);
+  this->Panel->SetSetup(setup);
+  this->Panel->SetStyle(this->Style);
+  this->Panel->SetCharts(this->Charts);
+  this->arrange();
+  this->when(this->Style, vtkInteractorStyleHaptic::FrameEvent,
+    [this](void*)
+    {
+      this->arrange();
+      if (this->Panel->GetChartsVisibility())
+      {
+        this->Charts->Update();
+      }
+    });
+}
+
+/// The panel keeps its width in pixels, whatever the size of the window has become.
+void LiveTouch::arrange()
+{
+  if (!this->HasPanel)
+  {
+    return;
+  }
+  const double width = std::max(this->Window->GetSize()[0], 1);
+  const double right = 1.0 - std::min(PanelWidth / width, LargestPanelShare);
+  const bool hasCharts = this->Panel->GetChartsVisibility();
+  const double bottom = hasCharts ? ChartShare : 0.0;
+  this->Renderer->SetViewport(0.0, bottom, right, 1.0);
+  this->PanelRenderer->SetViewport(right, 0.0, 1.0, 1.0);
+  this->ChartRenderer->SetViewport(0.0, 0.0, right, ChartShare);
+  this->ChartRenderer->SetDraw(hasCharts);
 }
 
 void LiveTouch::printSummary()

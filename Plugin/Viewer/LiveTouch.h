@@ -6,27 +6,34 @@
 #include "TouchScene.h"
 #include "ViewerOptions.h"
 
+#include "vtkContactPanel.h"
 #include "vtkContactScene.h"
+#include "vtkContactSetup.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkLiveCharts.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
 /// A body in a window under the hand: the window, the session on its servo thread, and the mouse
-/// that steers it. What is being done with it is its owner's.
+/// that steers it; a panel and charts, if it is told to. What is being done with it is its owner's.
 class LiveTouch
 {
 public:
   /// What all it is given refers to must outlive it.
   LiveTouch(const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses);
 
+  /// With a panel on the right that changes the setup, and charts below. Before open().
+  void usePanel(vtkContactSetup* setup);
   /// A line at the top of the window.
   void showHelp(const std::string& text);
   /// Shows the body with the tool above the first site of the scene, and says so.
@@ -35,9 +42,9 @@ public:
   /// prints a summary. Returns an error, or "".
   std::string run();
 
-  /// Draws the tool of these responses from now on.
-  void chooseLook(std::size_t tool);
-  /// What keys 1 to 9 do, told from 0; and the space bar.
+  /// What is done when the panel has put another tool into the hand, told from 0.
+  void onTool(std::function<void(int)> action);
+  /// What keys 1 to 9 do, told from 0, where there is no panel; and the space bar.
   void onNumber(std::function<void(int)> action);
   void onSpace(std::function<void()> action);
 
@@ -47,6 +54,8 @@ public:
   void close() { this->Interactor->TerminateApp(); }
 
 private:
+  void when(vtkObject* speaker, unsigned long event, std::function<void(void*)> action);
+  void arrange();
   void printSummary();
   std::string writeRecord();
 
@@ -59,8 +68,12 @@ private:
   vtkNew<vtkContactScene> View;
   vtkNew<vtkHapticSession> Session;
   vtkNew<vtkInteractorStyleHaptic> Style;
-  std::function<void(int)> Number;
-  std::function<void()> Space;
+  vtkNew<vtkRenderer> PanelRenderer;
+  vtkNew<vtkRenderer> ChartRenderer;
+  vtkNew<vtkLiveCharts> Charts;
+  vtkNew<vtkContactPanel> Panel;
+  bool HasPanel = false;
+  std::vector<std::unique_ptr<std::function<void(void*)>>> Actions;
 };
 
 /// The largest stored force of any tool, N; 1 where the curves are stored in the compact form.

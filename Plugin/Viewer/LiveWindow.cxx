@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveWindow.h"
 
+#include "LiveSetup.h"
 #include "LiveTouch.h"
 #include "SessionSettings.h"
 
@@ -10,32 +11,21 @@ namespace palpate
 {
 namespace
 {
-const char* const Help = "left on the body: press and slide   wheel while pressing: depth   "
-                         "left beside it: orbit   1-9: tool   q: quit";
+const char* const Help = "?: keys and mouse";
 
-void show(LiveTouch& live, const ResponseSet& responses, std::size_t tool)
+void tell(const ResponseSet& responses, int tool)
 {
-  live.chooseLook(tool);
-  std::printf("tool: %s\n", responses.tools[tool]->GetDescription().c_str());
+  const std::string name = responses.tools[static_cast<std::size_t>(tool)]->GetDescription();
+  std::printf("tool: %s\n", name.c_str());
   std::fflush(stdout);
-}
-
-/// Another tool under the hand; the force goes over to it, also in contact.
-void choose(LiveTouch& live, const ResponseSet& responses, std::size_t tool)
-{
-  if (tool < responses.tools.size())
-  {
-    live.session()->SetResponseName(responses.names[tool]);
-    live.session()->ApplyChanges();
-    show(live, responses, tool);
-  }
 }
 } // namespace
 
 std::string runLive(const ViewerOptions& options, const TouchScene& scene)
 {
   ResponseSet responses;
-  std::string error = prepareResponses(options, scene, responses);
+  vtkNew<vtkContactSetup> setup;
+  std::string error = makeLiveSetup(options, scene, setup, responses);
   if (!error.empty())
   {
     return error;
@@ -48,15 +38,15 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   }
   placeDevice(scene, responses, live.session());
   live.showHelp(Help);
-  live.onNumber(
-    [&live, &responses](int number) { choose(live, responses, static_cast<std::size_t>(number)); });
+  live.usePanel(setup);
+  live.onTool([&responses](int tool) { tell(responses, tool); });
   live.open();
   error = startQuietly(live.session());
   if (!error.empty())
   {
     return error;
   }
-  show(live, responses, 0);
+  tell(responses, 0);
   return live.run();
 }
 } // namespace palpate

@@ -191,6 +191,7 @@ std::string drawSideBySide(const std::string& file, const TouchScene& scene,
     const double share = 1.0 / static_cast<double>(count);
     auto shown = stage.addScene(scene, responses.body, responses.tools[i], moment, largestForce,
       static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
+    shown->SetResponseName(responses.names[i]);
     shown->ShowTip(probed[i], 0);
     shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
     scenes.push_back(shown);

@@ -117,8 +117,14 @@ std::string attachResponses(
 std::string prepareResponses(
   const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses)
 {
-  std::string error = attachResponses(scene, options.maximumDeflection, responses);
-  if (error.empty() && !options.save.empty())
+  const std::string error = attachResponses(scene, options.maximumDeflection, responses);
+  return error.empty() ? writeResponses(options, responses) : error;
+}
+
+std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses)
+{
+  std::string error;
+  if (!options.save.empty())
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetDataModeToBinary(); // appended data cannot be read back with newer expat

@@ -49,6 +49,9 @@ std::string attachResponse(const TouchScene& scene, const std::string& tool, con
 std::string prepareResponses(
   const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
 
+/// Writes what --save and --export ask for. Returns an error, or "".
+std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses);
+
 /// Updates an algorithm and returns the errors it reported, instead of letting them spill.
 std::string updateQuietly(vtkAlgorithm* algorithm);
 } // namespace palpate

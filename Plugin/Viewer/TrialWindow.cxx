@@ -10,8 +10,17 @@ namespace palpate
 {
 namespace
 {
-const char* const Help = "space: the other of the two   1: X   2: Y   left on the body: press and "
-                         "slide   left beside it: orbit   q: end";
+const char* const Help = "space: the other of the two   1: X   2: Y   ?: more";
+const char* const TrialKeys = "?\tthis help, on and off\n"
+                              "space\tthe other of the two under the hand\n"
+                              "1  2\tthe answer: X, Y\n"
+                              "q\tend\n"
+                              "\n"
+                              "mouse on the body\tthe hand hovers under the pointer\n"
+                              "left button\tpress and slide\n"
+                              "wheel\tpress deeper, or less deep\n"
+                              "left beside the body\torbit\n"
+                              "middle, right\tpan, zoom";
 
 /// Asks the present trial, or ends.
 void ask(LiveTouch& live, BlindTrial& trial)
@@ -48,7 +57,7 @@ std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene
   }
   LiveTouch live(options, scene, responses);
   live.view()->SetBlind(true);
-  live.style()->SetShowsSafety(false);
+  live.style()->SetKeyHelp(TrialKeys);
   error = chooseDevice(options, responses, live.session());
   if (error.empty() && !live.session()->GetDeviceOutputsForce())
   {

@@ -30,6 +30,8 @@ Examples:
   palpate liver.stl --measured press.csv --tool sphere:1.6   felt with another tool than measured
   palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
   palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
+  palpate --compare                          a body that bends beside one that dents, same tools
+  palpate --map                              where on the head the shape of the tool matters
   palpate --window                           the head in a window, under the mouse
   palpate --window --device hid:/dev/hidraw0 under a device of --list-devices
   palpate --scene cylinder --window --trial sphere:6.35,flat:1.6   which is which, by feel
@@ -196,6 +198,27 @@ void takeTrialTools(ViewerOptions& options)
   }
 }
 
+/// What is shown instead of one tool over one body.
+void addViewOptions(CLI::App& app, ViewerOptions& options)
+{
+  CLI::Option* compare = app.add_flag("--compare", options.compare,
+    "two bodies of rubber side by side under the same tools and motion: a strip on rollers, which "
+    "bends, and a block on a plate, which only dents; curves and verdict under each");
+  for (const char* option :
+    { "BODY", "--scene", "--scan", "--measured", "--voxel", "--layer", "--site", "--slide-to",
+      "--length-unit", "--resolution", "--save", "--export", "--device", "--record", "--trial" })
+  {
+    compare->excludes(app.get_option(option));
+  }
+  CLI::Option* map = app.add_flag("--map", options.map,
+    "where on the body the shape of the first tool matters at --depth: regime index, sensitivity "
+    "and verdict as colour, with --window to be turned");
+  for (const char* option : { "--measured", "--device", "--record", "--trial", "--compare" })
+  {
+    map->excludes(app.get_option(option));
+  }
+}
+
 std::string checkToolText(const std::string& text)
 {
   ToolSpecification tool;
@@ -301,6 +324,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
 
   addDeviceOptions(app, options);
   addTrialOptions(app, options, alternatives);
+  addViewOptions(app, options);
 
   for (const char* option : { "--young", "--poisson", "--depth", "--max-deflection",
          "--length-unit", "--resolution", "--contour", "--closing", "--base", "--reach", "--voxel",

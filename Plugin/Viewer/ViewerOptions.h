@@ -45,6 +45,8 @@ struct ViewerOptions
   std::string save;
   std::string exportTo;
   bool window = false;
+  bool compare = false; ///< two bodies of its own, side by side
+  bool map = false;     ///< where the shape of the first tool matters, instead of a session
   std::string screenshot;
   std::string device = "simulated";
   double scale = 1.0; ///< mm of the body per mm of the hand

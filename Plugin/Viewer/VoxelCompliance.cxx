@@ -2,95 +2,66 @@
 #include "VoxelCompliance.h"
 
 #include "BodyConversion.h"
+#include "FacingPoints.h"
 #include "ResponseSet.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkElasticCompliance.h"
-#include "vtkIdList.h"
-#include "vtkMath.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVoxelBody.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace palpate
 {
 namespace
 {
-constexpr int Sources = 6;          ///< points a value is carried from
-constexpr int FirstSearch = 24;     ///< nearest points looked through for them, at first
-constexpr double LargestTurn = 0.5; ///< cos 60°
+constexpr int Modes = 6; ///< of the body's motion as a whole
 
-/// The points of the solid with a compliance of their own, and their normals.
-struct ValidPoints
+/// The modes of the solid, from all its points: they hold at those without a compliance too.
+void carryModes(vtkPolyData* solid, vtkPolyData* body)
 {
-  vtkSmartPointer<vtkPolyData> cloud = vtkSmartPointer<vtkPolyData>::New();
-  std::vector<Vector3> normals;
-  std::vector<double> compliance;
-};
-
-ValidPoints validPoints(vtkPolyData* solid)
-{
-  ValidPoints valid;
-  const BodyMesh mesh = makeBodyMesh(solid);
-  vtkDataArray* status = solid->GetPointData()->GetArray("ComplianceStatus");
-  vtkDataArray* values = solid->GetPointData()->GetArray("GlobalCompliance");
-  vtkNew<vtkPoints> points;
-  points->SetDataType(VTK_DOUBLE);
-  for (vtkIdType i = 0; i < solid->GetNumberOfPoints(); ++i)
+  vtkDataArray* signs = solid->GetFieldData()->GetArray("GlobalModeSign");
+  if (!signs)
   {
-    if (status->GetTuple1(i) == 0.0)
-    {
-      points->InsertNextPoint(solid->GetPoint(i));
-      valid.normals.push_back(mesh.pointNormal(static_cast<std::int32_t>(i)));
-      valid.compliance.push_back(values->GetTuple1(i));
-    }
+    return;
   }
-  valid.cloud->SetPoints(points);
-  return valid;
-}
-
-/// The mean of the nearest points that face the same way; false if there is none.
-bool interpolate(const ValidPoints& valid, vtkStaticPointLocator* locator, const double place[3],
-  const Vector3& normal, double& value)
-{
-  const auto all = static_cast<int>(valid.compliance.size());
-  vtkNew<vtkIdList> nearest;
-  for (int search = std::min(FirstSearch, all);; search = std::min(8 * search, all))
+  const FacingPoints sources(solid, [](vtkIdType) { return true; });
+  const BodyMesh mesh = makeBodyMesh(body);
+  std::vector<vtkDataArray*> from;
+  std::vector<vtkSmartPointer<vtkFloatArray>> to;
+  for (vtkIdType k = 0; k < signs->GetNumberOfTuples(); ++k)
   {
-    locator->FindClosestNPoints(search, place, nearest);
-    double sum = 0.0;
-    double weights = 0.0;
-    int found = 0;
-    for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && found < Sources; ++k)
+    from.push_back(solid->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str()));
+    to.push_back(vtkSmartPointer<vtkFloatArray>::New());
+    to.back()->SetName(from.back()->GetName());
+    to.back()->SetNumberOfComponents(3);
+    to.back()->SetNumberOfTuples(body->GetNumberOfPoints());
+    body->GetPointData()->AddArray(to.back());
+  }
+  body->GetFieldData()->AddArray(signs);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> place{};
+    body->GetPoint(i, place.data());
+    const auto sum = sources.around(place.data(), mesh.pointNormal(static_cast<std::int32_t>(i)));
+    for (std::size_t k = 0; k < from.size(); ++k)
     {
-      const vtkIdType id = nearest->GetId(k);
-      if (valid.normals[static_cast<std::size_t>(id)].dot(normal) >= LargestTurn)
+      Vector3 mode = Vector3::Zero();
+      for (const auto& [id, weight] : sum)
       {
-        std::array<double, 3> at{};
-        valid.cloud->GetPoint(id, at.data());
-        const double weight =
-          1.0 / std::max(vtkMath::Distance2BetweenPoints(at.data(), place), 1e-12);
-        sum += weight * valid.compliance[static_cast<std::size_t>(id)];
-        weights += weight;
-        ++found;
+        Vector3 part;
+        from[k]->GetTuple(id, part.data());
+        mode += weight * part;
       }
-    }
-    if (found == Sources || (search == all && found > 0))
-    {
-      value = sum / weights;
-      return true;
-    }
-    if (search == all)
-    {
-      return false;
+      to[k]->SetTuple(i, mode.data());
     }
   }
 }
@@ -98,14 +69,17 @@ bool interpolate(const ValidPoints& valid, vtkStaticPointLocator* locator, const
 
 std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
 {
-  const ValidPoints valid = validPoints(solid);
-  if (valid.compliance.empty())
+  vtkDataArray* status = solid->GetPointData()->GetArray("ComplianceStatus");
+  vtkDataArray* values = solid->GetPointData()->GetArray("GlobalCompliance");
+  const FacingPoints valid(solid, [&](vtkIdType id) { return status->GetTuple1(id) == 0.0; });
+  if (valid.isEmpty())
   {
     return "the solid made of the body has no point with a compliance: is --voxel too coarse?";
   }
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(valid.cloud);
-  locator->BuildLocator();
+  // A side that is held has no valid points; what was spread to it along the surface must do.
+  const FacingPoints others(solid,
+    [&](vtkIdType id)
+    { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });
   const BodyMesh mesh = makeBodyMesh(body);
   vtkNew<vtkDoubleArray> carried;
   carried->SetName("GlobalCompliance");
@@ -114,16 +88,26 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
   {
     std::array<double, 3> place{};
     body->GetPoint(i, place.data());
-    double value = 0.0;
-    if (!interpolate(
-          valid, locator, place.data(), mesh.pointNormal(static_cast<std::int32_t>(i)), value))
+    const Vector3 normal = mesh.pointNormal(static_cast<std::int32_t>(i));
+    auto sum = valid.around(place.data(), normal);
+    if (sum.empty())
+    {
+      sum = others.around(place.data(), normal);
+    }
+    if (sum.empty())
     {
       return "no compliance can be carried to point " + std::to_string(i) +
         " of the body: no point of its solid faces the same way; is --voxel too coarse?";
     }
+    double value = 0.0;
+    for (const auto& [id, weight] : sum)
+    {
+      value += weight * values->GetTuple1(id);
+    }
     carried->SetValue(i, value);
   }
   body->GetPointData()->AddArray(carried);
+  carryModes(solid, body);
   return {};
 }
 
@@ -138,6 +122,7 @@ std::string attachVoxelCompliance(
   compliance->SetInputConnection(voxels->GetOutputPort());
   compliance->SetYoungsModulus(options.youngsModulus);
   compliance->SetPoissonRatio(options.poissonsRatio);
+  compliance->SetNumberOfModes(Modes);
   std::string error = updateQuietly(voxels);
   if (error.empty())
   {
@@ -153,11 +138,13 @@ std::string attachVoxelCompliance(
   }
   std::array<double, 2> range{};
   body->GetPointData()->GetArray("GlobalCompliance")->GetRange(range.data());
-  std::array<char, 200> text{};
+  std::array<char, 300> text{};
   std::snprintf(text.data(), text.size(),
-    "filled with %lld hexahedra of %g mm, held at %s: it gives way by %.3g to %.3g mm/N.",
+    "filled with %lld hexahedra of %g mm, held at %s: it gives way by %.3g to %.3g mm/N; "
+    "what is drawn of that, %d modes, leaves out %.0f %%.",
     static_cast<long long>(voxels->GetOutput()->GetNumberOfCells()), options.spacing,
-    options.fixedFaces.c_str(), range[0], range[1]);
+    options.fixedFaces.c_str(), range[0], range[1], Modes,
+    100.0 * compliance->GetNeglectedByModes());
   notes.emplace_back(text.data());
   return {};
 }

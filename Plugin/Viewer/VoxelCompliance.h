@@ -19,18 +19,18 @@ struct VoxelComplianceOptions
 };
 
 /**
- * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid it encloses: filled
- * with hexahedra (vtkVoxelBody), solved (vtkElasticCompliance), and carried back to the surface's
- * own points from the six nearest valid points of the solid whose normals lie within 60°, weighted
- * by 1/distance², so that nothing crosses a thin lobe. A sentence on what was done is added to
- * `notes`. Returns an error, or "".
+ * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid it encloses, and
+ * six modes of its motion as a whole (`GlobalMode0`..., `GlobalModeSign`): filled with hexahedra
+ * (vtkVoxelBody), solved (vtkElasticCompliance), and carried back to the surface's own points. A
+ * sentence on what was done is added to `notes`. Returns an error, or "".
  */
 std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes);
 
-/// Carries a point array of one component from the points of `solid` whose `ComplianceStatus` is 0
-/// to those of `body`; both have normals. Returns an error that names the first point without any
-/// source, or "".
+/// Carries the compliance, from the points of `solid` whose `ComplianceStatus` is 0 or, where none
+/// faces the same way, from the others, and the modes it has, from all, to the points of `body`:
+/// each from the nearest that face the same way (FacingPoints). Returns an error that names the
+/// first point without any source, or "".
 std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body);
 } // namespace palpate
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // palpate: press a tool against a body, see and feel the force. See --help.
 #include "BlindTrial.h"
+#include "ComparisonPictures.h"
+#include "ComparisonWindow.h"
 #include "DisplayCheck.h"
 #include "ForceRelease.h"
 #include "LiveWindow.h"
 #include "OffscreenSession.h"
+#include "RegimeMap.h"
 #include "TouchScene.h"
 #include "ViewerOptions.h"
 
@@ -24,15 +27,37 @@ int fail(const std::string& error)
   return Failure;
 }
 
-/// The four ways to touch a scene. Returns an error, or "".
+/// The ways to touch a scene, or only to look at it. Returns an error, or "".
 std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene& scene)
 {
+  if (options.map)
+  {
+    return palpate::runRegimeMap(options, scene);
+  }
   if (!options.trial.empty())
   {
     return options.window ? palpate::runTrialWindow(options, scene)
                           : palpate::runTrialConsole(options, scene);
   }
   return options.window ? palpate::runLive(options, scene) : palpate::runOffscreen(options, scene);
+}
+
+/// Returns an error, or "".
+std::string run(const palpate::ViewerOptions& options)
+{
+  const bool draws = options.window || options.trial.empty();
+  std::string error = draws ? palpate::displayProblem() : std::string();
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (options.compare)
+  {
+    return options.window ? palpate::runComparisonWindow(options) : palpate::runComparison(options);
+  }
+  palpate::TouchScene scene;
+  error = palpate::makeTouchScene(options, scene);
+  return error.empty() ? run(options, scene) : error;
 }
 } // namespace
 
@@ -51,16 +76,6 @@ int main(int argc, char** argv)
   palpate::releaseForceOnTerminate();
   // An application may choose how VTK's loops run; the libraries leave it to their host.
   vtkSMPTools::SetBackend("STDThread");
-  palpate::TouchScene scene;
-  const bool draws = options.window || options.trial.empty();
-  std::string error = draws ? palpate::displayProblem() : std::string();
-  if (error.empty())
-  {
-    error = palpate::makeTouchScene(options, scene);
-  }
-  if (error.empty())
-  {
-    error = run(options, scene);
-  }
+  const std::string error = run(options);
   return error.empty() ? EXIT_SUCCESS : fail(error);
 }

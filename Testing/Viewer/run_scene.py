@@ -30,7 +30,7 @@ def main(arguments):
     if arguments[2] == "new":
         shutil.rmtree(cache, ignore_errors=True)
     folder.mkdir(parents=True)
-    if "--scene" not in options and not SCAN.exists():
+    if not {"--scene", "--compare"} & set(options) and not SCAN.exists():
         print(f"skipped: {SCAN} is not installed (Debian: apt install mricron-data)")
         return SKIPPED
     result = subprocess.run([program, *options, "--output", folder], check=False,

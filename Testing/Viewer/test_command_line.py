@@ -11,7 +11,7 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--voxel", "--fixed", "--layer", "--base", "--measured", "--register", "--reach",
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
            "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
-           "--rounds", "--seed", "--question", "--log")
+           "--rounds", "--seed", "--question", "--log", "--compare", "--map")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
            "--friction", "--tangential-stiffness", "--scale")
@@ -25,6 +25,7 @@ class CommandLine(SessionCase):
                      "truncated:R,DEGREES", "blunted:R,DEGREES", "rounded:R,EDGE",
                      "power:EXPONENT,COEFFICIENT", "profile:FILE.csv",
                      ".vtp", ".stl", ".nii.gz", "Examples:", "palpate --scene cylinder",
+                     "palpate --compare", "palpate --map",
                      "liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45",
                      "phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5"):
             self.assertIn(word, result.stdout)

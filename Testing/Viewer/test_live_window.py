@@ -82,6 +82,32 @@ class LiveWindow(unittest.TestCase):
         for word in ("device: ", "wake-up", "worst", "0 disconnections"):
             self.assertIn(word, said)
 
+    def test_the_panel_changes_what_is_felt_and_how_it_is_shown(self):
+        """Sliders and buttons under the real pointer; where they are is what the window of 1280 x 960 shows."""
+        self.quit()
+        folder = os.path.join(FOLDER, "panel-output")
+        shutil.rmtree(folder, ignore_errors=True)
+        self.open("panel", "--output", folder)
+        xdotool("mousemove", 600, 330)
+        time.sleep(FOLLOW)
+        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # the wheel alone presses, 0.1 mm a notch
+        time.sleep(FOLLOW)
+        for key in ("question", "question", "k", "p", "k"):
+            xdotool("key", key)
+            time.sleep(FOLLOW)
+        with open(os.path.join(folder, "palpate-1.csv"), encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        self.assertGreater(len(rows), 1000)
+        self.assertAlmostEqual(float(rows[-1].split(",")[7]), 1.0, delta=0.05)
+        self.assertTrue(os.path.isfile(os.path.join(folder, "palpate-1.png")))
+        xdotool("mousemove", 1228, 260, "mousedown", 1)  # Young's modulus, from 2.59 MPa to the end: 10 MPa
+        xdotool("mousemove", 1250, 262)
+        xdotool("mousemove", 1270, 264, "mouseup", 1)
+        time.sleep(2 * FOLLOW)  # the responses are made in the background
+        # Flat punch: 2 a E* d, 1 mm deep; blended normals over facets, as above.
+        flat = 2.0 * 1.6 * 10.0 / (1.0 - 0.25)
+        self.assertAlmostEqual(self.strongest_force(self.quit()), flat, delta=0.06 * flat)
+
     def test_a_recorded_session_can_be_replayed(self):
         self.quit()
         record = os.path.join(FOLDER, "record.csv")

@@ -4,8 +4,11 @@ import re
 import unittest
 
 import bodies
+import numpy
 from session import SessionCase, peak_force
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
 class Voxel(SessionCase):
@@ -24,6 +27,29 @@ class Voxel(SessionCase):
         foot = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4")
         clamped = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4", "--fixed", "z-,x-,x+,y-,y+")
         self.assertGreater(peak_force(clamped), peak_force(foot))
+
+    def test_six_modes_of_its_motion_come_with_the_compliance(self):
+        saved = self.folder / "saved.vtp"
+        solid = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4", "--save", saved)
+        self.assertRegex(solid.stderr, r"6 modes, leaves out \d+ %")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(saved))
+        reader.Update()
+        body = reader.GetOutput()
+        points = {name: vtk_to_numpy(body.GetPointData().GetArray(name)) for name in
+                  ("GlobalCompliance", "ResponseNormal", *(f"GlobalMode{k}" for k in range(6)))}
+        signs = vtk_to_numpy(body.GetFieldData().GetArray("GlobalModeSign"))
+        # A force of 1 N moves its own point inwards by C_g, and by what the modes say.
+        moved = sum(signs[k] * (points["ResponseNormal"] * points[f"GlobalMode{k}"]).sum(axis=1) ** 2
+                    for k in range(6))
+        # Far from the foot; the compliance comes from valid points alone, six voxels wide around it.
+        far = vtk_to_numpy(body.GetPoints().GetData())[:, 2] > -10.0
+        error = (moved - points["GlobalCompliance"])[far]
+        self.assertLess(numpy.sqrt((error ** 2).mean()),
+                        0.1 * numpy.sqrt((points["GlobalCompliance"][far] ** 2).mean()))
+
+    def test_a_side_that_is_held_has_a_compliance_too(self):
+        self.press(bodies.block(), "block.vtu", "--voxel", "2.5")
 
     def test_what_cannot_be_filled_is_refused(self):
         half = vtkSphereSource()

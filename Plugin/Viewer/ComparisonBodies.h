@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ComparisonBodies_h
+#define palpate_ComparisonBodies_h
+
+#include "ResponseSet.h"
+#include "TouchScene.h"
+#include "ViewerOptions.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+namespace palpate
+{
+/// One of the bodies of --compare.
+struct ComparedBody
+{
+  TouchScene scene;
+  ResponseSet responses;
+  vtkSmartPointer<vtkPolyData> support; ///< what holds it, to be drawn
+};
+
+/**
+ * A strip on two rollers, which bends, and a block bonded to a rigid plate, which does not: of the
+ * same rubber, with the same top face, z = 0, under the paper's three tools. Both compliances are
+ * by finite elements, the block's too. Motion: pressed in the middle and slid along the strip.
+ *
+ * Forces of the tools 1 mm deep: within 3 % of each other on the strip, 67 % apart on the block.
+ * Returns an error, or "".
+ */
+std::string makeComparedBodies(const ViewerOptions& options, std::array<ComparedBody, 2>& bodies);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ComparisonPictures_h
+#define palpate_ComparisonPictures_h
+
+#include "ViewerOptions.h"
+
+#include <string>
+
+namespace palpate
+{
+/**
+ * --compare without a window: the same motion over both bodies, in virtual time. Writes into the
+ * output folder
+ * - comparison.png: bodies under the first tool, curves of all tools, verdicts, at the end of the
+ *   press;
+ * - regime.png: λ, sensitivity and verdict over both bodies;
+ * - strip.csv and block.csv: the trajectories.
+ * Prints what was found. Returns an error, or "".
+ */
+std::string runComparison(const ViewerOptions& options);
+} // namespace palpate
+
+#endif

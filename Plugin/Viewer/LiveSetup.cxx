@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LiveSetup.h"
+
+#include "CollectingWindow.h"
+
+#include "vtkContactSetup.h"
+
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+int modelOf(const TouchScene& scene)
+{
+  return scene.stored                                    ? vtkContactSetup::Stored
+    : scene.solid                                        ? vtkContactSetup::Series
+    : scene.layer.scanned || scene.layer.thickness > 0.0 ? vtkContactSetup::Layer
+                                                         : vtkContactSetup::HalfSpace;
+}
+} // namespace
+
+std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
+  vtkContactSetup* setup, ResponseSet& responses)
+{
+  setup->SetBody(scene.body);
+  for (const std::string& tool : scene.tools)
+  {
+    const auto shape = vtkSmartPointer<vtkContactTool>::New();
+    const QuietScope quiet;
+    if (!shape->SetSpecification(tool))
+    {
+      return "tool '" + tool + "' is not known";
+    }
+    setup->AddTool(shape);
+    responses.tools.push_back(shape);
+    responses.names.push_back(setup->GetResponseName(setup->GetNumberOfTools() - 1));
+  }
+  setup->SetYoungsModulus(scene.youngsModulus);
+  setup->SetPoissonRatio(scene.poissonsRatio);
+  setup->SetMaximumDeflection(options.maximumDeflection);
+  setup->SetLayerThickness(scene.layer.scanned ? 0.0 : scene.layer.thickness);
+  setup->SetComplianceModulus(scene.solid ? scene.youngsModulus : 0.0);
+  setup->SetModel(modelOf(scene));
+  {
+    const QuietScope quiet;
+    if (!setup->Update())
+    {
+      return quiet.window->reason();
+    }
+    if (!quiet.window->firstWarning().empty())
+    {
+      std::fprintf(stderr, "palpate: warning: %s\n", quiet.window->firstWarning().c_str());
+    }
+  }
+  responses.body = setup->GetOutput();
+  return writeResponses(options, responses);
+}
+} // namespace palpate

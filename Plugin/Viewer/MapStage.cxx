@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapStage.h"
+
+#include "ResponseSet.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkContactRegime.h"
+#include "vtkContactTool.h"
+#include "vtkDataObject.h"
+#include "vtkLightKit.h"
+#include "vtkPointData.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr int Width = 1280;
+constexpr int Height = 960;
+constexpr int TextSize = 17;
+constexpr double Zoom = 1.25; // the camera is reset for the ball around the body
+constexpr double LegendShare = 0.27;
+constexpr std::array<double, 3> Ink = { 0.10, 0.10, 0.12 };
+constexpr std::array<double, 3> Paper = { 0.97, 0.97, 0.98 };
+
+vtkSmartPointer<vtkTextActor> makeText(const std::string& words, double x, double y)
+{
+  auto text = vtkSmartPointer<vtkTextActor>::New();
+  text->SetInput(words.c_str());
+  text->GetTextProperty()->SetColor(Ink[0], Ink[1], Ink[2]);
+  text->GetTextProperty()->SetFontSize(TextSize);
+  text->GetTextProperty()->SetLineSpacing(1.3);
+  text->GetTextProperty()->SetVerticalJustificationToTop();
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->GetPositionCoordinate()->SetValue(x, y);
+  return text;
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> judgeBody(
+  const TouchScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(body->GetPoints());
+  bare->SetPolys(body->GetPolys());
+  vtkNew<vtkContactRegime> regime;
+  const ContactLaw law = lawOf(scene);
+  regime->SetInputData(bare);
+  regime->SetTool(tool);
+  regime->SetDeflection(scene.depth);
+  regime->SetYoungsModulus(law.youngsModulus);
+  regime->SetPoissonRatio(law.poissonsRatio);
+  regime->SetLayerThickness(law.layer.thickness);
+  const auto use = [&](int index, const char* name)
+  {
+    bare->GetPointData()->AddArray(body->GetPointData()->GetArray(name));
+    regime->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+  };
+  if (law.layer.scanned)
+  {
+    use(1, "LayerThickness");
+  }
+  if (scene.solid)
+  {
+    use(2, "GlobalCompliance");
+  }
+  error = updateQuietly(regime);
+  return error.empty() ? regime->GetOutput() : nullptr;
+}
+
+MapStage::MapStage(const std::string& name, bool onScreen)
+{
+  this->Window->SetOffScreenRendering(!onScreen);
+  this->Window->SetMultiSamples(0); // the same pixels on every machine
+  this->Window->SetSize(Width, Height);
+  this->Window->SetWindowName(name.c_str());
+}
+
+vtkRenderer* MapStage::addMap(vtkPolyData* judged, int quantity, const Viewport& viewport)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetViewport(viewport.data());
+  renderer->SetBackground(Paper[0], Paper[1], Paper[2]);
+  renderer->UseFXAAOn();
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.75);
+  lights->SetKeyToFillRatio(2.0);
+  lights->SetKeyToHeadRatio(2.2);
+  lights->AddLightsToRenderer(renderer);
+  this->Window->AddRenderer(renderer);
+  if (!this->Renderers.empty())
+  {
+    renderer->SetActiveCamera(this->Renderers.front()->GetActiveCamera());
+  }
+  // The camera is shared with bodies of other bounds.
+  vtkNew<vtkCallbackCommand> fit;
+  fit->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkRenderer*>(caller)->ResetCameraClippingRange(); });
+  renderer->AddObserver(vtkCommand::StartEvent, fit);
+  auto map = vtkSmartPointer<vtkRegimeMap>::New();
+  map->SetRenderer(renderer);
+  map->SetBody(judged);
+  map->SetQuantity(quantity);
+  this->Maps.push_back(map);
+  this->Renderers.push_back(renderer);
+  return renderer;
+}
+
+void MapStage::addTitle(const std::string& title)
+{
+  this->Renderers.back()->AddViewProp(makeText(title, 0.02, 0.96));
+}
+
+void MapStage::addWords(const std::string& words, const Viewport& viewport)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(viewport.data());
+  renderer->SetBackground(Paper[0], Paper[1], Paper[2]);
+  renderer->InteractiveOff();
+  renderer->AddViewProp(makeText(words, 0.06, 0.85));
+  this->Window->AddRenderer(renderer);
+}
+
+void MapStage::lookFrom(vtkPolyData* body, const Direction& from, const Direction& up)
+{
+  vtkCamera* camera = this->Renderers.front()->GetActiveCamera();
+  Direction centre{};
+  body->GetCenter(centre.data());
+  camera->SetFocalPoint(centre.data());
+  camera->SetPosition(centre[0] + from[0], centre[1] + from[1], centre[2] + from[2]);
+  camera->SetViewUp(up.data());
+  this->Renderers.front()->ResetCamera(body->GetBounds());
+  camera->Zoom(Zoom);
+  camera->SetWindowCenter(LegendShare, 0.0); // the middle of what the legend leaves free
+}
+} // namespace palpate

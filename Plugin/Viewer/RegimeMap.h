@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RegimeMap_h
+#define palpate_RegimeMap_h
+
+#include "TouchScene.h"
+#include "ViewerOptions.h"
+
+#include <string>
+
+namespace palpate
+{
+/**
+ * --map: regime index, tool sensitivity and verdict of the first tool over the scene's body, at its
+ * depth: map.png in the output folder, or a window in which the three turn together, until it is
+ * closed. Prints how much of the surface has which verdict. Returns an error, or "".
+ */
+std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene);
+} // namespace palpate
+
+#endif
