@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BackgroundLoad.h"
-#include "BumpySphere.h"
+#include "DrawnBody.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -33,39 +28,13 @@ namespace
 {
 constexpr double Triangles = 200e3;
 
-vtkNew<vtkPolyData> bodyToDraw()
-{
-  const testing::Surface surface = testing::bumpySphere(testing::bumpyCuts(Triangles));
-  vtkNew<vtkPoints> points;
-  for (const Vector3& point : surface.points)
-  {
-    points->InsertNextPoint(point.data());
-  }
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  for (const Vector3& normal : testing::bumpyNormals(surface))
-  {
-    normals->InsertNextTuple(normal.data());
-  }
-  vtkNew<vtkCellArray> cells;
-  for (const auto& triangle : surface.triangles)
-  {
-    cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
-  }
-  vtkNew<vtkPolyData> body;
-  body->SetPoints(points);
-  body->SetPolys(cells);
-  body->GetPointData()->SetNormals(normals);
-  return body;
-}
-
 class Drawing
 {
 public:
   Drawing()
   {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(bodyToDraw());
+    mapper->SetInputData(drawnBody(Triangles));
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     this->Renderer->AddActor(actor);
