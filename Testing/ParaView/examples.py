@@ -131,6 +131,17 @@ def deflection_picture():
     assert any(later > earlier + 10 for earlier, later in zip(right, right[4:]))
 
 
+def touch_window():
+    if not os.environ.get("DISPLAY"):
+        print("no DISPLAY: there was no window")
+        sys.exit(77)
+    rows = [numbers(line) for line in run("touch_window.py", "--demo")]
+    assert len(rows) == 2
+    for (depth, force), modulus in zip(rows, (0.05, 0.1)):
+        close(depth, 1, 0.01)                               # facets of a ball
+        close(force, sphere(6.35, depth, modulus / (1 - 0.45**2)), 1e-3 * force)
+
+
 def in_paraview():
     (OUTPUT / "examples.pvsm").unlink(missing_ok=True)
     rows = [numbers(line) for line in run("in_paraview.py", "examples.pvsm")]
@@ -142,7 +153,7 @@ def in_paraview():
 
 
 CHECKS = [tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
-          deflection_picture, in_paraview]
+          deflection_picture, touch_window, in_paraview]
 assert {check.__name__ for check in CHECKS} == {path.stem for path in EXAMPLES.glob("*.py")}
 for check in CHECKS:
     if len(sys.argv) < 4 or sys.argv[3] == check.__name__:

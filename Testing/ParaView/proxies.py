@@ -37,7 +37,7 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "ElasticCompliance"): {
         "Input": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45,
         "Poisson's Ratio Array": "None", "Patch Radius (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0,
-        "Loaded Point": -1, "Load Force (N)": 1.0},
+        "Number Of Modes": 0, "Loaded Point": -1, "Load Force (N)": 1.0},
     ("filters", "VoxelBody"): {
         "Input": None, "Spacing (mm)": 2.0, "Fixed Faces": "z-", "Conform": 1},
     ("filters", "SkinSurface"): {
