@@ -37,6 +37,9 @@ constexpr double SharpAngle = 45.0;
 
 /// How far outwards the surface is looked for, in distances of the closest point: √3 at a corner.
 constexpr double LongestReach = 1.75;
+/// Of the spacing. With none at all vtkStaticCellLocator misses faces in the walls between its
+/// bins.
+constexpr double PickTolerance = 1e-6;
 
 /// Sides of the box, -x, +x, -y ..., that a text names; false if it names something else.
 bool readFaces(const std::string& text, std::array<bool, 6>& faces, std::string& wrong)
@@ -227,8 +230,8 @@ int vtkVoxelBody::RequestData(
     double along = 0.0;
     int part = 0;
     if (isSharp &&
-      locator->IntersectWithLine(
-        from.data(), to.data(), 0.0, along, at.data(), coordinates.data(), part))
+      locator->IntersectWithLine(from.data(), to.data(), PickTolerance * this->Spacing, along,
+        at.data(), coordinates.data(), part))
     {
       const Eigen::Vector3d edge = closestPoint(edgeLocator, at);
       if ((edge - at).norm() < 0.5 * this->Spacing)

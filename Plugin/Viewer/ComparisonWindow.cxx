@@ -31,8 +31,7 @@ constexpr int Width = 1280;
 constexpr int Height = 960;
 constexpr float BeforeTheStyle = 1.0F;
 
-const char* const Hint =
-  "left: press and slide   wheel: depth   1-9: tool   m: colour   ?: help   q: quit";
+const char* const Hint = "?: keys and mouse";
 const char* const KeySheet =
   "left button on a body\tpress, and slide with the pointer: on both bodies\n"
   "wheel\tdeeper, less deep\n"
@@ -202,9 +201,10 @@ void ComparisonWindow::showHint()
   hint->GetTextProperty()->SetFontSize(15);
   hint->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
   hint->GetTextProperty()->SetVerticalJustificationToTop();
+  hint->GetTextProperty()->SetJustificationToRight();
   hint->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  hint->GetPositionCoordinate()->SetValue(0.02, 0.92);
-  this->Comparison->GetRenderer(vtkBodyComparison::Left)->AddViewProp(hint);
+  hint->GetPositionCoordinate()->SetValue(0.98, 0.98);
+  this->Comparison->GetRenderer(vtkBodyComparison::Right)->AddViewProp(hint);
 }
 
 std::string ComparisonWindow::run()

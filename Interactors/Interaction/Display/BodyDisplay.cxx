@@ -255,8 +255,8 @@ ContactField BodyDisplay::makeField(const FieldContact& contact)
   {
     return {};
   }
-  const auto tool = findTool(this->Tool, this->Body, name, fault);
-  const AxisymmetricTool* law = tool ? tool->GetKernel() : nullptr;
+  this->PressedTool = findTool(this->Tool, this->Body, name, fault);
+  const AxisymmetricTool* law = this->PressedTool ? this->PressedTool->GetKernel() : nullptr;
   if (fault.empty() && !isPoissonsRatio(poisson))
   {
     fault = "PoissonRatio must lie between 0 and 0.5";

@@ -86,9 +86,10 @@ private:
   vtkSmartPointer<vtkPolyData> Body;
   vtkMTimeType BodyTime = 0; ///< of the body that is drawn by shader
   vtkSmartPointer<vtkContactTool> Tool;
-  std::string Fault;       ///< that was complained about last
-  bool HasField = true;    ///< the body is one a field can be drawn on
-  double ModeLength = 0.0; ///< longest vector of any mode
+  vtkSmartPointer<vtkContactTool> PressedTool; ///< of the last field, which refers to it
+  std::string Fault;                           ///< that was complained about last
+  bool HasField = true;                        ///< the body is one a field can be drawn on
+  double ModeLength = 0.0;                     ///< longest vector of any mode
   std::shared_ptr<const LayerKernel> Kernel;
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;

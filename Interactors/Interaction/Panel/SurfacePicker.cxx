@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePicker.h"
 
+#include "vtkCellLocator.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 
 namespace palpate
 {
+namespace
+{
+/// Of the body's diagonal. vtkStaticCellLocator is no choice here: whatever the tolerance, it
+/// misses faces that lie in the walls between its bins, as those of a block may do.
+constexpr double Tolerance = 1e-6;
+} // namespace
+
 SurfacePicker::SurfacePicker() = default;
 SurfacePicker::~SurfacePicker() = default;
 
@@ -48,7 +55,7 @@ bool SurfacePicker::pick(
   }
   if (!this->Locator)
   {
-    this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    this->Locator = vtkSmartPointer<vtkCellLocator>::New();
     this->Locator->SetDataSet(this->Body);
     this->Locator->BuildLocator();
   }
@@ -61,8 +68,8 @@ bool SurfacePicker::pick(
   int subId = 0;
   vtkIdType cellId = -1;
   vtkNew<vtkGenericCell> cell;
-  if (!this->Locator->IntersectWithLine(
-        nearPoint, farPoint, 0.0, t, point, parametric, subId, cellId, cell))
+  if (!this->Locator->IntersectWithLine(nearPoint, farPoint, Tolerance * this->Body->GetLength(), t,
+        point, parametric, subId, cellId, cell))
   {
     return false;
   }

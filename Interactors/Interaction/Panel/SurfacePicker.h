@@ -10,7 +10,7 @@
 #include <string>
 
 class vtkRenderer;
-class vtkStaticCellLocator;
+class vtkCellLocator;
 
 namespace palpate
 {
@@ -34,7 +34,7 @@ public:
 private:
   vtkWeakPointer<vtkPolyData> Given;
   vtkSmartPointer<vtkPolyData> Body; ///< a copy: the locator builds links in it
-  vtkSmartPointer<vtkStaticCellLocator> Locator;
+  vtkSmartPointer<vtkCellLocator> Locator;
   std::string ResponseName;
 };
 
