@@ -27,7 +27,7 @@ constexpr double DepthPerNotch = 0.1;     // mm
 constexpr unsigned long TimerPeriod = 33; // ms
 constexpr double LargestExaggeration = 64.0;
 
-const char* const Keys = "?\tthis help, on and off\n"
+const char* const Keys = "? or h\tthis help, on and off\n"
                          "\n"
                          "mouse on the body\tthe tool hovers under the pointer\n"
                          "left button\tpress and slide\n"
@@ -366,7 +366,10 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
   }
   switch (key)
   {
+    // X tells the key without the shift: / and = are ? and + of an American keyboard.
     case '?':
+    case '/':
+    case 'h':
       this->SetHelpVisibility(!this->GetHelpVisibility());
       return true;
     case ' ':
@@ -385,6 +388,7 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
       this->SetSteering(this->Steering == Surface ? ViewPlane : Surface);
       return true;
     case '+':
+    case '=':
       this->ExaggerateMore();
       return true;
     case '-':

@@ -22,8 +22,8 @@
  * wheel zoom; the wheel zooms with Control everywhere. In other viewports that are not interactive,
  * a panel or charts, nothing happens.
  *
- * **Keys**: see GetKeyHelp, which ? shows and hides on the screen. Those the style cannot serve
- * itself are told to its observers: 1 to 9 ToolChosenEvent (call data: int*, from 0), space
+ * **Keys**: see GetKeyHelp, which ? or h shows and hides on the screen. Those the style cannot
+ * serve itself are told to its observers: 1 to 9 ToolChosenEvent (call data: int*, from 0), space
  * SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
  *
  * The body is the session's; its response normals are the directions pressed along.

@@ -31,7 +31,7 @@ constexpr int Width = 1280;
 constexpr int Height = 960;
 constexpr float BeforeTheStyle = 1.0F;
 
-const char* const Hint = "?: keys and mouse";
+const char* const Hint = "? or h: keys and mouse";
 const char* const KeySheet =
   "left button on a body\tpress, and slide with the pointer: on both bodies\n"
   "wheel\tdeeper, less deep\n"
@@ -41,7 +41,7 @@ const char* const KeySheet =
   "m\tcolour: displacement, regime index, sensitivity, verdict\n"
   "+, -\texaggerate the dent of the body under the pointer\n"
   "p\tpicture of the window\n"
-  "?\tthis help\n"
+  "? or h\tthis help\n"
   "q\tquit";
 
 /// Two bodies in a window: a session on each, steered to the same place.

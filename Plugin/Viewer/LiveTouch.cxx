@@ -13,8 +13,10 @@
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 namespace palpate
 {
@@ -46,7 +48,7 @@ LiveTouch::LiveTouch(
   this->View->SetTitle(scene.title);
   this->View->SetPoissonRatio(scene.poissonsRatio);
   this->View->SetLargestDeflection(options.maximumDeflection);
-  this->View->SetLargestForce(largestForce(responses));
+  this->View->SetLargestForce(2.0 * usualForce(responses, scene.depth)); // the wheel goes deeper
   this->Session->SetBody(responses.body);
   this->Session->SetRate(options.rate);
   chooseContact(options, scene, this->Session);
@@ -141,6 +143,8 @@ void LiveTouch::usePanel(vtkContactSetup* setup)
   this->Window->AddRenderer(this->ChartRenderer);
   this->Charts->SetRenderer(this->ChartRenderer);
   this->Charts->SetSession(this->Session);
+  this->Charts->SetLargestForce(2.0 * usualForce(this->Responses, this->Scene.depth));
+  this->Charts->SetLargestDeflection(this->Options.maximumDeflection);
   this->Panel->SetRenderer(this->PanelRenderer);
   this->Panel->SetSetup(setup);
   this->Panel->SetStyle(this->Style);
@@ -191,19 +195,39 @@ std::string LiveTouch::writeRecord()
     : writeTrajectory(this->Options.record, this->Session->GetTicks());
 }
 
-double largestForce(const ResponseSet& responses)
+double usualForce(const ResponseSet& responses, double depth)
 {
-  double largest = 0.0;
+  double usual = 0.0;
   for (const std::string& name : responses.names)
   {
-    vtkDataArray* force = responses.body->GetPointData()->GetArray((name + "Force").c_str());
-    if (force)
+    vtkPointData* data = responses.body->GetPointData();
+    vtkDataArray* force = data->GetArray((name + "Force").c_str());
+    vtkDataArray* range = data->GetArray((name + "Range").c_str());
+    if (!force || !range || force->GetNumberOfTuples() == 0)
     {
-      double range[2];
-      force->GetRange(range, force->GetNumberOfComponents() - 1);
-      largest = std::max(largest, range[1]);
+      continue;
+    }
+    // Sample i of n lies at Range (i/n)^2.
+    const int samples = force->GetNumberOfComponents();
+    std::vector<double> forces;
+    for (vtkIdType point = 0; point < force->GetNumberOfTuples(); ++point)
+    {
+      const double reach = range->GetTuple1(point);
+      const double sample = reach > 0.0 ? samples * std::sqrt(depth / reach) : 1.0;
+      const int column = static_cast<int>(std::clamp<double>(sample, 1.0, samples)) - 1;
+      const double value = force->GetComponent(point, column);
+      if (std::isfinite(value))
+      {
+        forces.push_back(value);
+      }
+    }
+    const auto most = forces.begin() + static_cast<std::ptrdiff_t>(0.9 * forces.size());
+    if (most != forces.end())
+    {
+      std::nth_element(forces.begin(), most, forces.end());
+      usual = std::max(usual, *most);
     }
   }
-  return largest > 0.0 ? largest : 1.0;
+  return usual > 0.0 ? usual : 1.0;
 }
 } // namespace palpate

@@ -76,8 +76,9 @@ private:
   std::vector<std::unique_ptr<std::function<void(void*)>>> Actions;
 };
 
-/// The largest stored force of any tool, N; 1 where the curves are stored in the compact form.
-double largestForce(const ResponseSet& responses);
+/// What 90 % of the points give at most at this depth (mm) to the tool that feels most, N; 1 where
+/// the curves are stored in the compact form. The largest force is that of the thinnest spot.
+double usualForce(const ResponseSet& responses, double depth);
 } // namespace palpate
 
 #endif

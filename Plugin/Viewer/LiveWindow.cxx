@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-const char* const Help = "?: keys and mouse";
+const char* const Help = "? or h: keys and mouse";
 
 void tell(const ResponseSet& responses, int tool)
 {

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 const char* const Help = "space: the other of the two   1: X   2: Y   ?: more";
-const char* const TrialKeys = "?\tthis help, on and off\n"
+const char* const TrialKeys = "? or h\tthis help, on and off\n"
                               "space\tthe other of the two under the hand\n"
                               "1  2\tthe answer: X, Y\n"
                               "q\tend\n"

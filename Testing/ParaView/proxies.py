@@ -18,7 +18,7 @@ PROPERTIES = {                                              # of each proxy: lab
     ("sources", "ContactToolSource"): {
         "Tool": None, "Length (mm)": 40.0, "Maximum Radius (mm)": 8.0, "Resolution": 64},
     ("sources", "TrajectoryReader"): {
-        "File Name": "", "Frame Rate (1/s)": 25.0, "Whole Path": 0, "Time Step Values (s)": None},
+        "File Name": "", "Frame Rate (1/s)": 25.0, "Whole Path": 0, "Timestep Values": None},
     ("filters", "ToolContactResponse"): {
         "Input": None, "Tool": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Layer Thickness (mm)": 0.0,
@@ -261,7 +261,7 @@ def check_trajectory():
     with open(file, "w", encoding="utf-8") as csv:
         csv.write("time_s,tip_x_mm,tip_y_mm,tip_z_mm\n")
         csv.writelines(f"{i / 100!r},0.25,0.5,{1 - 2 * i / 100!r}\n" for i in range(101))
-    tips = simple.TrajectoryReader(FileName=file, FrameRate1s=10)
+    tips = simple.PalpateTrajectoryReader(FileName=file, FrameRate1s=10)
     assert type(tips.GetClientSideObject()) is palpate.vtkTrajectoryReader
     np.testing.assert_allclose(tips.TimestepValues, np.arange(11) / 10, atol=1e-12)
     flat = simple.Triangulate(Input=simple.Plane(

@@ -92,14 +92,15 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         xdotool("click", "--repeat", 10, "--delay", 50, 4)  # the wheel alone presses, 0.1 mm a notch
         time.sleep(FOLLOW)
-        for key in ("question", "question", "k", "p", "k"):
+        for key in ("k", "question", "p", "question", "p", "k"):
             xdotool("key", key)
             time.sleep(FOLLOW)
         with open(os.path.join(folder, "palpate-1.csv"), encoding="utf-8") as file:
             rows = file.read().splitlines()
         self.assertGreater(len(rows), 1000)
         self.assertAlmostEqual(float(rows[-1].split(",")[7]), 1.0, delta=0.05)
-        self.assertTrue(os.path.isfile(os.path.join(folder, "palpate-1.png")))
+        helped, bare = (self.pixels(os.path.join(folder, f"palpate-{i}.png")) for i in (1, 2))
+        self.assertGreater((abs(helped - bare).sum(axis=2) > 60).mean(), 0.05) # the sheet that ? shows and hides
         xdotool("mousemove", 1228, 260, "mousedown", 1)  # Young's modulus, from 2.59 MPa to the end: 10 MPa
         xdotool("mousemove", 1250, 262)
         xdotool("mousemove", 1270, 264, "mouseup", 1)
@@ -186,12 +187,12 @@ class LiveWindow(unittest.TestCase):
         print("share of the picture that changed:", moved)
         self.assertGreater(moved, 0.05)
 
-    def pixels(self):
-        """The picture as rows of (red, green, blue), without the legend."""
+    def pixels(self, picture=None):
+        """The last picture, or another, as rows of (red, green, blue), without the legend."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOImage import vtkPNGReader
         reader = vtkPNGReader()
-        reader.SetFileName(self.picture)
+        reader.SetFileName(picture or self.picture)
         reader.Update()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
         width = reader.GetOutput().GetDimensions()[0]
