@@ -154,6 +154,11 @@ int vtkTrajectoryReader::RequestData(
   }
   const auto count = static_cast<vtkIdType>(end - rows.begin());
   vtkPolyData* output = vtkPolyData::GetData(info);
+  if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
+  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);

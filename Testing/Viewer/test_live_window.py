@@ -158,6 +158,7 @@ class LiveWindow(unittest.TestCase):
             time.sleep(FOLLOW)
             xdotool("mousedown", 1)
             time.sleep(FOLLOW)
+            xdotool("mouseup", 1)
             said = self.quit()
             felt = re.search(r"strongest force: strip (\S+) N, block (\S+) N", said)
             # What the summary says of 1 mm there, of the vertex next to the contact: neighbours differ by 1 %.
