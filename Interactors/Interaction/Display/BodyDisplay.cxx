@@ -10,6 +10,7 @@
 #include "vtkContactTool.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
@@ -88,6 +89,22 @@ double longestOf(const std::vector<vtkDataArray*>& modes)
     longest = std::max(longest, mode->GetMaxNorm());
   }
   return longest;
+}
+
+/// Of all that is drawn of a body but the dent. Such times are unique, so they name it.
+std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataArray*>& modes)
+{
+  std::vector<vtkMTimeType> times;
+  if (body->GetPoints())
+  {
+    times = { body->GetPoints()->GetMTime(), body->GetVerts()->GetMTime(),
+      body->GetLines()->GetMTime(), body->GetPolys()->GetMTime(), body->GetStrips()->GetMTime() };
+  }
+  for (vtkDataArray* mode : modes)
+  {
+    times.push_back(mode->GetMTime());
+  }
+  return times;
 }
 
 FieldContact fieldContact(const ShownContact& shown)
@@ -219,6 +236,14 @@ void BodyDisplay::takeBody()
 {
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;
+  const auto modes = globalModes(this->Body, this->Deflection->GetResponseName());
+  const auto times = timesOf(this->Body, modes);
+  if (this->HasField && this->DrawnTimes == times)
+  {
+    this->Shader.install(static_cast<int>(std::min(modes.size(), MostModes)));
+    return; // the same surface, under other responses
+  }
+  this->DrawnTimes.clear();
   vtkNew<vtkPolyData> drawn;
   drawn->CopyStructure(this->Body);
   const std::string fault = this->HasField ? checkTriangles(this->Body) : std::string();
@@ -237,11 +262,11 @@ void BodyDisplay::takeBody()
   none->SetNumberOfTuples(drawn->GetNumberOfPoints());
   none->Fill(0.0);
   drawn->GetPointData()->AddArray(none);
-  const auto modes = globalModes(this->Body, this->Deflection->GetResponseName());
   this->ModeLength = longestOf(modes);
   addModeAttributes(mesh, modes, drawn, this->Mapper);
   this->Mapper->SetInputData(drawn);
   this->Shader.install(static_cast<int>(std::min(modes.size(), MostModes)));
+  this->DrawnTimes = times;
 }
 
 ContactField BodyDisplay::makeField(const FieldContact& contact)

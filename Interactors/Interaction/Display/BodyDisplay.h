@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkActor;
 class vtkContactDeflection;
@@ -84,7 +85,8 @@ private:
   bool ByShader = true;
 
   vtkSmartPointer<vtkPolyData> Body;
-  vtkMTimeType BodyTime = 0; ///< of the body that is drawn by shader
+  vtkMTimeType BodyTime = 0;            ///< of the body that is drawn by shader
+  std::vector<vtkMTimeType> DrawnTimes; ///< of the surface and the modes that the mapper has
   vtkSmartPointer<vtkContactTool> Tool;
   vtkSmartPointer<vtkContactTool> PressedTool; ///< of the last field, which refers to it
   std::string Fault;                           ///< that was complained about last

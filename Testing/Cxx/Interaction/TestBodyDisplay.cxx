@@ -4,6 +4,7 @@
 #include "TwoPaths.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkMapper.h"
 
 namespace
 {
@@ -98,6 +99,22 @@ void checkSettings()
   PALPATE_CHECK(*std::max_element(flat.begin(), flat.end()) < 255);
 }
 
+/// Other responses of the same surface: nothing is made or sent to the graphics card again.
+void checkSameSurface()
+{
+  const Body body = withResponse(planeBody(20.0, 40), "sphere:6.35");
+  auto scene = makeScene(body, "sphere:6.35");
+  vtkMapper* mapper = scene->GetBodyActor()->GetMapper();
+  vtkDataSet* drawn = mapper->GetInput();
+  scene->SetBody(withResponse(body, "flat:2"));
+  PALPATE_CHECK(drawn && mapper->GetInput() == drawn);
+  scene->SetDeflectionByShader(false);
+  scene->SetDeflectionByShader(true);
+  PALPATE_CHECK(scene->GetBodyActor()->GetMapper()->GetInput() == drawn);
+  scene->SetBody(withResponse(planeBody(20.0, 40), "flat:2"));
+  PALPATE_CHECK(mapper->GetInput() != drawn);
+}
+
 /// The bounds reach down to the dent, so that no clipping plane cuts it off.
 void checkBounds()
 {
@@ -182,6 +199,7 @@ int TestBodyDisplay(int argc, char* argv[])
 {
   checkSettings();
   checkBounds();
+  checkSameSurface();
   checkTwoScenes();
   checkEdges();
   checkPicture(argc, argv);
