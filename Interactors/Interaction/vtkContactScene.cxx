@@ -12,6 +12,7 @@
 #include "RoundNumber.h"
 #include "SceneCamera.h"
 #include "SceneCaption.h"
+#include "SceneLight.h"
 #include "ShownContact.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"
@@ -21,7 +22,6 @@
 #include "vtkActor2D.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
-#include "vtkLightKit.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -95,12 +95,7 @@ vtkContactScene::~vtkContactScene()
 void vtkContactScene::SetRenderer(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
-  renderer->SetBackground(palpate::BackgroundColor.data());
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.75);
-  lights->SetKeyToFillRatio(2.0);
-  lights->SetKeyToHeadRatio(2.2);
-  lights->AddLightsToRenderer(renderer);
+  palpate::lightScene(renderer);
   renderer->AddActor(this->Body->actor());
   renderer->AddActor(this->Trail->actor());
   renderer->AddActor(this->Circle->actor());

@@ -3,10 +3,10 @@
 
 #include "ComparisonBodies.h"
 #include "ComparisonStage.h"
+#include "EventActions.h"
 #include "Pictures.h"
 #include "SessionSettings.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkContactScene.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
@@ -20,8 +20,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
-#include <vector>
 
 namespace palpate
 {
@@ -54,8 +52,6 @@ public:
   std::string run();
 
 private:
-  void when(vtkObject* speaker, unsigned long event, std::function<void(void*)> action,
-    float priority = 0.0F);
   /// The mouse is over this side: its body is what is picked.
   void lead(std::size_t side);
   void followPointer();
@@ -73,7 +69,7 @@ private:
   std::array<vtkNew<vtkHapticSession>, 2> Sessions;
   std::size_t Leader = 1;
   std::array<double, 2> Strongest{}; ///< ideal force of the frames, N
-  std::vector<std::unique_ptr<std::function<void(void*)>>> Actions;
+  EventActions Actions;
 };
 
 ComparisonWindow::ComparisonWindow(
@@ -104,10 +100,10 @@ ComparisonWindow::ComparisonWindow(
   this->lead(0);
   this->showHint();
 
-  this->when(
+  this->Actions.add(
     this->Interactor, vtkCommand::MouseMoveEvent, [this](void*) { this->followPointer(); },
     BeforeTheStyle);
-  this->when(this->Interactor, vtkCommand::CharEvent,
+  this->Actions.add(this->Interactor, vtkCommand::CharEvent,
     [this](void*)
     {
       if (this->Interactor->GetKeyCode() == 'm')
@@ -115,24 +111,13 @@ ComparisonWindow::ComparisonWindow(
         this->chooseColor();
       }
     });
-  this->when(this->Style, vtkInteractorStyleHaptic::SteeredEvent,
+  this->Actions.add(this->Style, vtkInteractorStyleHaptic::SteeredEvent,
     [this](void* tip)
     { this->Sessions[1 - this->Leader]->SteerTo(static_cast<const double*>(tip)); });
-  this->when(
+  this->Actions.add(
     this->Style, vtkInteractorStyleHaptic::FrameEvent, [this](void*) { this->showFrame(); });
-  this->when(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
+  this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [this](void* tool) { this->chooseTool(*static_cast<const int*>(tool)); });
-}
-
-void ComparisonWindow::when(
-  vtkObject* speaker, unsigned long event, std::function<void(void*)> action, float priority)
-{
-  this->Actions.push_back(std::make_unique<std::function<void(void*)>>(std::move(action)));
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(this->Actions.back().get());
-  command->SetCallback([](vtkObject*, unsigned long, void* client, void* data)
-    { (*static_cast<std::function<void(void*)>*>(client))(data); });
-  speaker->AddObserver(event, command, priority);
 }
 
 void ComparisonWindow::lead(std::size_t side)

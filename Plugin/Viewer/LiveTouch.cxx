@@ -6,7 +6,6 @@
 #include "SessionSettings.h"
 #include "TrajectoryFile.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkTextActor.h"
@@ -28,6 +27,44 @@ constexpr double LongestFrame = 60.0; // s, that a record can wait for
 constexpr double PanelWidth = 256.0;  // pixels
 constexpr double LargestPanelShare = 0.4;
 constexpr double ChartShare = 0.28; // of the height
+
+/// What 90 % of the points give at most at this depth (mm) to the tool that feels most, N; 1 where
+/// the curves are stored in the compact form. The largest force is that of the thinnest spot.
+double usualForce(const ResponseSet& responses, double depth)
+{
+  double usual = 0.0;
+  for (const std::string& name : responses.names)
+  {
+    vtkPointData* data = responses.body->GetPointData();
+    vtkDataArray* force = data->GetArray((name + "Force").c_str());
+    vtkDataArray* range = data->GetArray((name + "Range").c_str());
+    if (!force || !range || force->GetNumberOfTuples() == 0)
+    {
+      continue;
+    }
+    // Sample i of n lies at Range (i/n)^2.
+    const int samples = force->GetNumberOfComponents();
+    std::vector<double> forces;
+    for (vtkIdType point = 0; point < force->GetNumberOfTuples(); ++point)
+    {
+      const double reach = range->GetTuple1(point);
+      const double sample = reach > 0.0 ? samples * std::sqrt(depth / reach) : 1.0;
+      const int column = static_cast<int>(std::clamp<double>(sample, 1.0, samples)) - 1;
+      const double value = force->GetComponent(point, column);
+      if (std::isfinite(value))
+      {
+        forces.push_back(value);
+      }
+    }
+    const auto most = forces.begin() + static_cast<std::ptrdiff_t>(0.9 * forces.size());
+    if (most != forces.end())
+    {
+      std::nth_element(forces.begin(), most, forces.end());
+      usual = std::max(usual, *most);
+    }
+  }
+  return usual > 0.0 ? usual : 1.0;
+}
 } // namespace
 
 LiveTouch::LiveTouch(
@@ -35,6 +72,7 @@ LiveTouch::LiveTouch(
   : Options(options)
   , Scene(scene)
   , Responses(responses)
+  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel goes deeper
 {
   this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
   this->Renderer->UseFXAAOn();
@@ -48,7 +86,7 @@ LiveTouch::LiveTouch(
   this->View->SetTitle(scene.title);
   this->View->SetPoissonRatio(scene.poissonsRatio);
   this->View->SetLargestDeflection(options.maximumDeflection);
-  this->View->SetLargestForce(2.0 * usualForce(responses, scene.depth)); // the wheel goes deeper
+  this->View->SetLargestForce(this->LargestForce);
   this->Session->SetBody(responses.body);
   this->Session->SetRate(options.rate);
   chooseContact(options, scene, this->Session);
@@ -108,31 +146,21 @@ std::string LiveTouch::run()
   return error.empty() ? this->writeRecord() : error;
 }
 
-void LiveTouch::when(vtkObject* speaker, unsigned long event, std::function<void(void*)> action)
-{
-  this->Actions.push_back(std::make_unique<std::function<void(void*)>>(std::move(action)));
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(this->Actions.back().get());
-  command->SetCallback([](vtkObject*, unsigned long, void* client, void* data)
-    { (*static_cast<std::function<void(void*)>*>(client))(data); });
-  speaker->AddObserver(event, command);
-}
-
 void LiveTouch::onTool(std::function<void(int)> action)
 {
-  this->when(this->Panel, vtkContactPanel::ToolShownEvent,
+  this->Actions.add(this->Panel, vtkContactPanel::ToolShownEvent,
     [action = std::move(action)](void* tool) { action(*static_cast<const int*>(tool)); });
 }
 
 void LiveTouch::onNumber(std::function<void(int)> action)
 {
-  this->when(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
+  this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [action = std::move(action)](void* number) { action(*static_cast<const int*>(number)); });
 }
 
 void LiveTouch::onSpace(std::function<void()> action)
 {
-  this->when(this->Style, vtkInteractorStyleHaptic::SwitchEvent,
+  this->Actions.add(this->Style, vtkInteractorStyleHaptic::SwitchEvent,
     [action = std::move(action)](void*) { action(); });
 }
 
@@ -143,14 +171,14 @@ void LiveTouch::usePanel(vtkContactSetup* setup)
   this->Window->AddRenderer(this->ChartRenderer);
   this->Charts->SetRenderer(this->ChartRenderer);
   this->Charts->SetSession(this->Session);
-  this->Charts->SetLargestForce(2.0 * usualForce(this->Responses, this->Scene.depth));
+  this->Charts->SetLargestForce(this->LargestForce);
   this->Charts->SetLargestDeflection(this->Options.maximumDeflection);
   this->Panel->SetRenderer(this->PanelRenderer);
   this->Panel->SetSetup(setup);
   this->Panel->SetStyle(this->Style);
   this->Panel->SetCharts(this->Charts);
   this->arrange();
-  this->when(this->Style, vtkInteractorStyleHaptic::FrameEvent,
+  this->Actions.add(this->Style, vtkInteractorStyleHaptic::FrameEvent,
     [this](void*)
     {
       this->arrange();
@@ -193,41 +221,5 @@ std::string LiveTouch::writeRecord()
   return this->Options.record.empty()
     ? std::string()
     : writeTrajectory(this->Options.record, this->Session->GetTicks());
-}
-
-double usualForce(const ResponseSet& responses, double depth)
-{
-  double usual = 0.0;
-  for (const std::string& name : responses.names)
-  {
-    vtkPointData* data = responses.body->GetPointData();
-    vtkDataArray* force = data->GetArray((name + "Force").c_str());
-    vtkDataArray* range = data->GetArray((name + "Range").c_str());
-    if (!force || !range || force->GetNumberOfTuples() == 0)
-    {
-      continue;
-    }
-    // Sample i of n lies at Range (i/n)^2.
-    const int samples = force->GetNumberOfComponents();
-    std::vector<double> forces;
-    for (vtkIdType point = 0; point < force->GetNumberOfTuples(); ++point)
-    {
-      const double reach = range->GetTuple1(point);
-      const double sample = reach > 0.0 ? samples * std::sqrt(depth / reach) : 1.0;
-      const int column = static_cast<int>(std::clamp<double>(sample, 1.0, samples)) - 1;
-      const double value = force->GetComponent(point, column);
-      if (std::isfinite(value))
-      {
-        forces.push_back(value);
-      }
-    }
-    const auto most = forces.begin() + static_cast<std::ptrdiff_t>(0.9 * forces.size());
-    if (most != forces.end())
-    {
-      std::nth_element(forces.begin(), most, forces.end());
-      usual = std::max(usual, *most);
-    }
-  }
-  return usual > 0.0 ? usual : 1.0;
 }
 } // namespace palpate

@@ -2,6 +2,7 @@
 #ifndef palpate_LiveTouch_h
 #define palpate_LiveTouch_h
 
+#include "EventActions.h"
 #include "ResponseSet.h"
 #include "TouchScene.h"
 #include "ViewerOptions.h"
@@ -18,9 +19,7 @@
 #include "vtkRenderer.h"
 
 #include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace palpate
 {
@@ -54,7 +53,6 @@ public:
   void close() { this->Interactor->TerminateApp(); }
 
 private:
-  void when(vtkObject* speaker, unsigned long event, std::function<void(void*)> action);
   void arrange();
   void printSummary();
   std::string writeRecord();
@@ -62,6 +60,7 @@ private:
   const ViewerOptions& Options;
   const TouchScene& Scene;
   const ResponseSet& Responses;
+  double LargestForce; ///< that arrows and charts are scaled for, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
@@ -73,12 +72,8 @@ private:
   vtkNew<vtkLiveCharts> Charts;
   vtkNew<vtkContactPanel> Panel;
   bool HasPanel = false;
-  std::vector<std::unique_ptr<std::function<void(void*)>>> Actions;
+  EventActions Actions;
 };
-
-/// What 90 % of the points give at most at this depth (mm) to the tool that feels most, N; 1 where
-/// the curves are stored in the compact form. The largest force is that of the thinnest spot.
-double usualForce(const ResponseSet& responses, double depth);
 } // namespace palpate
 
 #endif

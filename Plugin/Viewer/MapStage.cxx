@@ -2,6 +2,7 @@
 #include "MapStage.h"
 
 #include "ResponseSet.h"
+#include "SceneLight.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -9,7 +10,6 @@
 #include "vtkContactRegime.h"
 #include "vtkContactTool.h"
 #include "vtkDataObject.h"
-#include "vtkLightKit.h"
 #include "vtkPointData.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -23,14 +23,12 @@ constexpr int Height = 960;
 constexpr int TextSize = 17;
 constexpr double Zoom = 1.25; // the camera is reset for the ball around the body
 constexpr double LegendShare = 0.27;
-constexpr std::array<double, 3> Ink = { 0.10, 0.10, 0.12 };
-constexpr std::array<double, 3> Paper = { 0.97, 0.97, 0.98 };
 
 vtkSmartPointer<vtkTextActor> makeText(const std::string& words, double x, double y)
 {
   auto text = vtkSmartPointer<vtkTextActor>::New();
   text->SetInput(words.c_str());
-  text->GetTextProperty()->SetColor(Ink[0], Ink[1], Ink[2]);
+  text->GetTextProperty()->SetColor(TextColor[0], TextColor[1], TextColor[2]);
   text->GetTextProperty()->SetFontSize(TextSize);
   text->GetTextProperty()->SetLineSpacing(1.3);
   text->GetTextProperty()->SetVerticalJustificationToTop();
@@ -83,13 +81,8 @@ vtkRenderer* MapStage::addMap(vtkPolyData* judged, int quantity, const Viewport&
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(viewport.data());
-  renderer->SetBackground(Paper[0], Paper[1], Paper[2]);
   renderer->UseFXAAOn();
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.75);
-  lights->SetKeyToFillRatio(2.0);
-  lights->SetKeyToHeadRatio(2.2);
-  lights->AddLightsToRenderer(renderer);
+  lightScene(renderer);
   this->Window->AddRenderer(renderer);
   if (!this->Renderers.empty())
   {
@@ -118,7 +111,7 @@ void MapStage::addWords(const std::string& words, const Viewport& viewport)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->SetViewport(viewport.data());
-  renderer->SetBackground(Paper[0], Paper[1], Paper[2]);
+  renderer->SetBackground(BackgroundColor[0], BackgroundColor[1], BackgroundColor[2]);
   renderer->InteractiveOff();
   renderer->AddViewProp(makeText(words, 0.06, 0.85));
   this->Window->AddRenderer(renderer);

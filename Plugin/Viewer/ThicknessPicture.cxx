@@ -2,13 +2,13 @@
 #include "ThicknessPicture.h"
 
 #include "Pictures.h"
+#include "SceneLight.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkLayerThickness.h"
-#include "vtkLightKit.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -30,8 +30,6 @@ namespace palpate
 {
 namespace
 {
-using Color = std::array<double, 3>;
-
 constexpr int Width = 1280;
 constexpr int Height = 960;
 constexpr int TableSize = 256;
@@ -39,8 +37,6 @@ constexpr int TextSize = 17;
 constexpr double LegendStep = 2.0; // mm
 constexpr double Zoom = 1.45;
 
-constexpr Color Ink = { 0.10, 0.10, 0.12 };
-constexpr Color Paper = { 0.97, 0.97, 0.98 };
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
 // Thin to thick: viridis, whose lightness rises all the way.
@@ -89,7 +85,7 @@ vtkSmartPointer<vtkLookupTable> makeColors(vtkDataArray* found)
 
 void style(vtkTextProperty* text)
 {
-  text->SetColor(Ink.data());
+  text->SetColor(TextColor.data());
   text->SetFontSize(TextSize);
   text->SetBold(0);
   text->SetItalic(0);
@@ -102,13 +98,8 @@ vtkSmartPointer<vtkRenderer> addView(
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(left, 0.0, right, 1.0);
-  renderer->SetBackground(Paper.data());
   renderer->UseFXAAOn();
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.75);
-  lights->SetKeyToFillRatio(2.0);
-  lights->SetKeyToHeadRatio(2.2);
-  lights->AddLightsToRenderer(renderer);
+  lightScene(renderer);
   renderer->AddActor(body);
   window->AddRenderer(renderer);
   return renderer;

@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// Of the body's diagonal. vtkStaticCellLocator is no choice here: whatever the tolerance, it
-/// misses faces that lie in the walls between its bins, as those of a block may do.
+/// Of the body's diagonal. vtkStaticCellLocator misses faces that lie in the walls between its
+/// bins, as those of a block may do.
 constexpr double Tolerance = 1e-6;
 } // namespace
 
