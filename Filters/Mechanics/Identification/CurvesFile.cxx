@@ -69,6 +69,14 @@ public:
     return this->Place.empty() ? this->header(split(text)) : this->row(split(text));
   }
 
+  std::string tool(std::string_view text)
+  {
+    this->Result.toolText = text;
+    std::string error;
+    return parseTool(this->Result.toolText, this->Result.tool, error) ? std::string()
+                                                                      : "tool: " + error;
+  }
+
   std::string end() const
   {
     if (this->Place.empty())
@@ -76,33 +84,6 @@ public:
       return "there is no line with the names of the columns";
     }
     return this->Result.curves.empty() ? "there are no readings" : std::string();
-  }
-
-  MeasuredCurves Result;
-
-private:
-  std::string comment(std::string_view text)
-  {
-    const std::size_t colon = text.find(':');
-    const std::string_view key = trim(text.substr(0, colon));
-    const std::string_view value =
-      colon == std::string_view::npos ? std::string_view() : trim(text.substr(colon + 1));
-    if (key == "tool")
-    {
-      if (!this->Place.empty() || !this->Result.toolText.empty())
-      {
-        return "a file has one tool, named in its head";
-      }
-      this->Result.toolText = value;
-      std::string error;
-      return parseTool(this->Result.toolText, this->Result.tool, error) ? std::string()
-                                                                        : "tool: " + error;
-    }
-    if (key == "synthetic")
-    {
-      this->Result.synthetic = value.empty() ? "not said how" : value;
-    }
-    return {};
   }
 
   std::string header(const std::vector<std::string_view>& fields)
@@ -136,19 +117,6 @@ private:
     }
     this->Place.assign(place.begin(), place.end());
     this->FieldCount = fields.size();
-    return {};
-  }
-
-  std::string number(
-    const std::vector<std::string_view>& fields, Column column, double& value) const
-  {
-    const std::string_view text = fields[this->Place[column]];
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() ||
-      !std::isfinite(value))
-    {
-      return std::string(Names[column]) + ": " + quoted(text) + " is not a finite number";
-    }
     return {};
   }
 
@@ -216,6 +184,43 @@ private:
     return {};
   }
 
+  MeasuredCurves Result;
+
+private:
+  std::string comment(std::string_view text)
+  {
+    const std::size_t colon = text.find(':');
+    const std::string_view key = trim(text.substr(0, colon));
+    const std::string_view value =
+      colon == std::string_view::npos ? std::string_view() : trim(text.substr(colon + 1));
+    if (key == "tool")
+    {
+      if (!this->Place.empty() || !this->Result.toolText.empty())
+      {
+        return "a file has one tool, named in its head";
+      }
+      return this->tool(value);
+    }
+    if (key == "synthetic")
+    {
+      this->Result.synthetic = value.empty() ? "not said how" : value;
+    }
+    return {};
+  }
+
+  std::string number(
+    const std::vector<std::string_view>& fields, Column column, double& value) const
+  {
+    const std::string_view text = fields[this->Place[column]];
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() ||
+      !std::isfinite(value))
+    {
+      return std::string(Names[column]) + ": " + quoted(text) + " is not a finite number";
+    }
+    return {};
+  }
+
   static bool readPhase(std::string_view text, CurvePhase& phase)
   {
     phase = text == "loading" ? CurvePhase::Loading
@@ -253,5 +258,41 @@ std::string readCurves(const std::string& path, MeasuredCurves& curves)
     return path + ": cannot be opened";
   }
   return readCurves(stream, path, curves);
+}
+
+std::string readCurves(const CurvesTable& table, MeasuredCurves& curves)
+{
+  Reader reader;
+  std::vector<std::string_view> fields(table.columns.begin(), table.columns.end());
+  std::string fault = reader.tool(table.tool);
+  if (fault.empty())
+  {
+    fault = reader.header(fields);
+  }
+  std::vector<std::string> texts(fields.size());
+  for (std::size_t row = 0; fault.empty() && row < table.rowCount; ++row)
+  {
+    for (std::size_t column = 0; column < fields.size(); ++column)
+    {
+      texts[column] = table.field(row, column);
+      fields[column] = trim(texts[column]);
+    }
+    fault = reader.row(fields);
+    if (!fault.empty())
+    {
+      fault.insert(0, "row " + std::to_string(row) + ": ");
+    }
+  }
+  if (fault.empty())
+  {
+    fault = reader.end();
+  }
+  if (!fault.empty())
+  {
+    return table.name + ": " + fault;
+  }
+  reader.Result.file = table.name;
+  curves = std::move(reader.Result);
+  return {};
 }
 } // namespace palpate

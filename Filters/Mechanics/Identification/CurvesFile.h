@@ -4,8 +4,11 @@
 
 #include "MeasuredCurve.h"
 
+#include <cstddef>
+#include <functional>
 #include <istream>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -27,6 +30,20 @@ std::string readCurves(const std::string& path, MeasuredCurves& curves);
 
 /// The same from a stream; `name` stands for the file in errors.
 std::string readCurves(std::istream& stream, const std::string& name, MeasuredCurves& curves);
+
+/// The readings of one tool as a table that has been read already: its columns, named as in a file,
+/// and their fields as texts.
+struct CurvesTable
+{
+  std::string name; ///< stands for the file in errors
+  std::string tool; ///< specification, as sphere:6.35
+  std::vector<std::string> columns;
+  std::size_t rowCount = 0;
+  std::function<std::string(std::size_t row, std::size_t column)> field;
+};
+
+/// The same from a table; an error is "name: row 7: what is wrong", rows counting from 0.
+std::string readCurves(const CurvesTable& table, MeasuredCurves& curves);
 } // namespace palpate
 
 #endif

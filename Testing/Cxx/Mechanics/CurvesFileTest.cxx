@@ -120,3 +120,41 @@ TEST(CurvesFile, NamesAFileThatIsNotThere)
   MeasuredCurves curves;
   EXPECT_EQ(readCurves("/nowhere/press.csv", curves), "/nowhere/press.csv: cannot be opened");
 }
+
+TEST(CurvesFile, ReadsTablesAsItReadsFiles)
+{
+  const std::vector<std::vector<std::string>> rows = {
+    { "0.5", "0.1", "A", "1", "2", "3", " loading" }, { "0.625", "0.2", "A", "1", "2", "3", "" }
+  };
+  palpate::CurvesTable table;
+  table.name = "table";
+  table.tool = "flat:1.6";
+  table.columns = { "force_N", "deflection_mm", "site", "x_mm", "y_mm", "z_mm", "phase" };
+  table.rowCount = rows.size();
+  table.field = [&rows](std::size_t row, std::size_t column) { return rows[row][column]; };
+  MeasuredCurves curves;
+  ASSERT_EQ(readCurves(table, curves), "");
+  EXPECT_EQ(curves.file, "table");
+  EXPECT_EQ(curves.toolText, "flat:1.6");
+  EXPECT_TRUE(curves.synthetic.empty());
+  ASSERT_EQ(curves.curves.size(), 1U);
+  EXPECT_EQ(curves.curves[0].force, (std::vector<double>{ 0.5, 0.625 }));
+  EXPECT_EQ(
+    curves.curves[0].phase, (std::vector<CurvePhase>{ CurvePhase::Loading, CurvePhase::Unknown }));
+
+  const auto refuse = [&curves](const palpate::CurvesTable& wrong, const std::string& error)
+  {
+    EXPECT_EQ(readCurves(wrong, curves), error);
+    EXPECT_EQ(curves.curves.size(), 1U); // as it was
+  };
+  palpate::CurvesTable wrong = table;
+  wrong.field = [&rows](std::size_t row, std::size_t column)
+  { return row == 1 && column == 1 ? "deep" : rows[row][column]; };
+  refuse(wrong, "table: row 1: deflection_mm: 'deep' is not a finite number");
+  wrong = table;
+  wrong.rowCount = 0;
+  refuse(wrong, "table: there are no readings");
+  wrong = table;
+  wrong.columns.back() = "phases";
+  refuse(wrong, "table: column 'phases' is not known");
+}
