@@ -49,14 +49,15 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
   , Points(arrays.points)
   , Laws(arrays.basis ? arrays.laws : 0)
   , Stride(HeadSize + static_cast<std::size_t>(this->Laws > 0 ? this->Laws : 2 * arrays.samples))
-  , Records(this->Stride * this->Points)
 {
   if (this->Laws > 0)
   {
     this->Basis.assign(arrays.basis,
       arrays.basis +
         static_cast<std::size_t>(this->Laws) * 2 * static_cast<std::size_t>(arrays.samples));
+    this->shareCoefficient(arrays);
   }
+  this->Records.resize(this->Stride * this->Points);
   forRanges(this->Points,
     [&](std::size_t first, std::size_t last)
     {
@@ -68,6 +69,28 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
     });
 }
 
+void ResponseField::shareCoefficient(const ResponseArrays& arrays)
+{
+  if (this->Laws != 1)
+  {
+    return;
+  }
+  bool found = false;
+  for (std::size_t i = 0; i < this->Points; ++i)
+  {
+    if (isUsable(arrays.status[i]))
+    {
+      if (found && arrays.coefficient[i] != this->Shared)
+      {
+        return;
+      }
+      this->Shared = arrays.coefficient[i];
+      found = true;
+    }
+  }
+  this->Stride = HeadSize;
+}
+
 void ResponseField::pack(const ResponseArrays& arrays, std::size_t input, std::size_t point)
 {
   const auto n = static_cast<std::size_t>(arrays.samples);
@@ -77,7 +100,7 @@ void ResponseField::pack(const ResponseArrays& arrays, std::size_t input, std::s
   record = std::copy_n(arrays.normal + 3 * input, 3, record);
   if (laws > 0)
   {
-    std::copy_n(arrays.coefficient + laws * input, laws, record);
+    std::copy_n(arrays.coefficient + laws * input, this->Stride - HeadSize, record);
     return;
   }
   for (std::size_t k = 0; k < n; ++k)
@@ -90,10 +113,30 @@ void ResponseField::pack(const ResponseArrays& arrays, std::size_t input, std::s
 template <class Use>
 auto ResponseField::withCurve(std::int32_t point, const Use& use) const noexcept
 {
-  const float* samples = this->record(point) + HeadSize;
+  const float* samples = this->Stride > HeadSize ? this->record(point) + HeadSize : &this->Shared;
   return this->Laws > 0
     ? use(CombinedCurve{ samples, this->Basis.data(), this->Laws, this->Sampling.samples() })
     : use(StoredCurve{ samples });
+}
+
+Eigen::Vector4d ResponseField::combineLaws(
+  const TriangleCorners& points, const Vector3& weights, int lower) const noexcept
+{
+  const auto n = static_cast<std::size_t>(this->Sampling.samples());
+  const bool isShared = this->Stride == HeadSize;
+  const float* law = this->Basis.data() + lower;
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(this->Laws); ++k, law += 2 * n)
+  {
+    double coefficient = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      coefficient += weights[static_cast<Eigen::Index>(i)] *
+        static_cast<double>(isShared ? this->Shared : this->record(points[i])[HeadSize + k]);
+    }
+    sum += coefficient * Eigen::Vector4d(law[0], law[n], law[1], law[n + 1]);
+  }
+  return sum;
 }
 
 ResponseValue ResponseField::evaluate(std::int32_t point, double deflection) const noexcept

@@ -47,9 +47,10 @@ struct ResponseArrays
 };
 
 /**
- * The kernel's own packed copy of a response: one record per point - 80 bytes with 8 samples - in
- * the order of the mesh's points, so that a tick reads one place for each of its three vertices.
- * Immutable, safe from any number of threads.
+ * The kernel's own packed copy of a response: one record per point, in the order of the mesh's
+ * points, so that a tick reads one place for each of its three vertices. 80 bytes with 8 samples;
+ * in the compact form 16 bytes and 4 per law, and 16 where all points share one law and its
+ * coefficient. Immutable, safe from any number of threads.
  */
 class ResponseField
 {
@@ -74,14 +75,9 @@ public:
   /// At a place that sampling() found for the point's range.
   ResponseValue evaluate(std::int32_t point, const ResponseSampling::Place& at) const noexcept;
 
-  /// Whether each point has its own samples: the other form combines laws.
-  bool isPerPoint() const noexcept { return this->Laws == 0; }
-  /// F, K of sample `lower` and of the next, of a field that isPerPoint.
-  Eigen::Vector4d samplesAt(std::int32_t point, int lower) const noexcept
-  {
-    const float* samples = this->record(point) + HeadSize + 2 * static_cast<std::size_t>(lower);
-    return Eigen::Map<const Eigen::Vector4f>(samples).cast<double>();
-  }
+  /// F, K of sample `lower` and of the next, blended.
+  Eigen::Vector4d blendSamples(
+    const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
 
   /// ∫₀^δ F, N mm; 0 for a point without response. O(samples).
   double energy(std::int32_t point, double deflection) const noexcept;
@@ -106,6 +102,9 @@ private:
   }
   template <class Use>
   auto withCurve(std::int32_t point, const Use& use) const noexcept;
+  Eigen::Vector4d combineLaws(
+    const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
+  void shareCoefficient(const ResponseArrays& arrays);
   void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
 
   ResponseSampling Sampling;
@@ -117,7 +116,26 @@ private:
   /// coefficients.
   LargeVector<float> Records;
   std::vector<float> Basis;
+  /// The one coefficient of one law; then records hold none.
+  float Shared = 0.0F;
 };
+
+inline Eigen::Vector4d ResponseField::blendSamples(
+  const TriangleCorners& points, const Vector3& weights, int lower) const noexcept
+{
+  if (this->Laws > 0)
+  {
+    return this->combineLaws(points, weights, lower);
+  }
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const float* samples = this->record(points[k]) + HeadSize + 2 * static_cast<std::size_t>(lower);
+    sum += weights[static_cast<Eigen::Index>(k)] *
+      Eigen::Map<const Eigen::Vector4f>(samples).cast<double>();
+  }
+  return sum;
+}
 
 /// The curve of a contact: those of three points, blended by area coordinates.
 class BlendedResponse
@@ -159,7 +177,7 @@ private:
 inline bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& sum) const noexcept
 {
   const double range = this->Field.range(this->Points[0]);
-  if (!this->Field.isPerPoint() || !(range > 0.0) || this->Field.range(this->Points[1]) != range ||
+  if (!(range > 0.0) || this->Field.range(this->Points[1]) != range ||
     this->Field.range(this->Points[2]) != range)
   {
     return false;
@@ -169,12 +187,7 @@ inline bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& 
   {
     return false;
   }
-  Eigen::Vector4d samples = Eigen::Vector4d::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    samples += this->Weights[static_cast<Eigen::Index>(k)] *
-      this->Field.samplesAt(this->Points[k], at.lower);
-  }
+  const Eigen::Vector4d samples = this->Field.blendSamples(this->Points, this->Weights, at.lower);
   sum = this->Field.sampling().between({ samples[0], samples[1], samples[2], samples[3] }, at);
   return true;
 }

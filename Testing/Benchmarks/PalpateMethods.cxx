@@ -223,6 +223,37 @@ std::unique_ptr<ContactBody> makePalpateBody(
     surface.triangles.front().data(), surface.triangles.size(), responses.arrays());
 }
 
+std::unique_ptr<ContactBody> makeCompactBody(
+  const testing::Surface& surface, const testing::ResponseStore& responses, int laws)
+{
+  // The law of all points, in equal parts; more than one are felt with different weights.
+  ResponseArrays arrays = responses.arrays();
+  const auto columns = static_cast<std::size_t>(arrays.samples);
+  const auto count = static_cast<std::size_t>(laws);
+  std::vector<float> basis;
+  std::vector<float> coefficients(count * arrays.points, 1.0F);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    basis.insert(basis.end(), arrays.force, arrays.force + columns);
+    basis.insert(basis.end(), arrays.stiffness, arrays.stiffness + columns);
+  }
+  for (float& number : basis)
+  {
+    number /= static_cast<float>(count);
+  }
+  for (std::size_t i = 0; count > 1 && i < coefficients.size(); ++i)
+  {
+    coefficients[i] += 0.001F * static_cast<float>(i % 7);
+  }
+  arrays.force = nullptr;
+  arrays.stiffness = nullptr;
+  arrays.laws = laws;
+  arrays.basis = basis.data();
+  arrays.coefficient = coefficients.data();
+  return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
+    surface.triangles.front().data(), surface.triangles.size(), arrays);
+}
+
 std::unique_ptr<TimedMethod> makePalpateTick(const ContactBody& body)
 {
   return timed<PalpateTick>(body);

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -102,6 +103,7 @@ struct Field
 {
   std::unique_ptr<ContactBody> body;
   std::unique_ptr<ContactBody> shuffledBody;
+  std::array<std::unique_ptr<ContactBody>, 2> compactBodies;
   std::vector<Contender> contenders; ///< destroyed before the bodies
   std::size_t leaders = 0;           ///< Palpate's, which come first
 };
@@ -125,6 +127,21 @@ void addPalpate(Field& field, const Surface& surface, const Paths& paths)
   add("palpate-onset-point", makePalpateOnset(*field.body), 1);
   add("palpate-tick-servo", makePalpateServo(*field.body), 1);
   add("palpate-tick-50-tips", makePalpatePatch(*field.body), PatchTips);
+}
+
+/// Under responses in the compact form: one law for all points, and four combined at each.
+void addCompact(Field& field, const Surface& surface, const Paths& paths)
+{
+  const ResponseStore responses = bumpyResponses(surface);
+  constexpr std::array<int, 2> laws{ 1, 4 };
+  constexpr std::array<const char*, 2> names{ "palpate-tick-1-law", "palpate-tick-4-laws" };
+  for (std::size_t k = 0; k < laws.size(); ++k)
+  {
+    std::unique_ptr<ContactBody>& body = field.compactBodies[k];
+    const BuildCost cost = costOf([&] { body = makeCompactBody(surface, responses, laws[k]); });
+    field.contenders.push_back(
+      { names[k], makePalpateTick(*body), cost.seconds, cost.megabytes, 1, &paths.single });
+  }
 }
 
 void addShuffled(Field& field, const Surface& surface, const Paths& paths)
@@ -258,6 +275,7 @@ std::vector<TickRow> timeBody(
   std::printf("\n%zu triangles: same answers as palpate-point\n", surface.triangles.size());
   Field field;
   addPalpate(field, surface, paths);
+  addCompact(field, surface, paths);
   const double largest = *std::max_element(options.triangles.begin(), options.triangles.end());
   if (triangles == largest && !options.shuffled)
   {

@@ -75,6 +75,9 @@ constexpr int PatchTips = 50;
 testing::ResponseStore bumpyResponses(const testing::Surface& surface);
 std::unique_ptr<ContactBody> makePalpateBody(
   const testing::Surface& surface, const testing::ResponseStore& responses);
+/// The same in the compact form: that many numbers per point; with 1, none, since all are the same.
+std::unique_ptr<ContactBody> makeCompactBody(
+  const testing::Surface& surface, const testing::ResponseStore& responses, int laws);
 
 std::unique_ptr<TimedMethod> makePalpateTick(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpateServo(const ContactBody& body);

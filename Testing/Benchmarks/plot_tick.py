@@ -22,6 +22,8 @@ STYLE = {
     "palpate-point": ("Palpate, contact point", "#e69f00", "s", "-"),
     "palpate-onset-point": ("Palpate, contact onset", "#cc79a7", "^", "-"),
     "palpate-tick-servo": ("Palpate, tick of a servo loop", "#999999", "P", "--"),
+    "palpate-tick-1-law": ("Palpate, whole tick, one law", "#332288", "*", "-"),
+    "palpate-tick-4-laws": ("Palpate, whole tick, four laws", "#117733", "X", "-"),
     "palpate-tick-50-tips": ("Palpate, 50 tips in a tick", "#000000", "D", ":"),
     "palpate-tick-shuffled": ("Palpate, whole tick, shuffled input", "#882255", "x", ""),
     "embree-point": ("Embree point query, warm radius", "#56b4e9", "v", "--"),

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -125,6 +126,63 @@ TEST(ResponseField, CompactFormAgreesWithPerPointForm)
         EXPECT_NEAR(va.force, vb.force, 1e-6 * vb.force + 1e-9);
         EXPECT_NEAR(va.stiffness, vb.stiffness, 3e-5 * (1.0 + std::abs(vb.stiffness)));
         EXPECT_EQ(va.beyondRange, vb.beyondRange);
+      }
+    }
+  }
+}
+
+TEST(ResponseField, OneCoefficientForAllIsStoredOnce)
+{
+  Compact compact(1, 12);
+  compact.coefficient.assign(12, 0.75F);
+  const ResponseField shared(compact.arrays());
+  EXPECT_EQ(shared.memory(), 12u * 4 * sizeof(float));
+  compact.store.status[5] = 1; // without response: its coefficient does not matter
+  compact.coefficient[5] = 0.0F;
+  EXPECT_EQ(ResponseField(compact.arrays()).memory(), 12u * 4 * sizeof(float));
+  compact.store.status[5] = 0;
+  compact.coefficient[5] = 0.5F;
+  const ResponseField apart(compact.arrays());
+  EXPECT_EQ(apart.memory(), 12u * 5 * sizeof(float));
+  for (const double depth : { 0.001, 0.1, 0.77, 1.3, 3.0 })
+  {
+    EXPECT_EQ(shared.evaluate(3, depth).force, apart.evaluate(3, depth).force);
+    EXPECT_EQ(shared.energy(3, depth), apart.energy(3, depth));
+  }
+  EXPECT_TRUE(shared.haveSameCurve(3, 4));
+  EXPECT_FALSE(apart.haveSameCurve(4, 5));
+}
+
+TEST(ResponseField, BlendedLawsAreTheBlendOfTheCurves)
+{
+  for (const bool isShared : { false, true })
+  {
+    for (const int laws : { 1, 3 })
+    {
+      Compact compact(laws, 9);
+      if (isShared)
+      {
+        std::fill(compact.coefficient.begin(), compact.coefficient.end(), 0.6F);
+      }
+      const ResponseField field(compact.arrays());
+      const palpate::TriangleCorners corners{ 1, 4, 8 };
+      const Vector3 weights(0.2, 0.5, 0.3);
+      const palpate::BlendedResponse blend(field, corners, weights);
+      for (const double depth : { 0.001, 0.1, 0.77, 1.3, 3.0 })
+      {
+        double force = 0.0;
+        double stiffness = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          const ResponseValue value = field.evaluate(corners[static_cast<std::size_t>(k)], depth);
+          force += weights[k] * value.force;
+          stiffness += weights[k] * value.stiffness;
+        }
+        const ResponseValue value = blend.evaluate(depth);
+        // The same sums in another order, through a cubic that magnifies rounding up to 100 times.
+        EXPECT_NEAR(value.force, force, 1e-13 * force);
+        EXPECT_NEAR(value.stiffness, stiffness, 1e-12 * std::abs(stiffness));
+        EXPECT_EQ(value.beyondRange, depth > 2.0);
       }
     }
   }

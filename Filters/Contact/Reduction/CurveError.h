@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_CurveError_h
+#define palpate_CurveError_h
+
+#include "ResponseSampling.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace palpate
+{
+/// A curve in n forces, then n stiffnesses.
+struct SampledCurve
+{
+  const Eigen::VectorXd& columns;
+  const ResponseSampling& sampling;
+
+  double force(int i) const noexcept { return columns[i]; }
+  double stiffness(int i) const noexcept { return columns[sampling.samples() + i]; }
+  ResponseValue evaluate(double range, double deflection) const noexcept
+  {
+    return sampling.evaluate(*this, range, deflection);
+  }
+};
+
+/// How far curves are off, and where most; += keeps the worst, of equals the first.
+struct CurveError
+{
+  double force = 0.0; ///< |F' - F|/F, or /F_1 before the first sample; inf for what is not finite
+  double slope = 0.0; ///< |K' - K| over the largest K of the curve
+  std::size_t point = 0;
+
+  CurveError& operator+=(const CurveError& other)
+  {
+    this->slope = other.slope > this->slope ? other.slope : this->slope;
+    if (other.force > this->force)
+    {
+      this->force = other.force;
+      this->point = other.point;
+    }
+    return *this;
+  }
+};
+
+/// At four depths in each interval between the samples of `right`.
+CurveError curveError(
+  const SampledCurve& right, const SampledCurve& reduced, double range, std::size_t point);
+} // namespace palpate
+
+#endif
