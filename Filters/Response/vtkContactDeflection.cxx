@@ -2,16 +2,25 @@
 #include "vtkContactDeflection.h"
 
 #include "BodyConversion.h"
+#include "BodySeam.h"
+#include "ChosenTip.h"
 #include "ContactField.h"
+#include "OwnPiece.h"
+#include "Ranks.h"
 #include "ReducedModulus.h"
 #include "ResponseTool.h"
+#include "SeamNormals.h"
 #include "SurfacePatch.h"
+#include "TipTimes.h"
 #include "vtkContactTool.h"
 
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -20,33 +29,11 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <sstream>
 #include <vector>
 
 namespace
 {
-/// Returns an error that names what is missing, or "".
-std::string readTip(vtkPolyData* tips, vtkIdType index, palpate::FieldContact& contact)
-{
-  vtkPointData* data = tips->GetPointData();
-  vtkDataArray* cells = data->GetArray("ContactCell");
-  vtkDataArray* deflections = data->GetArray("Deflection");
-  vtkDataArray* points = data->GetArray("ContactPoint");
-  vtkDataArray* normals = data->GetArray("Normal");
-  if (!cells || !deflections || !points || !normals || points->GetNumberOfComponents() != 3 ||
-    normals->GetNumberOfComponents() != 3)
-  {
-    return "port 1 must be the output of vtkToolContactProbe: ContactCell, Deflection, "
-           "ContactPoint(3) or Normal(3) is missing";
-  }
-  contact.cell = static_cast<vtkIdType>(cells->GetTuple1(index));
-  contact.deflection = deflections->GetTuple1(index);
-  points->GetTuple(index, contact.point.data());
-  normals->GetTuple(index, contact.normal.data());
-  vtkDataArray* forces = data->GetArray("NormalForce");
-  contact.force = forces ? forces->GetTuple1(index) : 0.0;
-  return {};
-}
-
 void addGlobalPart(const std::vector<vtkDataArray*>& modes, const palpate::ContactField& field,
   vtkFloatArray* displacement)
 {
@@ -66,11 +53,82 @@ void addGlobalPart(const std::vector<vtkDataArray*>& modes, const palpate::Conta
       });
   }
 }
+
+/// The triangle of a contact as a body of its own, with what a field reads from it.
+vtkSmartPointer<vtkPolyData> contactTriangle(
+  vtkPolyData* body, vtkIdType triangle, const std::string& name)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkIdList> corners;
+  body->GetPolys()->GetCellAtId(triangle, corners);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType k = 0; k < 3; ++k)
+  {
+    points->InsertNextPoint(body->GetPoint(corners->GetId(k)));
+  }
+  part->SetPoints(points);
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2 });
+  part->SetPolys(polys);
+  std::vector<vtkDataArray*> read = palpate::globalModes(body, name);
+  if (vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str()))
+  {
+    read.push_back(layers);
+  }
+  for (vtkDataArray* array : read)
+  {
+    auto here = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    here->SetName(array->GetName());
+    here->SetNumberOfComponents(array->GetNumberOfComponents());
+    here->SetNumberOfTuples(3);
+    array->GetTuples(corners, here);
+    part->GetPointData()->AddArray(here);
+  }
+  for (const std::string& field :
+    { name + "LayerBase", name + "Model", std::string("GlobalModeSign") })
+  {
+    if (vtkAbstractArray* array = body->GetFieldData()->GetAbstractArray(field.c_str()))
+    {
+      part->GetFieldData()->AddArray(array);
+    }
+  }
+  return part;
+}
 } // namespace
 
 vtkStandardNewMacro(vtkContactDeflection);
 
+/// The linked mesh of the own piece, where it meets the others, and of which state it is.
+class vtkContactDeflection::LinkedPiece
+{
+public:
+  LinkedPiece(const palpate::Ranks& ranks, vtkPolyData* body)
+    : Mesh(palpate::makeBodyMesh(body))
+    , Seam(ranks, body)
+    , SeamNormals(palpate::seamNormals(this->Mesh, this->Seam))
+    , PointsTime(body->GetPoints()->GetMTime())
+    , PolysTime(body->GetPolys()->GetMTime())
+  {
+  }
+  // Modification times are unique, so the two name this pair.
+  bool isOf(vtkPolyData* body) const
+  {
+    return this->PointsTime == body->GetPoints()->GetMTime() &&
+      this->PolysTime == body->GetPolys()->GetMTime();
+  }
+
+  const palpate::BodyMesh Mesh;
+  const palpate::BodySeam Seam;
+  const std::vector<palpate::Vector3> SeamNormals;
+
+private:
+  vtkMTimeType PointsTime;
+  vtkMTimeType PolysTime;
+};
+
 vtkContactDeflection::vtkContactDeflection()
+  : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -91,6 +149,21 @@ vtkContactTool* vtkContactDeflection::GetTool()
   return this->Tool;
 }
 
+void vtkContactDeflection::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Piece.reset();
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkContactDeflection::GetController()
+{
+  return this->Controller;
+}
+
 vtkMTimeType vtkContactDeflection::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
@@ -99,43 +172,34 @@ vtkMTimeType vtkContactDeflection::GetMTime()
 
 int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Anything: RequestData says what to make of what it cannot take.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
-const palpate::BodyMesh& vtkContactDeflection::PrepareMesh(vtkPolyData* body)
+void vtkContactDeflection::PrepareMesh(const palpate::Ranks& ranks, vtkPolyData* body)
 {
-  // Modification times are unique, so the two name this pair.
-  const vtkMTimeType points = body->GetPoints()->GetMTime();
-  const vtkMTimeType polys = body->GetPolys()->GetMTime();
-  if (!this->Mesh || this->MeshPointsTime != points || this->MeshPolysTime != polys)
+  if (ranks.any(!this->Piece || !this->Piece->isOf(body)))
   {
-    this->Mesh = std::make_unique<palpate::BodyMesh>(palpate::makeBodyMesh(body));
-    this->MeshPointsTime = points;
-    this->MeshPolysTime = polys;
+    this->Piece = std::make_unique<const LinkedPiece>(ranks, body);
   }
-  return *this->Mesh;
 }
 
-bool vtkContactDeflection::CheckTip(vtkPolyData* tips, palpate::FieldContact& contact)
+std::string vtkContactDeflection::FindTool(vtkPolyData* body, vtkSmartPointer<vtkContactTool>& tool)
 {
-  if (!tips || tips->GetNumberOfPoints() == 0)
+  std::string fault = palpate::checkTriangles(body);
+  if (!fault.empty())
   {
-    return true;
+    return "Wrong body: " + fault;
   }
-  const vtkIdType count = tips->GetNumberOfPoints();
-  const vtkIdType tip = this->TipIndex < 0 ? count - 1 : this->TipIndex;
-  if (tip >= count)
+  if (!palpate::isPoissonsRatio(this->PoissonRatio))
   {
-    vtkErrorMacro(<< "TipIndex " << tip << " is beyond the last of " << count << " tips.");
-    return false;
+    std::ostringstream text;
+    text << "PoissonRatio must lie between 0 and 0.5, but is " << this->PoissonRatio;
+    return text.str();
   }
-  const std::string missing = readTip(tips, tip, contact);
-  if (!missing.empty())
-  {
-    vtkErrorMacro(<< missing << ".");
-  }
-  return missing.empty();
+  tool = palpate::findTool(this->Tool, body, this->ResponseName, fault);
+  return fault.empty() && !tool->GetKernel() ? "The Tool is invalid" : fault;
 }
 
 palpate::ContactField vtkContactDeflection::MakeField(
@@ -159,38 +223,52 @@ palpate::ContactField vtkContactDeflection::MakeField(
   return field;
 }
 
+int vtkContactDeflection::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  palpate::passTimes(inputVector, outputVector->GetInformationObject(0));
+  return 1;
+}
+
 int vtkContactDeflection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  const palpate::Ranks ranks(this->Controller);
+  std::string fault = palpate::checkType(inputVector[0]->GetInformationObject(0), "body");
+  if (fault.empty())
+  {
+    fault = palpate::checkType(inputVector[1]->GetInformationObject(0), "tips");
+  }
+  const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* tips = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!body || body->GetNumberOfPoints() == 0)
+  palpate::passDataTime(body, tips, output);
+  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  vtkSmartPointer<vtkContactTool> tool;
+  if (fault.empty() && hasPiece)
   {
-    return 1;
+    fault = this->FindTool(body, tool);
   }
-  const std::string fault = palpate::checkTriangles(body);
+  fault = ranks.firstFault(fault);
+  palpate::ChosenTip tip;
+  if (fault.empty() && ranks.any(hasPiece))
+  {
+    fault = palpate::chooseTip(ranks, tips, this->TipIndex, tip);
+  }
+  const palpate::FieldContact& contact = tip.contact;
+  const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
+  const bool isHere = contact.cell >= 0 && tip.rank == ranks.own();
+  if (fault.empty())
+  {
+    const bool isTriangle =
+      contact.cell >= firstPoly && contact.cell < firstPoly + body->GetNumberOfPolys();
+    fault = ranks.firstFault(isHere && !isTriangle ? "ContactCell " + std::to_string(contact.cell) +
+          " is not a triangle of the body: were the tips probed on another body?"
+                                                   : std::string());
+  }
   if (!fault.empty())
   {
-    vtkErrorMacro(<< "Wrong body: " << fault << ".");
-    return 0;
-  }
-  if (!palpate::isPoissonsRatio(this->PoissonRatio))
-  {
-    vtkErrorMacro(<< "PoissonRatio must lie between 0 and 0.5, but is " << this->PoissonRatio
-                  << ".");
-    return 0;
-  }
-  std::string noTool;
-  const vtkSmartPointer<vtkContactTool> tool =
-    palpate::findTool(this->Tool, body, this->ResponseName, noTool);
-  if (!noTool.empty())
-  {
-    vtkErrorMacro(<< noTool << ".");
-  }
-  const palpate::AxisymmetricTool* law = tool ? tool->GetKernel() : nullptr;
-  if (!law)
-  {
+    vtkErrorMacro(<< fault << (fault.back() == '?' ? "" : "."));
     return 0;
   }
 
@@ -199,43 +277,87 @@ int vtkContactDeflection::RequestData(
   displacement->SetNumberOfComponents(3);
   displacement->SetNumberOfTuples(body->GetNumberOfPoints());
   displacement->Fill(0.0);
-  palpate::FieldContact contact;
-  if (!this->CheckTip(tips, contact))
-  {
-    return 0;
-  }
-  const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
-  if (contact.cell >= firstPoly + body->GetNumberOfPolys() ||
-    (contact.cell >= 0 && contact.cell < firstPoly))
-  {
-    vtkErrorMacro(<< "ContactCell " << contact.cell
-                  << " is not a triangle of the body: were the tips probed on another body?");
-    return 0;
-  }
   if (contact.cell >= 0 && contact.deflection > 0.0)
   {
-    const palpate::ContactField field = this->MakeField(body, *law, contact);
-    addGlobalPart(palpate::globalModes(body, this->ResponseName), field, displacement);
-    const palpate::BodyMesh& mesh = this->PrepareMesh(body);
-    palpate::visitSurfacePatch(mesh, static_cast<std::int32_t>(contact.cell - firstPoly),
-      contact.point, contact.normal, this->MaximumDistance,
-      [&](std::int32_t id, double distance, const palpate::Vector3& away)
-      {
-        const palpate::SurfaceDisplacement u = field.local(distance);
-        const double share = field.fade(distance, mesh.pointNormal(id).dot(contact.normal));
-        float* vector = displacement->GetPointer(3 * static_cast<vtkIdType>(id));
-        Eigen::Map<Eigen::Vector3f>(vector) +=
-          (share * (u.radial * away - u.normal * contact.normal)).cast<float>();
-      });
+    const vtkIdType triangle = isHere ? contact.cell - firstPoly : -1;
+    // Only one rank has the triangle; all need the field.
+    vtkSmartPointer<vtkPolyData> under = body;
+    palpate::FieldContact onIt = contact;
+    if (!ranks.areAlone())
+    {
+      under = isHere ? contactTriangle(body, triangle, this->ResponseName)
+                     : vtkSmartPointer<vtkPolyData>::New();
+      ranks.spread(under, tip.rank);
+      onIt.cell = 0;
+    }
+    palpate::ContactField field;
+    if (hasPiece)
+    {
+      field = this->MakeField(under, *tool->GetKernel(), onIt);
+      addGlobalPart(palpate::globalModes(body, this->ResponseName), field, displacement);
+    }
+    this->PrepareMesh(ranks, body);
+    this->Dent(field, contact, triangle, displacement);
   }
-  output->ShallowCopy(body);
-  output->GetPointData()->AddArray(displacement);
+  if (hasPiece)
+  {
+    output->ShallowCopy(body);
+    palpate::passDataTime(body, tips, output);
+    output->GetPointData()->AddArray(displacement);
+  }
   return 1;
+}
+
+void vtkContactDeflection::Dent(const palpate::ContactField& field,
+  const palpate::FieldContact& contact, vtkIdType triangle, vtkFloatArray* displacement)
+{
+  const palpate::BodyMesh& mesh = this->Piece->Mesh;
+  const palpate::BodySeam& seam = this->Piece->Seam;
+  palpate::SurfacePatch patch(mesh, contact.point, contact.normal, this->MaximumDistance);
+  for (std::size_t i = 0; i < seam.places().size(); ++i)
+  {
+    patch.setNormal(seam.places()[i].point, this->Piece->SeamNormals[i]);
+  }
+  if (triangle >= 0)
+  {
+    for (const std::int32_t corner : mesh.corners(static_cast<std::int32_t>(triangle)))
+    {
+      patch.enter(corner);
+    }
+  }
+  const auto move = [&](std::int32_t id, double distance, const palpate::Vector3& away,
+                      const palpate::Vector3& normal)
+  {
+    const palpate::SurfaceDisplacement u = field.local(distance);
+    const double share = field.fade(distance, normal.dot(contact.normal));
+    float* vector = displacement->GetPointer(3 * static_cast<vtkIdType>(id));
+    Eigen::Map<Eigen::Vector3f>(vector) +=
+      (share * (u.radial * away - u.normal * contact.normal)).cast<float>();
+  };
+  // Where the patch has come to a seam, it goes on from there on the other side.
+  do
+  {
+    patch.visit(move);
+    std::vector<char> reached;
+    for (const palpate::BodySeam::Place& place : seam.places())
+    {
+      reached.push_back(patch.has(place.point) ? 1 : 0);
+    }
+    reached = seam.combined(reached, char{ 0 }, [](char a, char b) { return std::max(a, b); });
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      if (reached[i])
+      {
+        patch.enter(seam.places()[i].point);
+      }
+    }
+  } while (seam.ranks().any(patch.isPending()));
 }
 
 void vtkContactDeflection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "TipIndex: " << this->TipIndex << "\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";

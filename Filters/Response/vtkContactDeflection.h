@@ -27,6 +27,14 @@
  * local part is that of the deflection they leave (palpate::ContactField). Without modes the field
  * shows the local part at the whole deflection; a warning says so, once.
  *
+ * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
+ *
+ * **Several processes** (Controller), each with a piece of the body: tips are counted through all
+ * processes, rank by rank; the chosen one presses all pieces, and the dent goes on over their
+ * seams. Each process holds its own piece and the points of all seams. `ContactRank` of
+ * vtkToolContactProbe must be among the tips' arrays. Ghost cells are left out. An error on one is
+ * an error on all. All processes must update the filter.
+ *
  * Cost: the mesh is linked once per change of its points or triangles, O(n); then one evaluation of
  * the law per point within the field, and a sum per point of the body where it bends.
  */
@@ -41,13 +49,15 @@
 #include <string> // For std::string
 
 class vtkContactTool;
+class vtkFloatArray;
+class vtkMultiProcessController;
 
 namespace palpate
 {
 class AxisymmetricTool;
-class BodyMesh;
 class ContactField;
 class LayerKernel;
+class Ranks;
 struct FieldContact;
 } // namespace palpate
 
@@ -92,6 +102,15 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * The processes that have a piece of the body each. Default: the global controller when the
+   * filter is made. None, or one process: the input is the whole body.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /** The probe's output, port 1. */
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
@@ -102,6 +121,8 @@ protected:
   vtkContactDeflection();
   ~vtkContactDeflection() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -109,23 +130,27 @@ private:
   vtkContactDeflection(const vtkContactDeflection&) = delete;
   void operator=(const vtkContactDeflection&) = delete;
 
-  const palpate::BodyMesh& PrepareMesh(vtkPolyData* body);
-  /// The contact of the tip that TipIndex chooses; false, and an error, if the tips are wrong.
-  bool CheckTip(vtkPolyData* tips, palpate::FieldContact& contact);
+  class LinkedPiece;
+
+  /// Links the mesh, and finds its seam, where the piece of any rank is new.
+  void PrepareMesh(const palpate::Ranks& ranks, vtkPolyData* body);
+  /// What is wrong with body, tool or Poisson's ratio, or "".
+  std::string FindTool(vtkPolyData* body, vtkSmartPointer<vtkContactTool>& tool);
   /// `tool` must outlive it.
   palpate::ContactField MakeField(
     vtkPolyData* body, const palpate::AxisymmetricTool& tool, const palpate::FieldContact& contact);
+  /// Adds the local part around a contact on a triangle of this rank; elsewhere that is -1.
+  void Dent(const palpate::ContactField& field, const palpate::FieldContact& contact,
+    vtkIdType triangle, vtkFloatArray* displacement);
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactTool> Tool;
   vtkIdType TipIndex = -1;
   double PoissonRatio = 0.45;
   double MaximumDistance = 0.0;
   std::string ResponseName = "Response";
 
-  // The linked mesh, and of which points and triangles it is.
-  std::unique_ptr<palpate::BodyMesh> Mesh;
-  vtkMTimeType MeshPointsTime = 0;
-  vtkMTimeType MeshPolysTime = 0;
+  std::unique_ptr<const LinkedPiece> Piece;
 
   std::shared_ptr<const palpate::LayerKernel> Kernel; ///< of the last layer
   std::string WarnedOfModel;

@@ -5,6 +5,8 @@
 #include "BodyConversion.h"
 #include "BodyMaterial.h"
 #include "ContactRegime.h"
+#include "OwnPiece.h"
+#include "Ranks.h"
 #include "ResponseField.h"
 #include "ResponseLaw.h"
 #include "ResponseTool.h"
@@ -17,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -27,6 +30,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <sstream>
 
 namespace
 {
@@ -123,8 +127,26 @@ std::string compare(const palpate::ResponseArrays& arrays, const std::vector<dou
 
 vtkStandardNewMacro(vtkContactRegime);
 
-vtkContactRegime::vtkContactRegime() = default;
+vtkContactRegime::vtkContactRegime()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
 vtkContactRegime::~vtkContactRegime() = default;
+
+void vtkContactRegime::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkContactRegime::GetController()
+{
+  return this->Controller;
+}
 
 void vtkContactRegime::SetTool(vtkContactTool* tool)
 {
@@ -146,108 +168,127 @@ vtkMTimeType vtkContactRegime::GetMTime()
   return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
 }
 
-bool vtkContactRegime::FindDepths(vtkPolyData* body, std::vector<double>& depths)
+std::string vtkContactRegime::FindDepths(vtkPolyData* body, std::vector<double>& depths)
 {
+  std::ostringstream text;
   if (!(std::isfinite(this->Deflection) && this->Deflection >= 0.0))
   {
-    vtkErrorMacro(<< "Deflection must be finite and not negative (mm, 0 for half of Range), but is "
-                  << this->Deflection << ".");
-    return false;
+    text << "Deflection must be finite and not negative (mm, 0 for half of Range), but is "
+         << this->Deflection;
+    return text.str();
   }
   depths.assign(static_cast<std::size_t>(body->GetNumberOfPoints()), this->Deflection);
-  if (this->Deflection > 0.0)
+  if (this->Deflection > 0.0 || depths.empty())
   {
-    return true;
+    return {};
   }
   vtkDataArray* range = body->GetPointData()->GetArray((this->ResponseName + "Range").c_str());
   if (!range || range->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro(<< "Deflection is 0, which means half of the point array '" << this->ResponseName
-                  << "Range', but the input has none: attach a response, or set Deflection.");
-    return false;
+    text << "Deflection is 0, which means half of the point array '" << this->ResponseName
+         << "Range', but the input has none: attach a response, or set Deflection";
+    return text.str();
   }
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     depths[i] = 0.5 * range->GetTuple1(static_cast<vtkIdType>(i));
     if (!(depths[i] > 0.0 && std::isfinite(depths[i])))
     {
-      vtkErrorMacro(<< "Array '" << this->ResponseName << "Range': value of point " << i
-                    << " must be positive and finite (mm), but is " << 2.0 * depths[i] << ".");
-      return false;
+      text << "Array '" << this->ResponseName << "Range': value of point " << i
+           << " must be positive and finite (mm), but is " << 2.0 * depths[i];
+      return text.str();
     }
   }
-  return true;
+  return {};
+}
+
+std::string vtkContactRegime::Compare(vtkPolyData* body, const palpate::AxisymmetricTool& tool,
+  const std::vector<double>& depths, const std::vector<double>& forces)
+{
+  palpate::ResponseArrays stored;
+  std::string noResponse;
+  if (palpate::responseText(body, this->ResponseName, "Tool") != tool.specification() ||
+    !palpate::viewResponse(body, this->ResponseName, stored, noResponse))
+  {
+    return {};
+  }
+  const std::string disagreement = compare(stored, depths, forces);
+  return disagreement.empty()
+    ? disagreement
+    : "Response '" + this->ResponseName + "' is of another material: " + disagreement;
 }
 
 int vtkContactRegime::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  const palpate::Ranks ranks(this->Controller);
+  const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!body || body->GetNumberOfPoints() == 0)
+  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  if (!ranks.any(hasPiece))
   {
     return 1;
   }
-  std::string noTool;
-  const vtkSmartPointer<vtkContactTool> tool =
-    palpate::findTool(this->Tool, body, this->ResponseName, noTool);
-  if (!noTool.empty())
-  {
-    vtkErrorMacro(<< noTool << ".");
-  }
-  const palpate::AxisymmetricTool* kernel = tool ? tool->GetKernel() : nullptr;
+  // Once all agree that nothing is wrong, a rank without a piece has nothing to do but to agree.
+  std::string fault;
+  vtkSmartPointer<vtkContactTool> tool;
   std::vector<double> depths;
-  if (!kernel || !this->FindDepths(body, depths))
-  {
-    return 0;
-  }
   palpate::BodyMaterial material({ this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
     static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer });
-  const std::string wrongMaterial = material.read(
-    this, body, [this, body](int index) { return this->GetInputArrayToProcess(index, body); });
-  if (!wrongMaterial.empty())
+  if (hasPiece)
   {
-    vtkErrorMacro(<< wrongMaterial << ".");
+    tool = palpate::findTool(this->Tool, body, this->ResponseName, fault);
+    fault = fault.empty() && !tool->GetKernel() ? "The Tool is invalid" : fault;
+    fault = fault.empty() ? this->FindDepths(body, depths) : fault;
+    const auto find = [this, &body](int index)
+    { return this->GetInputArrayToProcess(index, body); };
+    fault = fault.empty() ? material.read(this, body, find) : fault;
+  }
+  double deepest = depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
+  deepest = ranks.largest(deepest);
+  if (hasPiece && fault.empty())
+  {
+    fault = tool->GetKernel()->checkDepth(deepest);
+  }
+  fault = ranks.firstFault(fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
     return 0;
   }
-  const double deepest = *std::max_element(depths.begin(), depths.end());
-  const std::string tooDeep = kernel->checkDepth(deepest);
-  if (!tooDeep.empty())
+  material.agree(ranks, hasPiece);
+  if (!hasPiece)
   {
-    vtkErrorMacro(<< tooDeep << ".");
-    return 0;
+    ranks.firstFault({}); // of the comparison below
+    return 1;
   }
+  const palpate::AxisymmetricTool* kernel = tool->GetKernel();
   const NeighbouringLaws laws(*kernel, material, deepest);
-  if (!laws.complete())
-  {
-    vtkErrorMacro(<< "Tool '" << kernel->specification() << "' cannot be scaled.");
-    return 0;
-  }
-
   const palpate::ResponseMaterial spots = material.view();
   const vtkIdType points = body->GetNumberOfPoints();
   std::vector<double> forces(depths.size());
-  vtkSMPTools::For(0, points,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const auto k = static_cast<std::size_t>(i);
-        forces[k] = laws.force(spots.at(i), depths[k]);
-      }
-    });
-  palpate::ResponseArrays stored;
-  std::string noResponse;
-  if (palpate::responseText(body, this->ResponseName, "Tool") == kernel->specification() &&
-    palpate::viewResponse(body, this->ResponseName, stored, noResponse))
+  if (laws.complete())
   {
-    const std::string disagreement = compare(stored, depths, forces);
-    if (!disagreement.empty())
-    {
-      vtkErrorMacro(<< "Response '" << this->ResponseName
-                    << "' is of another material: " << disagreement << ".");
-      return 0;
-    }
+    vtkSMPTools::For(0, points,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          const auto k = static_cast<std::size_t>(i);
+          forces[k] = laws.force(spots.at(i), depths[k]);
+        }
+      });
+    fault = this->Compare(body, *kernel, depths, forces);
+  }
+  else
+  {
+    fault = "Tool '" + kernel->specification() + "' cannot be scaled";
+  }
+  fault = ranks.firstFault(fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
   }
 
   PointArrays arrays(points);
@@ -282,6 +323,7 @@ int vtkContactRegime::RequestData(
 void vtkContactRegime::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "Deflection: " << this->Deflection << " mm\n";
   os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";

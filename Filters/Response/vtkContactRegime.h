@@ -30,6 +30,9 @@
  * a regime of another body than the one that is felt is worse than none. (2 %: the storage error of
  * a response in series; depths below a hundredth of Range are not compared.)
  *
+ * Several processes, each with a piece of the body (Controller): the arrays are those of the whole
+ * body, and so is RegimeDeflection; an error on one is an error on all. Ghost cells are left out.
+ *
  * Sources: St. Venant, Castigliano; Mahvash and Hayward 2002, section 2. Cost: three times that of
  * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools, same bits for any number.
  *
@@ -46,11 +49,13 @@
 #include <vector> // For std::vector
 
 class vtkContactTool;
+class vtkMultiProcessController;
 
 namespace palpate
 {
 class AxisymmetricTool;
 class BodyMaterial;
+class Ranks;
 } // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkContactRegime : public vtkPolyDataAlgorithm
@@ -93,6 +98,12 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
+  ///@{
+  /** As in vtkToolContactResponse. */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -105,8 +116,13 @@ private:
   vtkContactRegime(const vtkContactRegime&) = delete;
   void operator=(const vtkContactRegime&) = delete;
 
-  bool FindDepths(vtkPolyData* body, std::vector<double>& depths);
+  /// What is wrong with Deflection, or with the Range of the body, or "".
+  std::string FindDepths(vtkPolyData* body, std::vector<double>& depths);
+  /// Where the response on the body is not of the material that gives these forces, or "".
+  std::string Compare(vtkPolyData* body, const palpate::AxisymmetricTool& tool,
+    const std::vector<double>& depths, const std::vector<double>& forces);
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactTool> Tool;
   double Deflection = 0.0;
   double YoungsModulus = 0.1;

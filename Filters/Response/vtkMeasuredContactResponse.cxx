@@ -3,6 +3,7 @@
 
 #include "BodyConversion.h"
 #include "CurvesFile.h"
+#include "CurvesFromTable.h"
 #include "FilterStage.h"
 #include "InnerMessages.h"
 #include "MeasuredMaterial.h"
@@ -43,6 +44,7 @@ vtkStandardNewMacro(vtkMeasuredContactResponse);
 
 vtkMeasuredContactResponse::vtkMeasuredContactResponse()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -75,6 +77,11 @@ std::string vtkMeasuredContactResponse::GetFileName(int index)
     : std::string();
 }
 
+void vtkMeasuredContactResponse::AddCurvesConnection(vtkAlgorithmOutput* table)
+{
+  this->AddInputConnection(1, table);
+}
+
 void vtkMeasuredContactResponse::SetTool(vtkContactTool* tool)
 {
   if (this->Tool != tool)
@@ -93,6 +100,17 @@ vtkMTimeType vtkMeasuredContactResponse::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
+}
+
+int vtkMeasuredContactResponse::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkTable");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return 1;
 }
 
 int vtkMeasuredContactResponse::FillOutputPortInformation(int port, vtkInformation* info)
@@ -120,7 +138,7 @@ int vtkMeasuredContactResponse::RequestData(
   fault = this->CheckProperties();
   if (fault.empty())
   {
-    fault = this->ReadSites(measurement);
+    fault = this->ReadSites(inputVector[1], measurement);
   }
   if (!fault.empty())
   {
@@ -178,19 +196,36 @@ std::string vtkMeasuredContactResponse::CheckProperties()
   positive("MaximumUncertainty", this->MaximumUncertainty);
   positive("MaximumSiteDistance", this->MaximumSiteDistance);
   positive("Reach", this->Reach);
-  if (this->FileNames.empty())
+  const int tables = this->GetNumberOfInputConnections(1);
+  if (this->FileNames.empty() && tables == 0)
   {
-    return "A file of curves is required: call AddFileName";
+    return "Curves are required: call AddFileName, or give a table to input port 1";
+  }
+  if (tables > 0 && this->MeasuringTool.empty())
+  {
+    return "The MeasuringTool of the table of curves is required, as 'sphere:6.35'";
   }
   return fault.str();
 }
 
-std::string vtkMeasuredContactResponse::ReadSites(Measurement& measurement)
+std::string vtkMeasuredContactResponse::ReadSites(
+  vtkInformationVector* tables, Measurement& measurement)
 {
   for (const std::string& name : this->FileNames)
   {
     palpate::MeasuredCurves curves;
     std::string fault = palpate::readCurves(name, curves);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    measurement.Files.push_back(std::move(curves));
+  }
+  for (int i = 0; i < tables->GetNumberOfInformationObjects(); ++i)
+  {
+    palpate::MeasuredCurves curves;
+    std::string fault = palpate::curvesFromTable(vtkTable::GetData(tables, i),
+      "Table " + std::to_string(i) + " of curves", this->MeasuringTool, curves);
     if (!fault.empty())
     {
       return fault;
@@ -336,6 +371,7 @@ void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent.GetNextIndent() << name << "\n";
   }
+  os << indent << "MeasuringTool: " << this->MeasuringTool << "\n";
   os << indent << "RegistrationFile: " << this->RegistrationFile << "\n";
   os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "BodyModel: " << this->BodyModel << "\n";

@@ -6,7 +6,9 @@
  * Input: a body as for vtkToolContactResponse, and files of force-deflection curves taken at sites
  * of it, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
  * finite-element code). Sites of one name in several files are one site, measured with several
- * tools.
+ * tools. Curves also come as tables with the columns of such files, on the optional and repeatable
+ * input port 1: what a reader of .csv makes of files without the comments of their heads, so that
+ * the tool is MeasuringTool's, and the curves count as measured.
  *
  * For each site the loading branches are separated, hysteresis and the effect of speed judged, the
  * depth of first contact found, and the simplest elastic body identified that explains the readings
@@ -63,11 +65,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The files of curves; at least one. They are read on every update. */
+  /** The files of curves; at least one unless there are tables. They are read on every update. */
   void AddFileName(const std::string& fileName);
   void ClearFileNames();
   int GetNumberOfFileNames();
   std::string GetFileName(int index);
+  ///@}
+
+  /** Adds a table of curves, all taken with MeasuringTool, to input port 1. */
+  void AddCurvesConnection(vtkAlgorithmOutput* table);
+
+  ///@{
+  /** The tool of the tables on port 1, as `sphere:6.35`; required with them. Default: none. */
+  vtkSetMacro(MeasuringTool, std::string);
+  vtkGetMacro(MeasuringTool, std::string);
   ///@}
 
   ///@{
@@ -199,6 +210,7 @@ public:
 protected:
   vtkMeasuredContactResponse();
   ~vtkMeasuredContactResponse() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
@@ -210,12 +222,13 @@ private:
   struct Measurement;
 
   std::string CheckProperties();
-  std::string ReadSites(Measurement& measurement);
+  std::string ReadSites(vtkInformationVector* tables, Measurement& measurement);
   bool IdentifySites(Measurement& measurement);
   std::string JudgeSites(const Measurement& measurement);
   bool RespondTo(vtkPolyData* body, vtkPolyData* output);
 
   std::vector<std::string> FileNames;
+  std::string MeasuringTool;
   std::string RegistrationFile;
   vtkSmartPointer<vtkContactTool> Tool;
   int BodyModel = Automatic;

@@ -2,21 +2,58 @@
 #include "vtkResponseCurves.h"
 
 #include "BodyConversion.h"
+#include "ResponseField.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
+#include "vtkExtractSelection.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+
+namespace
+{
+/// A response of the body, ready to be evaluated.
+struct NamedResponse
+{
+  std::string name;
+  std::unique_ptr<palpate::ResponseField> field;
+  vtkDataArray* ranges;
+
+  bool covers(vtkIdType id) const { return this->field->isValid(static_cast<std::int32_t>(id)); }
+};
+
+/// So many of the ids, evenly, the first and the last among them.
+std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t count)
+{
+  std::vector<vtkIdType> kept;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    kept.push_back(ids[count == 1 ? 0 : i * (ids.size() - 1) / (count - 1)]);
+  }
+  return kept;
+}
+} // namespace
 
 vtkStandardNewMacro(vtkResponseCurves);
+
+vtkResponseCurves::vtkResponseCurves()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SelectionExtractor = vtkSmartPointer<vtkExtractSelection>::New();
+}
+
+vtkResponseCurves::~vtkResponseCurves() = default;
 
 void vtkResponseCurves::AddPointId(vtkIdType id)
 {
@@ -33,10 +70,70 @@ void vtkResponseCurves::RemoveAllPointIds()
   }
 }
 
-int vtkResponseCurves::FillInputPortInformation(int, vtkInformation* info)
+void vtkResponseCurves::SetSelectionConnection(vtkAlgorithmOutput* selection)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  this->SetInputConnection(1, selection);
+}
+
+void vtkResponseCurves::SetSelectionExtractor(vtkExtractSelection* extractor)
+{
+  if (extractor && this->SelectionExtractor != extractor)
+  {
+    this->SelectionExtractor = extractor;
+    this->Modified();
+  }
+}
+
+void vtkResponseCurves::AddMoreResponseName(const std::string& name)
+{
+  this->MoreResponseNames.push_back(name);
+  this->Modified();
+}
+
+void vtkResponseCurves::RemoveAllMoreResponseNames()
+{
+  if (!this->MoreResponseNames.empty())
+  {
+    this->MoreResponseNames.clear();
+    this->Modified();
+  }
+}
+
+int vtkResponseCurves::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkSelection");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
+}
+
+/// The ids of the selected points, in order.
+std::vector<vtkIdType> vtkResponseCurves::FindSelected(vtkPolyData* body, vtkSelection* selection)
+{
+  if (selection->GetNumberOfNodes() == 0)
+  {
+    return {}; // an error to the extractor of VTK 9.1
+  }
+  this->SelectionExtractor->SetInputData(0, body);
+  this->SelectionExtractor->SetInputData(1, selection);
+  this->SelectionExtractor->SetPreserveTopology(false);
+  this->SelectionExtractor->Update();
+  std::vector<vtkIdType> ids;
+  auto* extracted = vtkDataSet::SafeDownCast(this->SelectionExtractor->GetOutputDataObject(0));
+  auto* original = extracted
+    ? vtkIdTypeArray::SafeDownCast(extracted->GetPointData()->GetArray("vtkOriginalPointIds"))
+    : nullptr;
+  for (vtkIdType i = 0; original && i < original->GetNumberOfTuples(); ++i)
+  {
+    ids.push_back(original->GetValue(i));
+  }
+  this->SelectionExtractor->SetInputDataObject(0, nullptr);
+  this->SelectionExtractor->SetInputDataObject(1, nullptr);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
 }
 
 int vtkResponseCurves::RequestData(
@@ -44,28 +141,82 @@ int vtkResponseCurves::RequestData(
 {
   vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
   vtkTable* output = vtkTable::GetData(outputVector);
-  if (!body || body->GetNumberOfPoints() == 0 || this->PointIds.empty())
+  if (!body || body->GetNumberOfPoints() == 0)
   {
     return 1;
   }
-  std::string error;
-  const auto response = palpate::makeResponseField(body, this->ResponseName, error);
-  if (!response)
+  vtkSelection* selection = vtkSelection::GetData(inputVector[1]);
+  std::vector<vtkIdType> ids = selection ? this->FindSelected(body, selection) : this->PointIds;
+  if (ids.empty())
   {
-    vtkErrorMacro(<< "Wrong body: " << error << ".");
-    return 0;
+    return 1;
   }
-  vtkDataArray* ranges = body->GetPointData()->GetArray((this->ResponseName + "Range").c_str());
-  double longest = 0.0;
-  for (const vtkIdType id : this->PointIds)
+  std::vector<std::string> names = { this->ResponseName };
+  for (const std::string& name : this->MoreResponseNames)
   {
-    if (id < 0 || id >= body->GetNumberOfPoints() ||
-      !response->isValid(static_cast<std::int32_t>(id)))
+    if (std::find(names.begin(), names.end(), name) == names.end())
     {
-      vtkErrorMacro(<< "Point " << id << " has no response '" << this->ResponseName << "'.");
+      names.push_back(name);
+    }
+  }
+  std::vector<NamedResponse> responses;
+  for (const std::string& name : names)
+  {
+    std::string error;
+    auto field = palpate::makeResponseField(body, name, error);
+    if (!field)
+    {
+      vtkErrorMacro(<< "Wrong body: " << error << ".");
       return 0;
     }
-    longest = std::max(longest, ranges->GetTuple1(id));
+    vtkDataArray* ranges = body->GetPointData()->GetArray((name + "Range").c_str());
+    responses.push_back({ name, std::move(field), ranges });
+  }
+
+  if (selection)
+  {
+    const std::size_t selected = ids.size();
+    ids.erase(std::remove_if(ids.begin(), ids.end(),
+                [&responses](vtkIdType id)
+                {
+                  return std::none_of(responses.begin(), responses.end(),
+                    [id](const NamedResponse& response) { return response.covers(id); });
+                }),
+      ids.end());
+    if (ids.empty())
+    {
+      vtkErrorMacro(<< "None of the " << selected << " selected points has a response '"
+                    << this->ResponseName << "'.");
+      return 0;
+    }
+    if (ids.size() < selected)
+    {
+      vtkWarningMacro(<< selected - ids.size() << " of " << selected
+                      << " selected points have no response and are left out.");
+    }
+    const auto most = static_cast<std::size_t>(this->MaximumNumberOfPoints);
+    if (ids.size() > most)
+    {
+      vtkWarningMacro(<< ids.size() << " points are selected; the curves are of " << most
+                      << " of them (MaximumNumberOfPoints).");
+      ids = thinOut(ids, most);
+    }
+  }
+  double longest = 0.0;
+  for (const NamedResponse& response : responses)
+  {
+    for (const vtkIdType id : ids)
+    {
+      if (id >= 0 && id < body->GetNumberOfPoints() && response.covers(id))
+      {
+        longest = std::max(longest, response.ranges->GetTuple1(id));
+      }
+      else if (!selection) // selected: a gap, the point has another of the responses
+      {
+        vtkErrorMacro(<< "Point " << id << " has no response '" << response.name << "'.");
+        return 0;
+      }
+    }
   }
 
   vtkNew<vtkDoubleArray> deflection;
@@ -75,18 +226,25 @@ int vtkResponseCurves::RequestData(
     deflection->InsertNextValue(longest * row / (this->NumberOfRows - 1));
   }
   output->AddColumn(deflection);
-  for (const vtkIdType id : this->PointIds)
+  for (const NamedResponse& response : responses)
   {
-    vtkNew<vtkDoubleArray> force;
-    force->SetName((this->ResponseName + " at point " + std::to_string(id) + " (N)").c_str());
-    for (int row = 0; row < this->NumberOfRows; ++row)
+    for (const vtkIdType id : ids)
     {
-      const double depth = deflection->GetValue(row);
-      force->InsertNextValue(depth > ranges->GetTuple1(id)
-          ? std::numeric_limits<double>::quiet_NaN()
-          : response->evaluate(static_cast<std::int32_t>(id), depth).force);
+      if (!response.covers(id))
+      {
+        continue;
+      }
+      vtkNew<vtkDoubleArray> force;
+      force->SetName((response.name + " at point " + std::to_string(id) + " (N)").c_str());
+      for (int row = 0; row < this->NumberOfRows; ++row)
+      {
+        const double depth = deflection->GetValue(row);
+        force->InsertNextValue(depth > response.ranges->GetTuple1(id)
+            ? std::numeric_limits<double>::quiet_NaN()
+            : response.field->evaluate(static_cast<std::int32_t>(id), depth).force);
+      }
+      output->AddColumn(force);
     }
-    output->AddColumn(force);
   }
   return 1;
 }
@@ -95,6 +253,14 @@ void vtkResponseCurves::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PointIds: " << this->PointIds.size() << "\n";
+  os << indent << "SelectionExtractor: " << this->SelectionExtractor.Get() << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
+  os << indent << "MoreResponseNames:";
+  for (const std::string& name : this->MoreResponseNames)
+  {
+    os << " " << name;
+  }
+  os << "\n";
 }

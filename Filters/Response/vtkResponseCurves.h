@@ -3,20 +3,33 @@
  * @class vtkResponseCurves
  * @brief the stored force-deflection curves of chosen points, as a table to plot
  *
- * Input: a body with response arrays. Output: a vtkTable with column `Deflection (mm)`, from 0 to
- * the largest Range of the chosen points in NumberOfRows steps, and one column of force in N per
- * point, named `<ResponseName> at point <id> (N)` and evaluated as the kernel does. Beyond a
- * point's Range the column is NaN. A point without response, or an id out of range, is an error
- * naming it.
+ * Input port 0: a body with response arrays. Input port 1, optional: a vtkSelection of points of
+ * it, of any kind that vtkExtractSelection understands: indices, thresholds, locations, a frustum;
+ * selected cells stand for their points. With a selection, PointIds does not count.
+ *
+ * Output: a vtkTable with column `Deflection (mm)`, from 0 to the largest Range of the chosen
+ * points in NumberOfRows steps, and one column of force in N per response and point, named
+ * `<response> at point <id> (N)` and evaluated as the kernel does. Beyond a point's Range the
+ * column is NaN.
+ *
+ * A given point without response, or an id out of range, is an error naming it. Selected points
+ * without response are left out, with one warning that counts them; if none is left, that is an
+ * error. Of more than MaximumNumberOfPoints selected points, so many are taken, evenly among their
+ * ids, and a warning says so. A selection of nothing, like no PointIds, gives an empty table.
  */
 #ifndef vtkResponseCurves_h
 #define vtkResponseCurves_h
 
 #include "palpateResponseModule.h" // For export macro
+#include "vtkSmartPointer.h"       // For vtkSmartPointer
 #include "vtkTableAlgorithm.h"
 
 #include <string> // For std::string
 #include <vector> // For std::vector
+
+class vtkExtractSelection;
+class vtkPolyData;
+class vtkSelection;
 
 class PALPATERESPONSE_EXPORT vtkResponseCurves : public vtkTableAlgorithm
 {
@@ -31,6 +44,21 @@ public:
   void RemoveAllPointIds();
   ///@}
 
+  /** Convenience for the second input port, the selection. */
+  void SetSelectionConnection(vtkAlgorithmOutput* selection);
+
+  /**
+   * What finds the selected points. Default: a vtkExtractSelection. An application whose selections
+   * are of kinds of its own gives its own; it stays as it is set but for its inputs.
+   */
+  void SetSelectionExtractor(vtkExtractSelection* extractor);
+
+  ///@{
+  /** Most points of a selection, at least 1. Default 20. */
+  vtkSetClampMacro(MaximumNumberOfPoints, int, 1, 10000);
+  vtkGetMacro(MaximumNumberOfPoints, int);
+  ///@}
+
   ///@{
   /** Rows of the table, at least 2. Default 101. */
   vtkSetClampMacro(NumberOfRows, int, 2, 1000000);
@@ -43,9 +71,16 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
+  ///@{
+  /** Other responses for the same chart, after ResponseName's; a name counts once. Default: none.
+   */
+  void AddMoreResponseName(const std::string& name);
+  void RemoveAllMoreResponseNames();
+  ///@}
+
 protected:
-  vtkResponseCurves() = default;
-  ~vtkResponseCurves() override = default;
+  vtkResponseCurves();
+  ~vtkResponseCurves() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
@@ -54,9 +89,14 @@ private:
   vtkResponseCurves(const vtkResponseCurves&) = delete;
   void operator=(const vtkResponseCurves&) = delete;
 
+  std::vector<vtkIdType> FindSelected(vtkPolyData* body, vtkSelection* selection);
+
   std::vector<vtkIdType> PointIds;
+  vtkSmartPointer<vtkExtractSelection> SelectionExtractor;
+  int MaximumNumberOfPoints = 20;
   int NumberOfRows = 101;
   std::string ResponseName = "Response";
+  std::vector<std::string> MoreResponseNames;
 };
 
 #endif

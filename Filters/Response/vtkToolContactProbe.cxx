@@ -2,22 +2,27 @@
 #include "vtkToolContactProbe.h"
 
 #include "BodyConversion.h"
+#include "BodyPiece.h"
+#include "BodySeam.h"
 #include "ContactArrays.h"
 #include "GivenSettings.h"
-#include "ToolContact.h"
+#include "OwnPiece.h"
+#include "PieceProbe.h"
+#include "Ranks.h"
+#include "TipContacts.h"
+#include "TipTimes.h"
 
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
+#include <array>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 namespace
@@ -25,104 +30,70 @@ namespace
 /// Of the progress, what building the kernel's copy of the body takes.
 constexpr double BuildShare = 0.9;
 
-/// The tip moved inward along the blended normal at its closest point.
-palpate::Vector3 pressedTip(
-  const palpate::ContactBody& body, const palpate::Vector3& tip, double indentation)
+/// Why the response of a piece cannot be read, or is of another kind than those of other pieces; ""
+/// if all can be. Collective.
+std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name)
 {
-  if (indentation == 0.0)
+  std::string fault;
+  palpate::ResponseArrays arrays;
+  const bool hasPiece = piece->GetNumberOfPoints() > 0;
+  if (hasPiece)
   {
-    return tip;
-  }
-  const palpate::SurfacePoint nearest = body.tree.closest(tip);
-  if (nearest.triangle < 0)
-  {
-    return tip;
-  }
-  palpate::Vector3 normal = palpate::Vector3::Zero();
-  for (int k = 0; k < 3; ++k)
-  {
-    normal += nearest.projection.weights[k] *
-      body.response.normal(body.surface.corners(nearest.triangle)[static_cast<std::size_t>(k)]);
-  }
-  const double length = normal.norm();
-  return length > 0.0 ? palpate::Vector3(tip - indentation / length * normal) : tip;
-}
-
-/// What is wrong with the polylines, or "".
-std::string checkLines(vtkPolyData* tips)
-{
-  vtkCellArray* lines = tips->GetLines();
-  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    lines->GetCellAtId(line, size, points);
-    for (vtkIdType i = 0; i < size; ++i)
+    fault = palpate::checkTriangles(piece);
+    if (fault.empty() && !palpate::viewResponse(piece, name, arrays, fault))
     {
-      if (points[i] < 0 || points[i] >= tips->GetNumberOfPoints())
-      {
-        return "polyline " + std::to_string(line) + " goes through point " +
-          std::to_string(points[i]) + ", but there are " +
-          std::to_string(tips->GetNumberOfPoints()) + " points";
-      }
+      fault = "no response '" + name + "' on the body: " + fault;
     }
   }
-  return {};
-}
-
-/// What is wrong with the times along the polylines of tips that have passed checkLines, or "".
-std::string checkTimes(vtkPolyData* tips)
-{
-  vtkCellArray* lines = tips->GetLines();
-  vtkAbstractArray* given = tips->GetPointData()->GetAbstractArray("Time");
-  if (!given || lines->GetNumberOfCells() == 0)
+  fault = ranks.firstFault(fault);
+  if (!fault.empty())
   {
-    return {};
+    return fault;
   }
-  auto* times = vtkDataArray::SafeDownCast(given);
-  if (!times || times->GetNumberOfComponents() != 1 ||
-    times->GetNumberOfTuples() != tips->GetNumberOfPoints())
+  using Kind = std::array<double, 3>;
+  const Kind own{ static_cast<double>(arrays.samples), static_cast<double>(arrays.laws),
+    arrays.exponent };
+  const auto all = ranks.gather(hasPiece ? std::vector<Kind>{ own } : std::vector<Kind>{});
+  for (const std::vector<Kind>& each : all)
   {
-    return "the point array 'Time' must hold one number per point";
-  }
-  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    lines->GetCellAtId(line, size, points);
-    for (vtkIdType i = 0; i < size; ++i)
+    if (hasPiece && !each.empty() && each.front() != own)
     {
-      const double time = times->GetTuple1(points[i]);
-      const double before = i > 0 ? times->GetTuple1(points[i - 1]) : time;
-      if (!std::isfinite(time) || time < before)
-      {
-        std::ostringstream text;
-        text << "the point array 'Time' is " << time << " at point " << points[i];
-        if (std::isfinite(time))
-        {
-          text << ", after " << before << " at point " << points[i - 1];
-        }
-        text << " (polyline " << line << "), but must be finite and not decrease along a polyline";
-        return text.str();
-      }
+      fault = "the pieces of the body have responses '" + name +
+        "' of different samples, laws or exponent: make them together";
     }
   }
-  return {};
+  return ranks.firstFault(fault);
 }
 } // namespace
 
 vtkStandardNewMacro(vtkToolContactProbe);
 
 vtkToolContactProbe::vtkToolContactProbe()
+  : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetNumberOfInputPorts(2);
 }
 
 vtkToolContactProbe::~vtkToolContactProbe() = default;
 
+void vtkToolContactProbe::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkToolContactProbe::GetController()
+{
+  return this->Controller;
+}
+
 int vtkToolContactProbe::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Anything: RequestData says what to make of what it cannot take, block by block or as a whole.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -173,13 +144,34 @@ bool vtkToolContactProbe::ReadSettings(palpate::ContactSettings& settings)
   return true;
 }
 
+int vtkToolContactProbe::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  palpate::passTimes(inputVector, outputVector->GetInformationObject(0));
+  return 1;
+}
+
 int vtkToolContactProbe::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const palpate::Ranks ranks(this->Controller);
+  std::string fault = palpate::checkType(inputVector[0]->GetInformationObject(0), "body");
+  if (fault.empty())
+  {
+    fault = palpate::checkType(inputVector[1]->GetInformationObject(0), "tips");
+  }
+  fault = ranks.firstFault(fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong input: " << fault << ".");
+    return 0;
+  }
   vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* tips = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!body || !tips || tips->GetNumberOfPoints() == 0 || body->GetNumberOfPoints() == 0)
+  palpate::passDataTime(body, tips, output);
+  const bool hasTips = tips && tips->GetNumberOfPoints() > 0;
+  if (!ranks.any(hasTips) || !ranks.any(body && body->GetNumberOfPoints() > 0))
   {
     return 1;
   }
@@ -193,70 +185,92 @@ int vtkToolContactProbe::RequestData(
     vtkErrorMacro(<< "Indentation must be finite (mm), but is " << this->Indentation << ".");
     return 0;
   }
-  std::string fault = checkLines(tips);
-  if (fault.empty())
-  {
-    fault = checkTimes(tips);
-  }
+  fault = ranks.firstFault(hasTips ? palpate::checkTips(tips) : std::string());
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong tips: " << fault << ".");
     return 0;
   }
-  if (!this->PrepareBody(body))
+  if (ranks.areAlone())
+  {
+    if (!this->PrepareBody(body))
+    {
+      return 0;
+    }
+    const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
+    palpate::ContactArrays arrays(tips->GetNumberOfPoints());
+    palpate::touchWithTips(*this->Body, tips, settings, this->Indentation,
+      [&arrays, firstPoly](vtkIdType tip, const palpate::ToolContactForce& contact,
+        const palpate::Vector3&) { arrays.store(tip, contact, firstPoly); });
+    output->ShallowCopy(tips);
+    arrays.attach(output);
+  }
+  else if (!this->TouchPieces(ranks, body, tips, settings, output))
   {
     return 0;
   }
-
-  const palpate::ContactBody& kernel = *this->Body;
-  const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
-  const vtkIdType count = tips->GetNumberOfPoints();
-  palpate::ContactArrays arrays(count);
-  const auto evaluate = [&](palpate::ToolContact& contact, vtkIdType tip)
-  {
-    palpate::Vector3 position;
-    tips->GetPoint(tip, position.data());
-    arrays.store(tip, contact.update(pressedTip(kernel, position, this->Indentation)), firstPoly);
-  };
-
-  std::vector<char> inHistory(static_cast<std::size_t>(count), 0);
-  vtkCellArray* lines = tips->GetLines();
-  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    lines->GetCellAtId(line, size, points);
-    palpate::ToolContact history(kernel, settings);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      inHistory[static_cast<std::size_t>(points[i])] = 1;
-      evaluate(history, points[i]);
-    }
-  }
-  palpate::ContactSettings frictionless = settings;
-  frictionless.friction.coefficient = 0.0;
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      palpate::ToolContact single(kernel, frictionless);
-      for (vtkIdType tip = first; tip < last; ++tip)
-      {
-        if (!inHistory[static_cast<std::size_t>(tip)])
-        {
-          single.reset();
-          evaluate(single, tip);
-        }
-      }
-    });
-
-  output->ShallowCopy(tips);
-  arrays.attach(output);
+  palpate::passDataTime(body, tips, output);
   return 1;
+}
+
+bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* body,
+  vtkPolyData* givenTips, const palpate::ContactSettings& settings, vtkPolyData* output)
+{
+  const auto own = palpate::ownPiece(body, ranks);
+  const auto tips = palpate::ownPiece(givenTips, ranks);
+  std::string fault = checkPieces(ranks, own, this->ResponseName);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong body: " << fault << ".");
+    return false;
+  }
+  const vtkMTimeType time = body ? body->GetMTime() : 0;
+  const bool isNew = ranks.any(!this->Piece || this->BodySource != body || this->BodyTime != time);
+  if (isNew)
+  {
+    const palpate::BodySeam seam(ranks, own);
+    this->Piece = std::make_unique<palpate::BodyPiece>(own, seam);
+    this->BodySource = body;
+    this->BodyTime = time;
+    this->BodyResponse.clear();
+    this->Body.reset();
+  }
+  palpate::PieceProbe probe(ranks, *this->Piece, this->ResponseName);
+  std::vector<palpate::PieceProbe::Touch> touched;
+  fault = probe.touch(tips, settings, this->Indentation, touched);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong body: " << fault << ".");
+    return false;
+  }
+  if (isNew && !probe.defects().empty())
+  {
+    vtkWarningMacro(<< "The mesh of the body around the tips is not sound: " << probe.defects()
+                    << ".");
+  }
+  palpate::ContactArrays arrays(tips->GetNumberOfPoints());
+  vtkNew<vtkIntArray> rankOf;
+  rankOf->SetName("ContactRank");
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    palpate::ToolContactForce contact = touched[i].contact;
+    contact.triangle = static_cast<std::int32_t>(touched[i].cell);
+    arrays.store(static_cast<vtkIdType>(i), contact, 0);
+    rankOf->InsertNextValue(touched[i].rank);
+  }
+  output->ShallowCopy(tips);
+  if (tips->GetNumberOfPoints() > 0)
+  {
+    arrays.attach(output);
+    output->GetPointData()->AddArray(rankOf);
+  }
+  return true;
 }
 
 void vtkToolContactProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "ForceForm: " << this->ForceForm << "\n";
   os << indent << "ContactSurface: " << this->ContactSurface << "\n";
   os << indent << "FrictionCoefficient: " << this->FrictionCoefficient << "\n";

@@ -39,6 +39,19 @@
  * (they take no part), edges of more than two triangles (they count as border). Open borders are
  * nothing wrong.
  *
+ * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
+ *
+ * **Several processes** (Controller), each with a piece of the body, or none, and with tips, or
+ * none: the contact is that with the whole body, also along a polyline across seams; every tip
+ * comes out on the process that gave it. ContactCell is then the cell of the piece (without its
+ * ghost cells) on process `ContactRank` (int, one more array, -1 for none). Each process gathers
+ * what of the body lies around its own tips; the result is that of one process but for the last
+ * bits where normals of several triangles are summed in another order. What is said of the mesh is
+ * said of those parts, and whether triangles wind against their neighbours is judged there. An
+ * error on one is an error on all. All processes must update the filter.
+ *
+ * Input that is no vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
+ *
  * Cost: building the kernel's copy of the body once per change of the body, O(n log n), with
  * progress; then about 1 µs per tip. Independent tips are threaded by vtkSMPTools; same bits for
  * any number of threads.
@@ -48,12 +61,17 @@
 
 #include "palpateResponseModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::shared_ptr
 #include <string> // For std::string
 
+class vtkMultiProcessController;
+
 namespace palpate
 {
+class BodyPiece;
+class Ranks;
 struct ContactBody;
 struct ContactSettings;
 } // namespace palpate
@@ -179,6 +197,15 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * The processes that have a piece of the body each. Default: the global controller when the
+   * filter is made. None, or one process: the input is the whole body.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /** The tips, port 1. */
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
@@ -187,6 +214,8 @@ protected:
   vtkToolContactProbe();
   ~vtkToolContactProbe() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -196,7 +225,10 @@ private:
 
   bool PrepareBody(vtkPolyData* body);
   bool ReadSettings(palpate::ContactSettings& settings);
+  bool TouchPieces(const palpate::Ranks& ranks, vtkPolyData* body, vtkPolyData* tips,
+    const palpate::ContactSettings& settings, vtkPolyData* output);
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   int ForceForm = NormalizedDirection;
   int ContactSurface = Facets;
   double FrictionCoefficient = 0.0;
@@ -208,8 +240,9 @@ private:
   double Indentation = 0.0;
   std::string ResponseName = "Response";
 
-  // The kernel's copy of the body, and of which state of which body it is.
+  // The kernel's copy of the body, or the piece of several, and of which state of which body it is.
   std::shared_ptr<const palpate::ContactBody> Body;
+  std::unique_ptr<const palpate::BodyPiece> Piece;
   vtkPolyData* BodySource = nullptr;
   vtkMTimeType BodyTime = 0;
   std::string BodyResponse;

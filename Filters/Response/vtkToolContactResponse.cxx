@@ -4,8 +4,11 @@
 #include "AxisymmetricTool.h"
 #include "BodyConversion.h"
 #include "BodyMaterial.h"
+#include "BodySeam.h"
 #include "CurvatureBound.h"
+#include "OwnPiece.h"
 #include "PointNormals.h"
+#include "Ranks.h"
 #include "ResponseFiller.h"
 #include "ResponseLaw.h"
 #include "vtkContactTool.h"
@@ -13,6 +16,7 @@
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -31,8 +35,26 @@ constexpr vtkIdType ProgressBlocks = 20;
 
 vtkStandardNewMacro(vtkToolContactResponse);
 
-vtkToolContactResponse::vtkToolContactResponse() = default;
+vtkToolContactResponse::vtkToolContactResponse()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
 vtkToolContactResponse::~vtkToolContactResponse() = default;
+
+void vtkToolContactResponse::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkToolContactResponse::GetController()
+{
+  return this->Controller;
+}
 
 void vtkToolContactResponse::SetTool(vtkContactTool* tool)
 {
@@ -57,13 +79,16 @@ vtkMTimeType vtkToolContactResponse::GetMTime()
 int vtkToolContactResponse::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  const palpate::Ranks ranks(this->Controller);
+  const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!body || body->GetNumberOfPoints() == 0)
+  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  if (!ranks.any(hasPiece))
   {
     return 1;
   }
-  const std::string fault = palpate::checkTriangles(body);
+  const std::string fault =
+    ranks.firstFault(hasPiece ? palpate::checkTriangles(body) : std::string());
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong input: " << fault << ".");
@@ -75,13 +100,15 @@ int vtkToolContactResponse::RequestData(
   }
   palpate::BodyMaterial material({ this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
     static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer });
-  const std::string wrongMaterial = material.read(
-    this, body, [this, body](int index) { return this->GetInputArrayToProcess(index, body); });
+  const auto find = [this, &body](int index) { return this->GetInputArrayToProcess(index, body); };
+  const std::string wrongMaterial =
+    ranks.firstFault(hasPiece ? material.read(this, body, find) : std::string());
   if (!wrongMaterial.empty())
   {
     vtkErrorMacro(<< wrongMaterial << ".");
     return 0;
   }
+  material.agree(ranks, hasPiece);
 
   const vtkIdType count = body->GetNumberOfPoints();
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
@@ -97,13 +124,19 @@ int vtkToolContactResponse::RequestData(
     law.prepareLayers(material.layers(), material.stiffens());
   }
   palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples);
-  const std::string wrongSide = palpate::fillPointNormals(body, storage.Normal, storage.Status);
+  const palpate::BodySeam seam(ranks, body);
+  const std::string wrongSide =
+    palpate::fillPointNormals(body, seam, storage.Normal, storage.Status);
   if (!wrongSide.empty())
   {
     vtkErrorMacro(<< "Wrong input: " << wrongSide << ".");
     return 0;
   }
-  const palpate::CurvatureBound curvature(body, storage.Normal->GetPointer(0));
+  const palpate::CurvatureBound curvature(body, seam, storage.Normal->GetPointer(0));
+  if (!hasPiece)
+  {
+    return 1;
+  }
 
   const palpate::ResponseFiller filler(
     tool, law, curvature, material.view(), this->MaximumDeflection, storage);
@@ -173,6 +206,7 @@ bool vtkToolContactResponse::CheckProperties()
 void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";

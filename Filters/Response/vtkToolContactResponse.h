@@ -44,6 +44,13 @@
  * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool. Threaded by
  * vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
  *
+ * **Several processes**: each may have a piece of the body, or none (Controller). The response is
+ * that of the whole body: at a seam, where points of several pieces lie at the same place on the
+ * border of each, normal and curvature are those of all pieces around (in a body without normals
+ * the last bit of a normal may differ, since triangles are summed in another order); tables of
+ * layers and the exponent are those of all. An error on one is an error on all. Ghost cells are
+ * left out. All processes must update the filter.
+ *
  * @sa vtkContactTool vtkToolContactProbe
  */
 #ifndef vtkToolContactResponse_h
@@ -56,6 +63,7 @@
 #include <string> // For std::string
 
 class vtkContactTool;
+class vtkMultiProcessController;
 
 class PALPATERESPONSE_EXPORT vtkToolContactResponse : public vtkPolyDataAlgorithm
 {
@@ -134,6 +142,15 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * The processes that have a piece of the body each. Default: the global controller when the
+   * filter is made. None, or one process: the input is the whole body.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -148,6 +165,7 @@ private:
 
   bool CheckProperties();
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;

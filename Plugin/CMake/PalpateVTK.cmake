@@ -17,7 +17,7 @@ if(NOT palpate_vtk_found)
   find_package(VTK 9.1 REQUIRED
     COMPONENTS
       ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
-      CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersPoints
+      CommonTransforms FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersPoints
       FiltersSources IOGeometry IOImage IOLegacy IOPLY IOXML IOXMLParser ImagingCore InteractionStyle
       RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
       RenderingOpenGL2 ViewsContext2D

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of chosen points as a table.
+// Curves of chosen points as a table: by their ids, by selections of all kinds, of several
+// responses.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkResponseCurves.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -103,12 +110,175 @@ void checkErrors(vtkPolyData* body)
   curves->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "'OtherSamples'", "missing");
 }
+
+template <class Array>
+vtkSmartPointer<vtkSelection> select(
+  int content, int field, const std::vector<double>& values, int components = 1)
+{
+  vtkNew<Array> list;
+  list->SetNumberOfComponents(components);
+  for (const double value : values)
+  {
+    list->InsertNextValue(value);
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(content);
+  node->SetFieldType(field);
+  node->SetSelectionList(list);
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  selection->AddNode(node);
+  return selection;
+}
+
+/// The ids in the names of the columns of one response.
+std::vector<int> pointsOf(vtkTable* table, const std::string& response)
+{
+  std::vector<int> ids;
+  const std::string head = response + " at point ";
+  for (vtkIdType i = 1; i < table->GetNumberOfColumns(); ++i)
+  {
+    const std::string name = table->GetColumnName(i);
+    if (name.compare(0, head.size(), head) == 0)
+    {
+      ids.push_back(std::stoi(name.substr(head.size())));
+    }
+  }
+  return ids;
+}
+
+/// The plane's points are a grid of 3 by 3 from (-5, -5) to (5, 5), row by row in y.
+void checkSelections(vtkPolyData* body)
+{
+  using Ids = std::vector<int>;
+  vtkNew<vtkResponseCurves> curves;
+  Messages messages(curves);
+  curves->SetInputData(body);
+  curves->AddPointId(999); // does not count with a selection
+  const auto expect = [&](vtkSelection* selection, const Ids& ids)
+  {
+    curves->SetInputData(1, selection);
+    curves->Update();
+    PALPATE_CHECK(messages.none());
+    PALPATE_CHECK(pointsOf(curves->GetOutput(), "Response") == ids);
+  };
+  expect(
+    select<vtkIdTypeArray>(vtkSelectionNode::INDICES, vtkSelectionNode::POINT, { 7, 3 }), { 3, 7 });
+  const auto place = select<vtkDoubleArray>(
+    vtkSelectionNode::LOCATIONS, vtkSelectionNode::POINT, { 4.9, -5.0, 0.0 }, 3);
+  place->GetNode(0u)->GetProperties()->Set(vtkSelectionNode::EPSILON(), 0.2);
+  expect(place, { 2 });
+  const auto thresholds = select<vtkDoubleArray>(
+    vtkSelectionNode::THRESHOLDS, vtkSelectionNode::POINT, { 0.35, 0.65 }, 2);
+  thresholds->GetNode(0u)->GetSelectionList()->SetName("E");
+  expect(thresholds, { 3, 4, 5 }); // E = 0.1 (i + 1)
+  // All there is with x > -1 and y > -1: eight corners, each of four numbers.
+  std::vector<double> corners;
+  for (const double x : { -1.0, 9.0 })
+  {
+    for (const double y : { -1.0, 9.0 })
+    {
+      for (const double z : { 1.0, -1.0 }) // near, far
+      {
+        corners.insert(corners.end(), { x, y, z, 1.0 });
+      }
+    }
+  }
+  expect(select<vtkDoubleArray>(vtkSelectionNode::FRUSTUM, vtkSelectionNode::POINT, corners, 4),
+    { 4, 5, 7, 8 });
+  vtkIdType count = 0;
+  const vtkIdType* corner = nullptr;
+  body->GetCellPoints(0, count, corner);
+  Ids ids(corner, corner + count);
+  std::sort(ids.begin(), ids.end());
+  expect(select<vtkIdTypeArray>(vtkSelectionNode::INDICES, vtkSelectionNode::CELL, { 0 }), ids);
+  vtkNew<vtkSelection> nothing;
+  curves->SetInputData(1, nothing);
+  curves->Update();
+  PALPATE_CHECK(messages.none() && curves->GetOutput()->GetNumberOfColumns() == 0);
+
+  const auto all = select<vtkIdTypeArray>(
+    vtkSelectionNode::INDICES, vtkSelectionNode::POINT, { 0, 1, 2, 3, 4, 5, 6, 7, 8 });
+  curves->SetMaximumNumberOfPoints(3);
+  curves->SetInputData(1, all);
+  curves->Update();
+  PALPATE_CHECK((pointsOf(curves->GetOutput(), "Response") == Ids{ 0, 4, 8 }));
+  PALPATE_CHECK_TEXT(messages.warnings(), "9 points", "3 of them", "MaximumNumberOfPoints");
+  messages.clear();
+
+  Body partly = Body::New();
+  partly->DeepCopy(body);
+  vtkDataArray* status = partly->GetPointData()->GetArray("ResponseStatus");
+  status->SetTuple1(4, 1.0);
+  curves->SetMaximumNumberOfPoints(20);
+  curves->SetInputData(0, partly);
+  curves->Update();
+  PALPATE_CHECK((pointsOf(curves->GetOutput(), "Response") == Ids{ 0, 1, 2, 3, 5, 6, 7, 8 }));
+  PALPATE_CHECK_TEXT(messages.warnings(), "1 of 9", "left out");
+  messages.clear();
+  status->Fill(1.0);
+  partly->Modified();
+  curves->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "None of the 9", "'Response'");
+  PALPATE_CHECK(curves->GetOutput()->GetNumberOfColumns() == 0);
+}
+
+/// Two responses of one body on one chart: each as alone, over the deeper one's deflections.
+void checkSeveral()
+{
+  vtkNew<vtkToolContactResponse> second;
+  vtkNew<vtkToolContactResponse> first;
+  first->SetInputData(planeBody(5.0, 2));
+  first->SetTool(makeTool("sphere:5"));
+  second->SetInputConnection(first->GetOutputPort());
+  second->SetTool(makeTool("cone:60"));
+  second->SetMaximumDeflection(3.0);
+  second->SetResponseName("Cone");
+  second->Update();
+  vtkNew<vtkResponseCurves> curves;
+  Messages messages(curves);
+  curves->SetInputConnection(second->GetOutputPort());
+  curves->AddPointId(4);
+  curves->AddMoreResponseName("Cone");
+  curves->AddMoreResponseName("Response"); // counts once
+  curves->SetNumberOfRows(31);
+  curves->Update();
+  PALPATE_CHECK(messages.none());
+  vtkTable* table = curves->GetOutput();
+  PALPATE_CHECK(table->GetNumberOfColumns() == 3);
+  const ContractOracle sphere(second->GetOutput());
+  const ContractOracle cone(second->GetOutput(), "Cone");
+  for (vtkIdType row = 0; row < 31; ++row)
+  {
+    const double depth = table->GetValue(row, 0).ToDouble();
+    PALPATE_CHECK_NEAR(depth, 0.1 * static_cast<double>(row), 1e-15);
+    const double here = table->GetValueByName(row, "Response at point 4 (N)").ToDouble();
+    if (depth > 2.0)
+    {
+      PALPATE_CHECK(std::isnan(here));
+    }
+    else
+    {
+      PALPATE_CHECK_NEAR(here, sphere.force(4, depth), 1e-13 * here);
+    }
+    const double other = table->GetValueByName(row, "Cone at point 4 (N)").ToDouble();
+    PALPATE_CHECK_NEAR(other, cone.force(4, depth), 1e-13 * other);
+  }
+  curves->AddMoreResponseName("Other");
+  curves->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "'OtherSamples'", "missing");
+  curves->RemoveAllMoreResponseNames();
+  curves->SetResponseName("Cone");
+  curves->Update();
+  PALPATE_CHECK(messages.none() && curves->GetOutput()->GetNumberOfColumns() == 2);
+}
 } // namespace
 
 int TestResponseCurves(int, char*[])
 {
   const Body body = variedBody();
   checkTable(body);
+  checkSelections(body);
+  checkSeveral();
   checkErrors(body);
   return palpate::testing::result();
 }

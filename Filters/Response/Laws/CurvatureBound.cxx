@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvatureBound.h"
 
+#include "BodySeam.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
@@ -8,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -112,14 +115,33 @@ struct OverPoints
 };
 } // namespace
 
-CurvatureBound::CurvatureBound(vtkPolyData* body, const float* normals)
+CurvatureBound::CurvatureBound(vtkPolyData* body, const BodySeam& seam, const float* normals)
   : Raised(static_cast<std::size_t>(body->GetNumberOfPoints()))
 {
-  vtkDataArray* points = body->GetPoints()->GetData();
-  using Dispatcher = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-  if (!Dispatcher::Execute(points, OverPoints{}, body->GetPolys(), normals, this->Raised))
+  if (!this->Raised.empty())
   {
-    OverPoints{}(points, body->GetPolys(), normals, this->Raised);
+    vtkDataArray* points = body->GetPoints()->GetData();
+    using Dispatcher = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
+    if (!Dispatcher::Execute(points, OverPoints{}, body->GetPolys(), normals, this->Raised))
+    {
+      OverPoints{}(points, body->GetPolys(), normals, this->Raised);
+    }
+  }
+  this->joinAlong(seam);
+}
+
+void CurvatureBound::joinAlong(const BodySeam& seam)
+{
+  std::vector<std::int32_t> own;
+  for (const BodySeam::Place& place : seam.places())
+  {
+    own.push_back(this->Raised[static_cast<std::size_t>(place.point)]);
+  }
+  const std::vector<std::int32_t> largest =
+    seam.combined(own, 0, [](std::int32_t a, std::int32_t b) { return std::max(a, b); });
+  for (std::size_t i = 0; i < largest.size(); ++i)
+  {
+    this->Raised[static_cast<std::size_t>(seam.places()[i].point)] = largest[i];
   }
 }
 

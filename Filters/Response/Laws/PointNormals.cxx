@@ -2,6 +2,8 @@
 #include "PointNormals.h"
 
 #include "BodyConversion.h"
+#include "BodySeam.h"
+#include "SeamNormals.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
@@ -14,6 +16,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace palpate
 {
@@ -93,36 +96,87 @@ void forReals(vtkDataArray* array, const Worker& worker, float* normals, unsigne
     worker(array, normals, status);
   }
 }
+
+unsigned char storeNormal(const Vector3& normal, float* at)
+{
+  return static_cast<unsigned char>(storeUnit(normal.x(), normal.y(), normal.z(), at));
+}
+
+/// Angle-weighted normals; an error for a closed surface inside out.
+std::string computeNormals(
+  vtkPolyData* body, const BodySeam& seam, float* normals, unsigned char* status)
+{
+  const BodyMesh mesh = makeBodyMesh(body);
+  SeamClosure closure;
+  if (!seam.ranks().areAlone())
+  {
+    closure = closureOf(mesh, seam);
+  }
+  else if (mesh.isClosed())
+  {
+    closure = { true, mesh.enclosedVolume() };
+  }
+  if (closure.isClosed && closure.enclosedVolume < 0.0)
+  {
+    std::ostringstream text;
+    text << "the closed surface is inside out (it encloses " << closure.enclosedVolume
+         << " mm^3): its triangles must wind counter-clockwise seen from outside; "
+            "vtkReverseSense turns them";
+    return text.str();
+  }
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    status[i] = storeNormal(mesh.pointNormal(static_cast<std::int32_t>(i)), normals + 3 * i);
+  }
+  const std::vector<Vector3> atSeam = seamNormals(mesh, seam);
+  for (std::size_t i = 0; i < atSeam.size(); ++i)
+  {
+    const std::int32_t point = seam.places()[i].point;
+    status[point] = storeNormal(atSeam[i], normals + 3 * static_cast<vtkIdType>(point));
+  }
+  return {};
+}
 } // namespace
+
+std::string fillPointNormals(
+  vtkPolyData* body, const BodySeam& seam, vtkFloatArray* normals, vtkUnsignedCharArray* status)
+{
+  float* normal = normals->GetPointer(0);
+  unsigned char* state = status->GetPointer(0);
+  vtkDataArray* given = body->GetPointData()->GetNormals();
+  const Ranks& ranks = seam.ranks();
+  const bool isEmpty = body->GetNumberOfPoints() == 0;
+  if (ranks.any(given && !isEmpty))
+  {
+    const std::string without = ranks.firstFault(
+      given || isEmpty ? "" : "a piece of the body has no point normals, others have");
+    if (!without.empty())
+    {
+      return without;
+    }
+    if (!isEmpty)
+    {
+      forReals(given, Normalise{}, normal, state);
+    }
+  }
+  else
+  {
+    const std::string wrongSide = computeNormals(body, seam, normal, state);
+    if (!wrongSide.empty())
+    {
+      return wrongSide;
+    }
+  }
+  if (!isEmpty)
+  {
+    forReals(body->GetPoints()->GetData(), MarkNotFinite{}, normal, state);
+  }
+  return {};
+}
 
 std::string fillPointNormals(
   vtkPolyData* body, vtkFloatArray* normals, vtkUnsignedCharArray* status)
 {
-  float* normal = normals->GetPointer(0);
-  unsigned char* state = status->GetPointer(0);
-  if (vtkDataArray* given = body->GetPointData()->GetNormals())
-  {
-    forReals(given, Normalise{}, normal, state);
-  }
-  else
-  {
-    const BodyMesh mesh = makeBodyMesh(body);
-    if (mesh.isClosed() && mesh.enclosedVolume() < 0.0)
-    {
-      std::ostringstream text;
-      text << "the closed surface is inside out (it encloses " << mesh.enclosedVolume()
-           << " mm^3): its triangles must wind counter-clockwise seen from outside; "
-              "vtkReverseSense turns them";
-      return text.str();
-    }
-    for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
-    {
-      const Vector3 unit = mesh.pointNormal(static_cast<std::int32_t>(i));
-      state[i] =
-        static_cast<unsigned char>(storeUnit(unit.x(), unit.y(), unit.z(), normal + 3 * i));
-    }
-  }
-  forReals(body->GetPoints()->GetData(), MarkNotFinite{}, normal, state);
-  return {};
+  return fillPointNormals(body, BodySeam(Ranks(nullptr), body), normals, status);
 }
 } // namespace palpate

@@ -36,7 +36,7 @@ SiteSpread::SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& site
     const SiteAnchor& site = sites[s];
     points->InsertNextPoint(site.point.data());
     visitSurfacePatch(mesh, site.triangle, site.point, site.normal, ArcPerChord * reach,
-      [&](std::int32_t point, double, const Vector3&)
+      [&](std::int32_t point, double, const Vector3&, const Vector3&)
       {
         if ((mesh.point(point) - site.point).norm() < reach)
         {

@@ -2,6 +2,7 @@
 #include "BodyMaterial.h"
 
 #include "AxisymmetricTool.h"
+#include "Ranks.h"
 #include "ReducedModulus.h"
 
 #include "vtkAlgorithm.h"
@@ -217,7 +218,6 @@ void BodyMaterial::findLayers(vtkIdType points)
   this->Layers = { this->Given.base, std::numeric_limits<double>::infinity(), 0.0, {} };
   const ResponseMaterial material = this->view();
   const bool constant = this->Thickness.empty() && this->PoissonsRatio.empty();
-  std::vector<double>& ratios = this->Layers.poissonsRatios;
   for (vtkIdType i = 0; i < (constant ? 1 : points); ++i)
   {
     const ContactSpot spot = material.at(i);
@@ -227,20 +227,27 @@ void BodyMaterial::findLayers(vtkIdType points)
     }
     this->Layers.thinnest = std::min(this->Layers.thinnest, spot.thickness);
     this->Layers.thickest = std::max(this->Layers.thickest, spot.thickness);
-    if (ratios.empty() || ratios.back() != spot.poissonsRatio)
-    {
-      const auto place = std::lower_bound(ratios.begin(), ratios.end(), spot.poissonsRatio);
-      const bool known = place != ratios.end() && *place == spot.poissonsRatio;
-      if (!known && static_cast<int>(ratios.size()) <= LayerTable::DistinctRatios)
-      {
-        ratios.insert(place, spot.poissonsRatio);
-      }
-      else if (!known) // too many to be listed: their range is what counts
-      {
-        ratios.front() = std::min(ratios.front(), spot.poissonsRatio);
-        ratios.back() = std::max(ratios.back(), spot.poissonsRatio);
-      }
-    }
+    this->addRatio(spot.poissonsRatio);
+  }
+}
+
+void BodyMaterial::addRatio(double poissonsRatio)
+{
+  std::vector<double>& ratios = this->Layers.poissonsRatios;
+  if (!ratios.empty() && ratios.back() == poissonsRatio)
+  {
+    return;
+  }
+  const auto place = std::lower_bound(ratios.begin(), ratios.end(), poissonsRatio);
+  const bool known = place != ratios.end() && *place == poissonsRatio;
+  if (!known && static_cast<int>(ratios.size()) <= LayerTable::DistinctRatios)
+  {
+    ratios.insert(place, poissonsRatio);
+  }
+  else if (!known) // too many to be listed: their range is what counts
+  {
+    ratios.front() = std::min(ratios.front(), poissonsRatio);
+    ratios.back() = std::max(ratios.back(), poissonsRatio);
   }
 }
 
@@ -258,10 +265,70 @@ ResponseMaterial BodyMaterial::view() const
   return material;
 }
 
-bool BodyMaterial::stiffens() const
+void BodyMaterial::agree(const Ranks& ranks, bool hasPiece)
 {
-  return std::any_of(
-    this->Compliance.begin(), this->Compliance.end(), [](double c) { return c < 0.0; });
+  this->findExtremes();
+  this->Stiffens = ranks.any(std::any_of(
+    this->Compliance.begin(), this->Compliance.end(), [](double c) { return c < 0.0; }));
+  if (ranks.areAlone())
+  {
+    return;
+  }
+  if (!hasPiece)
+  {
+    this->Layers = { this->Given.base, std::numeric_limits<double>::infinity(), 0.0, {} };
+  }
+  this->Layers.thinnest = ranks.smallest(this->Layers.thinnest);
+  this->Layers.thickest = ranks.largest(this->Layers.thickest);
+  const auto ratios = ranks.gather(this->Layers.poissonsRatios);
+  this->Layers.poissonsRatios.clear();
+  for (const std::vector<double>& each : ratios)
+  {
+    for (const double ratio : each)
+    {
+      this->addRatio(ratio);
+    }
+  }
+  const auto extremes =
+    ranks.gather(hasPiece ? std::vector<Extremes>{ this->Extreme } : std::vector<Extremes>{});
+  bool isFirst = true;
+  for (const std::vector<Extremes>& each : extremes)
+  {
+    for (const Extremes& other : each)
+    {
+      if (isFirst)
+      {
+        this->Extreme = other;
+        isFirst = false;
+      }
+      for (const ContactSpot& spot : other)
+      {
+        widen(this->Extreme, spot);
+      }
+    }
+  }
+}
+
+void BodyMaterial::widen(Extremes& extreme, const ContactSpot& spot)
+{
+  const auto softness = [](const ContactSpot& at) { return at.reducedModulus * at.compliance; };
+  const auto thinness = [](const ContactSpot& at) // 0 for a half-space
+  { return at.thickness > 0.0 ? 1.0 / at.thickness : 0.0; };
+  extreme[0] = softness(spot) < softness(extreme[0]) ? spot : extreme[0];
+  extreme[1] = softness(spot) > softness(extreme[1]) ? spot : extreme[1];
+  extreme[2] = thinness(spot) > thinness(extreme[2]) ? spot : extreme[2];
+  extreme[3] = thinness(spot) < thinness(extreme[3]) ? spot : extreme[3];
+}
+
+void BodyMaterial::findExtremes()
+{
+  const ResponseMaterial material = this->view();
+  const std::size_t points = std::max(this->Compliance.size(), this->Thickness.size());
+  this->Extreme.fill(material.at(0));
+  for (std::size_t i = 1; i < points; ++i)
+  {
+    widen(this->Extreme, material.at(static_cast<vtkIdType>(i)));
+  }
 }
 
 double BodyMaterial::bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const
@@ -271,27 +338,10 @@ double BodyMaterial::bestExponent(const AxisymmetricTool& tool, const ResponseLa
   {
     return tip;
   }
-  const ResponseMaterial material = this->view();
-  const std::size_t points = std::max(this->Compliance.size(), this->Thickness.size());
-  // The softest and stiffest series, the thinnest and thickest layer.
-  std::array<ContactSpot, 4> extreme;
-  extreme.fill(material.at(0));
-  const auto softness = [](const ContactSpot& spot)
-  { return spot.reducedModulus * spot.compliance; };
-  const auto thinness = [](const ContactSpot& spot) // 0 for a half-space
-  { return spot.thickness > 0.0 ? 1.0 / spot.thickness : 0.0; };
-  for (std::size_t i = 1; i < points; ++i)
-  {
-    const ContactSpot spot = material.at(static_cast<vtkIdType>(i));
-    extreme[0] = softness(spot) < softness(extreme[0]) ? spot : extreme[0];
-    extreme[1] = softness(spot) > softness(extreme[1]) ? spot : extreme[1];
-    extreme[2] = thinness(spot) > thinness(extreme[2]) ? spot : extreme[2];
-    extreme[3] = thinness(spot) < thinness(extreme[3]) ? spot : extreme[3];
-  }
   const auto worst = [&](double exponent)
   {
     double largest = 0.0;
-    for (const ContactSpot& spot : extreme)
+    for (const ContactSpot& spot : this->Extreme)
     {
       const double error = law.storageError(exponent, spot);
       largest = std::isfinite(error) ? std::max(largest, error) : largest;

@@ -10,6 +10,8 @@ class vtkUnsignedCharArray;
 
 namespace palpate
 {
+class BodySeam;
+
 /**
  * Unit outward normals of the points of a body, and which points cannot have a response.
  *
@@ -17,7 +19,14 @@ namespace palpate
  * status NotFinite where the coordinates or the normal are not finite, Degenerate where the normal
  * is zero, and Valid elsewhere; the normal is (0,0,0) where the status is not Valid. Returns an
  * error, or "": a closed surface without normals that winds inward.
+ *
+ * `body` may be a piece: at the seam the triangles of all pieces count. Collective then, and the
+ * same error comes back on all ranks.
  */
+std::string fillPointNormals(
+  vtkPolyData* body, const BodySeam& seam, vtkFloatArray* normals, vtkUnsignedCharArray* status);
+
+/// The same of a whole body.
 std::string fillPointNormals(
   vtkPolyData* body, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 } // namespace palpate

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BodyBlocks.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkSmartPointer.h"
+
+namespace palpate
+{
+namespace
+{
+/** What makes a body of data that are none. */
+std::string advice(vtkDataObject* data)
+{
+  struct Advice
+  {
+    const char* type;
+    const char* text;
+  };
+  const Advice known[] = {
+    { "vtkTable", "apply Table To Points (vtkTableToPolyData), then Delaunay 3D (vtkDelaunay3D)" },
+    { "vtkUniformGridAMR",
+      "apply Contour (vtkContourFilter) or Resample To Image "
+      "(vtkResampleToImage) first" },
+    { "vtkHyperTreeGrid",
+      "apply HyperTreeGrid To UnstructuredGrid "
+      "(vtkHyperTreeGridToUnstructuredGrid) first" },
+    { "vtkMolecule",
+      "apply Molecule To Lines (vtkMoleculeToLinesFilter), then Tube "
+      "(vtkTubeFilter)" },
+  };
+  std::string text = std::string("a ") + data->GetClassName() + " is no body: ";
+  for (const Advice& one : known)
+  {
+    if (data->IsA(one.type))
+    {
+      return text + one.text;
+    }
+  }
+  return text +
+    "apply a filter first that makes a surface of it, such as Extract Surface "
+    "(vtkDataSetSurfaceFilter)";
+}
+} // namespace
+
+BodyBlocks::BodyBlocks(vtkDataObject* input)
+{
+  if (input)
+  {
+    this->add(input, "");
+  }
+}
+
+void BodyBlocks::add(vtkDataObject* data, const std::string& name)
+{
+  if (auto* one = vtkDataSet::SafeDownCast(data))
+  {
+    if (one->GetNumberOfPoints() > 0)
+    {
+      this->Blocks.push_back({ name, { one } });
+    }
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    this->addTree(tree, name);
+  }
+  else if (this->Fault.empty())
+  {
+    this->Fault = (name.empty() ? "" : "block " + name + ": ") + advice(data);
+  }
+}
+
+void BodyBlocks::addTree(vtkDataObjectTree* tree, const std::string& name)
+{
+  const bool isPartitioned =
+    tree->IsA("vtkPartitionedDataSet") || tree->IsA("vtkMultiPieceDataSet");
+  BodyBlock joined{ name, {} };
+  vtkSmartPointer<vtkDataObjectTreeIterator> child;
+  child.TakeReference(tree->NewTreeIterator());
+  child->VisitOnlyLeavesOff();
+  child->TraverseSubTreeOff();
+  child->SkipEmptyNodesOff(); // for the same numbers on all ranks
+  unsigned int number = 0;
+  for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem(), ++number)
+  {
+    vtkDataObject* data = child->GetCurrentDataObject();
+    auto* piece = vtkDataSet::SafeDownCast(data);
+    if (!data)
+    {
+      continue;
+    }
+    if (isPartitioned && piece)
+    {
+      if (piece->GetNumberOfPoints() > 0)
+      {
+        joined.pieces.push_back(piece);
+      }
+      continue;
+    }
+    std::string own = std::to_string(number);
+    if (child->HasCurrentMetaData() &&
+      child->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME()))
+    {
+      own = std::string("'") + child->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) + "'";
+    }
+    this->add(data, name.empty() ? own : name + " / " + own);
+  }
+  if (!joined.pieces.empty())
+  {
+    this->Blocks.push_back(joined);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BodySeam_h
+#define BodySeam_h
+
+#include "Ranks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/**
+ * Where the pieces of a body on several ranks meet.
+ *
+ * Points of different ranks are one seam point if both lie on an open border of their piece, at the
+ * same place to four units of the last place of a float coordinate (pieces may have computed it
+ * each for itself), and, where the body has point normals, with the same normal. Within a piece
+ * points are what the piece says.
+ *
+ * Seam points are numbered alike on all ranks. Collective to build; one rank has no seam, at no
+ * cost. O(n) locally; each rank holds the seam points of all.
+ */
+class BodySeam
+{
+public:
+  /// A point of the own piece on the seam.
+  struct Place
+  {
+    std::int32_t point;
+    std::int32_t seam;
+  };
+
+  /// `body` is the own piece, of triangles alone; may be empty.
+  BodySeam(const Ranks& ranks, vtkPolyData* body);
+
+  const Ranks& ranks() const noexcept { return this->Among; }
+  /// In rising order of the points.
+  const std::vector<Place>& places() const noexcept { return this->Places; }
+  /// Border edges, of all ranks, that meet one of another piece the other way round.
+  std::size_t joinedEdges() const noexcept { return this->JoinedEdges; }
+
+  /**
+   * Brings together what each rank knows of its places: `own` has a value for each, and so has the
+   * answer, which is combine(...combine(start, first)..., last) over the values of all ranks for
+   * the seam point, in the order of the ranks: the same bits everywhere. Collective.
+   */
+  template <class T, class Combine>
+  std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const
+  {
+    const std::vector<std::vector<T>> all = this->Among.gather(own);
+    std::vector<T> bySeam(this->Size, start);
+    for (std::size_t rank = 0; rank < all.size(); ++rank)
+    {
+      for (std::size_t i = 0; i < all[rank].size(); ++i)
+      {
+        T& value = bySeam[static_cast<std::size_t>(this->Seams[rank][i])];
+        value = combine(value, all[rank][i]);
+      }
+    }
+    std::vector<T> result;
+    result.reserve(this->Places.size());
+    for (const Place& place : this->Places)
+    {
+      result.push_back(bySeam[static_cast<std::size_t>(place.seam)]);
+    }
+    return result;
+  }
+
+private:
+  Ranks Among;
+  std::size_t Size = 0; ///< seam points of all ranks
+  std::vector<Place> Places;
+  std::vector<std::vector<std::int32_t>> Seams; ///< of the places of each rank
+  std::size_t JoinedEdges = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef GatheredBody_h
+#define GatheredBody_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/**
+ * The parts that BodyPiece::cut gave on several ranks as one body with the response `name`: the
+ * points of a seam are one point. Each triangle knows where it came from.
+ */
+class GatheredBody
+{
+public:
+  struct Origin
+  {
+    int rank;
+    vtkIdType cell; ///< of that rank's piece
+  };
+
+  /// `parts`: one of each rank.
+  GatheredBody(const std::vector<vtkSmartPointer<vtkPolyData>>& parts, const std::string& name);
+
+  vtkPolyData* body() const { return this->Body; }
+  const Origin& origin(std::size_t triangle) const { return this->Origins[triangle]; }
+
+private:
+  vtkSmartPointer<vtkPolyData> Body;
+  std::vector<Origin> Origins;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Ranks_h
+#define Ranks_h
+
+#include "vtkSmartPointer.h"
+
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+class vtkMultiProcessController;
+class vtkPolyData;
+
+namespace palpate
+{
+/**
+ * The processes among which a body is divided, each with a piece of it.
+ *
+ * All calls but own, count and areAlone are collective: every rank must make them, in the same
+ * order. With one rank, or without a controller, they give back what is given and cost nothing.
+ */
+class Ranks
+{
+public:
+  /// `controller` may be null: a single rank. It must outlive this.
+  explicit Ranks(vtkMultiProcessController* controller);
+
+  bool areAlone() const noexcept { return this->Count == 1; }
+  int count() const noexcept { return this->Count; }
+  int own() const noexcept { return this->Own; }
+
+  /// Whether it is so on any rank.
+  bool any(bool own) const;
+  double largest(double own) const;
+  double smallest(double own) const;
+  /// The fault of the lowest rank that has one, with that rank's number; "" if none has.
+  std::string firstFault(const std::string& own) const;
+
+  /// What each rank gives, rank by rank, on all ranks.
+  template <class T>
+  std::vector<std::vector<T>> gather(const std::vector<T>& own) const
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "sent byte by byte");
+    std::vector<std::vector<T>> all(static_cast<std::size_t>(this->Count));
+    if (this->areAlone())
+    {
+      all[0] = own;
+      return all;
+    }
+    std::vector<std::size_t> ends;
+    const std::vector<char> bytes =
+      this->gatherBytes(reinterpret_cast<const char*>(own.data()), own.size() * sizeof(T), ends);
+    std::size_t begin = 0;
+    for (std::size_t rank = 0; rank < ends.size(); ++rank)
+    {
+      all[rank].resize((ends[rank] - begin) / sizeof(T));
+      if (!all[rank].empty())
+      {
+        std::memcpy(static_cast<void*>(all[rank].data()), bytes.data() + begin, ends[rank] - begin);
+      }
+      begin = ends[rank];
+    }
+    return all;
+  }
+
+  /// What each rank gives, rank by rank, on rank `to`; nothing elsewhere.
+  std::vector<vtkSmartPointer<vtkPolyData>> send(vtkPolyData* own, int to) const;
+  /// What rank `from` gives, on all ranks.
+  void spread(vtkPolyData* body, int from) const;
+
+private:
+  std::vector<char> gatherBytes(
+    const char* own, std::size_t size, std::vector<std::size_t>& ends) const;
+
+  vtkMultiProcessController* Controller;
+  int Count = 1;
+  int Own = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContactArrow_h
+#define ContactArrow_h
+
+#include "TriangleProjection.h" // For palpate::Vector3
+
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// An arrow from `tail` along `way` (mm), triangles with outward point normals. `thickness` is the
+/// shaft's diameter, mm: the same for arrows of any length, so that they are compared by length;
+/// the head is at most 40 % of the arrow, and an arrow shorter than a head is slimmer.
+vtkSmartPointer<vtkPolyData> makeContactArrow(
+  const Vector3& tail, const Vector3& way, double thickness);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DentedBody.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+/// Of the displacement over the length of an edge: a smaller turn is not seen.
+constexpr double SeenTurn = 1e-3;
+
+using Corners = std::array<Vector3, 3>;
+
+Vector3 facetNormal(const Corners& corners)
+{
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // twice the area long
+}
+
+/// Calls use(corner ids) for each triangle.
+template <class Use>
+void forEachTriangle(vtkPolyData* body, const Use& use)
+{
+  vtkCellArray* triangles = body->GetPolys();
+  for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    triangles->GetCellAtId(i, size, ids);
+    if (size == 3)
+    {
+      use(ids);
+    }
+  }
+}
+
+/// New normals, or null where none changes.
+vtkSmartPointer<vtkDataArray> turnNormals(
+  vtkPolyData* body, vtkDataArray* normals, vtkPoints* before, vtkFloatArray* displacement)
+{
+  const auto moved = [displacement](vtkIdType id)
+  { return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * id)); };
+  const auto seen = [&](const vtkIdType* ids)
+  {
+    const Eigen::Vector3f u = moved(ids[0]);
+    const Eigen::Vector3f v = moved(ids[1]);
+    const Eigen::Vector3f w = moved(ids[2]);
+    const float turn = std::max((u - v).squaredNorm(), (u - w).squaredNorm());
+    if (turn == 0.0F)
+    {
+      return false;
+    }
+    Vector3 a;
+    Vector3 b;
+    before->GetPoint(ids[0], a.data());
+    before->GetPoint(ids[1], b.data());
+    return static_cast<double>(turn) > SeenTurn * SeenTurn * (a - b).squaredNorm();
+  };
+  std::vector<char> turned(static_cast<std::size_t>(body->GetNumberOfPoints()), 0);
+  bool any = false;
+  forEachTriangle(body,
+    [&](const vtkIdType* ids)
+    {
+      if (seen(ids))
+      {
+        any = true;
+        for (int k = 0; k < 3; ++k)
+        {
+          turned[static_cast<std::size_t>(ids[k])] = 1;
+        }
+      }
+    });
+  if (!any)
+  {
+    return nullptr;
+  }
+  std::vector<Vector3> undeformed(turned.size(), Vector3::Zero());
+  std::vector<Vector3> deformed(turned.size(), Vector3::Zero());
+  forEachTriangle(body,
+    [&](const vtkIdType* ids)
+    {
+      const auto isTurned = [&](int k) { return turned[static_cast<std::size_t>(ids[k])] != 0; };
+      if (!isTurned(0) && !isTurned(1) && !isTurned(2))
+      {
+        return;
+      }
+      Corners old;
+      Corners now;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        before->GetPoint(ids[k], old[k].data());
+        now[k] = old[k] + moved(ids[k]).cast<double>();
+      }
+      const Vector3 was = facetNormal(old);
+      const Vector3 is = facetNormal(now);
+      for (int k = 0; k < 3; ++k)
+      {
+        undeformed[static_cast<std::size_t>(ids[k])] += was;
+        deformed[static_cast<std::size_t>(ids[k])] += is;
+      }
+    });
+  const auto result = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
+  result->DeepCopy(normals);
+  for (std::size_t i = 0; i < turned.size(); ++i)
+  {
+    if (turned[i] != 0)
+    {
+      Vector3 normal;
+      result->GetTuple(static_cast<vtkIdType>(i), normal.data());
+      const double length = normal.norm();
+      normal += length * (deformed[i].normalized() - undeformed[i].normalized());
+      normal *= normal.norm() > 0.0 ? length / normal.norm() : 1.0;
+      result->SetTuple(static_cast<vtkIdType>(i), normal.data());
+    }
+  }
+  return result;
+}
+} // namespace
+
+void dentBody(vtkPolyData* body, vtkFloatArray* displacement, const Vector3& normal)
+{
+  const vtkIdType count = body->GetNumberOfPoints();
+  vtkPoints* before = body->GetPoints();
+  vtkNew<vtkPoints> after;
+  after->SetDataType(before->GetDataType());
+  after->DeepCopy(before);
+  vtkNew<vtkFloatArray> dent;
+  dent->SetName("Dent (mm)");
+  dent->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const float* u = displacement->GetPointer(3 * i);
+    const Vector3 moved(u[0], u[1], u[2]);
+    dent->SetValue(i, static_cast<float>(-moved.dot(normal) + 0.0)); // no -0
+    if (!moved.isZero(0.0))
+    {
+      Vector3 point;
+      before->GetPoint(i, point.data());
+      point += moved;
+      after->SetPoint(i, point.data());
+    }
+  }
+  vtkPointData* data = body->GetPointData();
+  if (vtkDataArray* normals = data->GetNormals())
+  {
+    if (const auto turned = turnNormals(body, normals, before, displacement))
+    {
+      data->SetNormals(turned); // in place of the old ones
+    }
+  }
+  body->SetPoints(after);
+  data->AddArray(dent);
+  data->SetActiveScalars(dent->GetName());
+}
+} // namespace palpate

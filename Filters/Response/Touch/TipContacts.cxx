@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TipContacts.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+/// The tip moved inward along the blended normal at its closest point.
+Vector3 pressedTip(const ContactBody& body, const Vector3& tip, double indentation)
+{
+  if (indentation == 0.0)
+  {
+    return tip;
+  }
+  const SurfacePoint nearest = body.tree.closest(tip);
+  if (nearest.triangle < 0)
+  {
+    return tip;
+  }
+  Vector3 normal = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    normal += nearest.projection.weights[k] *
+      body.response.normal(body.surface.corners(nearest.triangle)[static_cast<std::size_t>(k)]);
+  }
+  const double length = normal.norm();
+  return length > 0.0 ? Vector3(tip - indentation / length * normal) : tip;
+}
+
+/// What is wrong with the polylines, or "".
+std::string checkLines(vtkPolyData* tips)
+{
+  vtkCellArray* lines = tips->GetLines();
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(line, size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (points[i] < 0 || points[i] >= tips->GetNumberOfPoints())
+      {
+        return "polyline " + std::to_string(line) + " goes through point " +
+          std::to_string(points[i]) + ", but there are " +
+          std::to_string(tips->GetNumberOfPoints()) + " points";
+      }
+    }
+  }
+  return {};
+}
+
+/// What is wrong with the times along the polylines of tips that have passed checkLines, or "".
+std::string checkTimes(vtkPolyData* tips)
+{
+  vtkCellArray* lines = tips->GetLines();
+  vtkAbstractArray* given = tips->GetPointData()->GetAbstractArray("Time");
+  if (!given || lines->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  auto* times = vtkDataArray::SafeDownCast(given);
+  if (!times || times->GetNumberOfComponents() != 1 ||
+    times->GetNumberOfTuples() != tips->GetNumberOfPoints())
+  {
+    return "the point array 'Time' must hold one number per point";
+  }
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(line, size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const double time = times->GetTuple1(points[i]);
+      const double before = i > 0 ? times->GetTuple1(points[i - 1]) : time;
+      if (!std::isfinite(time) || time < before)
+      {
+        std::ostringstream text;
+        text << "the point array 'Time' is " << time << " at point " << points[i];
+        if (std::isfinite(time))
+        {
+          text << ", after " << before << " at point " << points[i - 1];
+        }
+        text << " (polyline " << line << "), but must be finite and not decrease along a polyline";
+        return text.str();
+      }
+    }
+  }
+  return {};
+}
+} // namespace
+
+std::string checkTips(vtkPolyData* tips)
+{
+  const std::string fault = checkLines(tips);
+  return fault.empty() ? checkTimes(tips) : fault;
+}
+
+void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
+  double indentation, const TipVisitor& visit)
+{
+  const auto touch = [&](ToolContact& contact, vtkIdType tip)
+  {
+    Vector3 position;
+    tips->GetPoint(tip, position.data());
+    const Vector3 pressed = pressedTip(body, position, indentation);
+    visit(tip, contact.update(pressed), pressed);
+  };
+
+  const vtkIdType count = tips->GetNumberOfPoints();
+  std::vector<char> inHistory(static_cast<std::size_t>(count), 0);
+  vtkCellArray* lines = tips->GetLines();
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(line, size, points);
+    ToolContact history(body, settings);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      inHistory[static_cast<std::size_t>(points[i])] = 1;
+      touch(history, points[i]);
+    }
+  }
+  ContactSettings frictionless = settings;
+  frictionless.friction.coefficient = 0.0;
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      ToolContact single(body, frictionless);
+      for (vtkIdType tip = first; tip < last; ++tip)
+      {
+        if (!inHistory[static_cast<std::size_t>(tip)])
+        {
+          single.reset();
+          touch(single, tip);
+        }
+      }
+    });
+}
+} // namespace palpate

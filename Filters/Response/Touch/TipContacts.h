@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TipContacts_h
+#define TipContacts_h
+
+#include "ToolContact.h"
+
+#include "vtkType.h"
+
+#include <functional>
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// What is wrong with the polylines of tips, or with their array `Time` along these; "" if nothing.
+std::string checkTips(vtkPolyData* tips);
+
+/// Told each tip, its contact, and where the tip was after Indentation. From several threads, for
+/// different tips.
+using TipVisitor =
+  std::function<void(vtkIdType tip, const ToolContactForce& contact, const Vector3& pressed)>;
+
+/**
+ * Touches a body with tips that have passed checkTips: those of a polyline as one history, with
+ * friction, the others one by one, without. Each is first moved inward by `indentation` (mm) along
+ * the blended normal at its closest point.
+ */
+void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
+  double indentation, const TipVisitor& visit);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TipTimes_h
+#define TipTimes_h
+
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace palpate
+{
+/**
+ * The times of a filter with two inputs, body and tips: TIME_STEPS of the output are the steps of
+ * either, each once, in rising order; TIME_RANGE spans both. None, if neither input has any.
+ * For RequestInformation.
+ */
+void passTimes(vtkInformationVector** inputs, vtkInformation* output);
+
+/// DATA_TIME_STEP of the tips, or if they have none of the body, on the output. Either may be null.
+void passDataTime(vtkDataObject* body, vtkDataObject* tips, vtkDataObject* output);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchedBody.h"
+
+#include "BodyConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+// The contract's codes of the array Limit.
+constexpr std::array<const char*, 7> Limits = { "", "strain", "curvature of the body",
+  "layer thickness", "the opposite wall", "an edge", "end of the measured data" };
+
+constexpr int Corners = 3;
+
+vtkIdType firstTriangle(vtkPolyData* body)
+{
+  return body->GetNumberOfVerts() + body->GetNumberOfLines();
+}
+
+std::array<vtkIdType, Corners> cornersOf(vtkPolyData* body, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  body->GetPolys()->GetCellAtId(cell - firstTriangle(body), ids);
+  return { ids->GetId(0), ids->GetId(1), ids->GetId(2) };
+}
+} // namespace
+
+TouchedBody::TouchedBody() = default;
+TouchedBody::~TouchedBody() = default;
+
+bool TouchedBody::take(vtkPolyData* body, const std::string& name, std::string& error)
+{
+  this->Body = nullptr;
+  this->Locator = nullptr;
+  error = checkTriangles(body);
+  if (!error.empty())
+  {
+    return false;
+  }
+  if (!viewResponse(body, name, this->Response, error))
+  {
+    const std::string others = listResponses(body);
+    error = "no response '" + name + "' on the body: " + error +
+      (others.empty() ? "; apply Tool Contact Response first" : "; the body has " + others);
+    return false;
+  }
+  this->Body = body;
+  this->Name = name;
+  return true;
+}
+
+SurfacePlace TouchedBody::nearest(const Vector3& tip)
+{
+  if (!this->Locator)
+  {
+    this->Triangles = vtkSmartPointer<vtkPolyData>::New();
+    this->Triangles->SetPoints(this->Body->GetPoints());
+    this->Triangles->SetPolys(this->Body->GetPolys());
+    this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    this->Locator->SetDataSet(this->Triangles);
+    this->Locator->BuildLocator();
+  }
+  SurfacePlace place;
+  if (this->Triangles->GetNumberOfPolys() == 0)
+  {
+    return place;
+  }
+  Vector3 point;
+  vtkIdType triangle = -1;
+  int inside = 0;
+  double squared = 0.0;
+  this->Locator->FindClosestPoint(tip.data(), point.data(), triangle, inside, squared);
+  if (triangle < 0)
+  {
+    return place;
+  }
+  place = this->placeIn(triangle + firstTriangle(this->Body), point);
+  place.distance = std::sqrt(squared);
+  return place;
+}
+
+SurfacePlace TouchedBody::placeIn(vtkIdType cell, const Vector3& point) const
+{
+  SurfacePlace place;
+  place.cell = cell;
+  place.point = point;
+  const auto ids = cornersOf(this->Body, cell);
+  std::array<Vector3, Corners> x;
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    this->Body->GetPoint(ids[k], x[k].data());
+  }
+  place.weights = projectOnTriangle(point, x[0], x[1], x[2]).weights;
+  return place;
+}
+
+double TouchedBody::range(const SurfacePlace& place) const
+{
+  const auto ids = cornersOf(this->Body, place.cell);
+  double range = 0.0;
+  for (int k = 0; k < Corners; ++k)
+  {
+    const double there = this->Response.range[ids[static_cast<std::size_t>(k)]];
+    range += place.weights[k] * there;
+  }
+  return std::isfinite(range) ? range : 0.0;
+}
+
+double TouchedBody::stiffness(const SurfacePlace& place, double depth) const
+{
+  // The kernel evaluates its own copy of a response: one of three points.
+  const auto ids = cornersOf(this->Body, place.cell);
+  const auto samples = static_cast<std::size_t>(this->Response.samples);
+  const auto laws = static_cast<std::size_t>(this->Response.laws);
+  ResponseArrays three = this->Response;
+  three.points = Corners;
+  std::vector<float> force;
+  std::vector<float> slope;
+  std::vector<float> coefficient;
+  std::vector<float> normal;
+  std::array<float, Corners> range{};
+  std::array<std::uint8_t, Corners> status{};
+  const auto copy =
+    [](const float* from, std::size_t point, std::size_t size, std::vector<float>& to)
+  {
+    if (from)
+    {
+      to.insert(to.end(), from + point * size, from + (point + 1) * size);
+    }
+  };
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    const auto point = static_cast<std::size_t>(ids[k]);
+    copy(this->Response.force, point, samples, force);
+    copy(this->Response.stiffness, point, samples, slope);
+    copy(this->Response.coefficient, point, laws, coefficient);
+    copy(this->Response.normal, point, 3, normal);
+    range[k] = this->Response.range[point];
+    status[k] = this->Response.status[point];
+  }
+  three.force = this->Response.force ? force.data() : nullptr;
+  three.stiffness = this->Response.stiffness ? slope.data() : nullptr;
+  three.coefficient = this->Response.coefficient ? coefficient.data() : nullptr;
+  three.normal = normal.data();
+  three.range = range.data();
+  three.status = status.data();
+  const ResponseField field(three);
+  double stiffness = 0.0;
+  for (int k = 0; k < Corners; ++k)
+  {
+    stiffness += place.weights[k] * field.evaluate(k, depth).stiffness;
+  }
+  return stiffness;
+}
+
+PlaceValidity TouchedBody::validity(const SurfacePlace& place) const
+{
+  PlaceValidity weakest;
+  const float* validity = nullptr;
+  const unsigned char* limit = nullptr;
+  std::string missing;
+  if (!viewValidity(this->Body, this->Name, validity, limit, missing))
+  {
+    return weakest;
+  }
+  weakest.known = true;
+  weakest.depth = std::numeric_limits<double>::infinity();
+  for (const vtkIdType id : cornersOf(this->Body, place.cell))
+  {
+    const double depth = validity[id];
+    if (depth < weakest.depth)
+    {
+      weakest.depth = depth;
+      weakest.limit = limit[id] < Limits.size() ? Limits[limit[id]] : "";
+    }
+  }
+  return weakest;
+}
+
+double TouchedBody::typicalForce() const
+{
+  const ResponseField field(this->Response);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < field.pointCount(); ++i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
+    const double force =
+      field.isValid(point) ? field.evaluate(point, 0.5 * field.range(point)).force : 0.0;
+    if (force > 0.0 && std::isfinite(force))
+    {
+      sum += force;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+std::string listResponses(vtkPolyData* body)
+{
+  vtkPointData* data = body->GetPointData();
+  std::string list;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
+    for (const std::string suffix : { "Force", "Coefficient" })
+    {
+      if (name.size() <= suffix.size() ||
+        name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0)
+      {
+        continue;
+      }
+      const std::string prefix = name.substr(0, name.size() - suffix.size());
+      if (data->HasArray((prefix + "Range").c_str()))
+      {
+        list += (list.empty() ? "'" : ", '") + prefix + "'";
+      }
+    }
+  }
+  return list;
+}
+} // namespace palpate

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TouchedBody_h
+#define TouchedBody_h
+
+#include "ResponseField.h"      // For palpate::ResponseArrays
+#include "TriangleProjection.h" // For palpate::Vector3
+
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+#include "vtkType.h"         // For vtkIdType
+
+#include <string>
+
+class vtkPolyData;
+class vtkStaticCellLocator;
+
+namespace palpate
+{
+/// A place on the surface of a body.
+struct SurfacePlace
+{
+  vtkIdType cell = -1;               ///< of the body; -1: none
+  Vector3 point = Vector3::Zero();   ///< mm
+  Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
+  double distance = 0.0;             ///< of what was projected, mm
+};
+
+/// What the law says of itself at a place: the weakest of the corners.
+struct PlaceValidity
+{
+  bool known = false; ///< whether the response has the arrays
+  double depth = 0.0; ///< at which the first assumption breaks, mm
+  std::string limit;  ///< which, in words; "" for none
+};
+
+/// A body with a response, as a display of one touch reads it: where it is nearest, and what the
+/// stored curves are there. Holds the body, and a locator of its triangles made when first asked.
+class TouchedBody
+{
+public:
+  TouchedBody();
+  ~TouchedBody();
+  TouchedBody(const TouchedBody&) = delete;
+  TouchedBody& operator=(const TouchedBody&) = delete;
+
+  /// False, and what is missing, if the body has not the response `name`.
+  bool take(vtkPolyData* body, const std::string& name, std::string& error);
+
+  /// The nearest place of the surface; cell -1 for a body without triangles.
+  SurfacePlace nearest(const Vector3& tip);
+  /// The place of a point of the surface in a cell of the body.
+  SurfacePlace placeIn(vtkIdType cell, const Vector3& point) const;
+
+  /// Depth of the last sample there, mm; 0 without a response.
+  double range(const SurfacePlace& place) const;
+  /// dF/dδ of the three corners' curves, blended, N/mm.
+  double stiffness(const SurfacePlace& place, double depth) const;
+  PlaceValidity validity(const SurfacePlace& place) const;
+
+  /// Force at half of Range, on average over the points that have a response, N. O(points).
+  double typicalForce() const;
+
+private:
+  vtkSmartPointer<vtkPolyData> Body;
+  vtkSmartPointer<vtkPolyData> Triangles; ///< those of the body, and no other cells
+  vtkSmartPointer<vtkStaticCellLocator> Locator;
+  std::string Name;
+  ResponseArrays Response;
+};
+
+/// The prefixes of the responses of a body, 'A', 'B'; "" for none.
+std::string listResponses(vtkPolyData* body);
+} // namespace palpate
+
+#endif

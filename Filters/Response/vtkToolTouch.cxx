@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkToolTouch.h"
+
+#include "ContactArrow.h"
+#include "DentedBody.h"
+#include "FilterStage.h"
+#include "InnerMessages.h"
+#include "Ranks.h"
+#include "ReducedModulus.h"
+#include "ResponseTool.h"
+#include "TouchText.h"
+#include "TouchedBody.h"
+#include "vtkContactDeflection.h"
+#include "vtkContactTool.h"
+#include "vtkContactToolSource.h"
+#include "vtkToolContactProbe.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+constexpr double BuildShare = 0.9; // of the progress
+constexpr double ArrowShare = 0.2; // of the body's diagonal: the force at half of Range
+constexpr double ToolShare = 0.25;
+constexpr double ArrowThickness = 0.012;
+constexpr double WidestTool = 0.25; // of its length, where its profile widens for ever
+
+using palpate::Vector3;
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `value` > 0.
+double roundDown(double value)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  const double share = value / decade;
+  return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
+}
+
+vtkSmartPointer<vtkPolyData> singleTip(const Vector3& position)
+{
+  auto tip = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(position.data());
+  tip->SetPoints(points);
+  return tip;
+}
+
+Vector3 vectorOf(vtkPolyData* probed, const char* array)
+{
+  Vector3 value;
+  probed->GetPointData()->GetArray(array)->GetTuple(0, value.data());
+  return value;
+}
+
+double numberOf(vtkPolyData* probed, const char* array)
+{
+  return probed->GetPointData()->GetArray(array)->GetTuple1(0);
+}
+
+void addField(vtkPolyData* to, const char* name, const double* values, int components)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->InsertNextTuple(values);
+  to->GetFieldData()->AddArray(array);
+}
+} // namespace
+
+vtkStandardNewMacro(vtkToolTouch);
+
+vtkToolTouch::vtkToolTouch()
+  : Messages(std::make_unique<palpate::InnerMessages>())
+  , Touched(std::make_unique<palpate::TouchedBody>())
+{
+  this->SetNumberOfOutputPorts(4);
+  for (vtkAlgorithm* inner : { static_cast<vtkAlgorithm*>(this->Prober),
+         static_cast<vtkAlgorithm*>(this->Dent), static_cast<vtkAlgorithm*>(this->Shape) })
+  {
+    palpate::listen(inner, *this->Messages);
+    palpate::listen(inner->GetExecutive(), *this->Messages);
+  }
+  this->Prober->SetController(nullptr); // the body is all on one process
+  this->Dent->SetController(nullptr);
+  this->Dent->SetTipConnection(this->Prober->GetOutputPort());
+}
+
+vtkToolTouch::~vtkToolTouch() = default;
+
+int vtkToolTouch::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == TextPort ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+bool vtkToolTouch::PassMessages(palpate::InnerMessages& messages)
+{
+  const palpate::InnerMessages heard = messages;
+  messages = {};
+  if (!heard.error.empty())
+  {
+    vtkErrorMacro(<< heard.error << ".");
+    return false;
+  }
+  if (!heard.warning.empty())
+  {
+    vtkWarningMacro(<< heard.warning << ".");
+  }
+  return true;
+}
+
+bool vtkToolTouch::CheckSettings()
+{
+  const auto isLength = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  const Vector3 tip(this->TipPosition);
+  if (!tip.allFinite())
+  {
+    vtkErrorMacro(<< "TipPosition must be finite (mm), but is " << tip.transpose() << ".");
+  }
+  else if (!isLength(this->Indentation))
+  {
+    vtkErrorMacro(
+      << "Indentation must be finite and not negative (mm, 0 for half of Range), but is "
+      << this->Indentation << ".");
+  }
+  else if (!isLength(this->ForceScale) || !isLength(this->ToolLength))
+  {
+    vtkErrorMacro(<< "ForceScale (mm/N) and ToolLength (mm) must be finite and not negative (0 for "
+                     "automatic), but are "
+                  << this->ForceScale << " and " << this->ToolLength << ".");
+  }
+  else if (!(this->Reach > 0.0 && std::isfinite(this->Reach)))
+  {
+    vtkErrorMacro(<< "Reach must be positive and finite (contact radii), but is " << this->Reach
+                  << ".");
+  }
+  else if (!palpate::isPoissonsRatio(this->PoissonRatio))
+  {
+    vtkErrorMacro(<< "PoissonRatio must lie between 0 and 0.5, but is " << this->PoissonRatio
+                  << ".");
+  }
+  else
+  {
+    return true;
+  }
+  return false;
+}
+
+bool vtkToolTouch::PrepareBody(vtkPolyData* body)
+{
+  if (this->Body && this->Source == body && this->SourceTime == body->GetMTime() &&
+    this->SourceResponse == this->ResponseName)
+  {
+    return true;
+  }
+  this->Body = nullptr;
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(body); // whose time does not change while the tip moves
+  std::string fault;
+  if (!this->Touched->take(copy, this->ResponseName, fault))
+  {
+    vtkErrorMacro(<< "Wrong body: " << fault << ".");
+    return false;
+  }
+  this->Tool = palpate::findTool(nullptr, copy, this->ResponseName, fault);
+  if (!this->Tool)
+  {
+    vtkErrorMacro(<< fault << ".");
+    return false;
+  }
+  const double typical = this->Touched->typicalForce();
+  const double wanted = ArrowShare * copy->GetLength() / typical;
+  this->AutomaticScale = std::isfinite(wanted) && wanted > 0.0 ? roundDown(wanted) : 1.0;
+  this->Prober->SetInputData(0, copy);
+  this->Prober->SetResponseName(this->ResponseName);
+  this->Dent->SetInputData(0, copy);
+  this->Dent->SetResponseName(this->ResponseName);
+  this->Dent->SetTool(this->Tool);
+  this->Shape->SetTool(this->Tool);
+  this->Body = copy;
+  this->Source = body;
+  this->SourceTime = body->GetMTime();
+  this->SourceResponse = this->ResponseName;
+  return true;
+}
+
+bool vtkToolTouch::Probe(palpate::Touch& touch)
+{
+  touch.tip = Vector3(this->TipPosition);
+  touch.nearest = this->Touched->nearest(touch.tip);
+  double depth = this->Indentation;
+  if (this->Snap && touch.nearest.cell >= 0)
+  {
+    touch.tip = touch.nearest.point;
+    depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
+  }
+  this->Prober->SetTipData(singleTip(touch.tip));
+  this->Prober->SetIndentation(depth);
+  palpate::runWithin(this->Prober, { this, 0.0, BuildShare });
+  if (!this->PassMessages(*this->Messages))
+  {
+    return false;
+  }
+  vtkPolyData* probed = this->Prober->GetOutput();
+  touch.state = static_cast<int>(numberOf(probed, "ContactState"));
+  touch.force = vectorOf(probed, "Force");
+  touch.deflection = numberOf(probed, "Deflection");
+  const auto cell = static_cast<vtkIdType>(numberOf(probed, "ContactCell"));
+  if (cell >= 0)
+  {
+    const Vector3 normal = vectorOf(probed, "Normal");
+    touch.place = this->Touched->placeIn(cell, vectorOf(probed, "ContactPoint"));
+    touch.normal = normal;
+    touch.tip -= depth * normal;
+    touch.range = this->Touched->range(touch.place);
+    touch.stiffness = this->Touched->stiffness(touch.place, touch.deflection);
+    touch.validity = this->Touched->validity(touch.place);
+  }
+  else
+  {
+    const Vector3 away = touch.tip - touch.nearest.point;
+    touch.normal = away.norm() > 0.0 ? Vector3(away.normalized()) : Vector3::UnitZ();
+  }
+  touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;
+  return true;
+}
+
+bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
+{
+  const double radius =
+    touch.touches() ? this->Tool->GetContactRadius(touch.deflection) : 0.0; // mm
+  this->Dent->SetPoissonRatio(this->PoissonRatio);
+  this->Dent->SetMaximumDistance(std::isfinite(radius) ? this->Reach * radius : 0.0);
+  palpate::runWithin(this->Dent, { this, BuildShare, 1.0 });
+  if (!this->PassMessages(*this->Messages))
+  {
+    return false;
+  }
+  output->ShallowCopy(this->Dent->GetOutput());
+  auto* displacement =
+    vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("ContactDisplacement"));
+  palpate::dentBody(output, displacement, touch.normal);
+  return true;
+}
+
+bool vtkToolTouch::MakeTool(const palpate::Touch& touch, vtkPolyData* output)
+{
+  const double length =
+    this->ToolLength > 0.0 ? this->ToolLength : ToolShare * this->Body->GetLength();
+  this->Shape->SetLength(length);
+  this->Shape->SetMaximumRadius(WidestTool * length);
+  this->Shape->Update();
+  if (!this->PassMessages(*this->Messages))
+  {
+    return false;
+  }
+  const Eigen::Matrix3d turn =
+    Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), touch.normal).toRotationMatrix();
+  output->ShallowCopy(this->Shape->GetOutput());
+  vtkPoints* upright = output->GetPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(upright->GetNumberOfPoints());
+  vtkDataArray* uprightNormals = output->GetPointData()->GetNormals();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(upright->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < upright->GetNumberOfPoints(); ++i)
+  {
+    Vector3 x;
+    upright->GetPoint(i, x.data());
+    x = touch.tip + turn * x;
+    points->SetPoint(i, x.data());
+    uprightNormals->GetTuple(i, x.data());
+    x = turn * x;
+    normals->SetTuple(i, x.data());
+  }
+  output->SetPoints(points);
+  output->GetPointData()->SetNormals(normals);
+  return true;
+}
+
+void vtkToolTouch::MakeArrow(const palpate::Touch& touch, vtkPolyData* output)
+{
+  output->ShallowCopy(palpate::makeContactArrow(
+    touch.tip, touch.scale * touch.force, ArrowThickness * this->Body->GetLength()));
+  vtkNew<vtkDoubleArray> force;
+  force->SetName("Force");
+  force->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    force->InsertNextTuple(touch.force.data());
+  }
+  output->GetPointData()->AddArray(force);
+  vtkPointData* probed = this->Prober->GetOutput()->GetPointData();
+  for (int i = 0; i < probed->GetNumberOfArrays(); ++i)
+  {
+    output->GetFieldData()->AddArray(probed->GetArray(i));
+  }
+  const double validity = touch.validity.known ? touch.validity.depth : HUGE_VAL;
+  addField(output, "TipPosition", touch.tip.data(), 3);
+  addField(output, "Stiffness", &touch.stiffness, 1);
+  addField(output, "Validity", &validity, 1);
+  addField(output, "ForceScale", &touch.scale, 1);
+}
+
+void vtkToolTouch::MakeText(const palpate::Touch& touch, vtkTable* output)
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName("Text");
+  text->InsertNextValue(palpate::describeTouch(touch, this->Tool->GetDescription()));
+  output->AddColumn(text);
+}
+
+int vtkToolTouch::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  const bool hasBody = body && body->GetNumberOfPoints() > 0;
+  const palpate::Ranks ranks(vtkMultiProcessController::GetGlobalController());
+  std::size_t pieces = 0;
+  for (const auto& piece : ranks.gather(hasBody ? std::vector<char>(1) : std::vector<char>()))
+  {
+    pieces += piece.size();
+  }
+  if (pieces > 1)
+  {
+    vtkErrorMacro(<< "The body lies in pieces on " << pieces
+                  << " processes, but must be on one: apply Aggregate Dataset first, or use Tool "
+                     "Contact Probe and Contact Deflection.");
+    return 0;
+  }
+  if (!hasBody)
+  {
+    return 1;
+  }
+  palpate::Touch touch;
+  *this->Messages = {};
+  if (!this->CheckSettings() || !this->PrepareBody(body) || !this->Probe(touch) ||
+    !this->MakeDent(touch, vtkPolyData::GetData(outputVector, BodyPort)) ||
+    !this->MakeTool(touch, vtkPolyData::GetData(outputVector, ToolPort)))
+  {
+    return 0;
+  }
+  this->MakeArrow(touch, vtkPolyData::GetData(outputVector, ArrowPort));
+  this->MakeText(touch, vtkTable::GetData(outputVector, TextPort));
+  return 1;
+}
+
+void vtkToolTouch::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TipPosition: " << this->TipPosition[0] << ", " << this->TipPosition[1] << ", "
+     << this->TipPosition[2] << " mm\n";
+  os << indent << "Snap: " << this->Snap << "\n";
+  os << indent << "Indentation: " << this->Indentation << " mm\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "Reach: " << this->Reach << " contact radii\n";
+  os << indent << "ForceScale: " << this->ForceScale << " mm/N\n";
+  os << indent << "ToolLength: " << this->ToolLength << " mm\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
+}

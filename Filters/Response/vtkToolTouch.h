@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkToolTouch
+ * @brief one touch of a body, ready to be shown: dent, tool, force arrow and numbers
+ *
+ * Input: a body with response arrays (vtkToolContactResponse), mm. The tool is the one the response
+ * names. Where it touches:
+ * - Snap on (default): at the point of the surface nearest to TipPosition, pressed Indentation deep
+ *   along the contact normal. So it touches wherever the tip is.
+ * - Snap off: the tip is where it is, moved inward by Indentation along the normal at its nearest
+ *   surface point; outside the body nothing is felt.
+ *
+ * Output:
+ * - 0 the dented body: the input with its points moved by `ContactDisplacement`
+ * (vtkContactDeflection within Reach contact radii), and the point array `Dent (mm)`, how far each
+ * went in along the contact normal, as active scalars. All arrays of the body pass; those of the
+ * response stay those of the undeformed body. Active point normals follow the dent.
+ * - 1 the tool, triangles with normals, tip in place, axis along the contact normal.
+ * - 2 the force as an arrow from the tip, ForceScale mm long per N; empty without contact.
+ * - 3 the numbers in words and units: a vtkTable with one string, column `Text`.
+ *
+ * The arrow carries `Force` (N, 3) at its points, and as field arrays, one tuple each, all that
+ * vtkToolContactProbe gives - `Force`, `NormalForce`, `FrictionForce`, `Deflection`, `Normal`,
+ * `ContactPoint`, `ContactCell`, `ContactState` - and `TipPosition` (3, mm, after snap and
+ * indentation), `Stiffness` (N/mm: dF/dδ of the blended curves), `Validity` (mm: the depth at which
+ * the law's first assumption breaks, the weakest of the triangle's corners; infinite if none does
+ * or the response does not say) and `ForceScale` (mm/N).
+ *
+ * There is no friction: one touch has no history. A body without the response is an error that
+ * names the missing array; an empty body gives empty output. Of several processes (the global
+ * controller's) one must have the whole body, or it is an error; all must update the filter.
+ *
+ * Cost: once per state of the body the kernel's copy (vtkToolContactProbe) and the links of its
+ * mesh, O(n log n); then per move a copy of the points and some microseconds per point of the dent.
+ */
+#ifndef vtkToolTouch_h
+#define vtkToolTouch_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkNew.h"                // For vtkNew
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkContactDeflection;
+class vtkContactTool;
+class vtkContactToolSource;
+class vtkTable;
+class vtkToolContactProbe;
+
+namespace palpate
+{
+class TouchedBody;
+struct InnerMessages;
+struct Touch;
+} // namespace palpate
+
+class PALPATERESPONSE_EXPORT vtkToolTouch : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkToolTouch* New();
+  vtkTypeMacro(vtkToolTouch, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum OutputPort
+  {
+    BodyPort = 0,
+    ToolPort = 1,
+    ArrowPort = 2,
+    TextPort = 3
+  };
+
+  ///@{
+  /** Where the tip is, in the body's frame, mm. Default 0, 0, 0. */
+  vtkSetVector3Macro(TipPosition, double);
+  vtkGetVector3Macro(TipPosition, double);
+  ///@}
+
+  ///@{
+  /** Whether the tip is first put on the nearest point of the surface. Default on. */
+  vtkSetMacro(Snap, bool);
+  vtkGetMacro(Snap, bool);
+  vtkBooleanMacro(Snap, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far the tip is moved inward, mm, finite and not negative. Default 0: with Snap half of the
+   * response's Range there, without Snap not at all.
+   */
+  vtkSetMacro(Indentation, double);
+  vtkGetMacro(Indentation, double);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.45. Only used for the shape of the dent. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the dent has faded out, in contact radii from the contact, positive; from 3/4 of it on it
+   * fades. Default 20: it has fallen there to a thirtieth of the deflection.
+   */
+  vtkSetMacro(Reach, double);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the arrow per force, mm/N, finite and not negative. Default 0: such that the force at
+   * half of Range, on average over the body, is about a fifth of the body's diagonal long, rounded
+   * to 1, 2 or 5. So on one body a longer arrow is a larger force, wherever it is touched.
+   */
+  vtkSetMacro(ForceScale, double);
+  vtkGetMacro(ForceScale, double);
+  ///@}
+
+  ///@{
+  /** Height of the tool drawn, mm, finite and not negative. Default 0: a quarter of the body's
+   * diagonal. */
+  vtkSetMacro(ToolLength, double);
+  vtkGetMacro(ToolLength, double);
+  ///@}
+
+  ///@{
+  /** Prefix of the response arrays. Default "Response". */
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+protected:
+  vtkToolTouch();
+  ~vtkToolTouch() override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkToolTouch(const vtkToolTouch&) = delete;
+  void operator=(const vtkToolTouch&) = delete;
+
+  bool CheckSettings();
+  /// Takes the body, its tool and its force scale, if they are not those of the last time.
+  bool PrepareBody(vtkPolyData* body);
+  /// Puts the tip in its place and probes there.
+  bool Probe(palpate::Touch& touch);
+  bool MakeDent(const palpate::Touch& touch, vtkPolyData* output);
+  bool MakeTool(const palpate::Touch& touch, vtkPolyData* output);
+  void MakeArrow(const palpate::Touch& touch, vtkPolyData* output);
+  void MakeText(const palpate::Touch& touch, vtkTable* output);
+  /// Passes on what the filters within complain of; false after an error.
+  bool PassMessages(palpate::InnerMessages& messages);
+
+  double TipPosition[3] = { 0.0, 0.0, 0.0 };
+  bool Snap = true;
+  double Indentation = 0.0;
+  double PoissonRatio = 0.45;
+  double Reach = 20.0;
+  double ForceScale = 0.0;
+  double ToolLength = 0.0;
+  std::string ResponseName = "Response";
+
+  vtkNew<vtkToolContactProbe> Prober;
+  vtkNew<vtkContactDeflection> Dent;
+  vtkNew<vtkContactToolSource> Shape;
+  std::unique_ptr<palpate::InnerMessages> Messages;
+
+  // The body of the last time, and what was made of it.
+  std::unique_ptr<palpate::TouchedBody> Touched;
+  vtkSmartPointer<vtkPolyData> Body;
+  vtkSmartPointer<vtkContactTool> Tool;
+  double AutomaticScale = 0.0;
+  vtkPolyData* Source = nullptr;
+  vtkMTimeType SourceTime = 0;
+  std::string SourceResponse;
+};
+
+#endif

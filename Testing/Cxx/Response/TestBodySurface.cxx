@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever is given as a body comes out as triangles in mm, or as an error that says what to do.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkBodySurface.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkReverseSense.h"
+#include "vtkStripper.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <limits>
+
+using namespace palpate::testing;
+
+namespace
+{
+constexpr int Cells = 3;       // of the block along each axis
+constexpr double Side = 30.0;  // mm
+constexpr double Exact = 1e-9; // relative to coordinates of at most 100: rounding
+
+struct Made
+{
+  vtkNew<vtkBodySurface> filter;
+  Messages messages{ static_cast<vtkAlgorithm*>(this->filter) };
+  vtkPolyData* body = nullptr;
+};
+
+void make(Made& made, vtkDataObject* input)
+{
+  made.filter->SetInputDataObject(input);
+  made.filter->Update();
+  made.body = made.filter->GetOutput();
+}
+
+bool isSilent(const Made& made)
+{
+  return made.messages.none();
+}
+
+/** All triangles, and the volume they enclose, positive if they wind as they should. */
+double enclosedVolume(vtkPolyData* body)
+{
+  PALPATE_CHECK(body->GetNumberOfCells() == body->GetNumberOfPolys());
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < body->GetNumberOfCells(); ++i)
+  {
+    vtkCell* cell = body->GetCell(i);
+    PALPATE_CHECK(cell->GetNumberOfPoints() == 3);
+    std::array<std::array<double, 3>, 3> p;
+    for (int k = 0; k < 3; ++k)
+    {
+      cell->GetPoints()->GetPoint(k, p[static_cast<std::size_t>(k)].data());
+    }
+    double normal[3];
+    vtkMath::Cross(p[1].data(), p[2].data(), normal);
+    sum += vtkMath::Dot(p[0].data(), normal) / 6.0;
+  }
+  return sum;
+}
+
+/** A cube of Side, of Cells³ voxels, from the origin, with a point array. */
+vtkSmartPointer<vtkImageData> imageBlock(int first = 0, int last = Cells)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(first, last, 0, Cells, 0, Cells);
+  image->SetSpacing(Side / Cells, Side / Cells, Side / Cells);
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(image->GetPoint(i)[2]);
+  }
+  image->GetPointData()->AddArray(height);
+  return image;
+}
+
+vtkSmartPointer<vtkRectilinearGrid> rectilinearBlock()
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(Cells + 1, Cells + 1, Cells + 1);
+  vtkNew<vtkDoubleArray> ticks;
+  for (int i = 0; i <= Cells; ++i)
+  {
+    ticks->InsertNextValue(Side * i / Cells);
+  }
+  grid->SetXCoordinates(ticks);
+  grid->SetYCoordinates(ticks);
+  grid->SetZCoordinates(ticks);
+  grid->GetPointData()->ShallowCopy(imageBlock()->GetPointData());
+  return grid;
+}
+
+vtkSmartPointer<vtkStructuredGrid> structuredBlock(double handedness)
+{
+  auto image = imageBlock();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* x = image->GetPoint(i);
+    points->InsertNextPoint(handedness * x[0], x[1], x[2]);
+  }
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(Cells + 1, Cells + 1, Cells + 1);
+  grid->SetPoints(points);
+  grid->GetPointData()->ShallowCopy(image->GetPointData());
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> unstructuredBlock()
+{
+  vtkNew<vtkAppendFilter> cells;
+  cells->AddInputData(imageBlock());
+  cells->Update();
+  return cells->GetOutput();
+}
+
+/** One closed surface of a cube: no point twice, no wall inside, the array at its points. */
+void checkBlock(vtkDataObject* input)
+{
+  Made made;
+  make(made, input);
+  PALPATE_CHECK(isSilent(made));
+  const int inner = (Cells - 1) * (Cells - 1) * (Cells - 1);
+  const int all = (Cells + 1) * (Cells + 1) * (Cells + 1);
+  PALPATE_CHECK(made.body->GetNumberOfPoints() == all - inner);
+  PALPATE_CHECK(made.body->GetNumberOfPolys() == 2 * 6 * Cells * Cells);
+  PALPATE_CHECK_NEAR(enclosedVolume(made.body), Side * Side * Side, Exact * Side * Side * Side);
+  vtkDataArray* height = made.body->GetPointData()->GetArray("Height");
+  PALPATE_CHECK(height != nullptr);
+  for (vtkIdType i = 0; height && i < made.body->GetNumberOfPoints(); ++i)
+  {
+    PALPATE_CHECK_NEAR(height->GetTuple1(i), made.body->GetPoint(i)[2], Exact);
+  }
+}
+
+void checkVolumes()
+{
+  checkBlock(imageBlock());
+  checkBlock(rectilinearBlock());
+  checkBlock(structuredBlock(1.0));
+  checkBlock(structuredBlock(-1.0)); // left-handed: inside out, turned
+  checkBlock(unstructuredBlock());
+
+  // Two halves of it are joined, also where one has a layer of the other as ghosts.
+  for (const int ghosts : { 0, 1 })
+  {
+    auto left = imageBlock(0, 1 + ghosts);
+    auto right = imageBlock(1, Cells);
+    left->AllocateCellGhostArray();
+    right->AllocateCellGhostArray();
+    for (vtkIdType i = 0; ghosts == 1 && i < left->GetNumberOfCells(); ++i)
+    {
+      const double x = left->GetCell(i)->GetBounds()[0];
+      left->GetCellGhostArray()->SetValue(
+        i, x > Side / Cells / 2 ? vtkDataSetAttributes::DUPLICATECELL : 0);
+    }
+    vtkNew<vtkPartitionedDataSet> halves;
+    halves->SetPartition(0, left);
+    halves->SetPartition(1, right);
+    checkBlock(halves);
+  }
+}
+
+void checkSurfaces()
+{
+  // Triangles alone: the very same cells and points, all arrays, nothing to say.
+  const Body ball = sphereBody(30.0, 2);
+  addRadialNormals(ball);
+  Made same;
+  make(same, ball);
+  PALPATE_CHECK(isSilent(same));
+  PALPATE_CHECK(same.body->GetPoints() == ball->GetPoints());
+  PALPATE_CHECK(same.body->GetPolys() == ball->GetPolys());
+  PALPATE_CHECK(same.body->GetPointData()->GetNormals() == ball->GetPointData()->GetNormals());
+  PALPATE_CHECK(same.filter->GetNumberOfNotes() == 0);
+  const double volume = enclosedVolume(ball);
+  PALPATE_CHECK(volume > 0.0);
+
+  // The same ball in strips, with a vertex and a line more.
+  vtkNew<vtkStripper> strips;
+  strips->SetInputData(ball);
+  strips->Update();
+  vtkNew<vtkPolyData> mixed;
+  mixed->ShallowCopy(strips->GetOutput());
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  mixed->SetVerts(verts);
+  mixed->SetLines(lines);
+  PALPATE_CHECK(mixed->GetNumberOfStrips() > 0);
+  Made cut;
+  make(cut, mixed);
+  PALPATE_CHECK(isSilent(cut));
+  PALPATE_CHECK(cut.body->GetNumberOfPolys() == ball->GetNumberOfPolys());
+  PALPATE_CHECK_NEAR(enclosedVolume(cut.body), volume, Exact * volume);
+  PALPATE_CHECK(cut.filter->GetNumberOfNotes() == 2);
+  PALPATE_CHECK_TEXT(cut.filter->GetNote(0), "strips cut into 320 triangles");
+  PALPATE_CHECK_TEXT(cut.filter->GetNote(1), "2 vertices and lines left out");
+
+  // Inside out: turned, unless normals say where outside is.
+  const Body bare = sphereBody(30.0, 2);
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputData(bare);
+  reverse->Update();
+  Made turned;
+  make(turned, reverse->GetOutput());
+  PALPATE_CHECK_NEAR(enclosedVolume(turned.body), volume, Exact * volume);
+  PALPATE_CHECK_TEXT(turned.filter->GetNote(0), "inside out");
+  PALPATE_CHECK_NEAR(
+    enclosedVolume(reverse->GetOutput()), -volume, Exact * volume); // the input is as it was
+}
+
+/** A ball in two partitions, each with its own seam points, and in two blocks. */
+void checkComposites()
+{
+  const Body ball = sphereBody(30.0, 2);
+  std::array<vtkNew<vtkPolyData>, 2> halves;
+  for (std::size_t half = 0; half < 2; ++half)
+  {
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType i = 0; i < ball->GetNumberOfCells(); ++i)
+    {
+      double center[3] = { 0.0, 0.0, 0.0 };
+      vtkCell* cell = ball->GetCell(i);
+      for (int k = 0; k < 3; ++k)
+      {
+        double p[3];
+        cell->GetPoints()->GetPoint(k, p);
+        vtkMath::Add(center, p, center);
+      }
+      if ((center[2] > 0.0) == (half == 1))
+      {
+        cells->InsertNextCell(cell);
+      }
+    }
+    halves[half]->SetPoints(ball->GetPoints());
+    halves[half]->SetPolys(cells);
+    vtkNew<vtkDoubleArray> shared;
+    shared->SetName("Shared");
+    shared->SetNumberOfTuples(ball->GetNumberOfPoints());
+    shared->Fill(static_cast<double>(half));
+    halves[half]->GetPointData()->AddArray(shared);
+  }
+  const double volume = enclosedVolume(ball);
+
+  vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, halves[0]);
+  partitions->SetPartition(1, halves[1]);
+  Made joined;
+  make(joined, partitions);
+  PALPATE_CHECK(isSilent(joined));
+  PALPATE_CHECK(joined.body->GetNumberOfPoints() == ball->GetNumberOfPoints());
+  PALPATE_CHECK_NEAR(enclosedVolume(joined.body), volume, Exact * volume);
+  PALPATE_CHECK(joined.body->GetPointData()->HasArray("Shared"));
+  PALPATE_CHECK_TEXT(joined.filter->GetNote(0), "2 partitions joined");
+
+  // Blocks stay apart, in their order; an empty one and one of lines do no harm; one inside out is
+  // turned by itself; an array that only one has is left out, and said so.
+  const Body second = sphereBody(20.0, 1);
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputData(second);
+  reverse->Update();
+  vtkNew<vtkDoubleArray> own;
+  own->SetName("Own");
+  own->SetNumberOfTuples(second->GetNumberOfPoints());
+  own->Fill(0.0);
+  reverse->GetOutput()->GetPointData()->AddArray(own);
+  vtkNew<vtkPolyData> line;
+  line->SetPoints(ball->GetPoints());
+  vtkNew<vtkCellArray> segment;
+  segment->InsertNextCell({ 0, 1 });
+  line->SetLines(segment);
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, reverse->GetOutput());
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, nothing);
+  blocks->SetBlock(1, ball);
+  blocks->SetBlock(2, line);
+  blocks->SetBlock(3, inner);
+  Made appended;
+  make(appended, blocks);
+  PALPATE_CHECK(appended.messages.errors().empty());
+  PALPATE_CHECK_TEXT(appended.messages.warnings(), "left out: Own");
+  PALPATE_CHECK(appended.body->GetNumberOfPolys() == 320 + 80);
+  PALPATE_CHECK(
+    appended.body->GetNumberOfPoints() == ball->GetNumberOfPoints() + second->GetNumberOfPoints());
+  PALPATE_CHECK_NEAR(
+    enclosedVolume(appended.body), volume + enclosedVolume(second), Exact * volume);
+  double first[3];
+  double expected[3];
+  appended.body->GetPoint(0, first);
+  ball->GetPoint(0, expected);
+  PALPATE_CHECK_NEAR(std::sqrt(vtkMath::Distance2BetweenPoints(first, expected)), 0.0, Exact);
+}
+
+void checkUnits()
+{
+  vtkNew<vtkBodySurface> defaults;
+  PALPATE_CHECK(defaults->GetLengthUnit() == vtkBodySurface::Millimetre);
+  defaults->SetLengthScale(25.4);
+  PALPATE_CHECK(defaults->GetLengthUnit() == -1);
+  const double scales[3] = { 1.0, 10.0, 1000.0 };
+  for (int unit = 0; unit < 3; ++unit)
+  {
+    const Body ball = sphereBody(30.0 / scales[unit], 2);
+    Made made;
+    made.filter->SetLengthUnit(unit);
+    PALPATE_CHECK(made.filter->GetLengthUnit() == unit);
+    make(made, ball);
+    PALPATE_CHECK(isSilent(made));
+    double p[3];
+    made.body->GetPoint(7, p);
+    PALPATE_CHECK_NEAR(vtkMath::Norm(p), 30.0, Exact);
+  }
+  struct Size
+  {
+    double side; // of a cube, mm
+    bool asked;
+  };
+  for (const Size& size :
+    { Size{ 4.99, true }, Size{ 5.01, false }, Size{ 4990.0, false }, Size{ 5010.0, true } })
+  {
+    auto image = imageBlock();
+    image->SetSpacing(size.side / Cells, size.side / Cells, size.side / Cells);
+    Made made;
+    make(made, image);
+    PALPATE_CHECK(made.messages.none() != size.asked);
+    PALPATE_CHECK_NEAR(made.filter->GetLongestSide(), size.side, Exact * size.side);
+    if (size.asked)
+    {
+      PALPATE_CHECK_TEXT(
+        made.messages.warnings(), "longest side", "mm", "is the Length Unit right?");
+    }
+    Made quiet;
+    quiet.filter->AskAboutSizeOff();
+    make(quiet, image);
+    PALPATE_CHECK(isSilent(quiet));
+  }
+}
+
+template <class... Words>
+void checkError(vtkDataObject* input, const Words&... words)
+{
+  Made made;
+  make(made, input);
+  PALPATE_CHECK_TEXT(made.messages.errors(), words...);
+  PALPATE_CHECK(made.body->GetNumberOfPoints() == 0 && made.body->GetNumberOfCells() == 0);
+}
+
+void checkErrors()
+{
+  vtkNew<vtkPolyData> nothing;
+  Made empty;
+  make(empty, nothing);
+  PALPATE_CHECK(isSilent(empty) && empty.body->GetNumberOfPoints() == 0);
+
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(sphereBody(30.0, 1)->GetPoints());
+  checkError(cloud, "no triangles", "only 42 points", "Delaunay 3D");
+  vtkNew<vtkPolyData> line;
+  line->SetPoints(cloud->GetPoints());
+  vtkNew<vtkCellArray> segment;
+  segment->InsertNextCell({ 0, 1 });
+  line->SetLines(segment);
+  checkError(line, "no triangles", "lines", "Tube");
+  vtkNew<vtkTable> table;
+  checkError(table, "vtkTable", "Table To Points");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, sphereBody(30.0, 1));
+  blocks->SetBlock(1, table);
+  checkError(blocks, "block 1", "vtkTable");
+
+  const Body hole = sphereBody(30.0, 1);
+  hole->GetPoints()->SetPoint(7, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  hole->GetPoints()->SetPoint(9, std::numeric_limits<double>::infinity(), 0.0, 0.0);
+  checkError(hole, "2 of 42 points", "not a finite number", "point 7");
+  const Body damaged = sphereBody(30.0, 1);
+  vtkNew<vtkCellArray> lost;
+  lost->InsertNextCell({ 0, 1, 999 });
+  damaged->SetPolys(lost);
+  checkError(damaged, "damaged", "point 999", "42 points");
+
+  Made scale;
+  scale.filter->SetLengthScale(0.0);
+  make(scale, sphereBody(30.0, 1));
+  PALPATE_CHECK_TEXT(scale.messages.errors(), "unit of length of 0 mm");
+}
+} // namespace
+
+int TestBodySurface(int, char*[])
+{
+  checkSurfaces();
+  checkVolumes();
+  checkComposites();
+  checkUnits();
+  checkErrors();
+  return result();
+}
