@@ -38,6 +38,7 @@ void vtkHapticSession::SetBody(vtkPolyData* body, palpate::BodyKernels kernels)
   static_cast<palpate::BodyKernels&>(*this->Known) = std::move(kernels);
   this->Known->body = body;
   this->Known->time = body ? body->GetMTime() : 0;
+  this->Known->given = true;
 }
 
 vtkPolyData* vtkHapticSession::GetBody()
@@ -86,6 +87,13 @@ std::string vtkHapticSession::GetDeviceStatus()
 bool vtkHapticSession::GetDeviceOutputsForce()
 {
   return this->Chosen->device && this->Chosen->device->specification().outputsForce;
+}
+
+double vtkHapticSession::GetDeviceForceLimit()
+{
+  const auto& device = this->Chosen->device;
+  const auto limits = device ? device->specification() : palpate::stiffHand();
+  return std::min(this->ForceLimit, limits.maximumForce);
 }
 
 bool vtkHapticSession::IsDeviceOfThisWorld()

@@ -89,7 +89,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /** The same with what Start and ApplyChanges would make of its responses: where somebody has made
-   * that in the background, ApplyChanges takes no time. Good until the body is changed, or Start.
+   * that in the background, they take no time. Good until the body is changed, and for one Start.
    */
   void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
 #endif
@@ -141,6 +141,8 @@ public:
   std::string GetDeviceStatus();
   /** Whether a hand can feel anything from it: not with a simulated device, nor a SpaceMouse. */
   bool GetDeviceOutputsForce();
+  /** The largest force it is given, N: what it is good for, and no more than ForceLimit. */
+  double GetDeviceForceLimit();
   /** Whether it is plugged in or bridged, rather than simulated, replayed or given by C++. */
   bool IsDeviceOfThisWorld();
   /** The devices that are plugged in, a line each, or why there is none. */

@@ -28,7 +28,11 @@ constexpr double FreeMargin = 10.0; // mm around a body that is fitted into a wo
 bool vtkHapticSession::Start()
 {
   this->Run.reset();
-  *this->Known = {};
+  if (!this->Known->given)
+  {
+    *this->Known = {}; // the body may have been changed in place
+  }
+  this->Known->given = false;
   palpate::ContactSettings settings;
   if (!this->ReadSettings(settings) || !this->ReadBody(this->ResponseName))
   {

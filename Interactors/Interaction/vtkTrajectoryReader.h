@@ -13,9 +13,9 @@
  * (3, N). Ticks without a valid sample have no tip and are left out.
  *
  * Time: the file's times are announced, FrameRate per second, and the output asked for at a time t
- * ends with the last tip that is not after t, which is the present one. (vtkToolContactProbe does
- * not pass times on: give it the whole path.) With WholePath, or when no time is asked for, all of
- * it is there.
+ * ends with the last tip that is not after t, which is the present one; vtkToolContactProbe,
+ * vtkContactDeflection and vtkContactHistory follow it. With WholePath, or when no time is asked
+ * for, all of it is there.
  *
  * Errors: no file, or one that is not a trajectory: file, line and what is wrong; the output is
  * then empty. Cost: the file is read again when its name or its time of change differs; a request

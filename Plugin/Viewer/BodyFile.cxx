@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyFile.h"
 
-#include "BodyConversion.h"
 #include "CollectingWindow.h"
 #include "FlatBodyConversion.h"
 #include "MeshFileCheck.h"
 #include "PromptReader.h"
 
+#include "vtkBodySurface.h"
 #include "vtkLayerThickness.h"
 #include "vtkSkinSurface.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetReader.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkImageData.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkPointData.h"
-#include "vtkReverseSense.h"
 #include "vtkSTLReader.h"
-#include "vtkTriangleFilter.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
@@ -38,9 +34,6 @@
 
 namespace
 {
-constexpr double SmallestBody = 5.0;   // mm, longest side of a plausible body
-constexpr double LargestBody = 5000.0; // mm
-
 //------------------------------------------------------------------------------
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path)
@@ -113,56 +106,6 @@ std::string fileProblem(const std::string& path)
   return std::ifstream(path).peek() == std::ifstream::traits_type::eof() ? "it is empty" : "";
 }
 
-/** Cells that name points which are not there would crash the filters; "" if there are none. */
-std::string cellProblem(vtkDataSet* data)
-{
-  std::vector<vtkCellArray*> arrays;
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    arrays = { surface->GetVerts(), surface->GetLines(), surface->GetPolys(),
-      surface->GetStrips() };
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    arrays = { grid->GetCells() };
-  }
-  for (vtkCellArray* cells : arrays)
-  {
-    if (cells && cells->GetNumberOfConnectivityIds() > 0)
-    {
-      double ids[2];
-      cells->GetConnectivityArray()->GetRange(ids);
-      const double wrong = ids[0] < 0 ? ids[0] : ids[1];
-      if (!cells->IsValid() || wrong < 0 || wrong >= static_cast<double>(data->GetNumberOfPoints()))
-      {
-        return join("its cells are damaged: one names point ", static_cast<vtkIdType>(wrong),
-          ", there are ", data->GetNumberOfPoints(), " points");
-      }
-    }
-  }
-  return "";
-}
-
-/** How many coordinates are not numbers, and where; "" if none. */
-std::string coordinateProblem(vtkDataSet* data)
-{
-  vtkIdType count = 0;
-  vtkIdType first = -1;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    data->GetPoint(i, p);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    {
-      first = count++ == 0 ? i : first;
-    }
-  }
-  return count == 0
-    ? ""
-    : join(count, " of ", data->GetNumberOfPoints(),
-        " points have a coordinate that is not a finite number, the first is point ", first);
-}
-
 /** Adds LayerThickness to the skin of a scan, in the file's unit of length. */
 vtkSmartPointer<vtkPolyData> withThickness(
   vtkPolyData* skin, vtkImageData* scan, const palpate::BodyFileOptions& options)
@@ -200,79 +143,29 @@ vtkSmartPointer<vtkPolyData> skinOf(
   return skin->GetOutput();
 }
 
-/** Whatever the file holds, as polygons. */
-vtkSmartPointer<vtkPolyData> surfaceOf(
-  vtkDataSet* data, const palpate::BodyFileOptions& options, std::vector<std::string>& notes)
+/** The thickness that a body carries, from the file's unit of length to millimetres. */
+void scaleThickness(vtkPolyData* body, double factor)
 {
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  vtkDataArray* given = body->GetPointData()->GetArray("LayerThickness");
+  if (!given || factor == 1.0)
   {
-    return surface;
+    return;
   }
-  if (auto* scan = vtkImageData::SafeDownCast(data))
+  auto scaled = vtkSmartPointer<vtkDataArray>::Take(given->NewInstance());
+  scaled->DeepCopy(given);
+  for (vtkIdType i = 0; i < scaled->GetNumberOfTuples(); ++i)
   {
-    return skinOf(scan, options, notes);
+    scaled->SetTuple1(i, factor * given->GetTuple1(i));
   }
-  vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputData(data);
-  surface->Update();
-  notes.push_back(join("surface extracted from ", data->GetNumberOfCells(), " cells"));
-  return surface->GetOutput();
+  body->GetPointData()->AddArray(scaled);
 }
 
-/** Only triangles; a surface that has nothing else comes back itself. */
-vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface, std::vector<std::string>& notes)
+/** Why the data are no body, without what the filter puts before it. */
+std::string bodyProblem(const palpate::CollectingWindow* complaints)
 {
-  const vtkIdType strips = surface->GetNumberOfStrips();
-  const vtkIdType others = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  const bool polygons =
-    surface->GetNumberOfPolys() > 0 && surface->GetPolys()->IsHomogeneous() != 3;
-  if (!polygons && strips + others == 0)
-  {
-    return surface;
-  }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  if (polygons || strips > 0)
-  {
-    notes.push_back(join(surface->GetNumberOfPolys(), " polygons and ", strips, " strips cut into ",
-      triangles->GetOutput()->GetNumberOfPolys(), " triangles"));
-  }
-  if (others > 0)
-  {
-    notes.push_back(join(others, " vertices and lines left out"));
-  }
-  return triangles->GetOutput();
-}
-
-void scale(vtkPolyData* body, double factor)
-{
-  auto scaled = vtkSmartPointer<vtkPoints>::New();
-  scaled->SetDataType(body->GetPoints()->GetDataType());
-  scaled->SetNumberOfPoints(body->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    body->GetPoint(i, p);
-    scaled->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
-  }
-  body->SetPoints(scaled);
-  if (vtkDataArray* thickness = body->GetPointData()->GetArray("LayerThickness"))
-  {
-    for (vtkIdType i = 0; i < thickness->GetNumberOfTuples(); ++i)
-    {
-      thickness->SetTuple1(i, factor * thickness->GetTuple1(i));
-    }
-  }
-}
-
-/** Closed, with its triangles wound so that the enclosed volume is negative. */
-bool isInsideOut(vtkPolyData* body)
-{
-  const palpate::BodyMesh mesh = palpate::makeBodyMesh(body);
-  return mesh.isClosed() && mesh.enclosedVolume() < 0.0;
+  const std::string before = "Wrong input: ";
+  const std::string& reason = complaints->reason();
+  return reason.compare(0, before.size(), before) == 0 ? reason.substr(before.size()) : reason;
 }
 
 /** Reads `path` into `result`; returns what went wrong, "" if nothing. */
@@ -311,15 +204,6 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   {
     return "cannot be read: " + complaints->reason();
   }
-  problem = cellProblem(data);
-  if (problem.empty() && !vtkImageData::SafeDownCast(data))
-  {
-    problem = coordinateProblem(data);
-  }
-  if (!problem.empty())
-  {
-    return problem;
-  }
   if (vtkSTLReader::SafeDownCast(reader) && data->GetNumberOfPoints() > 0)
   {
     result.notes.push_back(join(3 * data->GetNumberOfCells(), " corners of facets merged into ",
@@ -327,38 +211,35 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   }
 
   // As triangles in millimetres.
-  vtkNew<vtkPolyData> body;
-  body->ShallowCopy(trianglesOf(surfaceOf(data, options, result.notes), result.notes));
+  vtkSmartPointer<vtkDataSet> content = data;
+  if (auto* scan = vtkImageData::SafeDownCast(data))
+  {
+    content = skinOf(scan, options, result.notes);
+  }
+  vtkNew<vtkBodySurface> surface;
+  surface->SetInputData(content);
+  surface->SetLengthScale(options.lengthScale);
+  surface->AskAboutSizeOff(); // asked below, by the name of the option
+  surface->Update();
   if (complaints->hasFailed())
   {
-    return complaints->reason();
+    return bodyProblem(complaints);
   }
+  vtkSmartPointer<vtkPolyData> body = surface->GetOutput();
   if (body->GetNumberOfPolys() == 0)
   {
     const std::string& reason = complaints->reason();
     return join("holds no triangles", reason.empty() ? "" : ": ", reason);
   }
-  if (options.lengthScale != 1.0)
+  scaleThickness(body, options.lengthScale);
+  for (int i = 0; i < surface->GetNumberOfNotes(); ++i)
   {
-    scale(body, options.lengthScale);
-    result.notes.push_back(join("scaled by ", options.lengthScale, " to millimetres"));
+    result.notes.push_back(surface->GetNote(i));
   }
-  if (!body->GetPointData()->GetNormals() && isInsideOut(body))
+  if (vtkBodySurface::IsSizeDoubtful(surface->GetLongestSide()))
   {
-    vtkNew<vtkReverseSense> turned;
-    turned->SetInputData(body);
-    turned->Update();
-    body->ShallowCopy(turned->GetOutput());
-    result.notes.push_back("it was inside out: triangles turned");
-  }
-
-  // As large as a body?
-  double box[6];
-  body->GetBounds(box);
-  const double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
-  if (longest < SmallestBody || longest > LargestBody)
-  {
-    result.notes.push_back(join("its longest side is ", longest, " mm: is --length-unit right?"));
+    result.notes.push_back(
+      join("its longest side is ", surface->GetLongestSide(), " mm: is --length-unit right?"));
   }
   if (!complaints->firstWarning().empty())
   {

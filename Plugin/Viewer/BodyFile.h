@@ -3,8 +3,8 @@
  * Reads the body a user names on the command line, whatever it is, as a surface to be touched.
  *
  * .palpate: a body with its response, as written by --export; in mm already.
- * .vtp .stl .ply .obj .vtk: surfaces. Polygons and strips are cut into triangles.
- * .vtu .vtk: volume meshes. Their surface is taken.
+ * .vtp .stl .ply .obj .vtk: surfaces; .vtu .vtk: volume meshes. What becomes of them:
+ * vtkBodySurface.
  * .vti .vtk .nii .nii.gz: scans. Their outer skin is taken, see vtkSkinSurface; if a base value is
  * given, with the array LayerThickness (mm), see vtkLayerThickness.
  *

@@ -15,6 +15,7 @@ struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
   vtkMTimeType time = 0;
+  bool given = false; ///< by the caller, for the next Start
 };
 
 /// From Start to the next Start.

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A session that is given what somebody has made of its body beforehand: Start does not make it
+// again, but does where the body has changed since, or at the Start after; and what force a device
+// is good for.
+#include "BodyConversion.h"
+#include "BodyKernels.h"
+#include "PlacedDevice.h"
+#include "ServoStep.h"
+
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+
+namespace
+{
+using namespace palpate::testing;
+
+/// Force of a session that was started with `session`'s body, 1 mm deep.
+double pressedForce(vtkHapticSession* session)
+{
+  return pressed(session, deviceOf(100.0, 1e6))->Force;
+}
+
+/// The same response, twice as strong: told from the true one by what is felt.
+Body strongerBody(vtkPolyData* body)
+{
+  Body stronger = Body::New();
+  stronger->DeepCopy(body);
+  for (const char* name : { "FlatForce", "FlatStiffness" })
+  {
+    vtkDataArray* array = stronger->GetPointData()->GetArray(name);
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      vtkFloatArray::SafeDownCast(array)->SetValue(
+        i, 2.0F * vtkFloatArray::SafeDownCast(array)->GetValue(i));
+    }
+  }
+  return stronger;
+}
+
+void checkGivenKernels(vtkPolyData* body)
+{
+  std::string error;
+  palpate::BodyKernels kernels;
+  kernels.read["Flat"] = palpate::makeContactBody(strongerBody(body), "Flat", error);
+  PALPATE_CHECK(kernels.read["Flat"] && error.empty());
+
+  vtkNew<vtkHapticSession> session;
+  session->SetResponseName("Flat");
+  session->SetBody(body);
+  const double own = pressedForce(session);
+  PALPATE_CHECK(own > 1.0);
+
+  session->SetBody(body, kernels);
+  PALPATE_CHECK_NEAR(pressedForce(session), 2.0 * own, 1e-5 * own); // floats, doubled
+  PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);      // for one Start
+
+  session->SetBody(body, kernels);
+  body->Modified();
+  PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);
+}
+
+void checkForceLimit()
+{
+  vtkNew<vtkHapticSession> session;
+  PALPATE_CHECK(session->GetDeviceForceLimit() == 10.0); // "simulated": see the header
+  session->SetForceLimit(3.0);
+  PALPATE_CHECK(session->GetDeviceForceLimit() == 3.0);
+  session->SetForceLimit(30.0);
+  session->SetDevice(std::make_unique<PlacedDevice>(deviceOf(7.0, 1e6)));
+  PALPATE_CHECK(session->GetDeviceForceLimit() == 7.0);
+}
+} // namespace
+
+int TestHapticSessionPrepared(int, char*[])
+{
+  const Body body = threeTools();
+  checkGivenKernels(body);
+  checkForceLimit();
+  return palpate::testing::result();
+}
