@@ -4,32 +4,22 @@
     pvpython gui.py PARAVIEW RESPONSE_IN_GUI.XML FOLDER      needs an X server
 """
 import os
-import subprocess
 import sys
 import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
+from program import need_display, pixels, play
 
 program, events, folder = sys.argv[1:]
-if not os.environ.get("DISPLAY"):
-    print("no DISPLAY: the program was not started")
-    sys.exit(77)
+need_display()
 picture, state = folder + "/response.png", folder + "/response.pvsm"
 for old in (picture, state):
     if os.path.exists(old):
         os.remove(old)
 
-played = subprocess.run([program, "--dr", "--test-script=" + events, "--test-directory=" + folder, "--exit"],
-                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=240, check=False)
-print(played.stdout)
-assert played.returncode == 0, played.returncode
-
-reader = vtkPNGReader()
-reader.SetFileName(picture)
-reader.Update()
-pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-ball = (pixels[:, 0] > pixels[:, 2].astype(int) + 40).mean() # red, for normals towards the viewer
+play(program, events, folder)
+colours = pixels(picture)
+ball = (colours[:, 0] > colours[:, 2] + 40).mean() # red, for normals towards the viewer
 assert 0.05 < ball < 0.5, ball
 
 simple.LoadState(state)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The proxy of vtkMeasuredContactResponse: properties, defaults, and its three outputs."""
+"""The proxy of vtkMeasuredContactResponse: properties, defaults, its three outputs, and curves from a CSV reader."""
 import os
 import sys
 
+import numpy as np
 import palpate
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -38,7 +39,8 @@ def check_defaults(proxy):
 
 
 def main(folder):
-    body = simple.Triangulate(Input=simple.Plane(XResolution=10, YResolution=10))  # 1 mm, its middle at 0
+    body = simple.Triangulate(Input=simple.Plane(  # its middle at 0
+        Origin=(-10, -10, 0), Point1=(10, -10, 0), Point2=(-10, 10, 0), XResolution=10, YResolution=10))
     proxy = simple.MeasuredContactResponse(Input=body)
     check_defaults(proxy)
     proxy.Curves = [write_curves(os.path.join(folder, "measured.csv"))]
@@ -52,6 +54,32 @@ def main(folder):
     assert sites.GetColumnByName("Verdict").GetValue(0) == "identified"
     assert abs(sites.GetColumnByName("ContactOffset (mm)").GetValue(0) - 0.2) < 1e-6
     assert servermanager.Fetch(proxy, idx=2).GetNumberOfRows() == 71
+    check_table(body, proxy, os.path.join(folder, "measured.csv"))
+
+
+def check_table(body, from_file, file):
+    """ParaView's CSV reader takes no comments, so that the tool is named beside it; every bit is as from the file."""
+    with open(file, encoding="utf-8") as curves:
+        rows = [line for line in curves if not line.startswith("#")]
+    with open(file + ".plain.csv", "w", encoding="utf-8") as plain:
+        plain.writelines(rows)
+    table = simple.CSVReader(FileName=[file + ".plain.csv"])
+    from_table = simple.MeasuredContactResponse(Input=body, CurveTable=table, MeasuringTool=f"paraboloid:{RADIUS}")
+    from_table.Tool.Shape = "Flat"
+    from_table.Tool.Radiusmm = 1.6
+    one, other = servermanager.Fetch(from_table, idx=0), servermanager.Fetch(from_file, idx=0)
+    arrays = [other.GetPointData().GetArrayName(i) for i in range(other.GetPointData().GetNumberOfArrays())]
+    assert "IdentifiedModulus" in arrays and one.GetPointData().GetNumberOfArrays() == len(arrays)
+    for name in arrays:
+        np.testing.assert_array_equal(vtk_to_numpy(one.GetPointData().GetArray(name)),
+                                      vtk_to_numpy(other.GetPointData().GetArray(name)), name)
+    assert servermanager.Fetch(from_table, idx=2).GetNumberOfRows() == 71
+
+    # Also with every column as text, and out of a filter on the table.
+    table.DetectNumericColumns = 0
+    text = servermanager.Fetch(from_table, idx=0)
+    np.testing.assert_array_equal(vtk_to_numpy(text.GetPointData().GetArray("ResponseForce")),
+                                  vtk_to_numpy(other.GetPointData().GetArray("ResponseForce")))
 
 
 main(sys.argv[1])

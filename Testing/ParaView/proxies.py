@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The proxies of the plugin: their classes, labels and defaults, and the numbers that come out of them."""
+import glob
 import math
+import os
 import sys
+from xml.etree import ElementTree
 import numpy as np
 import palpate
 from paraview import servermanager, simple
+from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 YOUNG, POISSON = 0.05, 0.4                                  # MPa, -
@@ -19,13 +23,15 @@ PROPERTIES = {                                              # of each proxy: lab
         "Tool": None, "Length (mm)": 40.0, "Maximum Radius (mm)": 8.0, "Resolution": 64},
     ("sources", "TrajectoryReader"): {
         "File Name": "", "Frame Rate (1/s)": 25.0, "Whole Path": 0, "Timestep Values": None},
+    ("filters", "BodySurface"): {"Input": None, "Length Unit": 0},
     ("filters", "ToolContactResponse"): {
-        "Input": None, "Tool": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
-        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Layer Thickness (mm)": 0.0,
-        "Layer Thickness Array (mm)": "None", "Layer Base": 0, "Global Compliance Array (mm/N)": "None",
-        "Compliance Excludes Layer": 0, "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
+        "Input": None, "Length Unit": 0, "Tool": None, "Material": 0, "Young's Modulus (MPa)": 0.1,
+        "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None",
+        "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
+        "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
+        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
     ("filters", "ContactRegime"): {
-        "Input": None, "Tool": None, "Deflection (mm)": 0.0, "Young's Modulus (MPa)": 0.1,
+        "Input": None, "Tool": None, "Deflection (mm)": 0.0, "Material": 0, "Young's Modulus (MPa)": 0.1,
         "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None",
         "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Response Name": "Response"},
@@ -34,15 +40,31 @@ PROPERTIES = {                                              # of each proxy: lab
         "Tangential Stiffness (N/mm)": 1.0, "Friction Breakaway": 0.8, "Friction Stick Radius": 0.9,
         "Poisson's Ratio": 0.5, "Force Form": 1, "Contact Surface": 0, "Response Name": "Response"},
     ("filters", "ContactDeflection"): {
-        "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Response Name": "Response"},
+        "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Maximum Distance (mm)": 0.0,
+        "Response Name": "Response"},
+    ("filters", "ToolTouch"): {
+        "Input": None, "Tip Position (mm)": 0.0, "Snap": 1, "Indentation (mm)": 0.0, "Response Name": "Response",
+        "Force Scale (mm/N)": 0.0, "Tool Length (mm)": 0.0, "Poisson's Ratio": 0.45, "Reach (contact radii)": 20.0},
     ("filters", "ResponseCurves"): {
-        "Input": None, "Point Ids": 0, "Number Of Rows": 101, "Response Name": "Response"},
+        "Input": None, "Selection": None, "Point Ids": 0, "Response Name": "Response", "More Response Names": None,
+        "Maximum Number Of Points": 20, "Number Of Rows": 101},
+    ("filters", "ContactHistory"): {"Tips": None, "Abscissa": 0},
+    ("filters", "MeasuredCurves"): {"Readings": None},
+    ("filters", "ReducedContactResponse"): {
+        "Input": None, "Tolerance": 0.01, "Maximum Number Of Laws": 8, "Response Name": "Response"},
+    ("filters", "MeasuredContactResponse"): {
+        "Input": None, "Curve Table": None, "Length Unit": 0, "Curves": None, "Measuring Tool": "", "Registration": "",
+        "Tool": None, "Body Model": 0, "Poisson's Ratio": 0.45, "Layer Base": 0, "Find First Contact": 1,
+        "Noise (N)": 0.0, "Maximum Hysteresis": 0.2, "Maximum Rate Effect": 0.1, "Maximum Strain": 0.4,
+        "Maximum Misfit": 0.02, "Maximum Uncertainty": 0.5, "Maximum Site Distance (mm)": 2.0, "Reach (mm)": 20.0,
+        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
     ("filters", "ElasticCompliance"): {
-        "Input": None, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45,
+        "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
+        "Poisson's Ratio": 0.45,
         "Poisson's Ratio Array": "None", "Patch Radius (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0,
         "Number Of Modes": 0, "Loaded Point": -1, "Load Force (N)": 1.0},
     ("filters", "VoxelBody"): {
-        "Input": None, "Spacing (mm)": 2.0, "Fixed Faces": "z-", "Conform": 1},
+        "Input": None, "Length Unit": 0, "Spacing (mm)": 2.0, "Fixed Faces": "z-", "Conform": 1},
     ("filters", "SkinSurface"): {
         "Input": None, "Grey Values": "", "Contour Value": 30.0, "Closing Radius (mm)": 6.0,
         "Resolution (mm)": 0.0, "Smoothing Iterations": 30},
@@ -57,6 +79,37 @@ def fetched(proxy, name, point_data=True):
     return vtk_to_numpy((data.GetPointData() if point_data else data).GetArray(name))
 
 
+def definitions():
+    """Every proxy that the plugin's files define, as group, name, element."""
+    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin/ParaView/ServerManager")
+    files = glob.glob(folder + "/*.xml")
+    assert files, folder
+    for file in files:
+        for group in ElementTree.parse(file).getroot():
+            for element in group:
+                if element.get("name"):
+                    yield group.get("name"), element.get("name"), element
+
+
+def check_loaded():
+    """The plugin has loaded by itself on settings that know nothing of it (--dr), from where it was to."""
+    tracker = vtkPVPluginTracker.GetInstance()
+    mine = [i for i in range(tracker.GetNumberOfPlugins()) if tracker.GetPluginName(i) == "Palpate"]
+    assert len(mine) == 1 and tracker.GetPluginLoaded(mine[0]), mine
+    assert tracker.GetPluginFileName(mine[0]).startswith(os.environ["PV_PLUGIN_PATH"])
+
+
+def check_definitions():
+    """None is missing in the list above, and every property that they define has help, representations' too."""
+    found = {(group, name) for group, name, _ in definitions() if group != "representations"}
+    assert found == PROPERTIES.keys(), found ^ PROPERTIES.keys()
+    for _, name, element in definitions():
+        for item in element.iter():
+            if item.tag.endswith("Property") and item.tag not in ("Property", "RequiredProperties") and item.get("name"):
+                text = item.findtext("Documentation") or ""
+                assert len(text.strip()) > 10, (name, item.get("name"), text)
+
+
 def check_properties():
     """Labels and defaults are as listed, the defaults are those of the class, everything is documented."""
     manager = servermanager.ProxyManager()
@@ -64,7 +117,8 @@ def check_properties():
         proxy = manager.NewProxy(group, name)
         assert proxy.GetDocumentation().GetDescription(), name
         made = proxy.GetClientSideObject()
-        assert type(made) is getattr(palpate, made.GetClassName()), type(made)
+        # the class itself or, of the plugin's own vtkPV..., the one in the package that it is made of
+        assert type(made) is getattr(palpate, made.GetClassName().replace("vtkPV", "vtk")), type(made)
         found = {}
         keys = proxy.NewPropertyIterator()
         keys.Begin()
@@ -74,9 +128,13 @@ def check_properties():
             assert item.GetDocumentation() and item.GetDocumentation().GetDescription(), (name, label)
             value = None
             if not item.IsA("vtkSMProxyProperty") and not item.GetInformationOnly():
-                value = item.GetElement(item.GetNumberOfElements() - 1)
+                count = item.GetNumberOfElements()
+                value = item.GetElement(count - 1) if count else None
                 getter = getattr(made, "Get" + keys.GetKey(), None)
-                assert getter is None or (getter() or "") == (value or ""), (name, label, getter(), value)
+                if getter:
+                    given = getter()
+                    all_of_it = tuple(item.GetElement(i) for i in range(count)) if isinstance(given, tuple) else value
+                    assert (given or "") == (all_of_it or ""), (name, label, given, all_of_it)
             found[label] = value
             keys.Next()
         assert found == expected, (name, found)
@@ -194,7 +252,8 @@ def check_tool():
 def check_layer():
     """10 mm of an incompressible body under a sphere, 2 mm deep: 1.66943909743 times the half-space's force
     (Data/Reference/liver_slab_h10.csv), and a negative regime index: 1 - 1.669^(2/3)."""
-    flat = simple.Triangulate(Input=simple.Plane(XResolution=2, YResolution=2))
+    flat = simple.Triangulate(Input=simple.Plane(
+        Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=2, YResolution=2))
     response = with_response(flat)
     response.PoissonsRatio = 0.5
     response.LayerThicknessmm = 10
@@ -220,6 +279,11 @@ def check_compliance():
     assert type(compliance.GetClientSideObject()) is palpate.vtkElasticCompliance
     height = vtk_to_numpy(servermanager.Fetch(compliance).GetPoints().GetData())[:, 2]
     assert np.median(values) > 0, values
+    # The same in centimetres.
+    small = simple.Transform(Input=solid, Transform="Transform")
+    small.Transform.Scale = [0.1, 0.1, 0.1]
+    again = simple.ElasticCompliance(Input=small, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, LengthUnit="cm")
+    np.testing.assert_allclose(fetched(again, "GlobalCompliance"), values, rtol=1e-4) # coordinates rounded to floats
     compliance.YoungsModulusMPa = 2 * YOUNG
     np.testing.assert_allclose(fetched(compliance, "GlobalCompliance"), values / 2, rtol=1e-6) # cancellation
     assert not servermanager.Fetch(compliance).GetPointData().HasArray("LoadedDisplacement")
@@ -275,6 +339,8 @@ def check_trajectory():
     np.testing.assert_allclose(depth, np.maximum(0, 2 * np.arange(101) / 100 - 1), atol=1e-7) # float mesh
 
 
+check_loaded()
+check_definitions()
 check_properties()
 check_ball()
 check_friction()

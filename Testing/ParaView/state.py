@@ -1,54 +1,66 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A pipeline saved as a state, XML or Python, comes back with its numbers: state.py FOLDER"""
+"""A pipeline of every filter, saved as a state, XML or Python, comes back with its numbers: state.py FOLDER
+
+The charts come back with it, where there is an X server.
+"""
+import os
 import sys
-import numpy as np
-from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from pipeline import build, check_same, numbers             # noqa: E402
+from paraview import simple                                 # noqa: E402
+
+CHARTS = bool(os.environ.get("DISPLAY"))
+FOLDER = os.path.join(sys.argv[1], "state")                 # its own: tests run side by side
 
 
-def build():
-    ball = simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60)
-    body = simple.Calculator(Input=ball, ResultArrayName="Stiff", Function="0.05 + 0.001 * abs(coordsX)")
-    body.UpdatePipeline()
-    response = simple.ToolContactResponse(Input=body, YoungsModulusArrayMPa=["POINTS", "Stiff"],
-                                          MaximumDeflectionmm=3, ResponseName="Cone")
-    response.Tool.Shape = "Cone"
-    response.Tool.HalfAngledegrees = 45
-    tips = simple.Line(Point1=(53, 0, 5), Point2=(48, 0, 5), Resolution=4)
-    probe = simple.ToolContactProbe(Body=response, Tips=tips, ResponseName="Cone", Indentationmm=0.25)
-    dent = simple.ContactDeflection(Body=response, Tips=probe, ResponseName="Cone", TipIndex=3)
-    curves = simple.ResponseCurves(Input=response, ResponseName="Cone", PointIds=[3, 7])
-    for name, proxy in (("response", response), ("probe", probe), ("dent", dent), ("curves", curves)):
-        simple.RenameSource(name, proxy)
-    simple.Show(dent)
+def show_charts():
+    if CHARTS:
+        view = simple.CreateView("XYChartView")
+        for name in ("given", "history"):
+            simple.Show(simple.FindSource(name), view)
+        shown = simple.GetRepresentation(simple.FindSource("history"), view)
+        shown.XArrayName = "Time (s)"
+        simple.Render(view)
 
 
-def result():
-    """Every number that comes out of the pipeline, by source and array."""
-    numbers = {}
-    for name in ("response", "probe", "dent", "curves"):
-        source = simple.FindSource(name)
-        assert source is not None, name + " did not come back"
-        data = servermanager.Fetch(source)
-        arrays = data.GetRowData() if data.IsA("vtkTable") else data.GetPointData()
-        for i in range(arrays.GetNumberOfArrays()):
-            numbers[name, arrays.GetArrayName(i)] = vtk_to_numpy(arrays.GetArray(i))
+def check_properties():
+    """What is not seen in the numbers alone."""
     response = simple.FindSource("response")
     assert response.Tool.Shape == "Cone" and response.Tool.HalfAngledegrees == 45
     assert list(response.GlobalComplianceArraymmN)[1] in ("None", "")
-    return numbers
+    given, selected = simple.FindSource("given"), simple.FindSource("selected")
+    assert given.ResponseName == "Cone" and list(given.MoreResponseNames) == ["Flat"]
+    assert list(given.PointIds) == [3, 7] and not given.Selection
+    assert list(selected.Selection.IDs) == [-1, 11, -1, 12], list(selected.Selection.IDs)
+    measured = simple.FindSource("measured")
+    assert measured.MeasuringTool == "paraboloid:6.35" and measured.CurveTable is not None
+    times = list(simple.GetTimeKeeper().TimestepValues)
+    assert len(times) == 11 and abs(times[3] - 0.3) < 1e-9, times
+    if CHARTS:
+        views = [view for view in simple.GetViews() if view.SMProxy.GetXMLName() == "XYChartView"]
+        assert len(views) == 1, views
+        simple.Render(views[0])
+        chart = views[0].SMProxy.GetClientSideObject().GetContextItem()
+        assert chart.GetAxis(0).GetTitle() == "Force (N)", chart.GetAxis(0).GetTitle()
+        shown = {name: simple.GetRepresentation(simple.FindSource(name), views[0]) for name in ("given", "history")}
+        assert all(r.SMProxy.GetXMLName() == "ForceChartRepresentation" for r in shown.values())
+        assert shown["given"].XArrayName == "First column" and shown["history"].XArrayName == "Time (s)"
+        assert set(shown["history"].SeriesVisibility) == {"Normal Force (N)", "Friction Force (N)", "Force (N)"}
 
 
-build()
-before = result()
-assert before["probe", "NormalForce"][-1] > 0 and abs(before["dent", "ContactDisplacement"]).max() > 0.05
+os.makedirs(FOLDER, exist_ok=True)
+sources = build(FOLDER)
+show_charts()
+before = numbers(sources)
+assert before["probe 0 NormalForce"][-1] > 0 and abs(before["dent 0 ContactDisplacement"]).max() > 0.05
+assert before["selected 0 Flat at point 11 (N)"][-1] > 0 and before["measured 0 ResponseForce"].max() > 0
+check_properties()
 for suffix in (".pvsm", ".py"):
-    file = sys.argv[1] + "/pipeline" + suffix
+    file = FOLDER + "/pipeline" + suffix
     simple.SaveState(file)
     simple.ResetSession()
     assert not simple.GetSources()
     simple.LoadState(file)
-    after = result()
-    assert after.keys() == before.keys()
-    for key in before:
-        np.testing.assert_array_equal(after[key], before[key], str(key))
+    check_same(numbers(sources), before)
+    check_properties()

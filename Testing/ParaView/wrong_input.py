@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the menus offer, and what is said of wrong input."""
-import os
-import sys
-import tempfile
 import palpate  # noqa: F401 - gives the client-side objects their class
 from paraview import servermanager, simple
+
+from complaint import check_complaint as check, complaint
 
 
 def accepts(filter_name, source, key="Input"):
@@ -19,9 +18,14 @@ ball = simple.Sphere(Radius=50)
 image = simple.Wavelet()
 blocks = simple.GroupDatasets(Input=[ball, simple.Sphere(Radius=20, Center=(100, 0, 0))])
 bare = simple.Line()
+cells = simple.UnstructuredCellTypes()
 response = simple.ToolContactResponse(Input=ball)
-assert accepts("ToolContactResponse", ball) and accepts("ToolContactResponse", blocks)
-assert not accepts("ToolContactResponse", image)
+table = simple.ResponseCurves(Input=response)
+for name in ("BodySurface", "ToolContactResponse", "MeasuredContactResponse", "VoxelBody"):
+    assert all(accepts(name, body) for body in (ball, blocks, image, cells)), name
+    assert not accepts(name, table), name
+assert accepts("ContactRegime", response) and not accepts("ContactRegime", image) and not accepts("ContactRegime", blocks)
+assert accepts("ElasticCompliance", cells) and not accepts("ElasticCompliance", ball)
 for name in ("ToolContactProbe", "ContactDeflection"):
     assert accepts(name, response) and accepts(name, ball, "Tips")
     assert not accepts(name, image) and not accepts(name, image, "Tips") and not accepts(name, blocks)
@@ -30,35 +34,20 @@ assert accepts("LayerThickness", ball) and accepts("LayerThickness", image, "Sca
 assert not accepts("LayerThickness", image) and not accepts("LayerThickness", ball, "Scan")
 assert accepts("ResponseCurves", response) and not accepts("ResponseCurves", image)
 
-# Blocks are taken one by one.
-apart = simple.ToolContactResponse(Input=blocks)
-apart.UpdatePipeline()
-assert apart.PointData["ResponseForce"] is not None
-assert apart.GetDataInformation().GetNumberOfPoints() == 2 * ball.GetDataInformation().GetNumberOfPoints()
-
-
-def complaint(proxy):
-    """The error that updating it reports; standard error is what ParaView writes to."""
-    with tempfile.TemporaryFile("w+") as kept:
-        sys.stderr.flush()
-        usual = os.dup(2)
-        os.dup2(kept.fileno(), 2)
-        try:
-            proxy.UpdatePipeline()
-        finally:
-            os.dup2(usual, 2)
-            os.close(usual)
-        kept.seek(0)
-        return kept.read()
-
-
-def check(proxy, *words):
-    text = complaint(proxy)
-    for word in words:
-        assert word in text, (word, text)
-
-
-check(simple.ToolContactResponse(Input=simple.Plane()), "other than triangles")
+# What has no surface: an error that names the filter to use before.
+cloud = simple.PointSource(NumberOfPoints=12)
+for make in (simple.BodySurface, simple.ToolContactResponse, simple.VoxelBody, simple.MeasuredContactResponse):
+    check(make(Input=cloud), "no triangles", "12 points", "Delaunay 3D")
+    check(make(Input=bare), "no triangles", "lines", "Tube")
+    check(make(Input=table), "vtkTable is no body", "Table To Points")
+    check(make(Input=simple.GroupDatasets(Input=[ball, table])), "block 'ResponseCurves", "vtkTable is no body")
+check(simple.ElasticCompliance(Input=ball), "vtkPolyData has no volume", "Voxel Body")
+hole = simple.TrivialProducer()
+pierced = servermanager.Fetch(ball).NewInstance()
+pierced.DeepCopy(servermanager.Fetch(ball))
+pierced.GetPoints().SetPoint(7, float("nan"), 0, 0)
+hole.GetClientSideObject().SetOutput(pierced)
+check(simple.ToolContactResponse(Input=hole), "1 of 50 points", "not a finite number", "the first is point 7")
 check(simple.ToolContactProbe(Body=ball, Tips=bare), "no response 'Response'")
 check(simple.ContactDeflection(Body=response, Tips=bare), "output of vtkToolContactProbe", "ContactCell")
 check(simple.ResponseCurves(Input=response, PointIds=[1000000]), "Point 1000000")

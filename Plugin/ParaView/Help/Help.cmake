@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The pages of ParaView's help, with the pictures of the README beside them. Appends to `panel`, what
+# paraview_add_plugin() takes.
+if(PARAVIEW_USE_QT)
+  set(help "${CMAKE_CURRENT_BINARY_DIR}/HelpPages")
+  set(help_pages)
+  file(GLOB help_files CONFIGURE_DEPENDS
+    "${CMAKE_CURRENT_SOURCE_DIR}/Help/*.html" "${CMAKE_CURRENT_SOURCE_DIR}/Help/*.css"
+    "${PROJECT_SOURCE_DIR}/Data/Pictures/paraview_*.png")
+  foreach(file IN LISTS help_files)
+    get_filename_component(name "${file}" NAME)
+    configure_file("${file}" "${help}/${name}" COPYONLY)
+    list(APPEND help_pages "${help}/${name}")
+  endforeach()
+  list(APPEND panel DOCUMENTATION_DIR "${help}" DOCUMENTATION_DEPENDENCIES ${help_pages})
+endif()

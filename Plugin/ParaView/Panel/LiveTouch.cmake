@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The dock *Live Touch*, a part of the plugin wherever ParaView was built with Qt. A ParaView without
+# (a server on a cluster) gets the plugin without it.
+set(panel)
+if(PARAVIEW_USE_QT)
+  paraview_plugin_add_dock_window(
+    CLASS_NAME pqLiveTouchPanel
+    DOCK_AREA Right
+    INTERFACES interfaces
+    SOURCES sources)
+  set(panel_sources
+    Panel/TouchForm.cxx
+    Panel/TouchPlace.cxx
+    Panel/TouchPreparation.cxx
+    Panel/TouchSession.cxx
+    Panel/TouchSource.cxx
+    Panel/TouchStage.cxx
+    Panel/pqForceBar.cxx
+    Panel/pqForceBar.h
+    Panel/pqLiveTouchPanel.cxx
+    Panel/pqLiveTouchPanel.h)
+  set(panel UI_INTERFACES ${interfaces} SOURCES ${sources} ${panel_sources})
+endif()
+
+function(palpate_finish_panel)
+  if(PARAVIEW_USE_QT)
+    target_include_directories(Palpate PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Panel")
+    set_property(SOURCE ${panel_sources} APPEND PROPERTY COMPILE_OPTIONS
+      -Wall -Wextra -Wshadow -Wformat=2 $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
+  endif()
+endfunction()

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchForm.h"
+
+#include "DeviceList.h"
+#include "TouchSession.h"
+#include "TouchSource.h"
+#include "pqForceBar.h"
+#include "vtkMath.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+template <class Widget>
+Widget* named(const char* name, const char* help)
+{
+  auto* widget = new Widget;
+  widget->setObjectName(name);
+  widget->setToolTip(help);
+  return widget;
+}
+
+QLabel* wrapped(const char* name, const char* help)
+{
+  QLabel* label = named<QLabel>(name, help);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QString text(const std::string& words)
+{
+  return QString::fromStdString(words);
+}
+
+const char* inWords(int contactState)
+{
+  constexpr const char* words[] = { "no contact", "contact, sticking", "contact, sliding",
+    "contact, beyond range", "lost at the border", "no response there" };
+  return contactState >= 0 && contactState < 6 ? words[contactState] : "unknown";
+}
+
+void set(QLabel* label, const QString& words)
+{
+  if (label->text() != words)
+  {
+    label->setText(words);
+  }
+}
+} // namespace
+
+TouchForm::TouchForm(QWidget* contents)
+  : body(wrapped("body", "The source that is touched: the active one."))
+  , response(named<QComboBox>("response", "Which of the responses on the body, and of which tool."))
+  , device(named<QComboBox>("device",
+      "The device: simulated (it follows the handle in the view), one that was found, or typed: "
+      "hid:PATH, bridge:unix:/PATH, bridge:udp:PORT, replay:FILE."))
+  , find(named<QToolButton>("find", "Look again for devices that are plugged in."))
+  , depth(named<QDoubleSpinBox>(
+      "depth", "How far the simulated device presses, mm. 0: half of the range of the response."))
+  , snap(named<QCheckBox>("snap",
+      "The simulated tip goes to the point of the surface nearest to the handle, and there as deep "
+      "as told. Off: the tip is where the handle is."))
+  , start(named<QPushButton>("start", "Start the servo loop, or end it."))
+  , state(wrapped("state", "What the tip does."))
+  , remark(wrapped("remark", "What is wrong, or why another force is applied than the ideal one."))
+  , bar(named<pqForceBar>("bar",
+      "The force the device applies; outline: the ideal force; red: the most the device can give."))
+  , force(named<QLabel>("force", "The force the device applies, N."))
+  , limit(named<QLabel>("limit", "The largest force of the device, N."))
+  , deflection(named<QLabel>("deflection", "How deep the tip is in the undeformed body, mm."))
+  , servo(named<QLabel>("servo", "Ticks of the servo loop, and how many were missed."))
+  , grant(wrapped("grant", "What the system granted the servo thread, and why not more."))
+{
+  this->device->setEditable(true);
+  this->device->lineEdit()->setObjectName("text");
+  this->device->setInsertPolicy(QComboBox::NoInsert);
+  this->device->addItem("simulated");
+  this->device->setMinimumContentsLength(12);
+  this->device->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->response->setMinimumContentsLength(12);
+  this->response->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->find->setText("Find");
+  this->depth->setDecimals(3);
+  this->depth->setRange(0.0, 1000.0);
+  this->depth->setSingleStep(0.1);
+  this->depth->setSpecialValueText("half of the range");
+  this->snap->setText("keep to the surface");
+  this->snap->setChecked(true);
+  this->force->setMinimumWidth(this->force->fontMetrics().horizontalAdvance("00.000 N"));
+
+  auto* choice = new QHBoxLayout;
+  choice->addWidget(this->device, 1);
+  choice->addWidget(this->find);
+  auto* felt = new QHBoxLayout;
+  felt->addWidget(this->bar, 1);
+  felt->addWidget(this->force);
+  auto* rows = new QFormLayout(contents);
+  rows->addRow("Body", this->body);
+  rows->addRow("Response", this->response);
+  rows->addRow("Device", choice);
+  rows->addRow("Depth (mm)", this->depth);
+  rows->addRow("", this->snap);
+  rows->addRow(this->start);
+  rows->addRow("State", this->state);
+  rows->addRow("", this->remark);
+  rows->addRow("Force", felt);
+  rows->addRow("Limit", this->limit);
+  rows->addRow("Deflection", this->deflection);
+  rows->addRow("Servo", this->servo);
+  rows->addRow("Granted", this->grant);
+}
+
+void TouchForm::listDevices()
+{
+  const QString typed = this->device->currentText();
+  const DeviceList found = palpate::listDevices();
+  this->device->clear();
+  this->device->addItem("simulated");
+  for (const ListedDevice& one : found.devices)
+  {
+    const std::string name = one.entry.name.empty() ? one.address : one.entry.name;
+    this->device->addItem(
+      text(name + (one.obstacle.empty() ? "" : " (" + one.obstacle + ")")), text(one.address));
+  }
+  this->device->setEditText(typed);
+  this->device->lineEdit()->setToolTip(text(found.describe()));
+}
+
+QString TouchForm::chosenDevice() const
+{
+  const QString typed = this->device->currentText().trimmed();
+  const int item = this->device->findText(typed);
+  const QVariant address = item >= 0 ? this->device->itemData(item) : QVariant();
+  return address.isValid() ? address.toString() : typed;
+}
+
+void TouchForm::showSource(const TouchSource& source, const QString& name)
+{
+  set(this->body, source.obstacle.isEmpty() ? name : source.obstacle);
+  const QString before = this->chosenResponse();
+  const bool wasBlocked = this->response->blockSignals(true);
+  this->response->clear();
+  for (const StoredResponse& one : source.responses)
+  {
+    const std::string tool = one.tool.empty() ? "unknown tool" : one.tool;
+    this->response->addItem(text(one.name + ": " + tool), text(one.name));
+  }
+  this->response->setCurrentIndex(std::max(0, this->response->findData(before)));
+  this->response->blockSignals(wasBlocked);
+}
+
+QString TouchForm::chosenResponse() const
+{
+  return this->response->currentData().toString();
+}
+
+void TouchForm::showTouch(TouchSession& touch, double rate)
+{
+  vtkHapticSession* session = touch.session();
+  double ideal[3];
+  double applied[3];
+  session->GetIdealForce(ideal);
+  session->GetForce(applied);
+  const bool isLost = session->GetState() == vtkHapticSession::DeviceLost;
+  const double most = session->GetDeviceForceLimit();
+  set(this->state,
+    isLost ? text("device lost: " + session->GetDeviceStatus())
+           : QString(inWords(session->GetContactState())));
+  QStringList remarks;
+  for (const std::string& words : { touch.error(), session->GetSafetyText(), touch.warning() })
+  {
+    if (!words.empty())
+    {
+      remarks << text(words);
+    }
+  }
+  if (touch.isPreparing())
+  {
+    remarks << "the new body is being prepared";
+  }
+  set(this->remark, remarks.join("; "));
+  this->bar->setScale(1.2 * std::min(most, touch.peakForce()), most);
+  this->bar->setForce(vtkMath::Norm(applied), vtkMath::Norm(ideal));
+  set(this->force, QString("%1 N").arg(vtkMath::Norm(applied), 0, 'f', 3));
+  set(this->limit, QString("%1 N").arg(most, 0, 'g', 3));
+  set(this->deflection, QString("%1 mm").arg(session->GetDeflection(), 0, 'f', 3));
+  set(this->servo,
+    QString("%1 Hz, %2 missed")
+      .arg(rate > 0.0 ? QString::number(rate, 'f', 0) : QString("…"))
+      .arg(static_cast<qlonglong>(session->GetNumberOfMissedTicks())));
+  set(this->grant, text(session->GetRealTimeGrant()));
+  this->start->setText("Stop");
+  this->start->setEnabled(true);
+}
+
+void TouchForm::showRest(const TouchSession& touch, bool canStart, const QString& fault)
+{
+  const bool isPreparing = touch.state() == TouchSession::State::Preparing;
+  set(this->state, isPreparing ? "preparing body and device …" : "stopped");
+  set(this->remark, fault);
+  this->bar->setForce(0.0, 0.0);
+  for (QLabel* label : { this->force, this->limit, this->deflection, this->servo, this->grant })
+  {
+    set(label, "–");
+  }
+  this->start->setText(isPreparing ? "Cancel" : "Start");
+  this->start->setEnabled(isPreparing || canStart);
+}
+} // namespace palpate

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchPreparation.h"
+
+#include "BodyConversion.h"
+#include "BridgeDevice.h"
+#include "DeviceFit.h"
+#include "DeviceList.h"
+
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+/// The rest of the text after `kind`, or "".
+std::string after(const std::string& kind, const std::string& text)
+{
+  return text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : std::string();
+}
+
+void openDevice(PreparedTouch& made)
+{
+  const std::string bridge = after("bridge:", made.request.device);
+  const std::string hid = after("hid:", made.request.device);
+  if (!bridge.empty())
+  {
+    made.device = BridgeDevice::open(bridge, made.error);
+  }
+  else if (!hid.empty())
+  {
+    made.device = openHidDevice(hid, made.error);
+  }
+  if (!made.error.empty())
+  {
+    made.error = "Device '" + made.request.device + "': " + made.error;
+  }
+}
+
+void makeKernel(PreparedTouch& made)
+{
+  vtkPolyData* body = made.request.body;
+  const std::string& name = made.request.response;
+  const auto kernel = makeContactBody(body, name, made.error);
+  if (!kernel)
+  {
+    made.error = "Wrong body: " + made.error;
+    return;
+  }
+  made.warning = describeDefects(*kernel);
+  // makeContactBody has seen to it that the array is there, and of this type.
+  auto* range =
+    vtkFloatArray::SafeDownCast(body->GetPointData()->GetArray((name + "Range").c_str()));
+  for (vtkIdType i = 0; range && i < range->GetNumberOfTuples(); ++i)
+  {
+    made.range = std::max(made.range, static_cast<double>(range->GetValue(i)));
+  }
+  if (!(made.range > 0.0))
+  {
+    made.error = "Response '" + name + "' is valid at no point of the body";
+    return;
+  }
+  DeviceFit fit(DeviceSpecification{});
+  fit.include(kernel->response, made.range);
+  made.peak = fit.peakForce();
+  made.kernels.peaks[{ name, made.range }] = { fit.peakForce(), fit.peakStiffness() };
+  made.kernels.read[name] = kernel;
+}
+} // namespace
+
+PreparedTouch prepareTouch(const TouchRequest& request, const std::function<bool()>& stale)
+{
+  PreparedTouch made;
+  made.request = request;
+  openDevice(made);
+  if (made.error.empty() && !stale())
+  {
+    makeKernel(made);
+  }
+  return made;
+}
+} // namespace palpate

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TouchPreparation_h
+#define palpate_TouchPreparation_h
+
+#include "BodyKernels.h"
+#include "HapticDevice.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// What is to be touched with what. Only read by the thread that prepares it; the body is kept
+/// alive, and unchanged, by who asks.
+struct TouchRequest
+{
+  vtkPolyData* body = nullptr;
+  std::string response; ///< prefix of its arrays
+  std::string device;   ///< as vtkHapticSession::SetDevice; "": none is to be opened
+};
+
+/// What takes a while about that: the search structure of the body, and a device that answers.
+struct PreparedTouch
+{
+  TouchRequest request;
+  BodyKernels kernels;
+  double range = 0.0;                   ///< largest Range of the response, mm
+  double peak = 0.0;                    ///< largest force of the response at that depth, N
+  std::unique_ptr<HapticDevice> device; ///< null for one that a session opens in no time
+  std::string warning;                  ///< what is not sound about the mesh
+  std::string error;                    ///< "": all is there
+};
+
+/// About 1 s for a million triangles, up to 2 s for a bridge that does not answer. On any thread.
+PreparedTouch prepareTouch(const TouchRequest& request, const std::function<bool()>& stale);
+} // namespace palpate
+
+#endif

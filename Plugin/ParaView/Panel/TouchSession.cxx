@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchSession.h"
+
+#include "ContactBody.h"
+#include "ResponseTool.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkFieldData.h"
+#include "vtkPoints.h"
+
+#include <Eigen/Geometry>
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Lift = 3.0;   // mm above the surface, where a simulated hand is put down
+constexpr double Hover = 10.0; // mm above the surface, where a device's hand begins
+constexpr double Leap = 0.1;   // of the body's size: so far off a simulated hand is lifted
+
+/// The session's errors as text, without class and address.
+void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
+{
+  std::string error = static_cast<const char*>(text);
+  const std::size_t start = error.find("): ");
+  error.erase(0, start == std::string::npos ? 0 : start + 3);
+  error.erase(error.find_last_not_of(" \n.") + 1);
+  *static_cast<std::string*>(kept) = error;
+}
+
+/// The same arrays, in objects that nobody else looks at: what is on the screen caches its bounds.
+vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
+{
+  auto view = vtkSmartPointer<vtkPolyData>::New();
+  view->ShallowCopy(body);
+  if (body->GetPoints())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(body->GetPoints()->GetData());
+    view->SetPoints(points);
+  }
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(body->GetFieldData());
+  view->SetFieldData(fields);
+  return view;
+}
+} // namespace
+
+void TouchSession::start(vtkPolyData* body, const std::string& response, const std::string& device,
+  const TouchHandle& handle, const TouchView& view)
+{
+  this->stop();
+  this->Device = device;
+  this->Handle = handle;
+  this->View = view;
+  this->Now = State::Preparing;
+  this->request(body, response, device);
+}
+
+void TouchSession::replace(vtkPolyData* body, const std::string& response)
+{
+  // While it is only being prepared nothing runs that could keep its device.
+  this->request(body, response, this->Now == State::Touching ? std::string() : this->Device);
+}
+
+void TouchSession::request(
+  vtkPolyData* body, const std::string& response, const std::string& device)
+{
+  this->Error.clear();
+  this->Held.push_back(sameArrays(body));
+  this->Background.submit({ this->Held.back(), response, device });
+}
+
+void TouchSession::stop()
+{
+  this->Background.cancel();
+  if (this->Session)
+  {
+    this->Session->Stop();
+  }
+  this->Session = nullptr; // and with it the device
+  this->Now = State::Idle;
+  this->Kernels = {};
+  this->Tool = nullptr;
+  this->Body = nullptr;
+  this->Error.clear();
+  this->Warning.clear();
+}
+
+bool TouchSession::collect()
+{
+  auto made = this->Background.collect();
+  return made && this->take(*made);
+}
+
+bool TouchSession::take(PreparedTouch& made)
+{
+  const bool isDone =
+    made.error.empty() && (this->Now == State::Touching ? this->change(made) : this->begin(made));
+  if (isDone)
+  {
+    this->Kernels = made.kernels;
+    this->Body = made.request.body;
+    this->Warning = made.warning;
+    this->Peak = made.peak;
+  }
+  else
+  {
+    this->fail(made.error.empty() ? this->Complaint : made.error);
+  }
+  // The other thread is done with the newest, and so with all.
+  this->Held.clear();
+  return true;
+}
+
+bool TouchSession::fail(const std::string& error)
+{
+  if (this->Now != State::Touching)
+  {
+    this->stop();
+  }
+  this->Error = error;
+  return false;
+}
+
+bool TouchSession::begin(PreparedTouch& made)
+{
+  this->Tool = findTool(nullptr, made.request.body, made.request.response, this->Complaint);
+  if (!this->Tool)
+  {
+    return false;
+  }
+  this->Session = vtkSmartPointer<vtkHapticSession>::New();
+  vtkNew<vtkCallbackCommand> hear;
+  hear->SetClientData(&this->Complaint);
+  hear->SetCallback(hearErrors);
+  this->Session->AddObserver(vtkCommand::ErrorEvent, hear);
+
+  this->Simulated = this->Device == "simulated";
+  this->Place = findPlace(*made.kernels.read.begin()->second, this->Handle);
+  const bool isOfThisWorld = made.device != nullptr;
+  if (isOfThisWorld)
+  {
+    const Eigen::Vector3d towards = Eigen::Vector3d(this->View.towards.data()).normalized();
+    const Eigen::Vector3d right = Eigen::Vector3d(this->View.up.data()).cross(towards);
+    const Eigen::Vector3d up = towards.cross(right);
+    const Eigen::Vector3d origin = this->Place.surface + Hover * this->Place.normal;
+    this->Session->SetDeviceOrigin(origin.data());
+    this->Session->SetDeviceRight(right.data());
+    this->Session->SetDeviceUp(up.data());
+    this->Session->SetClutchButtons(1);
+    this->Session->SetDevice(std::move(made.device));
+  }
+  else if (!this->Session->SetDevice(this->Device))
+  {
+    return false;
+  }
+  this->Session->RealTimeOn();
+  this->Session->RecordingOff();
+  this->Session->FitForceOn();
+  this->Session->SetFitDepth(made.range);
+  this->Session->SetResponseName(made.request.response);
+  this->Session->SetBody(made.request.body, made.kernels);
+  this->putDown();
+  if (this->Session->GetState() == vtkHapticSession::Stopped)
+  {
+    return false;
+  }
+  this->Now = State::Touching;
+  return true;
+}
+
+bool TouchSession::change(const PreparedTouch& made)
+{
+  auto tool = findTool(nullptr, made.request.body, made.request.response, this->Complaint);
+  if (!tool)
+  {
+    return false;
+  }
+  this->Session->SetFitDepth(made.range);
+  this->Session->SetResponseName(made.request.response);
+  this->Session->SetBody(made.request.body, made.kernels);
+  if (!this->Session->ApplyChanges())
+  {
+    return false;
+  }
+  this->Tool = tool;
+  return true;
+}
+
+/// Starts above the place, and goes there.
+void TouchSession::putDown()
+{
+  const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
+  this->Session->SteerTo(above.data());
+  if (this->Session->Start())
+  {
+    this->Session->SteerTo(this->Place.tip.data());
+  }
+}
+
+bool TouchSession::steer(const TouchHandle& handle)
+{
+  this->Handle = handle;
+  if (this->Now != State::Touching || !this->Simulated || !handle.position.allFinite())
+  {
+    return true;
+  }
+  const TouchPlace place = findPlace(*this->Kernels.read.begin()->second, handle);
+  if (place.tip == this->Place.tip)
+  {
+    return true;
+  }
+  const double leap = (place.surface - this->Place.surface).norm();
+  this->Place = place;
+  if (!handle.snaps || leap < Leap * this->Body->GetLength())
+  {
+    this->Session->SteerTo(place.tip.data());
+    return true;
+  }
+  this->Session->Stop();
+  this->Session->SetBody(this->Body, this->Kernels); // so that Start takes no time
+  this->putDown();
+  if (this->Session->GetState() == vtkHapticSession::Stopped)
+  {
+    this->Now = State::Preparing; // there is nothing to keep
+    return this->fail(this->Complaint);
+  }
+  return true;
+}
+} // namespace palpate

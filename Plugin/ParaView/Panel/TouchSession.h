@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TouchSession_h
+#define palpate_TouchSession_h
+
+#include "NewestRequest.h"
+#include "TouchPlace.h"
+#include "TouchPreparation.h"
+
+#include "vtkContactTool.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <deque>
+#include <string>
+
+namespace palpate
+{
+/// How the device lies in the picture: where the user looks from, and what is up. Need not be unit
+/// vectors, nor at right angles.
+struct TouchView
+{
+  std::array<double, 3> towards{ 0.0, 0.0, 1.0 };
+  std::array<double, 3> up{ 0.0, 1.0, 0.0 };
+};
+
+/**
+ * A body with responses under a device, in real time: what the panel shows.
+ *
+ * What takes a while - the search structure of the body, a device that has to answer - happens on a
+ * thread of its own; start and replace return at once, and collect, called once a frame, goes on
+ * when that is done. A body that replaces another is felt from then on; until then the old one is.
+ *
+ * The hand of the device "simulated" goes where steer says. It begins above the surface, since no
+ * force is given before the tip has been outside; when it is sent far off it is lifted and put down
+ * there, rather than drawn through the body. Devices of this world begin 10 mm above the place of
+ * the handle, their x to the right and y up in the view.
+ *
+ * stop, and the destructor, leave no force on the device and close it.
+ *
+ * For one thread. The bodies given must not be changed in place.
+ */
+class TouchSession
+{
+public:
+  enum class State
+  {
+    Idle,
+    Preparing, ///< nothing is felt yet
+    Touching
+  };
+
+  TouchSession() = default;
+  ~TouchSession() { this->stop(); }
+  TouchSession(const TouchSession&) = delete;
+  TouchSession& operator=(const TouchSession&) = delete;
+
+  /// Prepares, then starts. `device` as for vtkHapticSession::SetDevice.
+  void start(vtkPolyData* body, const std::string& response, const std::string& device,
+    const TouchHandle& handle, const TouchView& view);
+  /// Another body, or another response of it, for the session that runs.
+  void replace(vtkPolyData* body, const std::string& response);
+  void stop();
+
+  /// Once a frame. True if state, body or error have changed.
+  bool collect();
+  /// Once a frame: where the handle is. Nothing but the simulated device follows it. False if the
+  /// session has ended over it, see error().
+  bool steer(const TouchHandle& handle);
+
+  State state() const { return this->Now; }
+  /// Whether another body is on its way.
+  bool isPreparing() const { return this->Background.isBusy(); }
+  /// Why the last start or replace has failed, or ""; and what is not sound about the mesh, or "".
+  const std::string& error() const { return this->Error; }
+  const std::string& warning() const { return this->Warning; }
+
+  /// Null unless Touching.
+  vtkHapticSession* session() { return this->Session; }
+  /// The tool whose response is touched; null unless Touching.
+  vtkContactTool* tool() { return this->Tool; }
+  vtkPolyData* body() { return this->Body; }
+  /// Largest force of the response, at its range, N.
+  double peakForce() const { return this->Peak; }
+  /// Where the tip is to go, and the outward normal there.
+  const TouchPlace& place() const { return this->Place; }
+
+private:
+  void request(vtkPolyData* body, const std::string& response, const std::string& device);
+  bool take(PreparedTouch& made);
+  bool begin(PreparedTouch& made);
+  bool change(const PreparedTouch& made);
+  void putDown();
+  bool fail(const std::string& error);
+
+  State Now = State::Idle;
+  std::string Error;
+  std::string Warning;
+  std::string Complaint; ///< of the session
+  std::string Device;
+  bool Simulated = false;
+  TouchHandle Handle;
+  TouchView View;
+  TouchPlace Place;
+  double Peak = 0.0;
+  vtkSmartPointer<vtkHapticSession> Session;
+  vtkSmartPointer<vtkContactTool> Tool;
+  vtkSmartPointer<vtkPolyData> Body;
+  BodyKernels Kernels; ///< of the body
+
+  /// Bodies the other thread may be reading; only this thread counts references to them.
+  std::deque<vtkSmartPointer<vtkPolyData>> Held;
+  /// Last, so that it ends first.
+  NewestRequest<TouchRequest, PreparedTouch> Background{ prepareTouch };
+};
+} // namespace palpate
+
+#endif

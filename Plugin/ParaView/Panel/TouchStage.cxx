@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchStage.h"
+
+#include "TouchSession.h"
+
+#include "pqRenderView.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkPVRenderView.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double ToolShare = 0.15; // of the body's size, length of the tool
+constexpr double ArrowShare = 0.5; // of the body's size, arrow of the largest force
+constexpr double Least = 1e-3;     // mm and N: less is not seen
+
+vtkRenderer* rendererOf(pqRenderView* view)
+{
+  auto* drawn = vtkPVRenderView::SafeDownCast(view->getClientSideView());
+  return drawn ? drawn->GetNonCompositedRenderer() : nullptr;
+}
+} // namespace
+
+TouchStage::TouchStage()
+{
+  this->Cross->AllOff();
+  this->Cross->GetProperty()->SetColor(0.95, 0.75, 0.1);
+  this->Cross->GetProperty()->SetLineWidth(3.0);
+  this->Widget->SetRepresentation(this->Cross);
+  vtkNew<vtkCallbackCommand> released;
+  released->SetClientData(this);
+  released->SetCallback(&TouchStage::onRelease);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, released);
+}
+
+void TouchStage::onRelease(vtkObject*, unsigned long, void* stage, void*)
+{
+  static_cast<TouchStage*>(stage)->Released = true;
+}
+
+void TouchStage::enter(pqRenderView* view)
+{
+  this->leave();
+  this->View = view;
+}
+
+void TouchStage::leave()
+{
+  if (!this->View)
+  {
+    return;
+  }
+  this->Widget->SetEnabled(0);
+  this->Widget->SetDefaultRenderer(nullptr);
+  this->Widget->SetCurrentRenderer(nullptr);
+  this->Widget->SetInteractor(nullptr);
+  if (vtkRenderer* renderer = rendererOf(this->View))
+  {
+    renderer->RemoveViewProp(this->Tool);
+    renderer->RemoveViewProp(this->Cross);
+  }
+  this->Cross->SetRenderer(nullptr);
+  this->View = nullptr;
+}
+
+void TouchStage::prepare(TouchSession& touch)
+{
+  vtkRenderer* renderer = this->View ? rendererOf(this->View) : nullptr;
+  if (!renderer || !touch.tool())
+  {
+    return;
+  }
+  const double size = touch.body()->GetLength();
+  this->Tool->SetTool(touch.tool());
+  this->Tool->SetToolLength(ToolShare * size);
+  this->Tool->SetForceScale(touch.peakForce() > 0.0 ? ArrowShare * size / touch.peakForce() : 1.0);
+  const TouchPlace& place = touch.place();
+  const double none[3] = { 0.0, 0.0, 0.0 };
+  this->Tool->SetContact(place.surface.data(), place.normal.data(), place.surface.data(), none);
+  renderer->AddViewProp(this->Tool); // once, however often
+  this->ShowsNothing = true;
+}
+
+bool TouchStage::show(TouchSession& touch)
+{
+  vtkHapticSession* session = touch.session();
+  if (!session || !this->View || session->GetNumberOfTicks() == 0)
+  {
+    return false;
+  }
+  Eigen::Vector3d tip;
+  Eigen::Vector3d force;
+  Eigen::Vector3d applied;
+  session->GetTip(tip.data());
+  session->GetIdealForce(force.data());
+  session->GetForce(applied.data());
+  const double moved = std::max(
+    { (tip - this->Tip).norm(), (force - this->Force).norm(), (applied - this->Applied).norm() });
+  if (!this->ShowsNothing && moved < Least)
+  {
+    return false;
+  }
+  Eigen::Vector3d normal;
+  Eigen::Vector3d contact;
+  Eigen::Vector3d friction;
+  session->GetNormal(normal.data());
+  session->GetContactPoint(contact.data());
+  session->GetFrictionForce(friction.data());
+  this->Tool->SetContact(
+    tip.data(), normal.data(), contact.data(), force.data(), friction.data(), applied.data());
+  this->Tip = tip;
+  this->Force = force;
+  this->Applied = applied;
+  this->ShowsNothing = false;
+  return true;
+}
+
+void TouchStage::showHandle(const Eigen::Vector3d& position)
+{
+  vtkRenderer* renderer = this->View ? rendererOf(this->View) : nullptr;
+  if (!renderer)
+  {
+    return;
+  }
+  double at[3] = { position.x(), position.y(), position.z() };
+  this->Widget->SetDefaultRenderer(renderer);
+  this->Widget->SetCurrentRenderer(renderer);
+  this->Widget->SetInteractor(this->View->getRenderViewProxy()->GetInteractor());
+  this->Cross->SetRenderer(renderer);
+  this->Cross->SetHandleSize(30.0); // pixels
+  this->Cross->SetWorldPosition(at);
+  this->Widget->SetEnabled(1);
+  this->Released = false;
+}
+
+bool TouchStage::hasHandle() const
+{
+  return this->Widget->GetEnabled() != 0;
+}
+
+Eigen::Vector3d TouchStage::handle() const
+{
+  Eigen::Vector3d position;
+  this->Cross->GetWorldPosition(position.data());
+  return position;
+}
+
+void TouchStage::settleHandle(const TouchPlace& place)
+{
+  if (this->Released)
+  {
+    double at[3] = { place.surface.x(), place.surface.y(), place.surface.z() };
+    this->Cross->SetWorldPosition(at);
+    this->Released = false;
+    this->ShowsNothing = true;
+  }
+}
+
+TouchView viewOf(pqRenderView* view)
+{
+  TouchView seen;
+  vtkRenderer* renderer = rendererOf(view);
+  if (renderer)
+  {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->GetDirectionOfProjection(seen.towards.data());
+    for (double& x : seen.towards)
+    {
+      x = -x;
+    }
+    camera->GetViewUp(seen.up.data());
+  }
+  return seen;
+}
+} // namespace palpate

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TouchStage_h
+#define palpate_TouchStage_h
+
+#include "TouchPlace.h"
+
+#include "vtkHandleWidget.h"
+#include "vtkHapticToolRepresentation.h"
+#include "vtkNew.h"
+#include "vtkPointHandleRepresentation3D.h"
+
+class pqRenderView;
+class vtkObject;
+
+namespace palpate
+{
+class TouchSession;
+struct TouchView;
+
+/**
+ * Tool, force arrow and, if it is wanted, a handle in a view of ParaView: drawn by the client, over
+ * what the server may have sent, as ParaView's own widgets are. Nothing of it is in the pipeline,
+ * nor in a state file.
+ */
+class TouchStage
+{
+public:
+  TouchStage();
+  ~TouchStage() { this->leave(); }
+  TouchStage(const TouchStage&) = delete;
+  TouchStage& operator=(const TouchStage&) = delete;
+
+  /// Enters a view, and leaves the one before.
+  void enter(pqRenderView* view);
+  void leave();
+  pqRenderView* view() const { return this->View; }
+
+  /// Fits tool and arrow to the body, and shows the tool above its place.
+  void prepare(TouchSession& touch);
+  /// Moves tool and arrow to the newest tick. False if they have not moved visibly.
+  bool show(TouchSession& touch);
+
+  ///@{
+  /// The handle of its own, which the user drags; where it is left it jumps to the surface.
+  void showHandle(const Eigen::Vector3d& position);
+  bool hasHandle() const;
+  Eigen::Vector3d handle() const;
+  void settleHandle(const TouchPlace& place);
+  ///@}
+
+private:
+  static void onRelease(vtkObject*, unsigned long, void* stage, void*);
+
+  pqRenderView* View = nullptr;
+  vtkNew<vtkHapticToolRepresentation> Tool;
+  vtkNew<vtkHandleWidget> Widget;
+  vtkNew<vtkPointHandleRepresentation3D> Cross;
+  bool Released = false;
+  bool ShowsNothing = true;
+  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< shown
+  Eigen::Vector3d Force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Applied = Eigen::Vector3d::Zero();
+};
+
+/// Where the user of a view looks from.
+TouchView viewOf(pqRenderView* view);
+} // namespace palpate
+
+#endif

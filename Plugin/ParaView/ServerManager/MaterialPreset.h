@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Materials to choose from by name: Young's modulus and Poisson's ratio as published.
+ *
+ * The list is the enumeration "Material" of ToolContactResponse and ContactRegime, in its order;
+ * the help there names author, year and how it was measured. Published values of a soft tissue
+ * scatter by a factor of two and more, with the person, the place, the strain and the method: a
+ * preset is a start, not a measurement. Where a shear modulus G was published, E = 3 G, as for
+ * Poisson's ratio 0.5.
+ */
+#ifndef palpate_MaterialPreset_h
+#define palpate_MaterialPreset_h
+
+namespace palpate
+{
+class MaterialPreset
+{
+public:
+  static constexpr int Custom = 0;
+  static int count();
+
+  /// 0, Custom, up to count() - 1; others leave things as they are.
+  void choose(int material);
+  int chosen() const { return this->Chosen; }
+
+  /// What the user has given for Custom.
+  double youngsModulus = 0.1; // MPa
+  double poissonRatio = 0.45;
+
+  /// What is in force.
+  double youngsModulusInForce() const;
+  double poissonRatioInForce() const;
+
+private:
+  int Chosen = Custom;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkForceChartRepresentation.h"
+
+#include "vtkAxis.h"
+#include "vtkChartXY.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVView.h"
+#include "vtkPlot.h"
+#include "vtkTable.h"
+
+vtkStandardNewMacro(vtkForceChartRepresentation);
+
+void vtkForceChartRepresentation::SetAbscissa(const char* name)
+{
+  const std::string next = name && *name ? name : GetFirstColumn();
+  if (this->Abscissa != next)
+  {
+    this->Abscissa = next;
+    this->Modified();
+  }
+}
+
+/// Where nobody else has written.
+void vtkForceChartRepresentation::TitleAxis(int axis, const std::string& title, std::string& given)
+{
+  vtkAxis* shown = this->GetChart()->GetAxis(axis);
+  const std::string present = shown->GetTitle();
+  if (present.empty() || present == given)
+  {
+    shown->SetTitle(title);
+    given = title;
+  }
+}
+
+void vtkForceChartRepresentation::PrepareForRendering()
+{
+  vtkTable* table = this->GetLocalOutput();
+  if (!table || table->GetNumberOfColumns() == 0 || !this->GetVisibility())
+  {
+    this->Superclass::PrepareForRendering();
+    return;
+  }
+  const bool first = this->Abscissa == GetFirstColumn() ||
+    !table->GetColumnByName(this->Abscissa.c_str()); // it was there before the filter changed
+  const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
+  this->SetXAxisSeriesName(abscissa.c_str());
+  this->Superclass::PrepareForRendering();
+  if (table->GetNumberOfRows() < 2) // a line of one point cannot be drawn: a history that begins
+  {
+    vtkChartXY* chart = this->GetChart();
+    for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+    {
+      if (chart->GetPlot(i)->GetInput() == table)
+      {
+        chart->GetPlot(i)->SetVisible(false);
+      }
+    }
+  }
+}
+
+/// Before every render, for the view may have emptied a title.
+int vtkForceChartRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
+{
+  const int done = this->Superclass::ProcessViewRequest(request, input, output);
+  if (done && request == vtkPVView::REQUEST_RENDER() && this->GetVisibility() && this->GetChart())
+  {
+    if (!this->GetUseIndexForXAxis() && this->GetXAxisSeriesName())
+    {
+      this->TitleAxis(vtkAxis::BOTTOM, this->GetXAxisSeriesName(), this->BottomTitle);
+    }
+    this->TitleAxis(vtkAxis::LEFT, "Force (N)", this->LeftTitle);
+  }
+  return done;
+}

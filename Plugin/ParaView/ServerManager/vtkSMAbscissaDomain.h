@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMAbscissaDomain
+ * @brief the columns that a chart of forces may be plotted over: the first one, whichever it is, or
+ * one by its name
+ *
+ * As vtkSMChartSeriesListDomain, with vtkForceChartRepresentation's `First column` before the
+ * columns; that is also the default.
+ */
+#ifndef vtkSMAbscissaDomain_h
+#define vtkSMAbscissaDomain_h
+
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkSMChartSeriesListDomain.h"
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class PALPATESERVERMANAGER_EXPORT vtkSMAbscissaDomain : public vtkSMChartSeriesListDomain
+{
+public:
+  static vtkSMAbscissaDomain* New();
+  vtkTypeMacro(vtkSMAbscissaDomain, vtkSMChartSeriesListDomain);
+
+  int SetDefaultValues(vtkSMProperty* property, bool use_unchecked_values) override;
+
+protected:
+  vtkSMAbscissaDomain() = default;
+  ~vtkSMAbscissaDomain() override = default;
+  void PopulateArrayComponents(
+    vtkPVArrayInformation* array, std::vector<std::string>& names) override;
+
+private:
+  vtkSMAbscissaDomain(const vtkSMAbscissaDomain&) = delete;
+  void operator=(const vtkSMAbscissaDomain&) = delete;
+};
+
+#endif

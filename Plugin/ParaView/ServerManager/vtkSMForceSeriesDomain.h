@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMForceSeriesDomain
+ * @brief which columns a chart of forces shows at first, and how
+ *
+ * As vtkSMChartSeriesSelectionDomain, but of the columns only forces are shown at first, those
+ * whose names end with `(N)`; and with default_mode="value", readings, whose names hold `
+ * measured`, get the value of the attribute `measured_value`: points instead of a line.
+ */
+#ifndef vtkSMForceSeriesDomain_h
+#define vtkSMForceSeriesDomain_h
+
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkSMChartSeriesSelectionDomain.h"
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class PALPATESERVERMANAGER_EXPORT vtkSMForceSeriesDomain : public vtkSMChartSeriesSelectionDomain
+{
+public:
+  static vtkSMForceSeriesDomain* New();
+  vtkTypeMacro(vtkSMForceSeriesDomain, vtkSMChartSeriesSelectionDomain);
+
+protected:
+  vtkSMForceSeriesDomain() = default;
+  ~vtkSMForceSeriesDomain() override = default;
+  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
+  bool GetDefaultSeriesVisibility(const char* series) override;
+  std::vector<std::string> GetDefaultValue(const char* series) override;
+
+private:
+  vtkSMForceSeriesDomain(const vtkSMForceSeriesDomain&) = delete;
+  void operator=(const vtkSMForceSeriesDomain&) = delete;
+
+  std::string MeasuredValue; ///< none: as of the others
+};
+
+#endif

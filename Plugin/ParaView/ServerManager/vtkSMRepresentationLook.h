@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMRepresentationLook
+ * @brief how a representation looks when it is first shown
+ *
+ * An initialization helper, for representations that are ParaView's own but for some values, which
+ * the palette and the user's settings would otherwise give:
+ *
+ * @verbatim
+ * <Hints>
+ *   <InitializationHelper class="vtkSMRepresentationLook">
+ *     <Look property="Opacity" values="0.4" />
+ *     <ColorMap array="Dent (mm)" points="0 0.9 0.9 0.8  1 0.1 0 0.3" />
+ *   </InitializationHelper>
+ * </Hints>
+ * @endverbatim
+ *
+ * Look: a property with numbers. ColorMap: position, red, green, blue of each colour of
+ * the map of that array; a map that exists already is left as it is.
+ */
+#ifndef vtkSMRepresentationLook_h
+#define vtkSMRepresentationLook_h
+
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkSMProxyInitializationHelper.h"
+
+class PALPATESERVERMANAGER_EXPORT vtkSMRepresentationLook : public vtkSMProxyInitializationHelper
+{
+public:
+  static vtkSMRepresentationLook* New();
+  vtkTypeMacro(vtkSMRepresentationLook, vtkSMProxyInitializationHelper);
+
+  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType time) override;
+
+protected:
+  vtkSMRepresentationLook() = default;
+  ~vtkSMRepresentationLook() override = default;
+
+private:
+  vtkSMRepresentationLook(const vtkSMRepresentationLook&) = delete;
+  void operator=(const vtkSMRepresentationLook&) = delete;
+};
+
+#endif

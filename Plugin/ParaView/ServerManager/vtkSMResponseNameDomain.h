@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMResponseNameDomain
+ * @brief the responses that a body carries, to choose from by name
+ *
+ * For a StringVectorProperty of one element that names a response. The panel then offers the
+ * responses found on the input that the XML requires as function "Input": every p whose point
+ * arrays
+ * `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or `<p>Coefficient` are there.
+ *
+ * The default is the XML's, if the body has that response, otherwise the first one that it has. A
+ * name set by a script or a state is kept and offered too, whatever the body has: the filter tells
+ * if it is not there. While nothing is found (the input was not yet computed), the present name is
+ * the only choice.
+ *
+ * @verbatim
+ * <ResponseNameDomain name="responses">
+ *   <RequiredProperties><Property name="Input" function="Input" /></RequiredProperties>
+ * </ResponseNameDomain>
+ * @endverbatim
+ */
+#ifndef vtkSMResponseNameDomain_h
+#define vtkSMResponseNameDomain_h
+
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkSMStringListDomain.h"
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class PALPATESERVERMANAGER_EXPORT vtkSMResponseNameDomain : public vtkSMStringListDomain
+{
+public:
+  static vtkSMResponseNameDomain* New();
+  vtkTypeMacro(vtkSMResponseNameDomain, vtkSMStringListDomain);
+
+  using vtkSMStringListDomain::IsInDomain;
+  /** Any name may be written. */
+  int IsInDomain(vtkSMProperty* property) override;
+
+  void Update(vtkSMProperty* property) override;
+  int SetDefaultValues(vtkSMProperty* property, bool use_unchecked_values) override;
+
+protected:
+  vtkSMResponseNameDomain() = default;
+  ~vtkSMResponseNameDomain() override = default;
+
+private:
+  vtkSMResponseNameDomain(const vtkSMResponseNameDomain&) = delete;
+  void operator=(const vtkSMResponseNameDomain&) = delete;
+
+  std::vector<std::string> FindResponses();
+};
+
+#endif

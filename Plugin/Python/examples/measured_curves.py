@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measured with a sphere, felt with a flat punch: prints the body found at each site, and the punch's force.
+
+    ./run python Plugin/Python/examples/measured_curves.py [CURVES.csv]
+"""
+import sys
+from pathlib import Path
+from palpate import vtkContactTool, vtkMeasuredContactResponse
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+
+curves = Path(__file__).parents[3] / "Data/Examples/cylinder_sphere_curves.csv"
+plate = vtkPlaneSource()                                    # through the sites, facing +z
+plate.SetOrigin(-30, -15, 50)                               # mm
+plate.SetPoint1(30, -15, 50)
+plate.SetPoint2(-30, 15, 50)
+plate.SetResolution(60, 30)
+body = vtkTriangleFilter()
+body.SetInputConnection(plate.GetOutputPort())
+punch = vtkContactTool()
+punch.SetSpecification("flat:1.6")
+response = vtkMeasuredContactResponse()
+response.SetInputConnection(body.GetOutputPort())
+response.AddFileName(sys.argv[1] if len(sys.argv) > 1 else str(curves))
+response.SetTool(punch)
+response.Update()
+sites, felt = response.GetOutputDataObject(1), response.GetOutput()
+for row in range(sites.GetNumberOfRows()):
+    modulus, compliance, x, y, z = (sites.GetValueByName(row, name).ToDouble() for name in (
+        "ReducedModulus (MPa)", "Compliance (mm/N)", "X (mm)", "Y (mm)", "Z (mm)"))
+    force = felt.GetPointData().GetArray("ResponseForce").GetComponent(felt.FindPoint(x, y, z), 3)
+    name = sites.GetValueByName(row, "Site").ToString()
+    print("%5s  E* %.3f MPa  C %.4f mm/N  0.5 mm deep: %.4f N" % (name, modulus, compliance, force))

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whatever is taken for a body, its responses are those of the plain triangles: strips, polygons, blocks, partitions,
+volumes. The plain triangles come from ParaView's own filters and vtkToolContactResponse itself."""
+import numpy as np
+import palpate
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet, vtkRectilinearGrid
+from vtkmodules.vtkFiltersCore import vtkExtractCells
+
+PLACES = 4                                                  # decimals of mm, to tell points by
+
+
+def stiffened(source):
+    """With a modulus per point that differs everywhere, so that a point in another's place would be noticed."""
+    return simple.Calculator(Input=source, ResultArrayName="Stiff",
+                             Function="0.05 + 0.001 * abs(coordsX + 0.37 * coordsY + 0.11 * coordsZ)")
+
+
+def in_order(body):
+    """Points and all point arrays of a polydata, in the order of the coordinates."""
+    points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
+    order = np.lexsort(np.round(points, PLACES).T)
+    arrays = {"points": points[order]}
+    for i in range(body.GetPointData().GetNumberOfArrays()):
+        array = body.GetPointData().GetArray(i)
+        arrays[array.GetName()] = vtk_to_numpy(array)[order]
+    return arrays
+
+
+def in_paraview(source):
+    response = simple.ToolContactResponse(Input=source, YoungsModulusArrayMPa=["POINTS", "Stiff"])
+    response.Tool.Shape = "Cone"
+    made = servermanager.Fetch(response)
+    assert made.IsA("vtkPolyData") and made.GetNumberOfCells() == made.GetNumberOfPolys(), made.GetClassName()
+    assert made.GetPolys().IsHomogeneous() == 3
+    return made
+
+
+def of_plain(source):
+    """By the class itself, of triangles."""
+    tool = palpate.vtkContactTool()
+    tool.SetShapeToCone()
+    response = palpate.vtkToolContactResponse()
+    response.SetInputData(servermanager.Fetch(source))
+    response.SetTool(tool)
+    response.SetInputArrayToProcess(0, 0, 0, 0, "Stiff")
+    response.Update()
+    return response.GetOutput()
+
+
+def check(source, plain, name):
+    found, expected = in_paraview(source), of_plain(plain)
+    assert expected.GetNumberOfPoints() > 0 and found.GetNumberOfPoints() == expected.GetNumberOfPoints(), (
+        name, found.GetNumberOfPoints(), expected.GetNumberOfPoints())
+    assert found.GetNumberOfPolys() == expected.GetNumberOfPolys(), name
+    found, expected = in_order(found), in_order(expected)
+    assert found.keys() >= expected.keys(), (name, expected.keys() - found.keys())
+    for key, values in expected.items():
+        # Sums over the triangles of a point in another order: a few units of float's last place.
+        np.testing.assert_allclose(found[key], values, rtol=2e-6, atol=2e-6, err_msg=f"{name}: {key}")
+
+
+def plain_surface(volume):
+    """Its outer triangles as ParaView has them, each point once."""
+    return simple.Triangulate(Input=simple.Clean(Input=simple.ExtractSurface(Input=volume)))
+
+
+def given(data):
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    return producer
+
+
+def halves(source):
+    """A data set in two partitions, cell by cell in turn, each with its own points."""
+    data = servermanager.Fetch(source)
+    parts = vtkPartitionedDataSet()
+    for part in range(2):
+        ids = vtkIdList()
+        for cell in range(part, data.GetNumberOfCells(), 2):
+            ids.InsertNextId(cell)
+        some = vtkExtractCells()
+        some.SetInputData(data)
+        some.SetCellList(ids)
+        some.Update()
+        parts.SetPartition(part, some.GetOutput())
+    return given(parts)
+
+
+ball = stiffened(simple.Sphere(Radius=50, ThetaResolution=40, PhiResolution=40))
+check(ball, ball, "triangles")
+assert "Normals" in in_order(in_paraview(ball))             # arrays of the body survive
+check(simple.TriangleStrips(Input=ball), ball, "strips")
+
+quads = stiffened(simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0),
+                               XResolution=8, YResolution=5))
+check(quads, simple.Triangulate(Input=quads), "polygons")
+
+other = stiffened(simple.Sphere(Radius=20, Center=(100, 0, 0)))
+check(simple.GroupDatasets(Input=[ball, other]), simple.AppendGeometry(Input=[ball, other]), "blocks")
+
+image = stiffened(simple.Wavelet(WholeExtent=(-4, 4, -5, 5, -6, 6)))
+surface = plain_surface(image)
+check(image, surface, "image")
+check(simple.ImageDatatoPointSet(Input=image), surface, "structured grid")
+check(simple.AppendDatasets(Input=[image]), surface, "unstructured grid of voxels")
+tetrahedra = simple.Tetrahedralize(Input=image)
+check(tetrahedra, plain_surface(tetrahedra), "tetrahedra")
+grid = vtkRectilinearGrid()
+voxels = servermanager.Fetch(image)
+grid.SetDimensions(voxels.GetDimensions())
+for half, set_ticks in zip((4, 5, 6), (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates)):
+    set_ticks(numpy_to_vtk(np.arange(-half, half + 1.0), deep=True))
+grid.GetPointData().ShallowCopy(voxels.GetPointData())
+check(given(grid), surface, "rectilinear grid")
+
+# Partitions are one body: no wall inside, where volumes meet, and no point twice.
+check(halves(image), surface, "image in partitions")
+check(halves(tetrahedra), plain_surface(tetrahedra), "tetrahedra in partitions")
+bare = stiffened(simple.Triangulate(Input=simple.Clean(Input=simple.Cylinder(Radius=20, Height=30, Capping=1))))
+check(halves(bare), bare, "surface in partitions")

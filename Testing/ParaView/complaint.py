@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ParaView says while it updates a proxy: errors and warnings go to the standard error of the process."""
+import os
+import sys
+import tempfile
+
+
+def complaint(proxy):
+    with tempfile.TemporaryFile("w+") as kept:
+        sys.stderr.flush()
+        usual = os.dup(2)
+        os.dup2(kept.fileno(), 2)
+        try:
+            proxy.UpdatePipeline()
+        finally:
+            os.dup2(usual, 2)
+            os.close(usual)
+        kept.seek(0)
+        return kept.read()
+
+
+def check_complaint(proxy, *words):
+    text = complaint(proxy)
+    for word in words:
+        assert word in text, (word, text)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The example many_tools_mpi.py prints the same on one process and on two.
+
+    many_tools.py FOLDER MPIEXEC PVBATCH SCRIPT
+"""
+import os
+import subprocess
+import sys
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLPPolyDataReader
+
+FOLDER, MPIEXEC, PVBATCH, SCRIPT = sys.argv[1:]
+
+
+def forces(ranks, *arguments):
+    command = [MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks), PVBATCH, "--dr", SCRIPT]
+    done = subprocess.run(command + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          timeout=200)
+    assert done.returncode == 0 and "ERR|" not in done.stdout, done.stdout
+    rows = [line.split() for line in done.stdout.splitlines() if line.endswith(" N")]
+    return {row[0]: [float(number) for number in row[1:-1]] for row in rows}
+
+
+alone = forces(1)
+assert set(alone) == {"Sphere", "Flat", "Cone"}, alone
+# F = 2 E* a d of the flat punch; the facets lie up to 0.0063 mm under the ball of 50 mm (0.79 mm beside the pole).
+for depth, force in zip((0.5, 1.0, 1.5, 2.0), alone["Flat"][3:]):
+    stiffness = 2 * 0.05 / (1 - 0.45 ** 2) * 3
+    assert stiffness * (depth - 0.0063) < force < stiffness * depth, (depth, force)
+
+ball = os.path.join(FOLDER, "many_tools_ball.vtp")
+output = os.path.join(FOLDER, "many_tools.pvtp")
+source = vtkSphereSource()
+source.SetRadius(50)
+source.SetThetaResolution(200)
+source.SetPhiResolution(200)
+writer = vtkXMLPolyDataWriter()
+writer.SetInputConnection(source.GetOutputPort())
+writer.SetDataModeToBinary()
+writer.SetFileName(ball)
+writer.Write()
+several = forces(2, ball, output)
+assert several == alone, (several, alone)
+
+reader = vtkXMLPPolyDataReader()
+reader.SetFileName(output)
+reader.Update()
+assert reader.GetNumberOfPieces() == 2
+saved = reader.GetOutput()
+source.Update()
+assert saved.GetNumberOfCells() == source.GetOutput().GetNumberOfCells()
+for name in ("Sphere", "Flat", "Cone"):
+    assert saved.GetPointData().GetArray(name + "Force").GetRange(7)[0] > 0
+print("done")

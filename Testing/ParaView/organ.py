@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A body for the walk-through: smooth, closed, of an organ's size, in mm: organ.py FILE.vtp"""
+import sys
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
+from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+SEMI_AXES = np.array([45.0, 32.0, 24.0])                    # mm
+
+
+def organ(level=6, size=1.0):
+    """10 · 4^level + 2 points of an ellipsoid with two broad swellings, `size` times SEMI_AXES; outward normals."""
+    solid = vtkPlatonicSolidSource()
+    solid.SetSolidTypeToIcosahedron()
+    finer = vtkLinearSubdivisionFilter()
+    finer.SetInputConnection(solid.GetOutputPort())
+    finer.SetNumberOfSubdivisions(level)
+    finer.Update()
+    ball = finer.GetOutput()
+    way = vtk_to_numpy(ball.GetPoints().GetData()).astype(float)
+    way /= np.linalg.norm(way, axis=1)[:, None]
+    swelling = sum(height * np.exp((way @ np.array(to) / np.linalg.norm(to) - 1) / width)
+                   for height, width, to in ((0.18, 0.15, (1, 0.6, 0.4)), (0.12, 0.1, (-1, -0.5, 0.6))))
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(size * way * SEMI_AXES * (1 + swelling)[:, None], deep=True))
+    body = vtkPolyData()
+    body.SetPoints(points)
+    body.SetPolys(ball.GetPolys())
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(body)
+    normals.SplittingOff()
+    normals.ConsistencyOn()
+    normals.AutoOrientNormalsOn()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def write(file):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()
+    writer.SetInputData(organ())
+    writer.SetFileName(file)
+    assert writer.Write(), file
+
+
+if __name__ == "__main__":
+    write(sys.argv[1])

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The ParaView program, played by a script of events; and what its pictures hold."""
+import os
+import subprocess
+import sys
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+
+def need_display():
+    if not os.environ.get("DISPLAY"):
+        print("no DISPLAY: the program was not started")
+        sys.exit(77)
+
+
+def play(program, events, folder):
+    """Its clean settings, $PARAVIEW_TEST_ROOT = folder; it must end well."""
+    played = subprocess.run([program, "--dr", "--test-script=" + events, "--test-directory=" + str(folder), "--exit"],
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=240, check=False)
+    print(played.stdout)
+    assert played.returncode == 0, played.returncode
+
+
+def pixels(picture):
+    """A row of red, green, blue (integers) for each pixel of a .png."""
+    reader = vtkPNGReader()
+    reader.SetFileName(picture)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)

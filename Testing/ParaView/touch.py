@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Touch: the closed form of the tool, wherever the tip is put, animated, saved and loaded: touch.py FOLDER"""
+import sys
+import numpy as np
+import palpate
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+YOUNG, POISSON, RANGE = 0.05, 0.4, 3.0                      # MPa, -, mm
+FLOAT = 1e-6                                                # what storing floats may cost, relative
+
+
+def tool():
+    made = palpate.vtkContactTool()
+    made.SetShapeToParaboloid()                             # whose law the samples store exactly
+    made.SetRadius(6.35)
+    return made
+
+
+def force_at(depth):
+    return tool().GetForce(depth, YOUNG / (1 - POISSON**2))
+
+
+def field(touch, name):
+    touch.UpdatePipeline()
+    array = servermanager.Fetch(touch, idx=2).GetFieldData().GetArray(name)
+    value = array.GetTuple(0)
+    return value[0] if len(value) == 1 else np.array(value)
+
+
+def text(touch):
+    return servermanager.Fetch(touch, idx=3).GetValue(0, 0).ToString()
+
+
+def block():
+    """A flat body: what is pressed is a half-space to the last digit."""
+    plate = simple.Plane(Origin=(-40, -30, 5), Point1=(40, -30, 5), Point2=(-40, 30, 5), XResolution=80,
+                         YResolution=60)
+    triangles = simple.Triangulate(Input=plate)
+    response = simple.ToolContactResponse(Input=triangles)
+    response.Tool.Shape = "Paraboloid"
+    response.Tool.Radiusmm = 6.35
+    response.YoungsModulusMPa = YOUNG
+    response.PoissonsRatio = POISSON
+    response.MaximumDeflectionmm = RANGE
+    response.UpdatePipeline()
+    return response
+
+
+def check_positions(response):
+    """By default half of Range deep, at the corner of the bounds; then where it is moved."""
+    touch = simple.Touch(Input=response)
+    assert list(touch.TipPositionmm) == [40, 30, 5], list(touch.TipPositionmm)
+    assert touch.Snap == 1 and touch.Indentationmm == 0 and touch.ResponseName == "Response"
+    for tip in ((0.2, 0.1, 5), (-17.3, 12.9, 80), (3, -4, -20)):
+        touch.TipPositionmm = tip
+        np.testing.assert_allclose(field(touch, "NormalForce"), force_at(RANGE / 2), rtol=FLOAT)
+        np.testing.assert_allclose(field(touch, "TipPosition"), (tip[0], tip[1], 5 - RANGE / 2), atol=1e-5)
+        np.testing.assert_allclose(field(touch, "Force"), (0, 0, force_at(RANGE / 2)), atol=1e-6)
+    touch.Indentationmm = 0.7
+    np.testing.assert_allclose(field(touch, "NormalForce"), force_at(0.7), rtol=FLOAT)
+    touch.Snap = 0
+    touch.Indentationmm = 0
+    for height in (4.5, 3.1):
+        touch.TipPositionmm = (1, 2, height)
+        np.testing.assert_allclose(field(touch, "NormalForce"), force_at(5 - height), rtol=FLOAT)
+        assert f"Force {force_at(5 - height):#.3g} N" in text(touch), text(touch)
+    touch.TipPositionmm = (1, 2, 7.5)
+    assert field(touch, "NormalForce") == 0 and "2.50 mm off the surface" in text(touch), text(touch)
+    return touch
+
+
+def check_dent(touch):
+    touch.Snap = 1
+    touch.Indentationmm = 0
+    touch.TipPositionmm = (0, 0, 5)
+    touch.UpdatePipeline()
+    body = servermanager.Fetch(touch, idx=0)
+    heights = vtk_to_numpy(body.GetPoints().GetData())[:, 2]
+    dent = vtk_to_numpy(body.GetPointData().GetArray("Dent (mm)"))
+    np.testing.assert_allclose(dent.max(), RANGE / 2, rtol=FLOAT)   # a vertex is right under the tip
+    np.testing.assert_allclose(5 - heights, dent, atol=1e-6)        # floats of 5 mm
+    assert body.GetPointData().HasArray("ResponseForce")
+
+
+def check_animation(touch):
+    """The tip moved along a line by an animation cue: the force follows at each frame."""
+    touch.Snap = 0
+    scene = simple.GetAnimationScene()
+    scene.PlayMode = "Sequence"
+    scene.StartTime, scene.EndTime, scene.NumberOfFrames = 0, 1, 5
+    cue = simple.GetAnimationTrack("TipPosition", index=2, proxy=touch)
+    start, end = simple.CompositeKeyFrame(), simple.CompositeKeyFrame()
+    start.KeyTime, start.KeyValues = 0, [5]
+    end.KeyTime, end.KeyValues = 1, [3]
+    cue.KeyFrames = [start, end]
+    for frame in range(1, 5):
+        scene.AnimationTime = frame / 4
+        np.testing.assert_allclose(field(touch, "NormalForce"), force_at(frame / 2), rtol=FLOAT)
+    scene.AnimationTime = 0
+
+
+def check_state(touch, file):
+    """Saved and loaded: the same numbers, and ports that look as they did."""
+    touch.TipPositionmm = (7, 8, 3.6)
+    simple.RenameSource("touch", touch)
+    view = simple.CreateView("RenderView")
+    shown = [simple.Show(servermanager.OutputPort(touch, port), view) for port in range(4)]
+    simple.Render(view)
+    assert shown[1].Opacity == 0.4 and tuple(shown[2].DiffuseColor) == (1, 0.4, 0)
+    assert shown[0].ColorArrayName[1] == "Dent (mm)"
+    assert shown[3].Justification == "Left"
+    shown[1].Opacity = 0.7
+    before = field(touch, "NormalForce"), text(touch)
+    simple.SaveState(file)
+    simple.ResetSession()
+    simple.LoadState(file)
+    touch = simple.FindSource("touch")
+    assert (field(touch, "NormalForce"), text(touch)) == before
+    view = simple.GetActiveViewOrCreate("RenderView")
+    again = [simple.GetDisplayProperties(servermanager.OutputPort(touch, port), view) for port in range(4)]
+    assert again[1].Opacity == 0.7 and tuple(again[2].DiffuseColor) == (1, 0.4, 0)
+
+
+def check_defaults():
+    """Labels, defaults as the class has them, and a help text for each."""
+    proxy = servermanager.ProxyManager().NewProxy("filters", "ToolTouch")
+    made = proxy.GetClientSideObject()
+    assert type(made) is palpate.vtkToolTouch
+    expected = {"Input": None, "Tip Position (mm)": [0, 0, 0], "Snap": [1], "Indentation (mm)": [0],
+                "Response Name": ["Response"], "Force Scale (mm/N)": [0], "Tool Length (mm)": [0],
+                "Poisson's Ratio": [0.45], "Reach (contact radii)": [20]}
+    found = {}
+    keys = proxy.NewPropertyIterator()
+    keys.Begin()
+    while not keys.IsAtEnd():
+        item = keys.GetProperty()
+        assert item.GetDocumentation().GetDescription(), item.GetXMLLabel()
+        value = None
+        if not item.IsA("vtkSMProxyProperty"):
+            value = [item.GetElement(i) for i in range(item.GetNumberOfElements())]
+            given = getattr(made, "Get" + keys.GetKey())()
+            assert list(given if isinstance(given, tuple) else [given]) == value, (keys.GetKey(), given, value)
+        found[item.GetXMLLabel()] = value
+        keys.Next()
+    assert found == expected, found
+
+
+check_defaults()
+pressed = check_positions(block())
+check_dent(pressed)
+check_animation(pressed)
+check_state(pressed, sys.argv[1] + "/touch.pvsm")

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A body in cm or m gives the responses of the same body in mm; a size that looks like another unit is asked about; a
+material by name takes the place of the numbers."""
+import re
+import numpy as np
+import palpate  # noqa: F401 - gives the client-side objects their class
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from complaint import complaint
+
+QUESTION = "is the Length Unit right?"
+
+
+def arrays(proxy):
+    data = servermanager.Fetch(proxy)
+    found = {"points": vtk_to_numpy(data.GetPoints().GetData())}
+    for i in range(data.GetPointData().GetNumberOfArrays()):
+        array = data.GetPointData().GetArray(i)
+        found[array.GetName()] = vtk_to_numpy(array)
+    return found
+
+
+def scaled(source, factor):
+    moved = simple.Transform(Input=source, Transform="Transform")
+    moved.Transform.Scale = [factor] * 3
+    return moved
+
+
+def check_units():
+    ball = simple.Sphere(Radius=50, ThetaResolution=40, PhiResolution=40)
+    usual = arrays(simple.ToolContactResponse(Input=ball))
+    for unit, factor in (("cm", 0.1), ("m", 0.001)):
+        response = simple.ToolContactResponse(Input=scaled(ball, factor), LengthUnit=unit)
+        assert QUESTION not in complaint(response)
+        found = arrays(response)
+        assert found.keys() == usual.keys()
+        for key, values in usual.items():
+            # Coordinates are floats: rounded once more, to 6e-8 of 50 mm; the bound on the curvature divides
+            # differences of them by the squares of edges of some mm.
+            np.testing.assert_allclose(found[key], values, rtol=2e-5, atol=2e-5, err_msg=f"{unit}: {key}")
+    # The same property where bodies enter elsewhere.
+    for name in ("BodySurface", "VoxelBody"):
+        make = getattr(simple, name)
+        made = make(Input=scaled(ball, 0.1), LengthUnit="cm", **({"Spacingmm": 10} if name == "VoxelBody" else {}))
+        assert QUESTION not in complaint(made)
+        np.testing.assert_allclose(made.GetDataInformation().GetBounds(), [-50, 50] * 3, atol=2, err_msg=name)
+
+
+def check_question():
+    """Asked once, below 5 mm and above 5 m; not again for another tool."""
+    for radius, asked in ((2.4, True), (2.6, False), (2400, False), (2600, True)):
+        response = simple.ToolContactResponse(Input=simple.Sphere(Radius=radius, ThetaResolution=40, PhiResolution=41))
+        said = complaint(response)
+        assert said.count(QUESTION) == asked, (radius, said)
+        response.Tool.Radiusmm = 3
+        assert QUESTION not in complaint(response)
+    response.LengthUnit = "cm"                              # another 26 m: asked again
+    assert QUESTION in complaint(response)
+
+
+def check_materials(make):
+    """Every material has the numbers that its help text cites; Custom has the user's."""
+    proxy = make()
+    entry = proxy.SMProxy.GetProperty("Material")
+    text = entry.GetDocumentation().GetDescription()
+    names = proxy.GetProperty("Material").Available
+    assert names[0] == "Custom" and len(names) > 4
+    cited = {}
+    for name in names[1:]:
+        # its E, what was measured, and (author year, method)
+        line = re.search(re.escape(name) + r": (\d[\d.]*\d)\b[^()]*\([A-Z][^()]* (19|20)\d\d, [^()]*\)", text)
+        assert line, name
+        cited[name] = float(line.group(1))
+    assert "scatter" in text
+    made = proxy.GetClientSideObject()
+    proxy.YoungsModulusMPa, proxy.PoissonsRatio = 0.25, 0.3
+    for name in (*names[1:], "Custom"):
+        proxy.Material = name
+        proxy.UpdateVTKObjects()
+        expected = (0.25, 0.3) if name == "Custom" else (cited[name], 0.5)
+        assert (made.GetYoungsModulus(), made.GetPoissonRatio()) == expected, (name, made.GetYoungsModulus())
+        assert (proxy.YoungsModulusMPa, proxy.PoissonsRatio) == (0.25, 0.3) # what the user has given stays
+    proxy.Material = names[1]
+    proxy.YoungsModulusMPa = 0.5                            # not in force
+    proxy.UpdateVTKObjects()
+    assert made.GetYoungsModulus() == cited[names[1]]
+    return names, cited
+
+
+def check_force_of_material():
+    """A flat punch feels 2 a E* depth; a modulus per point goes before the material."""
+    ball = simple.Sphere(Radius=50)
+    body = simple.Calculator(Input=ball, ResultArrayName="Stiff", Function="0.05 + 0.001 * abs(coordsX)")
+    names, cited = check_materials(lambda: simple.ToolContactResponse(Input=body))
+    check_materials(lambda: simple.ContactRegime(Input=simple.ToolContactResponse(Input=body)))
+    response = simple.ToolContactResponse(Input=body, Material=names[4])
+    response.Tool.Shape = "Flat"
+    np.testing.assert_allclose(arrays(response)["ResponseForce"][:, -1], 2 * 5 * 2 * cited[names[4]] / 0.75, rtol=1e-6)
+    response.YoungsModulusArrayMPa = ["POINTS", "Stiff"]
+    found = arrays(response)
+    np.testing.assert_allclose(found["ResponseForce"][:, -1], 2 * 5 * 2 * found["Stiff"] / 0.75, rtol=1e-6)
+
+
+check_units()
+check_question()
+check_force_of_material()

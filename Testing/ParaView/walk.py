@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The six clicks of the README, played in the ParaView program on a body that this script makes.
+
+    pvpython walk.py PARAVIEW WALK_THROUGH.XML BASELINES FOLDER [PICTURES]      needs an X server
+
+Open, Apply, Tool Contact Response, Apply, Touch, Apply: then the view shows the dent, the tool, the
+force arrow and the numbers. Its last picture is compared with a baseline, and the state it saves holds
+the numbers of the tool's closed form. With PICTURES, the pictures of README and help are left there, as paraview_*.png.
+"""
+import os
+import shutil
+import sys
+from pathlib import Path
+import numpy as np
+import palpate
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+import organ
+from program import play
+
+STEPS = ("body.png", "response.png", "touch.png")
+SMALL = 200_000                                             # bytes of a picture in the repository
+YOUNG, POISSON, RADIUS, RANGE = 0.1, 0.45, 5.0, 2.0         # what Tool Contact Response has by itself
+
+
+def check_numbers(state):
+    """What the clicks have left: the closed form of the sphere half of Range deep, on all four ports."""
+    simple.LoadState(str(state))
+    touch = simple.FindSource("Touch1")
+    assert touch and simple.FindSource("ToolContactResponse1")
+    tool = palpate.vtkContactTool()
+    tool.SetShapeToSphere()
+    tool.SetRadius(RADIUS)
+    expected = tool.GetForce(RANGE / 2, YOUNG / (1 - POISSON**2))
+    arrow = servermanager.Fetch(touch, idx=2)
+    field = arrow.GetFieldData()
+    # Between samples the stored curve of the sphere is off by 1e-4; the facets' normals by less.
+    np.testing.assert_allclose(field.GetArray("NormalForce").GetValue(0), expected, rtol=1e-3)
+    np.testing.assert_allclose(field.GetArray("Deflection").GetValue(0), RANGE / 2, rtol=1e-3)
+    scale = field.GetArray("ForceScale").GetValue(0)
+    tail = np.array(field.GetArray("TipPosition").GetTuple3(0))
+    length = np.linalg.norm(vtk_to_numpy(arrow.GetPoints().GetData()) - tail, axis=1).max()
+    np.testing.assert_allclose(length, scale * expected, rtol=1e-3)
+    text = servermanager.Fetch(touch, idx=3).GetValue(0, 0).ToString()
+    assert f"Force {expected:.3f} N" in text and "Deflection 1.00 mm" in text, text
+    dent = vtk_to_numpy(servermanager.Fetch(touch, idx=0).GetPointData().GetArray("Dent (mm)"))
+    assert 0.9 * RANGE / 2 < dent.max() <= RANGE / 2, dent.max() # deepest at a vertex near the tip
+    view = simple.GetActiveViewOrCreate("RenderView")
+    shown = [simple.GetRepresentation(servermanager.OutputPort(touch, port), view) for port in range(4)]
+    assert all(proxy.Visibility for proxy in shown)
+    assert simple.GetRepresentation(simple.FindSource("ToolContactResponse1"), view).Visibility == 0
+    return tail
+
+
+def check_moved(state, before):
+    """A new position in the panel is touched without Apply: it is in the state, and the tip followed."""
+    simple.ResetSession()
+    simple.LoadState(str(state))
+    touch = simple.FindSource("Touch1")
+    assert touch.TipPositionmm[0] == -20, list(touch.TipPositionmm)
+    tip = servermanager.Fetch(touch, idx=2).GetFieldData().GetArray("TipPosition").GetTuple3(0)
+    assert tip[0] < before[0] - 20, (tip, before)
+
+
+
+def main(program, events, baselines, folder, pictures=None):
+    if not os.environ.get("DISPLAY"):
+        print("no DISPLAY: the program was not started")
+        return 77
+    folder = Path(folder) / "walk"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    organ.write(str(folder / "organ.vtp"))
+    play(program, events, folder)
+    for step in STEPS:
+        assert 0 < (folder / step).stat().st_size < SMALL, step
+    check_moved(folder / "moved.pvsm", check_numbers(folder / "walk.pvsm"))
+    assert (folder / "moved.png").read_bytes() != (folder / "touch.png").read_bytes() # drawn anew, too
+    if pictures:
+        for step in STEPS:
+            shutil.copy(folder / step, Path(pictures) / ("paraview_" + step))
+    sys.path.insert(0, str(Path(__file__).parent.parent / "Viewer"))
+    import compare_pictures # pylint: disable=import-outside-toplevel
+    return compare_pictures.main([str(folder), baselines, "ParaView-", STEPS[-1]])
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
