@@ -1,0 +1,42 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The short version of ./run study reduction: how few numbers scenes need, and that tips feel the same.
+
+    test_reduction.py
+"""
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import run  # noqa: E402
+import scenes  # noqa: E402
+
+
+class Reduction(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rows = {row["scene"]: row for row in run.study(is_quick=True)}
+
+    def test_all_scenes_are_there(self):
+        expected = set(scenes.SCENES) - (set() if scenes.SCAN.exists() else {"head"})
+        self.assertEqual(set(self.rows), expected)
+
+    def test_numbers(self):
+        # At 1 %: a homogeneous body needs none per vertex, one law of many moduli one, soft tissue over bone four.
+        most = {"homogeneous": 0, "stiffness map": 1, "layer map": 4, "head": 4, "gives way": 4}
+        for name, row in self.rows.items():
+            with self.subTest(scene=name):
+                self.assertLessEqual(row["numbers"], most[name])
+                self.assertEqual(row["numbers_before"], 16)
+
+    def test_tips_feel_the_same(self):
+        for name, row in self.rows.items():
+            with self.subTest(scene=name):
+                self.assertLessEqual(row["largest_error"], row["tolerance"])
+                # Between the depths at which the filter looks an error may be a tenth larger.
+                self.assertLessEqual(row["felt_error"], 1.1 * row["largest_error"] + 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
