@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ServoStep.h"
+#include "Constants.h"
 
 #include <cmath>
-#include <limits>
 
 namespace palpate
 {
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 /// A scene of a body that somebody else keeps alive.
 std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettings& settings)
 {
@@ -40,7 +38,7 @@ ServoStep::ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& 
   , Scenes(std::move(scene))
   , StiffnessLimit(Chain.bodyStiffnessLimit(mapping.scale()))
   , IsSound(!mapping.fault())
-  , LastTime(NaN)
+  , LastTime(NotANumber)
 {
 }
 
@@ -111,6 +109,6 @@ void ServoStep::reset() noexcept
   this->Chain.reset();
   this->Hand.reset();
   this->Scenes.forget();
-  this->LastTime = NaN;
+  this->LastTime = NotANumber;
 }
 } // namespace palpate

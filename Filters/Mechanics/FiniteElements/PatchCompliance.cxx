@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchCompliance.h"
 
+#include "Constants.h"
 #include "MissedEnergy.h"
 #include "PatchSelfTerm.h"
 #include "PatchSite.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <queue>
 #include <thread>
@@ -18,8 +18,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
 /// Shares of the work: patches and cut-outs, self-terms, body.
 constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchLoad.h"
+#include "Constants.h"
 
 #include <Eigen/Geometry>
 
@@ -10,8 +11,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// The triangles around `point` that a disc of this radius may meet, without crossing an edge.
 std::vector<std::int32_t> trianglesUnder(
   const BodySurface& surface, std::int32_t point, const Eigen::Matrix3d& frame, double radius)

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchSelfTerm.h"
 
+#include "Constants.h"
 #include "HalfSpaceField.h"
 #include "StiffnessAssembly.h"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
-#include <limits>
-
 namespace palpate
 {
 namespace
 {
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
 using TwoColumns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 std::size_t nodeOf(const VolumeElement& element, int i)

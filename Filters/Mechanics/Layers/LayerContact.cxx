@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerContact.h"
+#include "Constants.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double DepthTolerance =
   1e-13; // relative; the force is stationary in a, its error smaller
 } // namespace
@@ -71,7 +69,7 @@ double LayerContact::solveRadius(double deflection, Contact& contact) const
   if (deflection >= this->LargestDepth)
   {
     contact = this->contactAt(std::nextafter(this->LargestRadius, 0.0));
-    return deflection <= this->Deepest ? this->LargestRadius : NaN;
+    return deflection <= this->Deepest ? this->LargestRadius : NotANumber;
   }
   // Secant steps on log δ over log a, where every tool is nearly straight, kept in a bracket.
   double below = this->SmallestRadius;
@@ -106,14 +104,14 @@ IndentationPoint LayerContact::evaluate(double deflection, double reducedModulus
 {
   if (!(deflection > 0.0))
   {
-    const double none = std::isnan(deflection) ? NaN : 0.0;
+    const double none = std::isnan(deflection) ? NotANumber : 0.0;
     return { none, none, none };
   }
   Contact contact{};
   const double a = this->solveRadius(deflection, contact);
   if (std::isnan(a))
   {
-    return { NaN, NaN, NaN };
+    return { NotANumber, NotANumber, NotANumber };
   }
   const double twice = 2.0 * reducedModulus;
   return { twice * (contact.flat * deflection - contact.profile), twice * contact.flat, a };
@@ -128,7 +126,7 @@ double LayerContact::depthAtContactRadius(double a) const
 {
   if (!(a >= 0.0) || a > LayerKernel::LargestRatio * this->Thickness)
   {
-    return NaN;
+    return NotANumber;
   }
   if (a >= this->Tool.largestContactRadius() && a > this->SmallestRadius)
   {

@@ -2,6 +2,7 @@
 #include "LayerKernel.h"
 
 #include "ChebyshevRule.h"
+#include "Constants.h"
 #include "GaussLegendre.h"
 
 #include <Eigen/Cholesky>
@@ -15,7 +16,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestOmega = 20.0; // e^(-2ω) has fallen below 1e-17
 constexpr int OmegaPanels = 20;
 

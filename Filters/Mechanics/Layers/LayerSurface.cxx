@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerSurface.h"
 
+#include "Constants.h"
 #include "DimensionalityReduction.h"
 #include "GaussLegendre.h"
 #include "LayerContact.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double ReachInLayers =
   20.0; // the slowest decay, of an incompressible layer, is e^(-0.74 r/h)
 
@@ -154,7 +152,7 @@ SurfaceDisplacement LayerSurface::at(double r) const
 {
   if (!(r >= 0.0) || std::isnan(this->Deflection))
   {
-    return { NaN, NaN };
+    return { NotANumber, NotANumber };
   }
   if (this->Radius == 0.0 || r > this->Reach)
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PiecewiseChebyshev.h"
+#include "Constants.h"
 
 #include <array>
 #include <cmath>
@@ -7,11 +8,6 @@
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 PiecewiseChebyshev::PiecewiseChebyshev(
   double end, int pieces, const std::function<double(double)>& function)
   : PieceLength(end / pieces)

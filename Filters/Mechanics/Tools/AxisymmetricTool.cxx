@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AxisymmetricTool.h"
 
+#include "Constants.h"
 #include "DimensionalityReduction.h"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-} // namespace
-
 std::string AxisymmetricTool::checkDepth(double deflection) const
 {
   const DepthLimit limit = this->depthLimit();
@@ -33,7 +27,7 @@ IndentationPoint AxisymmetricTool::evaluate(double deflection, double reducedMod
 {
   if (!(deflection > 0.0 && this->answers(deflection)))
   {
-    const double none = deflection <= 0.0 ? 0.0 : NaN;
+    const double none = deflection <= 0.0 ? 0.0 : NotANumber;
     return { none, none, none };
   }
   const double a = this->radiusAt(deflection);
@@ -44,7 +38,7 @@ double AxisymmetricTool::contactRadius(double deflection) const
 {
   if (!(deflection > 0.0 && this->answers(deflection)))
   {
-    return deflection <= 0.0 ? 0.0 : NaN;
+    return deflection <= 0.0 ? 0.0 : NotANumber;
   }
   return this->radiusAt(deflection);
 }
@@ -58,7 +52,7 @@ double AxisymmetricTool::stiffness(double deflection, double reducedModulus) con
 {
   if (!(deflection > 0.0 && this->answers(deflection)))
   {
-    return deflection <= 0.0 ? 0.0 : NaN;
+    return deflection <= 0.0 ? 0.0 : NotANumber;
   }
   return 2.0 * reducedModulus * this->radiusAt(deflection);
 }
@@ -67,7 +61,7 @@ double AxisymmetricTool::pressure(double r, double deflection, double reducedMod
 {
   if (!this->answers(deflection) || !(r >= 0.0))
   {
-    return NaN;
+    return NotANumber;
   }
   const double a = this->contactRadius(deflection);
   if (deflection <= 0.0 || r > a || (r == a && a < this->largestContactRadius()))
@@ -86,7 +80,7 @@ SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
 {
   if (!this->answers(deflection) || !(r >= 0.0) || std::isnan(poissonsRatio))
   {
-    return { NaN, NaN };
+    return { NotANumber, NotANumber };
   }
   if (deflection <= 0.0 || std::isinf(r))
   {

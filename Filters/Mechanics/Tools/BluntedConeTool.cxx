@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BluntedConeTool.h"
 
+#include "Constants.h"
 #include "GaussLegendre.h"
 #include "IncreasingRoot.h"
 #include "ToolSpecification.h"
@@ -9,11 +10,6 @@
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 BluntedConeTool::BluntedConeTool(double radius, double halfAngle)
   : Radius(radius)
   , HalfAngle(halfAngle)

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConeTool.h"
 
+#include "Constants.h"
 #include "ToolSpecification.h"
 
 #include <cmath>
-#include <limits>
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
-
 ConeTool::ConeTool(double halfAngle)
   : HalfAngle(halfAngle)
   , Slope(1.0 / std::tan(halfAngle * Pi / 180.0))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthLimit.h"
+#include "Constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Tolerance = 1e-3;          // of the depth, see the header
 constexpr std::size_t LeastSamples = 512;   // of g, in all
 constexpr std::size_t MostCandidates = 512; // radii at which the gap is followed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DimensionalityReduction.h"
 
+#include "Constants.h"
 #include "GaussLegendre.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace palpate::reduction
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 const GaussLegendre& startRule()
 {
   static const GaussLegendre rule(32);

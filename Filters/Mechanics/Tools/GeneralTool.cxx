@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GeneralTool.h"
 
+#include "Constants.h"
 #include "DimensionalityReduction.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double LargestSearched = 1e9; // mm, of a contact radius
 } // namespace
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ParaboloidTool.h"
 
+#include "Constants.h"
 #include "ToolSpecification.h"
 
 #include <cmath>
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 ParaboloidTool::ParaboloidTool(double radius)
   : Radius(radius)
 {

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PowerLawTool.h"
 
+#include "Constants.h"
 #include "ToolSpecification.h"
 
 #include <cmath>
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
-
 PowerLawTool::PowerLawTool(double exponent, double coefficient)
   : Exponent(exponent)
   , Coefficient(coefficient)

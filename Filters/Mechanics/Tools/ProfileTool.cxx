@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProfileTool.h"
 
+#include "Constants.h"
 #include "ToolSpecification.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int RisesPerStep = 8; // of a profile that is not convex
 
 std::string pointText(std::size_t i, const ProfilePoint& point)

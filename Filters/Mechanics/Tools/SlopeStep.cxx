@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlopeStep.h"
 
+#include "Constants.h"
 #include "DimensionalityReduction.h"
 
 #include <cmath>
-#include <limits>
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
-
 double SlopeStep::reducedProfile(double x) const
 {
   const double b = this->Radius;

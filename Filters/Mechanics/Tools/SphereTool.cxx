@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SphereTool.h"
 
+#include "Constants.h"
 #include "ToolSpecification.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// w > 0 with w tanh w = depth, by Newton's method, started from the series of w² in the depth or,
 /// for deep ones, from tanh w ≈ 1.
 double solveDepth(double depth)

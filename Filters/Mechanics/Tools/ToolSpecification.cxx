@@ -3,6 +3,7 @@
 
 #include "BluntedConeTool.h"
 #include "ConeTool.h"
+#include "Constants.h"
 #include "FlatTool.h"
 #include "ParaboloidTool.h"
 #include "PowerLawTool.h"
@@ -19,8 +20,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 using Parameter = double ToolSpecification::*;
 
 /// A shape's name on the command line, its name in sentences, and its parameters in order.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TruncatedConeTool.h"
 
+#include "Constants.h"
 #include "IncreasingRoot.h"
 #include "ToolSpecification.h"
 
@@ -9,12 +10,6 @@
 
 namespace palpate
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
-
 TruncatedConeTool::TruncatedConeTool(double radius, double halfAngle)
   : Edge(radius)
   , HalfAngle(halfAngle)

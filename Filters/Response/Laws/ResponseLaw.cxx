@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseLaw.h"
 
+#include "Constants.h"
 #include "SeriesCompliance.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int ErrorProbes = 200;
 // The local part of a series is kept in more samples than are stored: its own storage error is
 // (8/64)⁴ of theirs. A negative compliance drives the local part beyond the range.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SiteTables.h"
 
+#include "Constants.h"
 #include "IsotonicRegression.h"
 
 #include "vtkDoubleArray.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -19,8 +19,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 template <class Array, class Row, class Value>
 void addColumn(
   vtkTable* table, const std::string& name, const std::vector<Row>& rows, const Value& value)
@@ -56,7 +54,7 @@ void addEstimate(vtkTable* table, const std::string& name, const std::string& un
 template <class Value>
 double most(const PlacedSite& site, const Value& value)
 {
-  double largest = NaN;
+  double largest = NotANumber;
   for (const SiteCurve& curve : site.measured.curves)
   {
     const double next = value(curve.prepared);
@@ -108,7 +106,7 @@ void appendReadings(const PlacedSite& site, std::size_t index,
     {
       const double depth = load.deflection[order[i]] - offset;
       readings.push_back({ &site, &curve, depth, forces[i], monotone[i],
-        known ? bodyResponse(body.body, *curve.tool, kernel, depth).force : NaN });
+        known ? bodyResponse(body.body, *curve.tool, kernel, depth).force : NotANumber });
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContactArrow.h"
 
+#include "Constants.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -18,7 +19,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Facets = 32;         // around the shaft
 constexpr double HeadRadius = 1.4; // shaft diameters
 constexpr double HeadLength = 3.5;
