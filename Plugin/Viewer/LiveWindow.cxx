@@ -3,6 +3,7 @@
 
 #include "LiveSetup.h"
 #include "LiveTouch.h"
+#include "ModelChoice.h"
 #include "SessionSettings.h"
 
 #include <cstdio>
@@ -30,14 +31,21 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
+  ModelChoice choice;
+  error = chooseModel(options, scene, responses, choice);
+  if (!error.empty())
+  {
+    return error;
+  }
   LiveTouch live(options, scene, responses);
+  live.session()->SetBody(choice.body); // until the panel changes what is felt
   error = chooseDevice(options, responses, live.session());
   if (!error.empty())
   {
     return error;
   }
   placeDevice(scene, responses, live.session());
-  live.showHelp(Help);
+  live.showHelp(choice.reason.empty() ? Help : Help + ("\n" + shortReason(choice)));
   live.usePanel(setup);
   live.onTool([&responses](int tool) { tell(responses, tool); });
   live.open();
@@ -45,6 +53,10 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   if (!error.empty())
   {
     return error;
+  }
+  if (!choice.reason.empty())
+  {
+    std::printf("choice: %s\n", choice.reason.c_str());
   }
   tell(responses, 0);
   return live.run();

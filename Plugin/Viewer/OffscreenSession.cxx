@@ -2,6 +2,7 @@
 #include "OffscreenSession.h"
 
 #include "LayerModel.h"
+#include "ModelChoice.h"
 #include "Pictures.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
@@ -111,7 +112,8 @@ Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
 }
 
 void printSummary(const ViewerOptions& options, const TouchScene& scene,
-  const ResponseSet& responses, vtkHapticSession* session, const std::string& stiffening)
+  const ResponseSet& responses, const ModelChoice& choice, vtkHapticSession* session,
+  const std::string& stiffening)
 {
   vtkNew<vtkTable> statistics;
   session->GetStatistics(statistics);
@@ -130,6 +132,10 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
   }
   std::printf("; the first one touches\n");
   std::printf("  model       %s%s\n", describeLaw(scene).c_str(), scene.modelReason.c_str());
+  if (!choice.reason.empty())
+  {
+    std::printf("  choice      %s\n", choice.reason.c_str());
+  }
   if (!stiffening.empty())
   {
     std::printf("  layer       in the pictures %s\n", stiffening.c_str());
@@ -147,9 +153,10 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
   std::printf("  validity    %.1f %% of the ticks in contact lie within it%s%s\n",
     100.0 * trust.share, trust.broken.empty() ? "" : "; elsewhere the first to break is ",
     trust.broken.c_str());
-  std::printf("  time        responses %.0f ms for %zu tools; per tick median %.0f ns, 99 %% below "
-              "%.0f ns\n",
-    1e3 * responses.seconds, responses.tools.size(), value("MedianTick (ns)"),
+  std::printf(
+    "  time        responses %.0f ms for %zu tools, choice %.0f ms; per tick median %.0f ns, "
+    "99 %% below %.0f ns\n",
+    1e3 * responses.seconds, responses.tools.size(), 1e3 * choice.seconds, value("MedianTick (ns)"),
     value("Percentile99Tick (ns)"));
   std::printf("  memory      responses %.1f MB per tool, peak of the process %.0f MB\n",
     responses.bytesPerTool / 1e6, peakMemory());
@@ -200,6 +207,12 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
+  ModelChoice choice;
+  error = chooseModel(options, scene, responses, choice);
+  if (!error.empty())
+  {
+    return error;
+  }
   vtkNew<vtkPolyData> path;
   error = makePath(scene, path);
   if (!error.empty())
@@ -209,7 +222,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
 
   progress("pressing and sliding");
   vtkNew<vtkHapticSession> session;
-  session->SetBody(responses.body);
+  session->SetBody(choice.body);
   session->SetPath(path);
   session->SetRate(options.rate);
   chooseContact(options, scene, session);
@@ -254,7 +267,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   {
     const std::string stiffening = describeStiffening(scene, responses,
       nearestCorner(responses.body, moment), scene.depth, options.maximumDeflection);
-    printSummary(options, scene, responses, session, stiffening);
+    printSummary(options, scene, responses, choice, session, stiffening);
   }
   return error;
 }

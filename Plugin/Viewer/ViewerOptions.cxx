@@ -317,6 +317,14 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--save", options.save, "also write the body with its responses, a .vtp");
   app.add_option("--export", options.exportTo,
     "also write the body with the first tool's responses for loops without VTK, a .palpate");
+  app.add_flag("--auto,!--no-auto", options.automatic,
+    "choose from regime, validity and spread what is felt: a point force, one law, a few, or a "
+    "response per vertex, and say why (default; --no-auto: per vertex as computed)");
+  app
+    .add_option("--tolerance", options.tolerance,
+      "how much the chosen form may change a force, relative (see vtkResponseChoice)")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
   app.add_flag("--window", options.window,
     "open a window in which the mouse moves the tool, instead of writing pictures");
   app.add_option("--screenshot", options.screenshot,
@@ -326,9 +334,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   addTrialOptions(app, options, alternatives);
   addViewOptions(app, options);
 
-  for (const char* option : { "--young", "--poisson", "--depth", "--max-deflection",
-         "--length-unit", "--resolution", "--contour", "--closing", "--base", "--reach", "--voxel",
-         "--site", "--slide-to", "--rate", "--friction", "--tangential-stiffness", "--scale" })
+  for (const char* option :
+    { "--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
+      "--contour", "--closing", "--base", "--reach", "--voxel", "--site", "--slide-to", "--rate",
+      "--friction", "--tangential-stiffness", "--scale", "--tolerance" })
   {
     app.get_option(option)->check(CLI::Validator(checkFinite, ""));
   }

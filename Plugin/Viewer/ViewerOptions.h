@@ -55,8 +55,10 @@ struct ViewerOptions
   std::vector<TrialChoice> trial; ///< blind comparison of these; none: there is none
   int trialRounds = 5;
   std::optional<std::uint64_t> trialSeed;
-  std::string trialLog; ///< empty: trial.csv in the output folder
-  std::string question; ///< empty: which pushes back more
+  std::string trialLog;    ///< empty: trial.csv in the output folder
+  std::string question;    ///< empty: which pushes back more
+  bool automatic = true;   ///< feel the least form of the response that keeps its forces
+  double tolerance = 0.01; ///< of that form, relative
 };
 
 /// Reads the command line. Returns an exit code when the program is to end here (help, version, or

@@ -52,6 +52,9 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "MeasuredCurves"): {"Readings": None},
     ("filters", "ReducedContactResponse"): {
         "Input": None, "Tolerance": 0.01, "Maximum Number Of Laws": 8, "Response Name": "Response"},
+    ("filters", "ResponseChoice"): {
+        "Input": None, "Tolerance": 0.01, "Share": 1.0, "Deflection (mm)": 0.0, "Maximum Number Of Laws": 8,
+        "Response Name": "Response"},
     ("filters", "MeasuredContactResponse"): {
         "Input": None, "Curve Table": None, "Length Unit": 0, "Curves": None, "Measuring Tool": "", "Registration": "",
         "Tool": None, "Body Model": 0, "Poisson's Ratio": 0.45, "Layer Base": 0, "Find First Contact": 1,

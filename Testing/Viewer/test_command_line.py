@@ -11,10 +11,11 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--voxel", "--fixed", "--layer", "--base", "--measured", "--register", "--reach",
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
            "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
-           "--rounds", "--seed", "--question", "--log", "--compare", "--map")
+           "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
+           "--tolerance")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
-           "--friction", "--tangential-stiffness", "--scale")
+           "--friction", "--tangential-stiffness", "--scale", "--tolerance")
 
 
 class CommandLine(SessionCase):

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef palpate_Constants_h
+#define palpate_Constants_h
 
 #include <limits>
 
 namespace palpate
 {
-
 inline constexpr double Pi = 3.14159265358979323846;
 inline constexpr double Infinity = std::numeric_limits<double>::infinity();
 inline constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+} // namespace palpate
 
-}
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ResponseChoice_h
+#define palpate_ResponseChoice_h
+
+#include "ResponseField.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// The least a body's points need to answer a tool, from the least up.
+enum class ResponseNeed
+{
+  PointForce, ///< a spring per point, whatever the shape of the tool
+  OneLaw,     ///< the same curve at every point
+  ScaledLaw,  ///< one law, times a number per point
+  FewLaws,    ///< a few laws, combined at each point
+  PerVertex   ///< a curve of its own per point
+};
+
+struct ChoiceSettings
+{
+  double tolerance = 0.01; ///< see chooseResponse; > 0
+  double share = 1.0;      ///< of the points that must keep it, 0 to 1
+  double depth = 0.0;      ///< that the tool is pressed, mm; 0: half of each point's range
+  int mostLaws = 8;        ///< 1 to 16
+};
+
+/// What is known of the points besides their curves; null: not known.
+struct ChoiceEvidence
+{
+  const std::uint8_t* verdict = nullptr; ///< RegimeVerdict at `depth`
+  const float* validity = nullptr;       ///< depth to which the law holds, mm
+  const std::uint8_t* limit = nullptr;   ///< what breaks there, as in the data contract
+};
+
+/// From where to where something goes.
+struct ChoiceSpread
+{
+  double least = 0.0;
+  double most = 0.0;
+
+  void add(double value, bool isFirst)
+  {
+    this->least = isFirst || value < this->least ? value : this->least;
+    this->most = isFirst || value > this->most ? value : this->most;
+  }
+};
+
+/**
+ * The choice, and what it rests on. In place of the curves there are, unless PerVertex: `basis`,
+ * `laws` rows of n forces then n stiffnesses, and `coefficient`, `laws` per point (0 without
+ * response). PointForce: with `exponent` 1.
+ */
+struct ResponseChoice
+{
+  ResponseNeed need = ResponseNeed::PerVertex;
+  int laws = 0;
+  double exponent = 0.0;
+  std::vector<float> basis;
+  std::vector<float> coefficient;
+  int numbersPerPoint = 0; ///< that are stored, but for normal, range and status
+
+  std::size_t points = 0;  ///< that have a response
+  double keptShare = 1.0;  ///< of them: within the tolerance
+  double largestError = 0; ///< over all of them
+
+  bool regimeKnown = false;
+  double shapelessShare = 0.0; ///< of the points: the shape of the tool is not felt
+  bool springTried = false;    ///< then the next two hold
+  double springLoss = 0.0;     ///< largest error of a spring per point, of the force at its range
+  ChoiceSpread spring;         ///< N/mm
+  ChoiceSpread range;          ///< mm
+  ChoiceSpread depth;          ///< mm
+  bool validityKnown = false;
+  double beyondShare = 0.0; ///< of the points: `depth` is beyond validity
+  int firstLimit = 0;       ///< what breaks there at most points
+};
+
+/**
+ * Whether a body needs a response per point, or less.
+ *
+ * A point force, where at `share` of the points the shape of the tool is not felt (evidence.verdict
+ * is 2), the depth lies within the validity of the law that says so, and a spring F = k δ per point
+ * is off by no more than the tolerance, of the force at the end of the point's range. k is the
+ * secant there: the local compliance in series with the global one. The error is not relative to
+ * the force at its own depth, as it is below, since no spring has the start of a contact: near
+ * δ = 0 its relative error has no bound. With local share ε = 1 - λ at the end of the range, a
+ * sphere's spring is off by ε/7 of the force there, at 0.3 of the range.
+ *
+ * Otherwise the fewest laws with which `share` of the points are within the tolerance in the sense
+ * of reduceResponse: |F' - F|/F at any depth up to the range. Laws come from up to 8192 points
+ * evenly taken, and are then tried on all.
+ *
+ * Arrays in either form; points without response (by status) take no part. The same bits for any
+ * number of threads. Cost: some 20 ns per point where all curves are the same, else 2 to 3 us per
+ * point and core.
+ */
+ResponseChoice chooseResponse(
+  const ResponseArrays& arrays, const ChoiceEvidence& evidence, const ChoiceSettings& settings);
+} // namespace palpate
+
+#endif
