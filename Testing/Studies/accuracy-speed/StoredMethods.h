@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ContactMethod.h"
+#include "ContactSettings.h"
+#include "StudyBody.h"
+#include "StudyLaw.h"
+
+#include <memory>
+#include <string>
+
+/// Responses stored at each point, interpolated in the tick.
+namespace palpate::testing
+{
+/// Palpate's own kernel, ToolContact: cubic Hermite in √δ from forces and stiffnesses, float32.
+std::unique_ptr<ContactMethod> hermite(const std::string& name, const StudyBody& body,
+  const SampledCurves& curves, ContactSurface surface = ContactSurface::Facets);
+
+/// The same kernel on the compact form: the fewest numbers per point that keep curves within
+/// `tolerance`.
+std::unique_ptr<ContactMethod> reducedBasis(
+  const std::string& name, const StudyBody& body, const SampledCurves& curves, double tolerance);
+
+/// Straight lines between the same samples (and 0 at the surface), float32, without stiffnesses.
+std::unique_ptr<ContactMethod> linear(
+  const std::string& name, const StudyBody& body, const SampledCurves& curves);
+
+enum class FloatWidth
+{
+  Half = 16,
+  Single = 32,
+  Double = 64
+};
+/// The Hermite form with its samples stored in another width; ResponseSampling evaluates.
+std::unique_ptr<ContactMethod> hermiteIn(
+  FloatWidth width, const std::string& name, const StudyBody& body, const SampledCurves& curves);
+} // namespace palpate::testing

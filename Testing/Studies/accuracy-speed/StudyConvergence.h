@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "StudyScene.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate::testing
+{
+/// Relative RMS error of one method in one size.
+struct ConvergencePoint
+{
+  std::string body;
+  std::string method;
+  double size = 0.0; ///< mean edge, mm; or number of samples
+  double error = 0.0;
+};
+
+/**
+ * Error over the size of the mesh, with the first tool: a ball of 40 mm, half-space law, against
+ * the ball itself; a flat face over an uneven base (8 to 12 mm), against the law with the thickness
+ * at the place itself; the head's meshes, if there are any, against its reference.
+ */
+std::vector<ConvergencePoint> meshConvergence(
+  const StudyEffort& effort, const StudyScene* head, bool isQuick);
+
+/// Error over the number of samples and their width, for each tool of a scene.
+std::vector<ConvergencePoint> sampleConvergence(const StudyScene& scene);
+} // namespace palpate::testing

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace palpate::testing
+{
+
+/// What holds a block.
+enum class Support
+{
+  Base, ///< the bottom face, bonded
+  Edges ///< the end faces x = ±size/2, held along z only, free to turn
+};
+
+/// A block about the z axis under z = 0, of one material; mm, MPa.
+struct FiniteScene
+{
+  std::string name;
+  Eigen::Vector3d size;
+  Support support = Support::Base;
+  double reducedModulus = 1.0; ///< E* = E/(1-ν²)
+  double poissonRatio = 0.3;
+  double growth = 1.3; ///< of the elements away from the window and from the top
+
+  double youngsModulus() const;
+};
+
+/// The paper's rubber (E* = 3.45 MPa, ν = 0.45 as in the CalculiX study) as a plate 60 × 40 × 6 on
+/// its two short ends: gives way as a whole.
+FiniteScene finitePlate();
+/// The same rubber, so deep and wide that a tool of some mm sees a half-space.
+FiniteScene finiteBlock();
+/// The same rubber as a layer on a rigid base.
+FiniteScene finiteLayer(double thickness = 10.0);
+
+/// How fine a body is meshed, mm.
+struct FiniteMesh
+{
+  double spacing =
+    0.5; ///< of the elements in the window and on the top; of the window a whole share
+  double window = 8.0;  ///< |x|, |y| <= window is what a tool may touch
+  double largest = 2.0; ///< element of a plate, which bends everywhere
+
+  /// Coarse and small, for tests.
+  static FiniteMesh quick() { return { 1.0, 6.0, 2.0 }; }
+  /// For finiteReference().
+  static FiniteMesh reference() { return { 0.5, 8.0, 1.0 }; }
+};
+
+} // namespace palpate::testing

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "NodalContact.h"
+
+namespace palpate::testing
+{
+
+/// The contact on the body's whole factor: the forces of the nodes in contact by conjugate
+/// gradients, a solution of the whole body in each step. Nothing is stored for the window.
+class FullSolve : public NodalContact
+{
+public:
+  FullSolve(FiniteBodyPointer body, ToolPointer tool)
+    : NodalContact(std::move(body), std::move(tool))
+  {
+  }
+
+  std::string name() const override { return "full finite elements (offline)"; }
+  std::size_t bytes() const override { return this->body().factorBytes(); }
+  /// Solutions of the whole body so far.
+  int solutions() const { return this->Solutions; }
+
+private:
+  void press(const std::vector<int>& active, const Eigen::VectorXd& wanted,
+    Eigen::VectorXd& forces) override;
+  void move(
+    const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override;
+
+  int Solutions = 0;
+};
+
+} // namespace palpate::testing

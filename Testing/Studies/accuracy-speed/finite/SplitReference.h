@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FiniteMethods.h"
+#include "UnilateralContact.h"
+
+namespace palpate::testing
+{
+
+/**
+ * The Green function split in two: G(x,X) = 1/(πE*|x-X|) + H(x,X). The first, singular half is what
+ * elements render badly, and is exact here; the second is smooth over some mm and comes from
+ * elements (RegularField). Unlike C_g in series, H varies under the contact: a plate bends round
+ * the tool.
+ *
+ * The contact is solved on squares of uniform pressure around the tip (Love 1929), about
+ * `Squares` across it. What squares that coarse miss of the singular half is measured on a
+ * half-space under the same force, where the law of the tool is known, and taken off the depth.
+ */
+class SplitReference
+  : public ContactMethod
+  , private CompliantNodes
+{
+public:
+  static constexpr int Squares = 16;
+  SplitReference(FiniteBodyPointer body, ToolPointer tool, int squares = Squares);
+
+  std::string name() const override { return "split finite-element reference"; }
+  Vector3 force(const Vector3& tip) override;
+  std::size_t bytes() const override;
+
+private:
+  void press(const std::vector<int>& active, const Eigen::VectorXd& wanted,
+    Eigen::VectorXd& forces) override;
+  void move(
+    const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override;
+
+  /// Squares within `extent` of the tip's axis; false where they leave the window.
+  bool layOut(const Vector3& tip, double side, double extent);
+  /// The force at a depth, on the matrix given.
+  double pressed(const Eigen::MatrixXd& matrix, double depth);
+  double solve(const Vector3& tip, double depth, double radius);
+
+  FiniteBodyPointer Body;
+  ToolPointer Tool;
+  int Across;
+  UnilateralContact Contact;
+  std::vector<Eigen::Vector2d> Middles; ///< of the squares, from the axis
+  Eigen::MatrixXd Local;                ///< of the squares on a half-space, mm/N
+  Eigen::MatrixXd Whole;                ///< and with H
+  const Eigen::MatrixXd* Matrix = nullptr;
+  std::vector<int> Active;
+  double Outermost = 0.0; ///< in contact, from the axis
+};
+
+} // namespace palpate::testing

@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ways to render a contact: how true, how fast, how large.
+
+    ./run study accuracy-speed [--quick] [--no-offline] [--output DIR] [--program FILE] [--scene NAME ...]
+
+Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
+accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
+convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the same as tables), and with
+matplotlib accuracy-speed.png and convergence.png. Times are of this machine; all else is the same everywhere.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+
+import head
+import pictures
+import rows as study
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PROGRAM = ROOT / "build" / "release" / "bin" / "palpateAccuracySpeed"
+CURVES = ROOT / "Data" / "Studies" / "calculix"
+METHOD_COLUMNS = ("scene", "tool", "method", "vertices", "edge_mm", "bytes_per_vertex", "model_bytes_per_vertex", "tips",
+                  "unanswered", "error", "error_sites", "error_path", "noticed", "error_calculix", "hot_ns", "onset_ns",
+                  "cold_ns", "pareto")
+CONVERGENCE_COLUMNS = ("part", "scene", "method", "size", "error", "order")
+
+
+def measure(program, options, heads=()):
+    """The program's rows as text."""
+    command = [str(program), "--curves", str(CURVES)] + list(options)
+    for file in heads:
+        command += ["--head", str(file)]
+    # One thread: what a tick has; and the threads of BLAS would wait for each other on a busy machine.
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
+    return subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+
+
+def judge(text):
+    """Rows of methods, with those of all tools and the fronts, and rows of convergence, with orders."""
+    rows = study.read(text)
+    methods = study.select(rows, part="methods")
+    methods += study.pool(methods)
+    study.mark_fronts(methods)
+    convergence = [row for row in rows if row["part"] != "methods"]
+    study.mark_orders(convergence)
+    return methods, convergence
+
+
+def write(file, rows, columns):
+    def text(value):
+        return "" if value is None else "{:.5g}".format(value) if isinstance(value, float) else value
+    with open(file, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows([[text(row[name]) for name in columns] for row in rows])
+
+
+def duration(nanoseconds):
+    if nanoseconds is None:
+        return ""
+    for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
+        if nanoseconds >= size:
+            return "{:.3g} {}".format(nanoseconds / size, unit)
+    return "{:.3g} ns".format(nanoseconds)
+
+
+def percent(value):
+    return "" if value is None else "{:.2g} %".format(100 * value)
+
+
+def tables(methods, convergence):
+    """Markdown."""
+    pooled = study.select(methods, tool=study.ALL)
+    lines = []
+    for scene in study.distinct(pooled, "scene"):
+        lines += ["", "**{}**, all tools".format(scene), "",
+                  "| method | error | sites / path | noticed | against CalculiX | hot / onset / cold | bytes per vertex "
+                  "| front |", "|---|---|---|---|---|---|---|---|"]
+        for row in study.select(pooled, scene=scene):
+            lines.append("| {} | {} | {} / {} | {:.0f} % | {} | {} / {} / {} | {:.4g} | {} |".format(
+                row["method"], percent(row["error"]), percent(row["error_sites"]), percent(row["error_path"]),
+                100 * (row["noticed"] or 0), percent(row["error_calculix"]), duration(row["hot_ns"]),
+                duration(row["onset_ns"]), duration(row["cold_ns"]), row["model_bytes_per_vertex"],
+                "yes" if row["pareto"] else ""))
+    lines += ["", "**Convergence**: error from the coarsest to the finest mesh, or the fewest to the most samples", "",
+              "| over | body | method | sizes | error | order |", "|---|---|---|---|---|---|"]
+    seen = set()
+    for row in convergence:
+        key = (row["part"], row["scene"], row["method"])
+        if key not in seen:
+            seen.add(key)
+            mine = study.select(convergence, part=key[0], scene=key[1], method=key[2])
+            lines.append("| {} | {} | {} | {} | {} | {} |".format(
+                *key, ", ".join("{:.3g}".format(p["size"]) for p in mine),
+                ", ".join("{:.1e}".format(p["error"]) for p in mine),
+                "" if row["order"] is None else "{:.1f}".format(row["order"])))
+    return "\n".join(lines[1:]) + "\n"
+
+
+def report(text, folder):
+    methods, convergence = judge(text)
+    write(folder / "accuracy-speed.csv", methods, METHOD_COLUMNS)
+    write(folder / "convergence.csv", convergence, CONVERGENCE_COLUMNS)
+    (folder / "accuracy-speed.md").write_text(tables(methods, convergence), encoding="utf-8")
+    for draw, rows, name in ((pictures.draw_methods, methods, "accuracy-speed.png"),
+                             (pictures.draw_convergence, convergence, "convergence.png")):
+        if not draw(rows, folder / name):
+            print("no " + name + ": no matplotlib, or no times", file=sys.stderr)
+    return methods, convergence
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build" / "studies" / "accuracy-speed")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
+    parser.add_argument("--quick", action="store_true", help="few tips, no finite elements, a coarse head")
+    parser.add_argument("--no-offline", action="store_true", help="without the full finite-element solution per tip")
+    parser.add_argument("--scene", action="append", choices=("block", "layer", "plate", "head"), default=[])
+    parser.add_argument("--redraw", type=pathlib.Path, help="rows of an earlier run (rows.csv) instead of a new one")
+    arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    if arguments.redraw:
+        text = arguments.redraw.read_text(encoding="utf-8")
+    else:
+        if not arguments.program.exists():
+            parser.error("there is no {}: was it left out of the build?".format(arguments.program))
+        heads, why = [], ""
+        if not arguments.scene or "head" in arguments.scene:
+            heads, why = head.prepare(arguments.output, (4.0,) if arguments.quick else (0.0, 2.0, 4.0))
+        if why:
+            print("no head: " + why, file=sys.stderr)
+        options = ["--quick", "--no-finite"] if arguments.quick else []
+        options += ["--no-offline"] if arguments.no_offline else []
+        for scene in arguments.scene:
+            options += ["--scene", scene]
+        text = measure(arguments.program, options, heads)
+        (arguments.output / "rows.csv").write_text(text, encoding="utf-8")
+    methods, convergence = report(text, arguments.output)
+    print(tables(methods, convergence))
+    print("results in {}".format(arguments.output))
+
+
+if __name__ == "__main__":
+    main()

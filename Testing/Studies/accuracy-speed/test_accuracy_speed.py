@@ -1,0 +1,192 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The short version of ./run study accuracy-speed: errors that must hold on every machine, never times.
+
+    test_accuracy_speed.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateAccuracySpeed
+
+Expected numbers come from closed forms: what a best straight line misses of δ^1.5, what linear interpolation in
+squared knots misses, the order of facets and of area coordinates.
+"""
+import math
+import pathlib
+import struct
+import sys
+import tempfile
+import unittest
+
+import run
+import rows as study
+
+PROGRAM = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
+STORED = ("Hermite 5", "Hermite 8", "Hermite 16", "Hermite 8, smooth surface", "Hermite 8, float32", "Hermite 8, float64")
+
+
+def dome(folder, cells=44, spacing=2.0):
+    """A cap of a sphere of 90 mm over a base of 8 to 12 mm, in place of the head."""
+    points, inverse, triangles = [], [], []
+    side = cells + 1
+    for j in range(side):
+        for i in range(side):
+            x, y = (i - cells / 2) * spacing, (j - cells / 2) * spacing
+            points.append((x, y, math.sqrt(90.0 ** 2 - x * x - y * y) - 90.0))
+            inverse.append(1.0 / (10.0 + 2.0 * math.sin(0.15 * x) * math.cos(0.12 * y)))
+    for j in range(cells):
+        for i in range(cells):
+            a = j * side + i
+            triangles += [(a, a + 1, a + side + 1), (a, a + side + 1, a + side)]
+    file = pathlib.Path(folder) / "dome.body"
+    with open(file, "wb") as stream:
+        stream.write("palpate-study {} {}\n".format(len(points), len(triangles)).encode())
+        stream.write(struct.pack("={}d".format(3 * len(points)), *(c for point in points for c in point)))
+        stream.write(struct.pack("={}d".format(len(inverse)), *inverse))
+        stream.write(struct.pack("={}i".format(3 * len(triangles)), *(c for corners in triangles for c in corners)))
+    return file
+
+
+class Quick(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            text = run.measure(PROGRAM, ["--quick", "--no-finite", "--no-times"], [dome(folder)])
+        cls.methods, cls.convergence = run.judge(text)
+
+    def error(self, scene, tool, method, column="error"):
+        found = study.select(self.methods, scene=scene, tool=tool, method=method)
+        self.assertEqual(len(found), 1, (scene, tool, method))
+        return found[0][column]
+
+    def scenes(self):
+        return study.distinct(self.methods, "scene")
+
+    def tools(self, scene):
+        return [tool for tool in study.distinct(study.select(self.methods, scene=scene), "tool") if tool != study.ALL]
+
+    def test_all_is_there_and_answered(self):
+        self.assertEqual(self.scenes(), ["half-space block", "10 mm layer", "plate on edges", "head"])
+        for row in study.select(self.methods, part="methods"):
+            if row["method"] != study.REFERENCE:
+                self.assertGreater(row["tips"], 400)
+                self.assertEqual(row["unanswered"], 0)
+
+    def test_stored_curves_hold(self):
+        # Flat bodies: nothing but storage is missing. 1 % is what Hermite 8 must keep; the contract promises
+        # 5e-4 for layers and spheres, and up to 1.4 % in the first per cent of the depth of a soft plate.
+        for scene in self.scenes()[:3]:
+            for tool in self.tools(scene):
+                for method in STORED:
+                    with self.subTest(scene=scene, tool=tool, method=method):
+                        self.assertLess(self.error(scene, tool, method), 0.01)
+                        self.assertEqual(self.error(scene, tool, method, "noticed"), 0.0)
+        for tool in self.tools("half-space block"):
+            self.assertLess(self.error("half-space block", tool, "Hermite 8"), 1e-5)
+
+    def test_more_samples_are_better(self):
+        for scene in self.scenes()[:3]:
+            for tool in self.tools(scene):
+                for kind in ("linear", "Hermite"):
+                    errors = [max(self.error(scene, tool, "{} {}".format(kind, n)), 1e-6) for n in (3, 5, 8, 16)]
+                    # A flat's law is a line: what is left there is the reference's, whatever the samples.
+                    for fewer, more in zip(errors, errors[1:]):
+                        with self.subTest(scene=scene, tool=tool, kind=kind):
+                            self.assertLessEqual(more, 1.001 * fewer)
+        # Straight lines: second order; Hermite cubics: fourth, until rounding.
+        for row in study.select(self.convergence, part="samples", method="linear"):
+            if "flat" not in row["scene"]:
+                self.assertAlmostEqual(row["order"], -2.0, delta=0.2)
+        for row in study.select(self.convergence, part="samples", method="Hermite, float64"):
+            if row["order"] is not None and "flat" not in row["scene"]:
+                self.assertLess(row["order"], -3.0)
+
+    def test_widths(self):
+        for scene in self.scenes()[:2]:
+            for tool in self.tools(scene):
+                # Half an ulp of float16 is 2^-11; a cubic between samples at most doubles it.
+                self.assertLess(self.error(scene, tool, "Hermite 8, float16"), 2.0 ** -10)
+                self.assertGreater(self.error(scene, tool, "Hermite 8, float16"), 1e-5)
+                self.assertLess(self.error(scene, tool, "Hermite 8, float32"), 2e-6)
+
+    def test_springs_know_one_depth_and_one_tool(self):
+        # The best straight line through δ^1.5 on (0, 1): with weight 1, √(1 - (1/3.5)²/(1/3 · 1/4)) = 14.3 %;
+        # the sites begin at 5 % and are few. The exact sphere is a little less bent.
+        spring = self.error("half-space block", "sphere:6.35", "point spring per vertex and tool", "error_sites")
+        self.assertAlmostEqual(spring, 0.143, delta=0.025)
+        # For a flat punch a line is the law.
+        self.assertLess(self.error("half-space block", "flat:1.6", "point spring per vertex and tool"), 1e-6)
+        for scene in ("half-space block", "10 mm layer"):
+            for tool in ("sphere:1.6", "cone:60"):
+                for method in ("one spring", "point spring per vertex", "fixed-traction patch"):
+                    self.assertGreater(self.error(scene, tool, method), 1.0)
+        # Where the body gives way as a whole they do well: the paper's St. Venant.
+        for tool in self.tools("plate on edges"):
+            self.assertLess(self.error("plate on edges", tool, "point spring per vertex"), 0.25)
+        self.assertLess(self.error("plate on edges", "sphere:6.35", "point spring per vertex"), 0.03)
+
+    def test_vertices_inside_the_tool_depend_on_the_mesh(self):
+        for tool in ("sphere:1.6", "flat:1.6", "cone:60"):
+            for size in ("fine", "medium", "coarse"):
+                self.assertGreater(self.error("half-space block", tool, "penetrating vertices, " + size), 0.3)
+        # A coarse mesh has no vertex under a narrow tool most of the time: area π 1.6² of 4² mm².
+        self.assertGreater(self.error("half-space block", "flat:1.6", "penetrating vertices, coarse"),
+                           self.error("half-space block", "flat:1.6", "penetrating vertices, fine"))
+
+    def test_table_1_holds_on_a_half_space_alone(self):
+        for tool in ("flat:1.6", "cone:60"):
+            self.assertLess(self.error("half-space block", tool, "Table 1 at run time"), 1e-6)
+        # The paraboloid is stiffer than the sphere by 2.8 % at δ/R = 2/6.35 (closed forms).
+        self.assertAlmostEqual(self.error("half-space block", "sphere:6.35", "Table 1 at run time"), 0.028, delta=0.004)
+        self.assertGreater(self.error("10 mm layer", "sphere:6.35", "Table 1 at run time"), 0.2)
+        self.assertGreater(self.error("plate on edges", "flat:1.6", "Table 1 at run time"), 1.0)
+
+    def test_order_over_the_mesh(self):
+        # Facets lie h²/(6R) under the ball; responses between vertices miss h²/6 |f″|: second order. Three and four sizes.
+        for body in ("ball", "uneven layer"):
+            found = study.select(self.convergence, part="mesh", scene=body, method="Hermite, facets")
+            self.assertAlmostEqual(found[0]["order"], 2.0, delta=0.25)
+        smooth = study.select(self.convergence, part="mesh", scene="ball", method="Hermite, smooth surface")
+        facets = study.select(self.convergence, part="mesh", scene="ball", method="Hermite, facets")
+        for one, other in zip(smooth, facets):
+            self.assertLess(one["error"], 0.05 * other["error"])
+
+    def test_curved_and_uneven_body(self):
+        # 2 mm edges over 90 mm: the facets' sag of h²/(6R) and the layer's waves; 1 % and less on the smooth surface.
+        for tool in self.tools("head"):
+            self.assertLess(self.error("head", tool, "Hermite 8, smooth surface"), 0.01)
+            self.assertLess(self.error("head", tool, "Hermite 8"), 0.05)
+            self.assertLess(self.error("head", tool, "reduced basis, 1 %"), 0.06)
+
+    def test_finite_elements_agree_with_the_references(self):
+        # Finite strain against small strain, and their meshes (Data/Studies/calculix): a few per cent.
+        for scene in ("half-space block", "10 mm layer"):
+            for tool in ("sphere:6.35", "sphere:1.6", "flat:1.6"):
+                self.assertLess(self.error(scene, tool, study.REFERENCE, "error_calculix"), 0.03)
+                self.assertLess(abs(self.error(scene, tool, "Hermite 8", "error_calculix") -
+                                    self.error(scene, tool, study.REFERENCE, "error_calculix")), 1e-3)
+
+
+class Fronts(unittest.TestCase):
+    def row(self, method, time, error, size=4.0):
+        return {"scene": "s", "tool": "t", "method": method, "hot_ns": time, "error": error,
+                "model_bytes_per_vertex": size}
+
+    def test_front(self):
+        rows = [self.row("a", 100, 0.5), self.row("b", 200, 0.1), self.row("worse", 250, 0.2), self.row("c", 300, 1e-3),
+                self.row(study.REFERENCE, 1, 1e-9), self.row("equal, larger", 300, 1e-3, 80.0),
+                self.row("rounding", 400, 1e-8), self.row("slower rounding", 500, 1e-9), self.row("untimed", None, 0.0)]
+        self.assertEqual([row["method"] for row in study.front(rows)], ["a", "b", "c", "rounding"])
+
+    def test_order(self):
+        points = [{"size": size, "error": 0.3 * size ** 2} for size in (1.0, 2.0, 4.0)]
+        self.assertAlmostEqual(study.order(points), 2.0, delta=1e-9)
+        self.assertIsNone(study.order(points[:2]))
+
+    def test_pooled(self):
+        rows = [dict({name: None for name in run.METHOD_COLUMNS}, scene="s", tool=tool, method="m", error=error,
+                     hot_ns=time) for tool, error, time in (("a", 3.0, 5.0), ("b", 4.0, 7.0))]
+        pooled = study.pool(rows)
+        self.assertEqual(len(pooled), 1)
+        self.assertAlmostEqual(pooled[0]["error"], math.sqrt(12.5), delta=1e-12)
+        self.assertAlmostEqual(pooled[0]["hot_ns"], 6.0, delta=1e-12)
+
+
+if __name__ == "__main__":
+    unittest.main()

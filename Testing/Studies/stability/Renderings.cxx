@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Renderings.h"
+
+#include <limits>
+
+namespace palpate::testing
+{
+const char* nameOf(Control control)
+{
+  switch (control)
+  {
+    case Control::None:
+      return "none";
+    case Control::Cap:
+      return "cap";
+    case Control::Passivity:
+      return "passivity";
+    case Control::Chain:
+      return "chain";
+    default:
+      return "half chain";
+  }
+}
+
+SafetySettings safetyOf(Control control, const LoopSetting& setting)
+{
+  if (control == Control::None)
+  {
+    return SafetySettings::magnitudeOnly(std::numeric_limits<double>::infinity());
+  }
+  SafetySettings safety = SafetySettings::of(setting.specification());
+  if (control == Control::HalfChain)
+  {
+    safety.maximumStiffness *= 0.5;
+  }
+  else if (control != Control::Chain)
+  {
+    safety.maximumForce = std::numeric_limits<double>::infinity();
+    safety.sampleTimeOut = std::numeric_limits<double>::infinity();
+    safety.gate = false;
+    safety.capStiffness = control == Control::Cap;
+    safety.controlPassivity = control == Control::Passivity;
+  }
+  return safety;
+}
+} // namespace palpate::testing

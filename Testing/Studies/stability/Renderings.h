@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_Renderings_h
+#define palpate_testing_Renderings_h
+
+#include "ServoStep.h"
+#include "VirtualLoop.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace palpate::testing
+{
+/// A law evaluated at run time against the plane z = 0, and nothing else: no check, no limit, no
+/// memory of a reading. What a loop of ten lines does.
+class BareLaw final : public Rendering
+{
+public:
+  /// `law`: from depth in mm to force in N.
+  explicit BareLaw(std::function<double(double)> law)
+    : Law(std::move(law))
+  {
+  }
+  Eigen::Vector3d force(const DeviceSample& sample, double /*time*/) noexcept override
+  {
+    const double depth = -1e3 * sample.position.z();
+    this->Free = depth <= 0.0;
+    return { 0.0, 0.0, depth <= 0.0 ? 0.0 : this->Law(depth) };
+  }
+
+  bool isFree() const noexcept override { return this->Free; }
+
+private:
+  std::function<double(double)> Law;
+  bool Free = true;
+};
+
+/// A body with a stored response, touched by a ServoStep.
+class ServoRendering final : public Rendering
+{
+public:
+  ServoRendering(const std::shared_ptr<const ContactBody>& body, const SafetySettings& safety,
+    const ContactSettings& contact = {})
+    : Step(std::make_unique<ServoScene>(body, contact), WorkspaceMapping(), safety)
+  {
+  }
+  Eigen::Vector3d force(const DeviceSample& sample, double time) noexcept override
+  {
+    this->Last = this->Step.step(sample, time);
+    return this->Last.deviceForce;
+  }
+  bool isFree() const noexcept override { return this->Last.contact.state == ContactState::None; }
+
+private:
+  ServoStep Step;
+  ServoTick Last;
+};
+
+/// Which links of the safety chain are on.
+enum class Control
+{
+  None,      ///< magnitude alone, and that unlimited unless said otherwise
+  Cap,       ///< stiffness cap
+  Passivity, ///< passivity control
+  Chain,     ///< all
+  HalfChain  ///< all, for half the stiffness that the device could just render
+};
+constexpr Control AllControls[] = { Control::None, Control::Cap, Control::Passivity, Control::Chain,
+  Control::HalfChain };
+const char* nameOf(Control control);
+/// For the device of the setting (LoopSetting::specification).
+SafetySettings safetyOf(Control control, const LoopSetting& setting);
+} // namespace palpate::testing
+
+#endif

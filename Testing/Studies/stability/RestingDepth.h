@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_RestingDepth_h
+#define palpate_testing_RestingDepth_h
+
+#include "VirtualLoop.h"
+
+#include <cmath>
+
+/// Where a rendering without control and without memory rests, straight below the origin.
+namespace palpate::testing
+{
+/// N, pressed so deep (m).
+inline double forceAt(Rendering& rendering, double depth)
+{
+  DeviceSample sample;
+  sample.valid = true;
+  sample.position.z() = -depth;
+  return rendering.force(sample, 0.0).z();
+}
+
+/// The depth (m) at which a rendering without control bears the push: of what is rendered, which
+/// beyond the range and before the first sample is not quite the law.
+inline double restingDepth(Rendering& rendering, double push)
+{
+  double low = 1e-9;
+  double high = 0.2;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = std::sqrt(low * high);
+    (forceAt(rendering, middle) < push ? low : high) = middle;
+  }
+  return high;
+}
+
+/// N/m
+inline double stiffnessAt(Rendering& rendering, double depth)
+{
+  return (forceAt(rendering, 1.001 * depth) - forceAt(rendering, depth)) / (0.001 * depth);
+}
+} // namespace palpate::testing
+
+#endif

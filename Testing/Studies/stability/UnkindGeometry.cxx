@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part e: jumps and loop energy over edges, grooves, slabs and coarse meshes, per force form and
+// surface.
+#include "ContinuityMeasures.h"
+#include "Parts.h"
+#include "Renderings.h"
+#include "SampleResponses.h"
+#include "UnkindBodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::testing
+{
+namespace
+{
+const char* nameOf(ForceForm form)
+{
+  switch (form)
+  {
+    case ForceForm::Paper:
+      return "Paper";
+    case ForceForm::NormalizedDirection:
+      return "NormalizedDirection";
+    default:
+      return "EnergyConsistent";
+  }
+}
+
+std::vector<ContactSettings> allSettings()
+{
+  std::vector<ContactSettings> all;
+  for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
+  {
+    for (const ForceForm form :
+      { ForceForm::Paper, ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
+    {
+      ContactSettings settings;
+      settings.form = form;
+      settings.surface = surface;
+      all.push_back(settings);
+    }
+  }
+  return all;
+}
+
+/// Of a tip led once along a closed path in steps of `step` mm.
+struct Lap
+{
+  double jump = 0.0;        ///< largest |ΔF| of a step, over the force before it
+  double contactJump = 0.0; ///< of the contact point, mm, in contact
+  double gain = 0.0;        ///< ∮F·dx, what the hand gets, mJ
+  double scale = 0.0;       ///< ∮|F||dx|, mJ
+};
+
+Lap lap(
+  const ContactBody& body, const ContactSettings& settings, std::vector<Vector3> path, double step)
+{
+  ToolContact contact(body, settings);
+  ToolContactForce last = contact.update(path.front());
+  Lap found;
+  for (std::size_t side = 1; side < path.size(); ++side)
+  {
+    const Vector3 way = path[side] - path[side - 1];
+    const int steps = static_cast<int>(std::ceil(way.norm() / step));
+    for (int i = 1; i <= steps; ++i)
+    {
+      const ToolContactForce now = contact.update(path[side - 1] + way * i / steps);
+      found.gain += 0.5 * (last.force + now.force).dot(way) / steps;
+      found.scale += 0.5 * (last.force.norm() + now.force.norm()) * way.norm() / steps;
+      // Where the contact begins or ends with little force nothing jumps.
+      if (last.force.norm() > 0.5)
+      {
+        found.jump = std::max(found.jump, (now.force - last.force).norm() / last.force.norm());
+        if (now.triangle >= 0)
+        {
+          found.contactJump =
+            std::max(found.contactJump, (now.contactPoint - last.contactPoint).norm());
+        }
+      }
+      last = now;
+    }
+  }
+  return found;
+}
+
+/// Energy (mJ) that a hand of steel gets in some laps at 20 mm/s, beyond what the device damps.
+double generated(const std::shared_ptr<const ContactBody>& body, const ContactSettings& settings,
+  const std::vector<Vector3>& path, int laps, Control control)
+{
+  LoopSetting setting;
+  setting.rate = 8000.0;
+  setting.plant.mass = 0.01;
+  setting.plant.damping = 1.5; // 2b/T is 24 N/mm: more than the laws' stiffness here
+  setting.hand = { 1e9, 1e5 };
+  SafetySettings safety = safetyOf(control, setting);
+  safety.maximumForce = 1e6;
+  std::vector<WayPoint> way;
+  double time = 0.0;
+  for (int turn = 0; turn < laps; ++turn)
+  {
+    for (std::size_t side = 0; side < path.size(); ++side)
+    {
+      time += side > 0 ? 1e-3 * (path[side] - path[side - 1]).norm() / 0.02 : 0.0;
+      way.push_back({ time, 1e-3 * path[side] });
+    }
+  }
+  ServoRendering rendering(body, safety, settings);
+  VirtualLoop loop(setting, way, rendering);
+  loop.run(static_cast<int>(std::ceil(time * setting.rate)) + 2);
+  return 1e3 * loop.audit().mostGenerated();
+}
+
+/// Down where a response that differs is softest, at constant depth to where it is stiffest, up,
+/// and back outside: what is put in here comes out there.
+std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
+{
+  Vector3 softest = Vector3::UnitX();
+  Vector3 stiffest = Vector3::UnitX();
+  for (int i = 0; i < 1000; ++i)
+  {
+    // Fibonacci's directions
+    const double z = 1.0 - 2.0 * (i + 0.5) / 1000.0;
+    const double turn = 2.399963229728653 * i;
+    const double r = std::sqrt(1.0 - z * z);
+    const Vector3 direction(r * std::cos(turn), r * std::sin(turn), z);
+    softest = body.factor(direction) < body.factor(softest) ? direction : softest;
+    stiffest = body.factor(direction) > body.factor(stiffest) ? direction : stiffest;
+  }
+  std::vector<Vector3> path;
+  constexpr int steps = 200;
+  for (const double depth : { UnkindDepth, -UnkindDepth })
+  {
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double share = static_cast<double>(depth > 0.0 ? i : steps - i) / steps;
+      const Vector3 direction = ((1.0 - share) * softest + share * stiffest).normalized();
+      path.push_back(body.shape.point(direction) - depth * body.shape.normal(direction));
+    }
+  }
+  std::rotate(path.begin(), path.begin() + steps + 1, path.end()); // outside first
+  path.push_back(path.front());
+  return path;
+}
+
+void print(const std::string& body, double edge, const ContactSettings& settings, double jump,
+  double expectedJump, double contactJump, double expectedContactJump, double loop, double bare,
+  double controlled)
+{
+  std::printf("\"%s\",%.3g,%s,%s,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", body.c_str(), edge,
+    nameOf(settings.form), settings.surface == ContactSurface::Facets ? "Facets" : "Smooth", jump,
+    expectedJump, contactJump, expectedContactJump, loop, bare, controlled);
+  std::fflush(stdout);
+}
+
+void sharp(const UnkindBody& unkind, double step)
+{
+  const std::shared_ptr<const ContactBody> body = uniformBody(unkind.surface);
+  std::vector<Vector3> back = unkind.path;
+  std::reverse(back.begin(), back.end());
+  for (const ContactSettings& settings : allSettings())
+  {
+    const Lap there = lap(*body, settings, unkind.path, step);
+    const Lap again = lap(*body, settings, back, step);
+    const double loop = std::max(there.gain / there.scale, again.gain / again.scale);
+    const std::vector<Vector3>& worse = there.gain > again.gain ? unkind.path : back;
+    print(unkind.name, 1.0, settings, std::max(there.jump, again.jump), unkind.forceJump,
+      std::max(there.contactJump, again.contactJump), unkind.contactJump, loop,
+      generated(body, settings, worse, 1, Control::None),
+      generated(body, settings, worse, 1, Control::Passivity));
+  }
+}
+
+void coarse(int cuts, bool isVaried, bool isQuick)
+{
+  MeshedBody body(smoothSphere(20.0), cuts, isVaried ? varied : uniform);
+  const std::vector<Vector3> path = fromSoftToStiff(body);
+  const std::shared_ptr<const ContactBody> contact = std::move(body.contact);
+  const int laps = isQuick ? 1 : 5;
+  const MeshedBody measured(smoothSphere(20.0), cuts, isVaried ? varied : uniform);
+  for (const ContactSettings& settings : allSettings())
+  {
+    // δ h/R²; of EnergyConsistent on facets the angle between them, up to h/R.
+    const bool turns = settings.form == ForceForm::EnergyConsistent;
+    const double jump = settings.surface == ContactSurface::Smooth
+      ? 0.0
+      : body.longestEdge / 20.0 * (turns ? 1.0 : UnkindDepth / 20.0);
+    print(isVaried ? "sphere, varied" : "sphere", body.longestEdge, settings,
+      forceJump(measured, settings, UnkindDepth, isQuick ? 30.0 : 120.0), jump, 0.0, 0.0,
+      loopEnergy(measured, settings, UnkindDepth, isQuick ? 2 : 8),
+      isVaried ? generated(contact, settings, path, laps, Control::None) : 0.0,
+      isVaried ? generated(contact, settings, path, laps, Control::Passivity) : 0.0);
+  }
+}
+} // namespace
+
+void unkindGeometry(bool isQuick)
+{
+  std::puts("body,edge_mm,form,surface,force_jump,nearest_force_jump,contact_jump_mm,"
+            "nearest_contact_jump_mm,loop_gain,generated_mJ,generated_controlled_mJ");
+  for (const UnkindBody& body : unkindBodies())
+  {
+    if (!isQuick || body.name == "edge 90°" || body.name == "slab")
+    {
+      sharp(body, isQuick ? 1e-2 : 1e-3);
+    }
+  }
+  for (const int cuts : { 5, 10, 20 })
+  {
+    if (!isQuick || cuts == 10)
+    {
+      coarse(cuts, false, isQuick);
+      coarse(cuts, true, isQuick);
+    }
+  }
+}
+} // namespace palpate::testing

@@ -1,0 +1,142 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The short version of ./run study stability, and what the whole one left in Data/Studies/stability.
+
+    test_stability.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateStability
+
+Limits against theory.py, which knows nothing of Palpate; energies against nothing at all; verdicts of failures.
+"""
+import csv
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import run       # noqa: E402
+import theory    # noqa: E402
+import verdicts  # noqa: E402
+
+DATA = pathlib.Path(__file__).resolve().parents[3] / "Data"
+PROGRAM = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
+
+
+def reference(name):
+    with open(DATA / "Reference" / name, encoding="utf-8") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+class Theory(unittest.TestCase):
+    """theory.py against the reference table, whose eigenvalues another program found."""
+
+    def test_limits(self):
+        for row in reference("stability_K_limits.csv"):
+            period, damping = row["T_s"], row["b_Ns_per_m"]
+            self.assertAlmostEqual(theory.closed_limit(0.1, damping, period) / row["Jury"], 1, delta=1e-9)
+            self.assertAlmostEqual(theory.exact_limit(0.1, damping, period) / row["Jury"], 1, delta=1e-8)
+            self.assertAlmostEqual(theory.exact_limit(0.1, damping, period, 1.0) / row["eig_delay1"], 1, delta=1e-8)
+
+
+class Rows:
+    """What holds of the rows of a whole or a quick study."""
+
+    def test_exact_limits(self):
+        for row in self.tables["limits"]:
+            # Bisected to 1e-11; the response is stored in float32. The issue asks for 1 %.
+            self.assertLess(abs(row["error"]), 1e-5, row)
+
+    def test_rest_on_an_encoder(self):
+        for row in self.tables["encoder"]:
+            if row["coulomb_N"] == 0:
+                self.assertGreater(row["half_swing_um"], 0.3 * row["encoder_um"], row)  # never at rest
+            elif row["friction_N_per_m"] < 5 * theory.passive_limit(1.0, 1 / row["rate_Hz"]):
+                self.assertGreater(row["restful_N_per_m"], 0.99 * row["bound_N_per_m"], row)
+                # Above 2 f_c/Δ a place of rest need not exist; the search goes in steps of 0.05 %.
+                self.assertLess(row["restful_N_per_m"], 1.05 * row["friction_N_per_m"], row)
+
+    def test_force_limits(self):
+        for row in run.select(self.tables["press"], control="none", start="held"):
+            if 1e-3 < row["limit_N"] < theory.STRONGEST_PUSH:
+                # 0.05 % by the criterion, 0.1 % by the bisection
+                if row["depth_mm"] < 8:  # deeper, depth and stiffness are those at 8 mm
+                    self.assertAlmostEqual(row["stiffness_N_per_m"] / row["exact_N_per_m"], 1, delta=0.01)
+                if row["exact_force_N"] != "":
+                    # A stiffness to 0.2 % is a force of δ^1.5 to 0.6 %; stored curves err by 5e-4 more.
+                    self.assertAlmostEqual(row["limit_N"] / row["exact_force_N"], 1, delta=0.01)
+            elif row["limit_N"] == 0:
+                self.assertGreater(row["stiffness_N_per_m"], 0.99 * row["exact_N_per_m"], row)
+
+    def test_control_lets_no_energy_out(self):
+        for row in self.tables["press"]:
+            if row["control"] != "none":
+                self.assertLessEqual(row["generated_mJ"], verdicts.NO_ENERGY, row)
+        for row in self.tables["geometry"]:
+            self.assertLessEqual(row["generated_controlled_mJ"], verdicts.NO_ENERGY, row)
+
+    def test_half_of_the_stiffness_comes_to_rest(self):
+        for control in ("passivity", "half chain"):
+            for row in run.select(self.tables["press"], control=control):
+                self.assertEqual(row["limit_N"], theory.STRONGEST_PUSH, row)
+
+    def test_cylinder(self):
+        for row in self.tables["cylinder"]:
+            # 0.05 % of stiffness by the criterion, to the power 3/2 for a sphere and 2 for a cone; the bisection's 0.03 %.
+            self.assertAlmostEqual(row["modulus_MPa"] / row["exact_modulus_MPa"], 1, delta=0.01)
+
+    def test_leak(self):
+        for row in run.select(self.tables["leak"], control="none"):
+            # To first order in a tick's way over the depth of 2 mm; a late force sees it twice, and the turn may lie
+            # between two ticks.
+            slack = 0.01 + (1 + row["delay_ticks"]) * 1e3 * row["speed_m_s"] / row["rate_Hz"] / 2.0
+            self.assertAlmostEqual(row["leaked_mJ"] / row["expected_mJ"], 1, delta=slack)
+
+    def test_friction(self):
+        def value(model, what, setting=0.0):
+            return verdicts.first(self.tables["friction"], model=model, what=what, rate_Hz=1000.0,
+                                  setting=setting)["value"]
+
+        self.assertGreater(value("Dahl", "drift_mm"), 5)            # 9.26 mm by Dahl's closed form
+        self.assertLess(abs(value("elasto-plastic", "drift_mm")), 1e-3)
+        self.assertLess(abs(value("stick-slide", "drift_mm")), 1e-3)
+        self.assertGreater(value("signum", "drift_mm"), 5)
+        for model in ("elasto-plastic", "z8", "stick-slide", "Dahl"):
+            self.assertAlmostEqual(value(model, "stiffest_stick_N_per_m") / 2003.33889, 1, delta=0.01)
+
+
+def committed():
+    tables = {}
+    for part in run.PARTS:
+        rows = run.read((DATA / "Studies" / "stability" / f"{part}.csv").read_text(encoding="utf-8"))
+        tables[part] = rows
+    return tables
+
+
+class Quick(Rows, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.tables = run.study(PROGRAM, is_quick=True)
+        cls.cells = {(c["method"], c["failure"]): c["verdict"] for c in verdicts.judge(cls.tables)}
+
+    def test_faults(self):
+        for fault in verdicts.FAULTS.values():
+            # A device that hangs keeps its force whatever the loop does; all else is bounded at least.
+            worst = verdicts.FAILS if fault == verdicts.FAULTS["stall"] else verdicts.BOUNDED
+            self.assertIn(self.cells["stored, half chain", fault], (verdicts.SURVIVES, worst), fault)
+        self.assertEqual(self.cells["law at run time", "2 % NaN"], verdicts.FAILS)
+        self.assertEqual(self.cells["law at run time", "100 ms stall"], verdicts.FAILS)
+        self.assertEqual(self.cells["stored, half chain", "too stiff"], verdicts.SURVIVES)
+        self.assertEqual(self.cells["point spring", "too stiff"], verdicts.FAILS)
+
+
+class Committed(Rows, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.tables = committed()
+
+    def test_verdicts_are_those_of_the_rows(self):
+        text = (DATA / "Studies" / "stability" / "verdicts.md").read_text(encoding="utf-8")
+        # Rows are written with six digits, verdicts with three.
+        self.assertEqual(verdicts.markdown(verdicts.judge(self.tables)).count("**fails**"), text.count("**fails**"))
+
+
+if __name__ == "__main__":
+    unittest.main()

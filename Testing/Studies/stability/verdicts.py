@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One table of the stability study: method by failure, a verdict and the number it rests on.
+
+survives   as if nothing had happened, within the tolerance stated with each rule below
+bounded    worse, but it ends, or gives no energy
+fails      buzzes, asks for a force that is no number, gives energy, or jumps or drifts as much as it can
+
+A cell is {group, method, failure, verdict, number, unit}. Thresholds are the study's own choice, each with its reason.
+"""
+
+SURVIVES, BOUNDED, FAILS = "survives", "bounded", "fails"
+RENDERINGS = ("point spring", "law at run time", "stored, none", "stored, cap", "stored, passivity", "stored, chain",
+              "stored, half chain")
+FAULTS = {"dropped": "20 % dropped", "late": "5 % come 5 ms late", "nan": "2 % NaN", "stall": "100 ms stall",
+          "unplug": "unplugged 0.3 s", "delay": "1 ms delay"}
+STILL = 0.1           # mm/s; no hand feels it
+NO_ENERGY = 1e-6      # mJ: PassivityControl's slack
+LITTLE_ENERGY = 0.1   # mJ; a tenth of what the tissue of part f holds at its deepest
+QUADRATURE = 1e-5     # of force times way, in loops
+RATE = 1000.0
+RUBBER = 3.45         # MPa
+
+
+def first(rows, **wanted):
+    for row in rows:
+        if all(row[name] == value for name, value in wanted.items()):
+            return row
+    return None
+
+
+def cell(group, method, failure, verdict, number, unit):
+    return {"group": group, "method": method, "failure": failure, "verdict": verdict, "number": float(number),
+            "unit": unit}
+
+
+def press_of(rows, method, modulus):
+    """The row of part b that is this way of rendering the 6.35 mm sphere (or its secant) on the stiffest body there."""
+    wanted = {"rate_Hz": RATE, "modulus_MPa": modulus}
+    if method == "point spring":
+        return first(rows, model="spring", evaluated="law", start="held", **wanted)
+    if method == "law at run time":
+        return first(rows, model="sphere:6.35", evaluated="law", start="held", **wanted)
+    return first(rows, model="sphere:6.35", start="dropped", control=method.partition(", ")[2], **wanted)
+
+
+def stiff_cell(rows, method):
+    modulus = max(row["modulus_MPa"] for row in rows)
+    row = press_of(rows, method, modulus)
+    name = "too stiff"
+    if row["limit_N"] >= 10.0:
+        return cell("rendering", method, name, SURVIVES, row["limit_N"], "N push")
+    if row["generated_mJ"] <= NO_ENERGY:
+        return cell("rendering", method, name, BOUNDED, row["last_speed_mm_s"], "mm/s ring")
+    return cell("rendering", method, name, FAILS, row["limit_N"], "N push")
+
+
+def fault_cell(rows, method, failure):
+    row = first(rows, method=method, failure=failure, rate_Hz=RATE)
+    sound = first(rows, method=method, failure="none", rate_Hz=RATE)
+    name = FAULTS[failure]
+    numb = row["numb_share"] - sound["numb_share"]
+    if row["not_finite"] > 0:
+        return cell("rendering", method, name, FAILS, row["not_finite"], "NaN forces")
+    if row["last_speed_mm_s"] > STILL:
+        return cell("rendering", method, name, FAILS, row["last_speed_mm_s"], "mm/s buzz")
+    if row["generated_mJ"] > LITTLE_ENERGY:
+        return cell("rendering", method, name, FAILS, row["generated_mJ"], "mJ")
+    if row["generated_mJ"] > NO_ENERGY:
+        return cell("rendering", method, name, BOUNDED, row["generated_mJ"], "mJ")
+    if numb > 0.05:
+        return cell("rendering", method, name, BOUNDED, 100 * numb, "% no force")
+    return cell("rendering", method, name, SURVIVES, row["generated_mJ"], "mJ")
+
+
+def friction_cells(rows):
+    models = list(dict.fromkeys(row["model"] for row in rows))
+
+    def value(model, what, setting=0.0):
+        row = first(rows, model=model, what=what, rate_Hz=RATE, setting=setting)
+        return None if row is None else row["value"]
+
+    def graded(number, good, bad):
+        return SURVIVES if number <= good else BOUNDED if number <= bad else FAILS
+
+    passive = 2 * RATE  # 2b/T of 1 N s/m
+    for model in models:
+        # mm in 8 s; the swing itself is some 0.4 mm.
+        drift = abs(value(model, "drift_mm"))
+        yield cell("friction", model, "drift", graded(drift, 1e-3, 1.0), drift, "mm")
+        stuck, ripple = value(model, "stuck_share", 5.0), value(model, "speed_ripple", 5.0)
+        yield cell("friction", model, "stick and slip", FAILS if stuck > 0 else graded(ripple, 0.01, 1.0),
+                   100 * ripple, "% speed ripple")
+        rest = value(model, "rest_speed_mm_s", 0.5)
+        yield cell("friction", model, "rest, σ₀ = b/T", graded(rest, STILL, 1.0), rest, "mm/s")
+        stick = value(model, "stiffest_stick_N_per_m")
+        if stick is not None:
+            yield cell("friction", model, "stiffest stick, of 2b/T", SURVIVES if stick >= 0.99 * passive else FAILS,
+                       stick / passive, "×")
+
+
+def geometry_cells(rows):
+    def worst(name, column, **wanted):
+        found = [row[column] for row in rows if row["body"].startswith(name)
+                 and all(row[key] == value for key, value in wanted.items())]
+        return max(found) if found else None
+
+    def graded(number, good, bad):
+        return SURVIVES if number <= good else BOUNDED if number <= bad else FAILS
+
+    for surface in ("Facets", "Smooth"):
+        for form in ("Paper", "NormalizedDirection", "EnergyConsistent"):
+            method, wanted = f"{surface}, {form}", {"surface": surface, "form": form}
+            # A force jump of 1 % goes unnoticed (a tenth of the just-noticeable difference); one of 10 % does not.
+            for name, title in (("edge 90", "90° edge"), ("groove", "groove"), ("slab", "3 mm slab")):
+                jump = worst(name, "force_jump", **wanted)
+                if jump is not None:
+                    yield cell("geometry", method, f"jump: {title}", graded(jump, 0.01, 0.1), 100 * jump, "%")
+            for name, title in (("sphere", "coarse mesh"), ("sphere, varied", "varied response")):
+                found = [row for row in rows if row["body"] == name
+                         and all(row[key] == value for key, value in wanted.items())]
+                middle = sorted(found, key=lambda row: row["edge_mm"])[len(found) // 2]
+                if name == "sphere":
+                    yield cell("geometry", method, f"jump: {title}", graded(middle["force_jump"], 0.01, 0.1),
+                               100 * middle["force_jump"], "%")
+                gain = middle["loop_gain"]
+                yield cell("geometry", method, f"loops: {title}", graded(gain, QUADRATURE, 1e-3), 100 * gain, "%")
+            controlled, bare = middle["generated_controlled_mJ"], middle["generated_mJ"]
+            yield cell("geometry", method, "soft to stiff, 5 laps", FAILS if bare > LITTLE_ENERGY else graded(
+                bare, NO_ENERGY, LITTLE_ENERGY), bare, "mJ")
+            yield cell("geometry", method, "the same, controlled", graded(controlled, NO_ENERGY, LITTLE_ENERGY),
+                       controlled, "mJ")
+
+
+def judge(tables):
+    cells = []
+    for method in RENDERINGS:
+        cells.append(stiff_cell(tables["press"], method))
+        cells += [fault_cell(tables["faults"], method, failure) for failure in FAULTS]
+    cells += friction_cells(tables["friction"])
+    cells += geometry_cells(tables["geometry"])
+    return cells
+
+
+def grid(cells, group):
+    """(methods, failures, {(method, failure): cell}) of a group, in their order."""
+    mine = [c for c in cells if c["group"] == group]
+    return (list(dict.fromkeys(c["method"] for c in mine)), list(dict.fromkeys(c["failure"] for c in mine)),
+            {(c["method"], c["failure"]): c for c in mine})
+
+
+def words(c):
+    if c is None:
+        return "–"
+    number = "0" if c["number"] == 0 else "< 0.001" if c["number"] < 1e-3 else f"{c['number']:.3g}"
+    return f"{number} {c['unit']}"
+
+
+def markdown(cells):
+    lines = []
+    for group in ("rendering", "friction", "geometry"):
+        methods, failures, found = grid(cells, group)
+        lines += ["", f"| {group} | " + " | ".join(failures) + " |", "|---" * (len(failures) + 1) + "|"]
+        for method in methods:
+            row = [found.get((method, failure)) for failure in failures]
+            lines.append(f"| {method} | " + " | ".join(
+                "–" if c is None else f"**{c['verdict']}** {words(c)}" for c in row) + " |")
+    return "\n".join(lines[1:]) + "\n"
