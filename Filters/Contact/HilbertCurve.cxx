@@ -95,14 +95,16 @@ void sortAlongCurve(
   {
     return;
   }
-  const double extent = std::max(box.sizes().maxCoeff(), std::numeric_limits<double>::min());
+  // Finite also where all triangles are at one place, so that nothing is 0 times infinite.
+  const double scale =
+    std::min(LastCell / box.sizes().maxCoeff(), std::numeric_limits<double>::max());
   std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(triangles.size());
   forRanges(triangles.size(),
     [&](std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const Eigen::Vector3d position = LastCell / extent * (placeOf(i) - box.min());
+        const Eigen::Vector3d position = scale * (placeOf(i) - box.min());
         std::array<std::uint32_t, 3> cell;
         for (std::size_t k = 0; k < 3; ++k)
         {

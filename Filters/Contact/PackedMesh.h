@@ -130,8 +130,12 @@ public:
   void visitAround(std::int32_t point, const Visit& visit) const noexcept
   {
     const Vertex& vertex = this->Vertices[static_cast<std::size_t>(point)];
+    if (vertex.ring == NoRing)
+    {
+      return;
+    }
     const std::int32_t* next = this->Ring.data() + (vertex.ring >> 1);
-    for (bool last = vertex.ring == NoRing; !last; ++next)
+    for (bool last = false; !last; ++next)
     {
       last = *next < 0;
       visit(last ? ~*next : *next);
@@ -165,7 +169,7 @@ public:
     const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept
   {
     const double least = projection.weights.minCoeff();
-    const double need = this->record(triangle).steepness;
+    const double need{ this->record(triangle).steepness };
     const Vector3 inward = this->corner(triangle, 0) - tip;
     return least * least >= need * need * projection.squaredDistance &&
       this->areaNormal(triangle).dot(inward) > 0.0;

@@ -18,12 +18,17 @@ if(PALPATE_SANITIZE)
   add_compile_options(-fsanitize=${PALPATE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${PALPATE_SANITIZE})
 endif()
+if(PALPATE_BUILD_FUZZERS)
+  add_compile_options(-fsanitize=fuzzer-no-link) # so that libFuzzer sees which branches are taken
+endif()
 
 # Call on every target of our own; never on generated wrapper code.
 function(palpate_warnings target)
+  set(gnu $<CXX_COMPILER_ID:GNU>)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual
-    -Wformat=2 -Wdouble-promotion -Wduplicated-cond -Wlogical-op -Wimplicit-fallthrough
+    -Wformat=2 $<${gnu}:-Wdouble-promotion> $<${gnu}:-Wduplicated-cond> $<${gnu}:-Wlogical-op>
+    -Wimplicit-fallthrough
     $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
 endfunction()
 

@@ -218,4 +218,24 @@ TEST(UnkindMesh, OverlappingBodiesKeepWhatTheyTouched)
     }
   }
 }
+
+TEST(UnkindMesh, NoTriangleAtAllIsNoContact)
+{
+  // Found by fuzzing: a point without triangles was looked for in a list that is empty.
+  Surface points;
+  points.points = { Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0) };
+  points.triangles = { { 0, 1, 1 } };
+  const PackedMesh mesh = points.packed();
+  EXPECT_EQ(mesh.triangleCount(), 0U);
+  EXPECT_EQ(mesh.defects().degenerate, 1U);
+  for (std::int32_t i = 0; i < 3; ++i)
+  {
+    mesh.visitAround(i, [](std::int32_t triangle) { ADD_FAILURE() << triangle; });
+  }
+  const auto body = uniformBody(points);
+  ToolContact contact(*body);
+  const ToolContactForce found = contact.update(Vector3(0.2, 0.2, -0.1));
+  EXPECT_EQ(found.triangle, -1);
+  EXPECT_TRUE(found.force.isZero(0.0));
+}
 } // namespace palpate::testing

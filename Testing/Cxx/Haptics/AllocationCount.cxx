@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AllocationCount.h"
 
+#include "Sanitized.h"
+
 #include <cstdlib>
 #include <new>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(PALPATE_SANITIZED)
 #define PALPATE_COUNT_MALLOC
 #endif
 

@@ -3,6 +3,8 @@
 // thread, so that a test can give up its own.
 #include "RealTimeGrant.h"
 
+#include "Sanitized.h"
+
 #include <gtest/gtest.h>
 
 #include <linux/capability.h>
@@ -175,7 +177,7 @@ TEST(RealTimeGrant, MemoryIsLockedOrItIsSaidWhyNot)
   request.lockMemory = true;
   const Asked asked = askInAThread(request);
   EXPECT_EQ(asked.grant.memoryLocked, asked.grant.memoryError == 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef PALPATE_SANITIZED
   EXPECT_EQ(lockedKilobytes() > 0, asked.grant.memoryLocked); // sanitizers let mlockall do nothing
 #endif
   munlockall();

@@ -34,7 +34,7 @@ struct Options
   bool isQuick = false;
   bool isTimed = true;
   bool withFinite = true;
-  bool withOffline = true;
+  bool withOffline = false;
 };
 
 /// An empty field for what is not known.
@@ -201,7 +201,7 @@ int main(int argc, char* argv[])
   app.add_flag("--quick", options.isQuick, "few tips");
   app.add_flag("!--no-times", options.isTimed, "errors only");
   app.add_flag("!--no-finite", options.withFinite, "without finite elements beside the tick");
-  app.add_flag("!--no-offline", options.withOffline, "without the full solution per tip");
+  app.add_flag("--offline", options.withOffline, "also the full solution per tip: an hour or more");
   CLI11_PARSE(app, argc, argv);
   try
   {

@@ -45,8 +45,8 @@ struct StudyEffort
 {
   std::size_t sites = 2000;
   std::size_t path = 4000;
-  bool withFinite = true;  ///< finite elements beside the tick
-  bool withOffline = true; ///< among them the full solution, a second per tip
+  bool withFinite = true;   ///< finite elements beside the tick
+  bool withOffline = false; ///< among them the full solution, 0.1 to 10 s per tip
   static StudyEffort quick() { return { 150, 300, false, false }; }
 };
 

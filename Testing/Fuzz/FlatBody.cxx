@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any bytes as a body file, also with a checksum that is right: refused with a reason, or a body
+// that a tick can be run on. Input: a choice (bit 0: mend the checksum), the file, and from its end
+// on tips.
+#include "AnyTips.h"
+#include "FlatBodyFile.h"
+#include "MemoryFile.h"
+
+#include <cstring>
+#include <vector>
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace
+{
+constexpr std::size_t HeaderSize = 408;
+constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyFile.cxx
+constexpr std::size_t ChecksumAt = 24;
+constexpr std::size_t CountsAt = 32;
+constexpr std::size_t OffsetsAt = 64;
+
+std::uint64_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t place)
+{
+  std::uint64_t word = 0;
+  std::memcpy(&word, bytes.data() + place, sizeof word);
+  return word;
+}
+
+void mix(std::uint64_t& sum, std::uint64_t word)
+{
+  sum = (sum ^ word) * 0x100000001b3ULL;
+  sum ^= sum >> 32;
+}
+
+void add(
+  std::uint64_t& sum, const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t count)
+{
+  std::size_t i = 0;
+  for (; i + 8 <= count; i += 8)
+  {
+    mix(sum, wordAt(bytes, begin + i));
+  }
+  for (; i < count; ++i)
+  {
+    mix(sum, bytes[begin + i]);
+  }
+}
+
+/// Size and checksum as somebody would write them who wants the file to be read. A file whose
+/// sections do not fit is left as it is: it is refused for that.
+void mend(std::vector<std::uint8_t>& bytes)
+{
+  const std::uint64_t size = bytes.size();
+  std::memcpy(bytes.data() + SizeAt, &size, sizeof size);
+  std::memset(bytes.data() + ChecksumAt, 0, 8);
+  const std::uint64_t n = wordAt(bytes, CountsAt);
+  const std::uint64_t triangles = wordAt(bytes, CountsAt + 8);
+  const std::uint64_t samples = wordAt(bytes, CountsAt + 16) & 0xffffffffU;
+  const std::uint64_t laws = wordAt(bytes, CountsAt + 16) >> 32;
+  if (n > size || triangles > size || samples > size || laws > size)
+  {
+    return;
+  }
+  const std::uint64_t curves = laws > 0 ? 0 : 4 * n * samples;
+  const std::uint64_t sizes[] = { 24 * n, 12 * triangles, curves, curves, 8 * laws * samples,
+    4 * n * laws, 12 * n, 4 * n, n, 4 * n, n };
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  add(sum, bytes, 0, HeaderSize);
+  for (std::size_t k = 0; k < 11; ++k)
+  {
+    const std::uint64_t offset = wordAt(bytes, OffsetsAt + 8 * k);
+    if (offset > size || sizes[k] > size - offset)
+    {
+      return;
+    }
+    add(sum, bytes, offset, sizes[k]);
+  }
+  std::memcpy(bytes.data() + ChecksumAt, &sum, sizeof sum);
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  if (size == 0)
+  {
+    return 0;
+  }
+  std::vector<std::uint8_t> bytes(data + 1, data + size);
+  if ((data[0] & 1U) != 0 && bytes.size() >= HeaderSize)
+  {
+    mend(bytes);
+  }
+  static MemoryFile memory;
+  memory.hold(bytes.data(), bytes.size());
+  FlatBodyFile file;
+  const std::string error = file.open(memory.path());
+  if (!error.empty())
+  {
+    require(file.body().points == 0 && file.body().coordinates == nullptr,
+      "of a file that is refused nothing is held");
+    return 0;
+  }
+  const std::shared_ptr<const ContactBody> body = makeContactBody(file.body());
+  FuzzedDataProvider tips(data, size);
+  feelAround(*body, file.body().triangles, tips);
+  return 0;
+}
