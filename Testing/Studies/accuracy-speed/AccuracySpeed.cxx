@@ -201,8 +201,7 @@ int main(int argc, char* argv[])
   app.add_flag("--quick", options.isQuick, "few tips");
   app.add_flag("!--no-times", options.isTimed, "errors only");
   app.add_flag("!--no-finite", options.withFinite, "without finite elements beside the tick");
-  app.add_flag("--offline", options.withOffline,
-    "the full solution per tip on block and layer too: an hour or more");
+  app.add_flag("--offline", options.withOffline, "also the full solution per tip: an hour or more");
   CLI11_PARSE(app, argc, argv);
   try
   {

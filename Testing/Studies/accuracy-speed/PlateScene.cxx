@@ -63,9 +63,8 @@ StudyScene plateScene(const StudyEffort& effort)
   scene.reference = [plate](const StudyLaw& law)
   { return finiteReference(plate, law.tool().shape); };
   scene.finiteVertices = static_cast<std::size_t>(plate->windowNodes());
-  StudyEffort all = effort; // a second per tip: on the other bodies it is ten
-  all.withOffline = true;
-  scene.finite = [plate, all](const StudyTool& tool) { return finiteContacts(all, plate, tool); };
+  scene.finite = [plate, effort](const StudyTool& tool)
+  { return finiteContacts(effort, plate, tool); };
   return scene;
 }
 } // namespace palpate::testing

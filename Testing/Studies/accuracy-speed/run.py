@@ -119,7 +119,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     parser.add_argument("--quick", action="store_true", help="few tips, no finite elements, a coarse head")
     parser.add_argument("--offline", action="store_true",
-                        help="the full finite-element solution per tip on block and layer too: an hour or more")
+                        help="also the full finite-element solution per tip: an hour or more")
     parser.add_argument("--scene", action="append", choices=("block", "layer", "plate", "head"), default=[])
     parser.add_argument("--redraw", type=pathlib.Path, help="rows of an earlier run (rows.csv) instead of a new one")
     arguments = parser.parse_args()
