@@ -2,11 +2,11 @@
 #include "vtkReducedContactResponse.h"
 
 #include "BodyConversion.h"
+#include "ReplacedCurves.h"
 #include "ResponseReduction.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -14,9 +14,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
-#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -28,17 +26,6 @@ using palpate::ReducedResponse;
 static_assert(static_cast<int>(ReducedForm::OneLaw) == vtkReducedContactResponse::OneLaw &&
   static_cast<int>(ReducedForm::Unchanged) == vtkReducedContactResponse::Unchanged);
 
-void add(
-  vtkFieldData* data, const std::string& name, int components, const std::vector<float>& values)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  data->AddArray(array);
-}
-
 /// The curves of the reduced form in place of those there were.
 void replaceCurves(vtkPolyData* body, const std::string& name, const ReducedResponse& reduced)
 {
@@ -46,21 +33,17 @@ void replaceCurves(vtkPolyData* body, const std::string& name, const ReducedResp
   {
     return;
   }
+  palpate::removeCurves(body, name);
   vtkPointData* points = body->GetPointData();
   vtkFieldData* fields = body->GetFieldData();
-  for (const char* array : { "Force", "Stiffness", "Coefficient" })
-  {
-    points->RemoveArray((name + array).c_str());
-  }
-  fields->RemoveArray((name + "Basis").c_str());
   if (reduced.laws > 0)
   {
-    add(fields, name + "Basis", 2 * reduced.samples, reduced.basis);
-    add(points, name + "Coefficient", reduced.laws, reduced.coefficient);
+    palpate::addFloats(fields, name + "Basis", 2 * reduced.samples, reduced.basis);
+    palpate::addFloats(points, name + "Coefficient", reduced.laws, reduced.coefficient);
     return;
   }
-  add(points, name + "Force", reduced.samples, reduced.force);
-  add(points, name + "Stiffness", reduced.samples, reduced.stiffness);
+  palpate::addFloats(points, name + "Force", reduced.samples, reduced.force);
+  palpate::addFloats(points, name + "Stiffness", reduced.samples, reduced.stiffness);
   vtkNew<vtkIntArray> samples;
   samples->SetName((name + "Samples").c_str());
   samples->InsertNextValue(reduced.samples);
@@ -142,15 +125,9 @@ int vtkReducedContactResponse::RequestData(
     reduced.form == ReducedForm::Unchanged ? -1 : static_cast<vtkIdType>(reduced.worstPoint);
   this->Report = describe(reduced, this->NumbersPerPointBefore);
 
-  output->ShallowCopy(body);
-  vtkNew<vtkFieldData> fields; // ShallowCopy shares the input's
-  fields->ShallowCopy(body->GetFieldData());
-  output->SetFieldData(fields);
+  palpate::copyWithOwnFields(body, output);
   replaceCurves(output, this->ResponseName, reduced);
-  vtkNew<vtkStringArray> report;
-  report->SetName((this->ResponseName + "Reduction").c_str());
-  report->InsertNextValue(this->Report);
-  output->GetFieldData()->AddArray(report);
+  palpate::addText(output->GetFieldData(), this->ResponseName + "Reduction", this->Report);
   vtkNew<vtkDoubleArray> largest;
   largest->SetName((this->ResponseName + "ReductionError").c_str());
   largest->InsertNextValue(this->LargestError);

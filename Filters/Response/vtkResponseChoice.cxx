@@ -3,18 +3,17 @@
 
 #include "BodyConversion.h"
 #include "ChoiceReason.h"
+#include "ReplacedCurves.h"
 #include "ResponseChoice.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -29,45 +28,23 @@ using palpate::ResponseNeed;
 static_assert(static_cast<int>(ResponseNeed::PointForce) == vtkResponseChoice::PointForce &&
   static_cast<int>(ResponseNeed::PerVertex) == vtkResponseChoice::PerVertex);
 
-void addFloats(
-  vtkFieldData* data, const std::string& name, int components, const std::vector<float>& values)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  data->AddArray(array);
-}
-
-void addText(vtkFieldData* data, const std::string& name, const std::string& text)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(text);
-  data->AddArray(array);
-}
-
 /// The laws in place of the curves there were.
 void replaceCurves(
   vtkPolyData* body, const std::string& name, const palpate::ResponseChoice& choice)
 {
+  palpate::removeCurves(body, name);
   vtkPointData* points = body->GetPointData();
   vtkFieldData* fields = body->GetFieldData();
-  for (const char* array : { "Force", "Stiffness", "Coefficient" })
-  {
-    points->RemoveArray((name + array).c_str());
-  }
   const int columns = static_cast<int>(choice.basis.size()) / choice.laws;
-  addFloats(fields, name + "Basis", columns, choice.basis);
-  addFloats(points, name + "Coefficient", choice.laws, choice.coefficient);
+  palpate::addFloats(fields, name + "Basis", columns, choice.basis);
+  palpate::addFloats(points, name + "Coefficient", choice.laws, choice.coefficient);
   if (choice.need == ResponseNeed::PointForce)
   {
     vtkNew<vtkDoubleArray> exponent;
     exponent->SetName((name + "Exponent").c_str());
     exponent->InsertNextValue(choice.exponent);
     fields->AddArray(exponent);
-    addText(fields, name + "Model",
+    palpate::addText(fields, name + "Model",
       palpate::responseText(body, name, "Model") + "; as a spring per point");
   }
 }
@@ -187,15 +164,12 @@ int vtkResponseChoice::RequestData(
   this->SpringLoss = choice.springLoss;
   this->BeyondValidityShare = choice.beyondShare;
 
-  output->ShallowCopy(body);
-  vtkNew<vtkFieldData> fields; // ShallowCopy shares the input's
-  fields->ShallowCopy(body->GetFieldData());
-  output->SetFieldData(fields);
+  palpate::copyWithOwnFields(body, output);
   if (choice.need != ResponseNeed::PerVertex)
   {
     replaceCurves(output, this->ResponseName, choice);
   }
-  addText(output->GetFieldData(), this->ResponseName + "Choice", this->Reason);
+  palpate::addText(output->GetFieldData(), this->ResponseName + "Choice", this->Reason);
   return 1;
 }
 
