@@ -34,7 +34,6 @@ struct Options
   bool isQuick = false;
   bool isTimed = true;
   bool withFinite = true;
-  bool withOffline = false;
 };
 
 /// An empty field for what is not known.
@@ -162,7 +161,6 @@ void study(const Options& options, Report& report)
 {
   StudyEffort effort = options.isQuick ? StudyEffort::quick() : StudyEffort();
   effort.withFinite = options.withFinite;
-  effort.withOffline = options.withOffline;
   std::unique_ptr<MethodTimer> timer;
   if (options.isTimed)
   {
@@ -201,7 +199,6 @@ int main(int argc, char* argv[])
   app.add_flag("--quick", options.isQuick, "few tips");
   app.add_flag("!--no-times", options.isTimed, "errors only");
   app.add_flag("!--no-finite", options.withFinite, "without finite elements beside the tick");
-  app.add_flag("--offline", options.withOffline, "also the full solution per tip: an hour or more");
   CLI11_PARSE(app, argc, argv);
   try
   {

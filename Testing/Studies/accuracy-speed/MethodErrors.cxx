@@ -15,9 +15,9 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Patience = 6.0; // s for the tips of one kind
-constexpr double Quick = 2e-4;   // s: such a method is asked at every tip
-constexpr std::size_t FewestTips = 8;
+constexpr double Patience = 6.0;      // s for the tips of one kind
+constexpr double Quick = 2e-4;        // s: such a method is asked at every tip
+constexpr std::size_t FewestTips = 4; // per kind, of methods that take seconds
 
 /// Of three calls, s.
 double shortestCall(const StudyTips& tips, ContactMethod& method)

@@ -63,8 +63,7 @@ StudyScene plateScene(const StudyEffort& effort)
   scene.reference = [plate](const StudyLaw& law)
   { return finiteReference(plate, law.tool().shape); };
   scene.finiteVertices = static_cast<std::size_t>(plate->windowNodes());
-  scene.finite = [plate, effort](const StudyTool& tool)
-  { return finiteContacts(effort, plate, tool); };
+  scene.finite = [plate](const StudyTool& tool) { return finiteMethods(plate, tool.shape); };
   return scene;
 }
 } // namespace palpate::testing

@@ -27,17 +27,16 @@ std::size_t verticesOf(const FiniteMesh& mesh)
 }
 
 /// Finite elements on such a body, made when first asked for.
-std::function<std::vector<MethodPointer>(const StudyTool&)> finiteOn(
-  const StudyEffort& effort, const FiniteScene& body)
+std::function<std::vector<MethodPointer>(const StudyTool&)> finiteOn(const FiniteScene& body)
 {
   const auto made = std::make_shared<FiniteBodyPointer>();
-  return [effort, body, made](const StudyTool& tool)
+  return [body, made](const StudyTool& tool)
   {
     if (!*made)
     {
       *made = FiniteBody::make(body, FiniteMesh{});
     }
-    return finiteContacts(effort, *made, tool);
+    return finiteMethods(*made, tool.shape);
   };
 }
 
@@ -67,22 +66,6 @@ StudyScene flatScene(const StudyEffort& effort, const Spot& spot)
 }
 } // namespace
 
-std::vector<std::unique_ptr<ContactMethod>> finiteContacts(
-  const StudyEffort& effort, const FiniteBodyPointer& body, const StudyTool& tool)
-{
-  std::vector<MethodPointer> methods;
-  if (effort.withOffline)
-  {
-    methods.push_back(fullSolve(body, tool.shape));
-  }
-  methods.push_back(condensedContact(body, tool.shape));
-  methods.push_back(localAndGlobal(body, tool.shape));
-  methods.push_back(localAndModes(body, tool.shape));
-  methods.push_back(globalOnly(body));
-  methods.push_back(pressedNode(body));
-  return methods;
-}
-
 StudyScene blockScene(const StudyEffort& effort)
 {
   StudyScene scene = flatScene(effort, {});
@@ -90,7 +73,7 @@ StudyScene blockScene(const StudyEffort& effort)
   scene.curves = "block";
   if (effort.withFinite)
   {
-    scene.finite = finiteOn(effort, finiteBlock());
+    scene.finite = finiteOn(finiteBlock());
     scene.finiteVertices = verticesOf(FiniteMesh{});
   }
   return scene;
@@ -103,7 +86,7 @@ StudyScene layerScene(const StudyEffort& effort)
   scene.curves = "layer10";
   if (effort.withFinite)
   {
-    scene.finite = finiteOn(effort, finiteLayer());
+    scene.finite = finiteOn(finiteLayer());
     scene.finiteVertices = verticesOf(FiniteMesh{});
   }
   return scene;

@@ -45,9 +45,8 @@ struct StudyEffort
 {
   std::size_t sites = 2000;
   std::size_t path = 4000;
-  bool withFinite = true;   ///< finite elements beside the tick
-  bool withOffline = false; ///< among them the full solution, 0.1 to 10 s per tip
-  static StudyEffort quick() { return { 150, 300, false, false }; }
+  bool withFinite = true; ///< finite elements beside the tick
+  static StudyEffort quick() { return { 150, 300, false }; }
 };
 
 StudyScene blockScene(const StudyEffort& effort);
@@ -55,10 +54,6 @@ StudyScene layerScene(const StudyEffort& effort);
 StudyScene plateScene(const StudyEffort& effort);
 /// From files of readStudyBody, fine to coarse.
 StudyScene headScene(const StudyEffort& effort, const std::vector<std::string>& files);
-
-/// Finite elements on a body, as far as the effort goes.
-std::vector<std::unique_ptr<ContactMethod>> finiteContacts(
-  const StudyEffort& effort, const std::shared_ptr<const FiniteBody>& body, const StudyTool& tool);
 
 /// All methods on a scene, with one tool.
 MethodList studyMethods(const StudyScene& scene, const StudyTool& tool);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ways to render a contact: how true, how fast, how large.
 
-    ./run study accuracy-speed [--quick] [--offline] [--output DIR] [--program FILE] [--scene NAME ...]
+    ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...]
 
 Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
@@ -118,8 +118,6 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build" / "studies" / "accuracy-speed")
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     parser.add_argument("--quick", action="store_true", help="few tips, no finite elements, a coarse head")
-    parser.add_argument("--offline", action="store_true",
-                        help="also the full finite-element solution per tip: an hour or more")
     parser.add_argument("--scene", action="append", choices=("block", "layer", "plate", "head"), default=[])
     parser.add_argument("--redraw", type=pathlib.Path, help="rows of an earlier run (rows.csv) instead of a new one")
     arguments = parser.parse_args()
@@ -135,7 +133,6 @@ def main():
         if why:
             print("no head: " + why, file=sys.stderr)
         options = ["--quick", "--no-finite"] if arguments.quick else []
-        options += ["--offline"] if arguments.offline else []
         for scene in arguments.scene:
             options += ["--scene", scene]
         text = measure(arguments.program, options, heads)
