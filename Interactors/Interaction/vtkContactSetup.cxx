@@ -222,6 +222,8 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   request.youngsModulus = this->YoungsModulus;
   request.poissonRatio = this->PoissonRatio;
   request.maximumDeflection = this->MaximumDeflection;
+  request.tolerance = this->Tolerance;
+  request.choiceDeflection = this->ChoiceDeflection;
   if (this->Model == Layer && this->LayerThickness > 0.0)
   {
     request.layerThickness = this->LayerThickness;
@@ -302,6 +304,14 @@ vtkContactTool* vtkContactSetup::GetOutputTool(int tool)
     : nullptr;
 }
 
+std::string vtkContactSetup::GetChoice(int tool)
+{
+  const auto& choices = this->Kept->made.choices;
+  return tool >= 0 && tool < static_cast<int>(choices.size())
+    ? choices[static_cast<std::size_t>(tool)]
+    : std::string();
+}
+
 double vtkContactSetup::GetLargestForce()
 {
   double largest = 0.0;
@@ -368,5 +378,7 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Model: " << this->Model << "\n";
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "ChoiceDeflection: " << this->ChoiceDeflection << " mm\n";
   os << indent << "Error: " << this->Error << "\n";
 }

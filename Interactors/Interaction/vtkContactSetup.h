@@ -121,6 +121,20 @@ public:
   vtkGetMacro(ComplianceModulus, double);
   ///@}
 
+  ///@{
+  /** Largest error of the force, relative, at which a session is given a simpler form of a response
+   * than a curve per point (vtkResponseChoice, and what that means by it). Default 0: responses are
+   * felt as they are. The output has them whole in any case. */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+  ///@{
+  /** How deep the form is chosen for, mm, where there is a Tolerance. Default 0: half of
+   * MaximumDeflection. */
+  vtkSetMacro(ChoiceDeflection, double);
+  vtkGetMacro(ChoiceDeflection, double);
+  ///@}
+
   /** Makes the responses now. Returns false after an error, with the output as it was. */
   bool Update();
   /** Has them made in the background, unless they are, or are being made, as everything is set now.
@@ -138,6 +152,10 @@ public:
   vtkPolyData* GetOutput();
   /** The tool its response was made for; null before the first Update or Collect. */
   vtkContactTool* GetOutputTool(int tool);
+
+  /** Which form of a tool's response is felt, and why, in a sentence; "" without a Tolerance and
+   * before the first Update or Collect. */
+  std::string GetChoice(int tool);
 
   /** Largest force of any tool of the output at any point, MaximumDeflection deep, N; 0 before the
    * first. */
@@ -169,6 +187,8 @@ private:
   int Model = HalfSpace;
   double LayerThickness = 0.0;
   double ComplianceModulus = 0.0;
+  double Tolerance = 0.0;
+  double ChoiceDeflection = 0.0;
   std::string Error;
 
   struct State;

@@ -42,6 +42,8 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetLayerThickness(scene.layer.scanned ? 0.0 : scene.layer.thickness);
   setup->SetComplianceModulus(scene.solid ? scene.youngsModulus : 0.0);
   setup->SetModel(modelOf(scene));
+  setup->SetTolerance(options.automatic ? options.tolerance : 0.0);
+  setup->SetChoiceDeflection(scene.depth);
   {
     const QuietScope quiet;
     if (!setup->Update())

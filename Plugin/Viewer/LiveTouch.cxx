@@ -8,7 +8,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
-#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
@@ -104,14 +103,13 @@ LiveTouch::LiveTouch(
 
 void LiveTouch::showHelp(const std::string& text)
 {
-  vtkNew<vtkTextActor> help;
-  help->SetInput(text.c_str());
-  help->GetTextProperty()->SetFontSize(15);
-  help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
-  help->GetTextProperty()->SetVerticalJustificationToTop();
-  help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
-  this->Renderer->AddViewProp(help);
+  this->Help->SetInput(text.c_str());
+  this->Help->GetTextProperty()->SetFontSize(15);
+  this->Help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
+  this->Help->GetTextProperty()->SetVerticalJustificationToTop();
+  this->Help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->Help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
+  this->Renderer->AddViewProp(this->Help); // the same is not added twice
 }
 
 void LiveTouch::open()
@@ -156,6 +154,12 @@ void LiveTouch::onNumber(std::function<void(int)> action)
 {
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [action = std::move(action)](void* number) { action(*static_cast<const int*>(number)); });
+}
+
+void LiveTouch::onFrame(std::function<void()> action)
+{
+  this->Actions.add(this->Style, vtkInteractorStyleHaptic::FrameEvent,
+    [action = std::move(action)](void*) { action(); });
 }
 
 void LiveTouch::onSpace(std::function<void()> action)

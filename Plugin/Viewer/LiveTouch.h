@@ -17,6 +17,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkTextActor.h"
 
 #include <functional>
 #include <string>
@@ -33,7 +34,7 @@ public:
 
   /// With a panel on the right that changes the setup, and charts below. Before open().
   void usePanel(vtkContactSetup* setup);
-  /// A line at the top of the window.
+  /// Lines at the top of the window, in the place of those there were.
   void showHelp(const std::string& text);
   /// Shows the body with the tool above the first site of the scene, and says so.
   void open();
@@ -46,6 +47,8 @@ public:
   /// What keys 1 to 9 do, told from 0, where there is no panel; and the space bar.
   void onNumber(std::function<void(int)> action);
   void onSpace(std::function<void()> action);
+  /// What is done at each frame.
+  void onFrame(std::function<void()> action);
 
   vtkHapticSession* session() { return this->Session; }
   vtkContactScene* view() { return this->View; }
@@ -62,6 +65,7 @@ private:
   const ResponseSet& Responses;
   double LargestForce; ///< that arrows and charts are scaled for, N
   vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkTextActor> Help;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkContactScene> View;

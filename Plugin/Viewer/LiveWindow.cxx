@@ -3,7 +3,6 @@
 
 #include "LiveSetup.h"
 #include "LiveTouch.h"
-#include "ModelChoice.h"
 #include "SessionSettings.h"
 
 #include <cstdio>
@@ -20,6 +19,36 @@ void tell(const ResponseSet& responses, int tool)
   std::printf("tool: %s\n", name.c_str());
   std::fflush(stdout);
 }
+
+/// Says which form of the response in the hand is felt, and why, whenever it becomes another one.
+class ToldChoice
+{
+public:
+  ToldChoice(LiveTouch& live, vtkContactSetup* setup)
+    : Live(live)
+    , Setup(setup)
+  {
+  }
+
+  void update()
+  {
+    const std::string reason = this->Setup->GetChoice(this->Setup->GetChosenTool());
+    const std::string inShort = reason.substr(0, reason.find(';'));
+    if (inShort == this->Told)
+    {
+      return;
+    }
+    this->Told = inShort;
+    this->Live.showHelp(Help + ("\n" + inShort));
+    std::printf("choice: %s\n", reason.c_str());
+    std::fflush(stdout);
+  }
+
+private:
+  LiveTouch& Live;
+  vtkContactSetup* Setup;
+  std::string Told;
+};
 } // namespace
 
 std::string runLive(const ViewerOptions& options, const TouchScene& scene)
@@ -31,22 +60,18 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
-  ModelChoice choice;
-  error = chooseModel(options, scene, responses, choice);
-  if (!error.empty())
-  {
-    return error;
-  }
   LiveTouch live(options, scene, responses);
-  live.session()->SetBody(choice.body); // until the panel changes what is felt
+  setup->ApplyTo(live.session());
   error = chooseDevice(options, responses, live.session());
   if (!error.empty())
   {
     return error;
   }
   placeDevice(scene, responses, live.session());
-  live.showHelp(choice.reason.empty() ? Help : Help + ("\n" + shortReason(choice)));
+  live.showHelp(Help);
   live.usePanel(setup);
+  ToldChoice choice(live, setup);
+  live.onFrame([&choice] { choice.update(); });
   live.onTool([&responses](int tool) { tell(responses, tool); });
   live.open();
   error = startQuietly(live.session());
@@ -54,10 +79,7 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
-  if (!choice.reason.empty())
-  {
-    std::printf("choice: %s\n", choice.reason.c_str());
-  }
+  choice.update();
   tell(responses, 0);
   return live.run();
 }

@@ -27,9 +27,6 @@ struct ModelChoice
  */
 std::string chooseModel(const ViewerOptions& options, const TouchScene& scene,
   const ResponseSet& responses, ModelChoice& choice);
-
-/// The sentence up to its first semicolon.
-std::string shortReason(const ModelChoice& choice);
 } // namespace palpate
 
 #endif

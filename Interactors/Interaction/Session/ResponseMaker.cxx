@@ -3,6 +3,7 @@
 
 #include "BodyConversion.h"
 #include "DeviceFit.h"
+#include "LeastForm.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -118,20 +119,44 @@ void attachResponse(
   made.body->ShallowCopy(attach->GetOutput());
 }
 
+/// The body with the form of a tool's response that is felt; null after an error.
+vtkSmartPointer<vtkPolyData> feltForm(
+  const ResponseRequest& request, std::size_t tool, MadeResponses& made, Heard& heard)
+{
+  if (request.tolerance == 0.0)
+  {
+    return made.body;
+  }
+  const LeastFormRequest wanted{ made.body, request.names[tool], request.tolerance,
+    request.choiceDeflection, request.complianceArray, request.tools[tool], request.youngsModulus,
+    request.poissonRatio };
+  const LeastForm form = findLeastForm(wanted,
+    [&](vtkAlgorithm* filter)
+    {
+      heard.listen(filter);
+      heard.listen(filter->GetExecutive());
+      filter->Update();
+      return made.error.empty() && !heard.stale();
+    });
+  made.choices.push_back(form.reason);
+  return form.body;
+}
+
 /// As the session would make them. One after the other: each is threaded.
-void makeKernels(
-  const ResponseRequest& request, MadeResponses& made, const std::function<bool()>& stale)
+void makeKernels(const ResponseRequest& request, MadeResponses& made, Heard& heard)
 {
   std::shared_ptr<const ContactBody> surface = request.surface;
-  for (const std::string& name : request.names)
+  for (std::size_t i = 0; i < request.names.size(); ++i)
   {
-    if (stale() || !made.error.empty())
+    const vtkSmartPointer<vtkPolyData> felt = feltForm(request, i, made, heard);
+    if (!felt || heard.stale() || !made.error.empty())
     {
       return;
     }
+    const std::string& name = request.names[i];
     auto& kernel = made.kernels.read[name];
-    kernel = surface ? makeContactBody(made.body, name, made.error, *surface)
-                     : makeContactBody(made.body, name, made.error);
+    kernel = surface ? makeContactBody(felt, name, made.error, *surface)
+                     : makeContactBody(felt, name, made.error);
     if (kernel)
     {
       surface = kernel;
@@ -164,7 +189,7 @@ MadeResponses makeResponses(const ResponseRequest& request, const std::function<
   }
   if (made.error.empty())
   {
-    makeKernels(request, made, stale);
+    makeKernels(request, made, heard);
   }
   if (!made.error.empty())
   {

@@ -29,6 +29,8 @@ struct ResponseRequest
   std::string thicknessArray;     ///< "": the constant
   std::string complianceArray;    ///< "": none
   double complianceFactor = 1.0;  ///< the body's, by which compliance and modes are multiplied
+  double tolerance = 0.0;         ///< of the form that is felt; 0: the responses as they are
+  double choiceDeflection = 0.0;  ///< mm, that the form is chosen for; 0: half of the deepest
   /// Kernel of the same surface, to be spared making it again; may be null.
   std::shared_ptr<const ContactBody> surface;
 };
@@ -40,7 +42,8 @@ struct MadeResponses
   vtkSmartPointer<vtkPolyData> body; ///< the same with the responses; null after an error
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   double poissonRatio = 0.0;
-  BodyKernels kernels;
+  BodyKernels kernels;              ///< of the forms that are felt
+  std::vector<std::string> choices; ///< why these; empty where none was chosen
   std::string error;
   std::string warning;
 };

@@ -7,6 +7,7 @@
 #include "vtkHapticSession.h"
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 namespace
@@ -191,6 +192,64 @@ void checkSession()
   session->Step(0.1);
   PALPATE_CHECK_NEAR(idealOf(session) / (2.0 * 2.0 * Reduced), 1.0, 1e-5);
 }
+
+/// The ideal force of the tool in the hand, 1 mm deep on the setup's output.
+double feltForce(vtkContactSetup* setup)
+{
+  vtkNew<vtkHapticSession> session;
+  PALPATE_CHECK(setup->ApplyTo(session));
+  pressed(session, deviceOf(1e3, 1e6));
+  return idealOf(session);
+}
+
+/// With a tolerance the simplest form that keeps it is felt, also of responses made later; the
+/// output has them whole.
+void checkChoice()
+{
+  const auto plain = makeSetup(planeBody(10.0, 10));
+  PALPATE_CHECK(plain->Update() && plain->GetChoice(0).empty());
+  plain->SetTolerance(0.01);
+  PALPATE_CHECK(plain->Update());
+  PALPATE_CHECK_TEXT(plain->GetChoice(0), "one law suffices", "0 instead of 16");
+  PALPATE_CHECK_TEXT(plain->GetChoice(1), "one law suffices");
+  PALPATE_CHECK(plain->GetChoice(2).empty() && plain->GetChoice(-1).empty());
+  PALPATE_CHECK(plain->GetOutput()->GetPointData()->HasArray("ResponseForce"));
+  const auto sphere = makeTool("sphere:5");
+  PALPATE_CHECK_NEAR(feltForce(plain) / sphere->GetForce(1.0, Reduced), 1.0, 1e-3);
+
+  // One law for layers of 6 to 10 mm: off by less than it may be, but off.
+  const Body uneven = planeBody(10.0, 10);
+  pointArray(uneven, "LayerThickness", [](vtkIdType i) { return 6.0 + 0.5 * ((7 * i) % 9); });
+  const auto layer = makeSetup(uneven);
+  layer->SetModel(vtkContactSetup::Layer);
+  PALPATE_CHECK(layer->Update());
+  const double whole = feltForce(layer);
+  constexpr double tolerance = 0.15;
+  layer->SetTolerance(tolerance);
+  layer->Request();
+  PALPATE_CHECK(collected(layer));
+  PALPATE_CHECK_TEXT(layer->GetChoice(0), "one law suffices");
+  const double off = std::abs(feltForce(layer) / whole - 1.0);
+  PALPATE_CHECK(off > 1e-3 && off < tolerance);
+
+  // Where the body gives way as a whole, a spring is enough.
+  const Body soft = planeBody(10.0, 10);
+  pointArray(soft, "GlobalCompliance", [](vtkIdType) { return 100.0; });
+  const auto series = makeSetup(soft);
+  series->SetModel(vtkContactSetup::Series);
+  series->SetTolerance(0.05);
+  series->SetChoiceDeflection(1.0);
+  PALPATE_CHECK(series->Update());
+  PALPATE_CHECK_TEXT(series->GetChoice(1), "point force");
+  series->SetChosenTool(1);
+  PALPATE_CHECK_NEAR(feltForce(series) * (100.0 + 1.0 / (4.0 * Reduced)), 1.0, 0.05);
+
+  Messages messages(series);
+  series->SetTolerance(std::nan(""));
+  PALPATE_CHECK(!series->Update());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Tolerance", "nan");
+  PALPATE_CHECK_TEXT(series->GetChoice(1), "point force"); // as the output is
+}
 } // namespace
 
 int TestContactSetup(int, char*[])
@@ -200,5 +259,6 @@ int TestContactSetup(int, char*[])
   checkErrors();
   checkModels();
   checkSession();
+  checkChoice();
   return palpate::testing::result();
 }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LeastForm_h
+#define LeastForm_h
+
+#include "vtkContactTool.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+
+class vtkAlgorithm;
+
+namespace palpate
+{
+/// A response of which the least that keeps its forces is wanted.
+struct LeastFormRequest
+{
+  vtkSmartPointer<vtkPolyData> body; ///< with the response
+  std::string name;                  ///< its prefix
+  double tolerance = 0.01;           ///< of the force, relative
+  double deflection = 0.0; ///< mm, where regime and validity are looked at; 0: half of Range
+
+  /// A point force is considered where the body gives way as a whole: then this array has its
+  /// compliance (mm/N), and tool and material are those of the response.
+  std::string complianceArray;
+  vtkSmartPointer<vtkContactTool> tool;
+  double youngsModulus = 0.0; ///< MPa
+  double poissonRatio = 0.0;
+};
+
+/// The body with that form in place of the response, and why, in a sentence.
+struct LeastForm
+{
+  vtkSmartPointer<vtkPolyData> body; ///< null after an error
+  std::string reason;
+};
+
+/// By vtkContactRegime and vtkResponseChoice. `run` updates each of them, hears its errors and says
+/// whether to go on. On any thread.
+LeastForm findLeastForm(
+  const LeastFormRequest& request, const std::function<bool(vtkAlgorithm*)>& run);
+} // namespace palpate
+
+#endif
