@@ -1,0 +1,189 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What Palpate endures, at length.
+
+    ./run endurance [--only PART ...] [--soak-seconds S] [--runs N] [--unplugs N] [--points N] [--output DIR]
+
+Runs the parts (README.md) and leaves in DIR (default build/endurance) a PART.json and a PART.txt (all it said) of
+each, and report.md: the machine, and the figures of every part. The soak runs beside the parts that only compute,
+which are the load it has to bear; those that look at times run after it, alone.
+
+Exit code: 0 if every part passed, 1 if one did not, 2 for a wrong call.
+"""
+import argparse
+import datetime
+import json
+import os
+import pathlib
+import platform
+import subprocess
+import sys
+import threading
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+class Part:
+    """A command that writes {"part", "passed", "figures"} to a file of its own."""
+
+    def __init__(self, name, what, command):
+        self.name, self.what, self.command = name, what, command
+        self.passed, self.figures, self.seconds, self.fault = False, {}, 0.0, ""
+
+    def run(self, folder):
+        result = folder / (self.name + ".json")
+        result.unlink(missing_ok=True)
+        begin = time.monotonic()
+        with open(folder / (self.name + ".txt"), "wb") as said:
+            try:
+                code = subprocess.run([str(word) for word in self.command] + ["--output", str(result)], stdout=said,
+                                      stderr=subprocess.STDOUT, check=False, cwd=ROOT).returncode
+            except OSError as error:
+                code, self.fault = None, str(error)
+        self.seconds = time.monotonic() - begin
+        self.judge(code, result)
+
+    def judge(self, code, result):
+        """A part has passed if its program says so twice: by its exit code and in its file."""
+        try:
+            written = json.loads(result.read_text(encoding="utf-8"))
+            self.figures = written["figures"]
+            self.passed = code == 0 and written["passed"] is True
+        except (OSError, ValueError, KeyError) as error:
+            self.fault = self.fault or "no result: {}".format(error)
+        if not self.passed and not self.fault:
+            self.fault = "exit code {}".format(code)
+
+
+def make_parts(arguments):
+    """Those that only compute, the soak, and those that look at times."""
+    release, asan = ROOT / "build" / "release", ROOT / "build" / "asan"
+    python = sys.executable
+    beside = [
+        Part("fuzzing", "what comes from devices, files and command lines, under address and undefined sanitizer",
+             [python, HERE / "fuzz.py", "--build", asan, "--runs", arguments.runs, "--jobs", 1]),
+        Part("memcheck", "the tests of the kernels under valgrind",
+             [python, HERE / "memcheck.py", "--build", release, "--jobs", 1]),
+        Part("limits", "a body of many points against brute force",
+             [release / "bin" / "palpateLimits", "--points", arguments.points]),
+    ]
+    soak = Part("soak", "the servo loop at 4 kHz while bodies are swapped, devices come and go, samples are missing",
+                [release / "bin" / "palpateSoak", "--seconds", arguments.soak_seconds])
+    alone = [
+        Part("unplugs", "devices pulled out at random moments, on the real hidapi",
+             ["umockdev-wrapper", release / "bin" / "palpateUnplugs", "--count", arguments.unplugs]),
+    ]
+    return beside, soak, alone
+
+
+def run_parts(beside, soak, alone, folder):
+    loads = threading.Thread(target=lambda: [part.run(folder) for part in beside])
+    loads.start()
+    if soak:
+        soak.run(folder)
+    loads.join()
+    for part in alone:
+        part.run(folder)
+
+
+def first_line(*command):
+    try:
+        said = subprocess.run(command, check=False, stdout=subprocess.PIPE, universal_newlines=True).stdout
+    except OSError:
+        return "unknown"
+    return said.splitlines()[0].strip() if said.strip() else "unknown"
+
+
+def field(file, name):
+    """The value of `name` in a file of `name: value` or `name=value` lines."""
+    try:
+        for line in pathlib.Path(file).read_text(encoding="utf-8").splitlines():
+            key, sign, value = line.partition("=" if "=" in line else ":")
+            if sign and key.strip() == name:
+                return value.strip().strip('"')
+    except OSError:
+        pass
+    return "unknown"
+
+
+def machine():
+    memory = field("/proc/meminfo", "MemTotal").split()[0]
+    return [
+        ("processor", "{}, {} in use".format(field("/proc/cpuinfo", "model name"), len(os.sched_getaffinity(0)))),
+        ("memory", "{:.0f} GB".format(int(memory) / 2 ** 20) if memory.isdigit() else memory),
+        ("system", "{}, Linux {}".format(field("/etc/os-release", "PRETTY_NAME"), platform.release().partition("-")[0])),
+        ("compilers", "{}; {}".format(first_line("g++", "--version"), first_line("clang", "--version"))),
+        ("valgrind", first_line("valgrind", "--version")),
+        ("commit", first_line("git", "-C", str(ROOT), "describe", "--always", "--dirty")),
+    ]
+
+
+def number(value):
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return "{:.5g}".format(value)
+    return "{:,}".format(value).replace(",", " ") if isinstance(value, int) else str(value)
+
+
+def show(figures):
+    """Markdown of {name: value}; values that are such themselves become rows of one table."""
+    rows = {name: value for name, value in figures.items() if isinstance(value, dict)}
+    lines = ["- {}: {}".format(name, ", ".join(map(number, value)) if isinstance(value, list) else number(value))
+             for name, value in figures.items() if name not in rows]
+    if rows:
+        columns = list(dict.fromkeys(column for row in rows.values() for column in row))
+        lines += [""] if lines else []
+        lines += ["| |" + "".join(" {} |".format(column) for column in columns), "|---|" + "---|" * len(columns)]
+        lines += ["| {} |".format(name) + "".join(" {} |".format(number(row.get(column, ""))) for column in columns)
+                  for name, row in rows.items()]
+    return lines
+
+
+def write_report(parts, about, date, call):
+    lines = ["# What was endured", "", "{}: `{}`".format(date, call), ""]
+    lines += ["- {}: {}".format(*entry) for entry in about]
+    lines += ["", "| part | passed | time | what |", "|---|---|---|---|"]
+    lines += ["| {} | {} | {:.0f} s | {} |".format(part.name, "yes" if part.passed else "NO: " + part.fault,
+                                                   part.seconds, part.what) for part in parts]
+    for part in parts:
+        lines += ["", "## " + part.name, ""] + show(part.figures)
+    return "\n".join(lines) + "\n"
+
+
+def parse(words):
+    parser = argparse.ArgumentParser(prog="./run endurance", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", nargs="+", default=[], metavar="PART")
+    parser.add_argument("--soak-seconds", type=int, default=3600)
+    parser.add_argument("--runs", type=int, default=1000000, help="inputs of each fuzzer")
+    parser.add_argument("--unplugs", type=int, default=1000)
+    parser.add_argument("--points", type=int, default=8000000, help="of the largest body")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build" / "endurance")
+    arguments = parser.parse_args(words)
+    beside, soak, alone = make_parts(arguments)
+    known = [part.name for part in beside + [soak] + alone]
+    for name in arguments.only:
+        if name not in known:
+            parser.error("there is no part '{}'; there are: {}".format(name, " ".join(known)))
+    chosen = lambda parts: [part for part in parts if not arguments.only or part.name in arguments.only]
+    return arguments.output.resolve(), chosen(beside), chosen([soak]), chosen(alone)
+
+
+def main(words):
+    folder, beside, soak, alone = parse(words)
+    folder.mkdir(parents=True, exist_ok=True)
+    run_parts(beside, soak[0] if soak else None, alone, folder)
+    parts = soak + beside + alone
+    date = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
+    report = write_report(parts, machine(), date, " ".join(["./run endurance"] + words))
+    (folder / "report.md").write_text(report, encoding="utf-8")
+    print(report)
+    print("report in {}".format(folder / "report.md"))
+    return 0 if all(part.passed for part in parts) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
