@@ -5,10 +5,11 @@
     ./run endurance [--only PART ...] [--soak-seconds S] [--runs N] [--unplugs N] [--points N] [--output DIR]
 
 Runs the parts (README.md) and leaves in DIR (default build/endurance) a PART.json and a PART.txt (all it said) of
-each, and report.md: the machine, and the figures of every part. The soak runs beside the parts that only compute,
-which are the load it has to bear; those that look at times run after it, alone.
+each, and report.md: the machine, and the newest figures of every part, with when and of what commit they are. The
+soak runs beside the parts that only compute, which are the load it has to bear; those that look at times run after
+it, alone.
 
-Exit code: 0 if every part passed, 1 if one did not, 2 for a wrong call.
+Exit code: 0 if every part that was run passed, 1 if one did not, 2 for a wrong call.
 """
 import argparse
 import datetime
@@ -26,35 +27,50 @@ ROOT = HERE.parents[1]
 
 
 class Part:
-    """A command that writes {"part", "passed", "figures"} to a file of its own."""
+    """A command that writes {"part", "passed", "figures"} to a file of its own, to which is added when it was run, of
+    what commit, how long it took, and what was wrong.
+    """
 
     def __init__(self, name, what, command):
         self.name, self.what, self.command = name, what, command
-        self.passed, self.figures, self.seconds, self.fault = False, {}, 0.0, ""
+
+    def file(self, folder):
+        return folder / (self.name + ".json")
 
     def run(self, folder):
-        result = folder / (self.name + ".json")
+        result = self.file(folder)
         result.unlink(missing_ok=True)
-        begin = time.monotonic()
+        begin, date = time.monotonic(), datetime.datetime.now(datetime.timezone.utc)
+        code, fault = None, ""
         with open(folder / (self.name + ".txt"), "wb") as said:
             try:
                 code = subprocess.run([str(word) for word in self.command] + ["--output", str(result)], stdout=said,
                                       stderr=subprocess.STDOUT, check=False, cwd=ROOT).returncode
             except OSError as error:
-                code, self.fault = None, str(error)
-        self.seconds = time.monotonic() - begin
-        self.judge(code, result)
+                fault = str(error)
+        written = judge(code, fault, result)
+        written.update(date=date.strftime("%Y-%m-%d %H:%M UTC"), commit=commit(), seconds=time.monotonic() - begin)
+        result.write_text(json.dumps(written, indent=1), encoding="utf-8")
 
-    def judge(self, code, result):
-        """A part has passed if its program says so twice: by its exit code and in its file."""
+    def result(self, folder):
+        """What run() left, now or earlier."""
         try:
-            written = json.loads(result.read_text(encoding="utf-8"))
-            self.figures = written["figures"]
-            self.passed = code == 0 and written["passed"] is True
-        except (OSError, ValueError, KeyError) as error:
-            self.fault = self.fault or "no result: {}".format(error)
-        if not self.passed and not self.fault:
-            self.fault = "exit code {}".format(code)
+            return json.loads(self.file(folder).read_text(encoding="utf-8"))
+        except OSError:
+            return {"passed": False, "figures": {}, "fault": "not run", "seconds": 0.0, "date": "", "commit": ""}
+
+
+def judge(code, fault, file):
+    """A part has passed if its program says so twice: by its exit code and in its file."""
+    try:
+        written = json.loads(file.read_text(encoding="utf-8"))
+        passed = code == 0 and written["passed"] is True
+        figures = dict(written["figures"])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        passed, figures, fault = False, {}, fault or "no result: {}".format(error)
+    if not passed and not fault:
+        fault = "exit code {}".format(code)
+    return {"passed": passed, "figures": figures, "fault": fault}
 
 
 def make_parts(arguments):
@@ -108,6 +124,10 @@ def field(file, name):
     return "unknown"
 
 
+def commit():
+    return first_line("git", "-C", str(ROOT), "describe", "--always", "--dirty")
+
+
 def machine():
     memory = field("/proc/meminfo", "MemTotal").split()[0]
     return [
@@ -116,7 +136,6 @@ def machine():
         ("system", "{}, Linux {}".format(field("/etc/os-release", "PRETTY_NAME"), platform.release().partition("-")[0])),
         ("compilers", "{}; {}".format(first_line("g++", "--version"), first_line("clang", "--version"))),
         ("valgrind", first_line("valgrind", "--version")),
-        ("commit", first_line("git", "-C", str(ROOT), "describe", "--always", "--dirty")),
     ]
 
 
@@ -142,14 +161,18 @@ def show(figures):
     return lines
 
 
-def write_report(parts, about, date, call):
-    lines = ["# What was endured", "", "{}: `{}`".format(date, call), ""]
+def write_report(parts, folder, about):
+    """Markdown of the newest results."""
+    lines = ["# What was endured", "", "Made by `./run endurance`; parts may have been repeated alone.", ""]
     lines += ["- {}: {}".format(*entry) for entry in about]
-    lines += ["", "| part | passed | time | what |", "|---|---|---|---|"]
-    lines += ["| {} | {} | {:.0f} s | {} |".format(part.name, "yes" if part.passed else "NO: " + part.fault,
-                                                   part.seconds, part.what) for part in parts]
-    for part in parts:
-        lines += ["", "## " + part.name, ""] + show(part.figures)
+    lines += ["", "| part | passed | begun | commit | time | what |", "|---|---|---|---|---|---|"]
+    results = [(part, part.result(folder)) for part in parts]
+    for part, result in results:
+        lines.append("| {} | {} | {} | {} | {:.0f} s | {} |".format(
+            part.name, "yes" if result["passed"] else "NO: " + result["fault"], result["date"], result["commit"],
+            result["seconds"], part.what))
+    for part, result in results:
+        lines += ["", "## " + part.name, ""] + show(result["figures"])
     return "\n".join(lines) + "\n"
 
 
@@ -168,21 +191,20 @@ def parse(words):
     for name in arguments.only:
         if name not in known:
             parser.error("there is no part '{}'; there are: {}".format(name, " ".join(known)))
-    chosen = lambda parts: [part for part in parts if not arguments.only or part.name in arguments.only]
-    return arguments.output.resolve(), chosen(beside), chosen([soak]), chosen(alone)
+    return arguments.output.resolve(), beside, soak, alone, set(arguments.only or known)
 
 
 def main(words):
-    folder, beside, soak, alone = parse(words)
+    folder, beside, soak, alone, chosen = parse(words)
     folder.mkdir(parents=True, exist_ok=True)
-    run_parts(beside, soak[0] if soak else None, alone, folder)
-    parts = soak + beside + alone
-    date = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
-    report = write_report(parts, machine(), date, " ".join(["./run endurance"] + words))
+    run_parts([part for part in beside if part.name in chosen], soak if soak.name in chosen else None,
+              [part for part in alone if part.name in chosen], folder)
+    parts = [soak] + beside + alone
+    report = write_report(parts, folder, machine())
     (folder / "report.md").write_text(report, encoding="utf-8")
     print(report)
     print("report in {}".format(folder / "report.md"))
-    return 0 if all(part.passed for part in parts) else 1
+    return 0 if all(part.result(folder)["passed"] for part in parts if part.name in chosen) else 1
 
 
 if __name__ == "__main__":

@@ -23,31 +23,32 @@ class Endurance(unittest.TestCase):
 
     def run_part(self, one):
         one.run(self.folder)
-        return one
+        return one.result(self.folder)
 
     def test_a_part_passes_only_if_file_and_exit_code_say_so(self):
-        self.assertTrue(self.run_part(part(GOOD)).passed)
-        self.assertEqual(self.run_part(part(GOOD, code=3)).fault, "exit code 3")
-        self.assertFalse(self.run_part(part(GOOD, code=3)).passed)
-        self.assertFalse(self.run_part(part({"passed": False, "figures": {}})).passed)
-        self.assertFalse(self.run_part(part({"passed": "yes", "figures": {}})).passed)
-        self.assertIn("figures", self.run_part(part({"passed": True})).fault)
+        self.assertTrue(self.run_part(part(GOOD))["passed"])
+        self.assertEqual(self.run_part(part(GOOD, code=3))["fault"], "exit code 3")
+        self.assertFalse(self.run_part(part(GOOD, code=3))["passed"])
+        self.assertFalse(self.run_part(part({"passed": False, "figures": {}}))["passed"])
+        self.assertFalse(self.run_part(part({"passed": "yes", "figures": {}}))["passed"])
+        self.assertIn("figures", self.run_part(part({"passed": True}))["fault"])
 
     def test_the_result_of_an_earlier_run_does_not_count(self):
-        self.assertTrue(self.run_part(part(GOOD)).passed)
+        self.assertTrue(self.run_part(part(GOOD))["passed"])
         silent = self.run_part(endurance.Part("x", "", [sys.executable, "-c", "print('nothing')"]))
-        self.assertFalse(silent.passed)
-        self.assertIn("no result", silent.fault)
+        self.assertFalse(silent["passed"])
+        self.assertIn("no result", silent["fault"])
 
     def test_a_program_that_is_not_there_is_named(self):
         missing = self.run_part(endurance.Part("x", "", [self.folder / "palpateNothing"]))
-        self.assertFalse(missing.passed)
-        self.assertIn("palpateNothing", missing.fault)
+        self.assertFalse(missing["passed"])
+        self.assertIn("palpateNothing", missing["fault"])
 
     def test_all_parts_are_run_and_reported_even_if_one_fails(self):
         bad, soak, good = part(GOOD, 1, "bad"), part(GOOD, name="soak"), part(GOOD, name="good")
         endurance.run_parts([bad], soak, [good], self.folder)
-        report = endurance.write_report([soak, bad, good], [("memory", "4 GB")], "today", "./run endurance")
+        report = endurance.write_report([soak, bad, good, part(GOOD, name="later")], self.folder, [("memory", "4 GB")])
+        self.assertIn("| later | NO: not run |", report)
         self.assertIn("| bad | NO: exit code 1 |", report)
         self.assertIn("| good | yes |", report)
         self.assertIn("- memory: 4 GB", report)

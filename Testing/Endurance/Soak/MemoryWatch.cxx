@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MemoryWatch.h"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace palpate::endurance
+{
+namespace
+{
+constexpr double Mebi = 1024.0 * 1024.0;
+
+double residentBytes()
+{
+  std::FILE* const file = std::fopen("/proc/self/statm", "r");
+  if (file == nullptr)
+  {
+    return 0.0;
+  }
+  long size = 0;
+  long resident = 0;
+  const bool isRead = std::fscanf(file, "%ld %ld", &size, &resident) == 2;
+  std::fclose(file);
+  return isRead ? static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;
+}
+
+double heapBytes()
+{
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+} // namespace
+
+MemoryWatch::MemoryWatch(std::size_t readings)
+{
+  this->Resident.reserve(readings);
+  this->Heap.reserve(readings);
+}
+
+void MemoryWatch::read()
+{
+  this->Resident.push_back(residentBytes() / Mebi);
+  this->Heap.push_back(heapBytes() / Mebi);
+}
+
+MemoryWatch::Course MemoryWatch::course(const std::vector<double>& readings)
+{
+  Course course;
+  if (readings.empty())
+  {
+    return course;
+  }
+  const auto quarter = static_cast<std::ptrdiff_t>(readings.size() / 4);
+  const auto most = [&](std::ptrdiff_t first, std::ptrdiff_t last)
+  {
+    return last > first ? *std::max_element(readings.begin() + first, readings.begin() + last)
+                        : 0.0;
+  };
+  course.first = readings.front();
+  course.last = readings.back();
+  course.second = most(quarter, 2 * quarter);
+  course.fourth = most(3 * quarter, static_cast<std::ptrdiff_t>(readings.size()));
+  return course;
+}
+} // namespace palpate::endurance

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_endurance_PluggedDevice_h
+#define palpate_endurance_PluggedDevice_h
+
+#include "HapticDevice.h"
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace palpate::endurance
+{
+/// The device within, as it is: keeps what it said last, so that one sees when another is told.
+class TrueHand final : public HapticDevice
+{
+public:
+  explicit TrueHand(std::unique_ptr<HapticDevice> device)
+    : Device(std::move(device))
+  {
+  }
+  const DeviceSpecification& specification() const noexcept override
+  {
+    return this->Device->specification();
+  }
+  DeviceSample read(double time) noexcept override { return this->Last = this->Device->read(time); }
+  bool write(const Eigen::Vector3d& force) noexcept override { return this->Device->write(force); }
+  const DeviceSample& last() const noexcept { return this->Last; }
+
+private:
+  std::unique_ptr<HapticDevice> Device;
+  DeviceSample Last;
+};
+
+/// One that is plugged in for a while.
+struct PluggedDevice
+{
+  std::unique_ptr<HapticDevice> device;
+  const TrueHand* hand = nullptr;                          ///< within it
+  double absence = 0.0;                                    ///< s without any device before it
+  double life = 0.0;                                       ///< s
+  double hangAt = std::numeric_limits<double>::infinity(); ///< s of its life
+  double hangFor = 0.0; ///< s that one reading keeps the loop waiting
+  std::unique_ptr<PluggedDevice> next;
+};
+
+} // namespace palpate::endurance
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_endurance_SceneSupply_h
+#define palpate_endurance_SceneSupply_h
+
+#include "TickFacts.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+struct ContactBody;
+}
+
+namespace palpate::endurance
+{
+/// A scene as the model knows it, and as a session is given it.
+struct SuppliedScene
+{
+  FeltScene felt;
+  vtkSmartPointer<vtkPolyData> body;                  ///< with the responses of the tool
+  std::shared_ptr<const palpate::ContactBody> kernel; ///< made of it; null after an error
+  std::string error;
+};
+
+/// Several bodies about the same place under several tools, with and without friction; responses
+/// by vtkToolContactResponse, kernel by the session's own conversion, both anew each time.
+class SceneSupply
+{
+public:
+  explicit SceneSupply(unsigned seed);
+
+  /// Another one than the last, in body or tool.
+  SuppliedScene make();
+
+  const Vector3& centre() const { return this->Centre; }
+  static constexpr double Radius = 50.0; ///< of all bodies, mm, but for 1.5
+  static constexpr const char* ResponseName = "Response";
+
+private:
+  std::size_t draw(std::size_t count)
+  {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(this->Random);
+  }
+
+  Vector3 Centre;
+  std::vector<std::shared_ptr<const RoundBody>> Bodies;
+  std::vector<vtkSmartPointer<vtkPolyData>> Shapes;
+  std::vector<ToolLaw> Tools;
+  std::mt19937 Random;
+  std::size_t Last = 0;
+};
+} // namespace palpate::endurance
+
+#endif

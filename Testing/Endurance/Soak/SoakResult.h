@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_endurance_SoakResult_h
+#define palpate_endurance_SoakResult_h
+
+#include "MemoryWatch.h"
+#include "TickChecker.h"
+#include "UnsteadyDevice.h"
+
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace palpate::endurance
+{
+/// What a soak did and found.
+struct SoakResult
+{
+  double seconds = 0.0;
+  double rate = 0.0;
+  std::string granted; ///< what the system gave the servo thread
+  std::uint64_t ticks = 0;
+  std::uint64_t missed = 0;   ///< ticks that the machine was too busy for
+  std::uint64_t overruns = 0; ///< ticks that nobody saw
+  TickTally tally;
+  std::vector<std::string> faults; ///< the first ones, in words
+  std::uint64_t swapsAsked = 0;
+  std::uint64_t swapsSeen = 0;
+  std::uint64_t swapsLate = 0;   ///< not in the next tick that could
+  std::uint64_t bodiesKept = 0;  ///< that should have been freed before the next swap
+  std::uint64_t bodiesAlive = 0; ///< after the end
+  bool isForceLeft = false;      ///< on the device, after the end
+  DeviceTroubles troubles;
+  bool isDrawn = false;
+  std::uint64_t frames = 0;
+  MemoryWatch::Course resident;
+  MemoryWatch::Course heap;
+  std::array<double, 3> wakeUp{}; ///< median, 99 %, longest; µs
+
+  /// What does not hold, a line each; empty if all does.
+  std::vector<std::string> complaints() const;
+  void print(std::ostream& out) const;
+  void writeJson(std::ostream& out) const;
+};
+} // namespace palpate::endurance
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_endurance_SoakRun_h
+#define palpate_endurance_SoakRun_h
+
+#include "DeviceSupply.h"
+#include "DrawingThread.h"
+#include "MemoryWatch.h"
+#include "SceneSupply.h"
+#include "SoakResult.h"
+#include "SwapWatch.h"
+#include "TickChecker.h"
+#include "UnsteadyDevice.h"
+
+#include "vtkHapticSession.h"
+#include "vtkSmartPointer.h"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+struct ServoTick;
+}
+
+namespace palpate::endurance
+{
+struct SoakOptions
+{
+  double seconds = 3600.0;
+  double rate = 4000.0;   ///< Hz
+  double swapEvery = 1.0; ///< s
+  unsigned seed = 1;
+  bool draws = true;
+};
+
+/**
+ * A session in real time, as an application has it (vtkHapticSession: servo thread, safety chain,
+ * mapping, scenes handed over), on a device that comes and goes, with bodies that are swapped under
+ * it and a picture that is drawn beside it. The thread that owns it drains every tick and checks
+ * it.
+ */
+class SoakRun
+{
+public:
+  explicit SoakRun(const SoakOptions& options);
+
+  /// Why it does not start, or "".
+  std::string start();
+  /// Goes on for the whole time.
+  void run();
+  /// Ends it.
+  SoakResult finish();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void swap();
+  void drain();
+  void check(const ServoTick& tick, const DeviceRecord& record);
+  bool isSettled() const;
+  std::size_t bodiesAlive() const;
+  void readTiming(SoakResult& result);
+
+  SoakOptions Options;
+  DeviceFrame Frame;
+  DeviceSpecification Specification;
+  SceneSupply Scenes;
+  DeviceSupply Devices;
+  MemoryWatch Memory;
+  DrawingThread Drawing;
+  std::unique_ptr<TickChecker> Checker;
+  vtkSmartPointer<vtkHapticSession> Session;
+  UnsteadyDevice* Device = nullptr; ///< the session's
+
+  std::vector<DeviceRecord> Records; ///< whose ticks have not come yet
+  std::uint64_t Checked = 0;
+  SwapWatch Swaps;
+  std::uint64_t SettledAt = 0; ///< the tick after which only one body was felt
+  std::vector<std::weak_ptr<const palpate::ContactBody>> Bodies; ///< all that may be alive
+  SoakResult Result;
+};
+} // namespace palpate::endurance
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_endurance_SwapWatch_h
+#define palpate_endurance_SwapWatch_h
+
+#include <cstdint>
+
+namespace palpate::endurance
+{
+/// Whether each swap asked for is felt, in the next tick that can know of it. Ticks are numbered
+/// from 0; one swap is asked for after the other was seen.
+class SwapWatch
+{
+public:
+  /// `made`: how many ticks were over when the swap had been handed over. One more may have been
+  /// under way, and have looked before; the one after it must know.
+  void ask(std::uint64_t made)
+  {
+    ++this->Asked;
+    this->Due = made + 1;
+    this->IsOpen = true;
+  }
+  /// A tick, and which scene it felt.
+  void see(std::uint64_t tick, std::uint32_t scene)
+  {
+    this->Seen += scene != this->Scene ? 1 : 0;
+    if (this->IsOpen && tick >= this->Due)
+    {
+      this->Late += scene == this->Scene ? 1 : 0;
+      this->IsOpen = false;
+    }
+    this->IsOpen = this->IsOpen && scene == this->Scene;
+    this->Scene = scene;
+  }
+
+  std::uint64_t asked() const { return this->Asked; }
+  std::uint64_t seen() const { return this->Seen; }
+  /// Not felt when they had to be, whether later or never.
+  std::uint64_t late() const { return this->Late; }
+
+private:
+  std::uint64_t Asked = 0;
+  std::uint64_t Seen = 0;
+  std::uint64_t Late = 0;
+  std::uint64_t Due = 0;
+  bool IsOpen = false;
+  std::uint32_t Scene = 0;
+};
+} // namespace palpate::endurance
+
+#endif

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TickChecker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace palpate::endurance
+{
+namespace
+{
+constexpr double MillimetresPerMetre = 1000.0;
+/// N: double rounding of forces of some N.
+constexpr double Rounding = 1e-11;
+/// mm: of tips some 100 mm from the device's origin.
+constexpr double TipRounding = 1e-10;
+/// Of a force: normals are stored as float32 (1e-7), and the place is off by up to 1e-5 mm on
+/// facets of some mm, between whose corners normal and modulus change by a fifth.
+constexpr double DirectionError = 2e-6;
+
+template <class... Parts>
+TickVerdict fault(TickFault kind, const TickFacts& tick, const Parts&... parts)
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << nameOf(kind) << " at " << tick.time << " s, scene " << tick.scene << ": ";
+  (text << ... << parts);
+  return { kind, text.str() };
+}
+} // namespace
+
+const char* nameOf(TickFault fault)
+{
+  switch (fault)
+  {
+    case TickFault::None:
+      return "nothing";
+    case TickFault::NotFinite:
+      return "not finite";
+    case TickFault::Time:
+      return "time";
+    case TickFault::Record:
+      return "record";
+    case TickFault::Tip:
+      return "tip";
+    case TickFault::Scene:
+      return "scene";
+    case TickFault::Contact:
+      return "contact force";
+    case TickFault::AfterLoss:
+      return "force after a loss";
+    default:
+      return "force sent";
+  }
+}
+
+TickChecker::TickChecker(const DeviceFrame& frame, const DeviceLimits& limits, FeltScene first)
+  : Frame(frame)
+  , Limits(limits)
+  , Scenes(std::move(first))
+  , Loss(limits.timeOut)
+{
+}
+
+TickVerdict TickChecker::check(const TickFacts& tick)
+{
+  ++this->Tally.ticks;
+  TickVerdict verdict;
+  if (this->HasTime && !(tick.time > this->Time))
+  {
+    verdict = fault(TickFault::Time, tick, "the tick before was at ", this->Time);
+  }
+  const double elapsed = this->HasTime ? tick.time - this->Time : 0.0;
+  this->HasTime = true;
+  this->Time = tick.time;
+
+  const auto first = [&verdict](TickVerdict found)
+  {
+    if (!verdict)
+    {
+      verdict = std::move(found);
+    }
+  };
+  if (!this->Scenes.enter(tick.scene))
+  {
+    first(fault(TickFault::Scene, tick, "after scene ", this->Scenes.current(), " of ",
+      this->Scenes.offered()));
+  }
+  if (tick.sent != tick.saidSent)
+  {
+    first(fault(TickFault::Record, tick, "sent ", tick.sent.transpose(), " N, recorded ",
+      tick.saidSent.transpose()));
+  }
+  Expected expected;
+  if (LossRule::isPlaced(tick.sample))
+  {
+    first(this->checkPlace(tick, elapsed, expected));
+  }
+  if (this->Loss.isLost(tick.sample, tick.time))
+  {
+    ++this->Tally.lost;
+    this->Tally.silent += LossRule::isPlaced(tick.sample) ? 1 : 0;
+    first(this->checkNothing(tick, "there is no sample, or none that is new"));
+    this->lose();
+  }
+  else
+  {
+    first(this->checkSent(tick, expected));
+  }
+  this->Tally.faults += verdict ? 1 : 0;
+  return verdict;
+}
+
+void TickChecker::lose()
+{
+  this->Scenes.lose();
+  this->Gate.lose();
+  this->HasSent = false;
+  this->Sent.setZero();
+}
+
+TickChecker::Fit TickChecker::fit(
+  const FeltScene& scene, const Vector3& tip, const Vector3& force, double share) const
+{
+  const double most = this->Limits.stiffness / (MillimetresPerMetre * this->Frame.scale);
+  Fit best;
+  best.excess = std::numeric_limits<double>::infinity();
+  for (const RoundBody::Touch& touch : scene.body->touch(tip))
+  {
+    const double depth = std::max(touch.depth, 0.0);
+    const double normal = share * scene.tool.force(depth, touch.modulus);
+    const double stiffness =
+      share * scene.tool.stiffness(depth + RoundBody::DepthTolerance, touch.modulus);
+    Fit fit;
+    fit.depth = touch.depth;
+    fit.tolerance = stiffness * RoundBody::DepthTolerance +
+      (scene.tool.storageError() + DirectionError) * normal + Rounding;
+    const double along = force.dot(touch.normal);
+    const double across = (force - along * touch.normal).norm();
+    fit.error = std::max(std::abs(along - normal), across - scene.friction * normal);
+    fit.excess = fit.error - fit.tolerance;
+    fit.cap =
+      normal > 0.0 ? share * scene.tool.cappedForce(depth, touch.modulus, most) / normal : 1.0;
+    best = fit.excess < best.excess ? fit : best;
+  }
+  // A force that is no number fits nowhere.
+  best.excess = force.allFinite() ? best.excess : std::numeric_limits<double>::infinity();
+  return best;
+}
+
+/// The contact force is that of this place; `expected` is what of it the device is good for.
+TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expected& expected)
+{
+  this->Scenes.advance(elapsed);
+  const Vector3 tip = this->Frame.tip(tick.sample.position);
+  if (!((tick.tip - tip).norm() <= TipRounding))
+  {
+    return fault(TickFault::Tip, tick, tick.tip.transpose(), " mm instead of ", tip.transpose());
+  }
+  const double share = this->Scenes.share();
+  if (!(std::abs(tick.sceneShare - share) <= 1e3 * SceneRule::Rounding))
+  {
+    return fault(TickFault::Scene, tick, "a share of ", tick.sceneShare, " instead of ", share);
+  }
+  const Fit newer = this->fit(this->Scenes.newer(), tip, tick.contactForce, 1.0);
+  if (newer.excess > 0.0)
+  {
+    return fault(TickFault::Contact, tick, tick.contactForce.transpose(), " N at a depth of ",
+      newer.depth, " mm: ", newer.excess, " N too far off");
+  }
+  // What is not of the newer scene must be of the older; without one it must be nothing.
+  const Vector3 rest = tick.idealForce - share * tick.contactForce;
+  Fit older;
+  older.depth = newer.depth;
+  older.excess = rest.allFinite() ? rest.norm() - Rounding : rest.norm();
+  if (this->Scenes.isChanging())
+  {
+    older = this->fit(this->Scenes.older(), tip, rest, 1.0 - share);
+  }
+  if (!(older.excess <= 0.0))
+  {
+    return fault(TickFault::Contact, tick, "of the scene that is left ", rest.transpose(),
+      " N at a depth of ", older.depth, " mm: ", older.excess, " N too far off");
+  }
+  this->Tally.nearest = std::max(this->Tally.nearest, newer.error / newer.tolerance);
+  expected.force =
+    this->Frame.axes.transpose() * (newer.cap * share * tick.contactForce + older.cap * rest);
+  // The cap follows the stored curve, which is off by as much as the force.
+  expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance) + Rounding;
+  const double nothing = RoundBody::DepthTolerance;
+  expected.isInside = newer.depth > nothing || (older.depth > nothing && 1.0 - share > 1e-6);
+  expected.isOutside = newer.depth < -nothing && older.depth < -nothing;
+  return {};
+}
+
+/// Slew limit, from what was sent by the tick before, and limit of the magnitude.
+Vector3 TickChecker::limited(const Vector3& wanted, double time) const
+{
+  const double most = this->HasSent ? this->Limits.forceRate * (time - this->SentTime) : 0.0;
+  const Vector3 change = wanted - this->Sent;
+  const Vector3 slewed =
+    change.norm() <= most ? wanted : Vector3(this->Sent + most * change.normalized());
+  return slewed.norm() <= this->Limits.force ? slewed
+                                             : Vector3(this->Limits.force * slewed.normalized());
+}
+
+TickVerdict TickChecker::checkNothing(const TickFacts& tick, const char* reason)
+{
+  if (!(tick.sent.array() == 0.0).all())
+  {
+    const TickFault kind = tick.sent.allFinite() ? TickFault::AfterLoss : TickFault::NotFinite;
+    return fault(kind, tick, tick.sent.transpose(), " N, but ", reason);
+  }
+  return {};
+}
+
+TickVerdict TickChecker::checkSent(const TickFacts& tick, const Expected& expected)
+{
+  this->Gate.see(expected.isInside, expected.isOutside);
+  const bool isNothing = (tick.sent.array() == 0.0).all();
+  TickVerdict verdict;
+  if (!this->Gate.mayPass())
+  {
+    ++this->Tally.shut;
+    verdict = this->checkNothing(tick, "the tip has not been outside since the last loss");
+  }
+  else if (!this->Gate.mustPass() && isNothing)
+  {
+    if (expected.force.norm() > expected.tolerance)
+    {
+      this->Gate.settle(false);
+    }
+  }
+  else
+  {
+    const Vector3 allowed = this->limited(expected.force, tick.time);
+    this->Tally.free += isNothing ? 1 : 0;
+    if (!isNothing)
+    {
+      this->Gate.settle(true);
+      ++this->Tally.felt;
+      this->Tally.changing += this->Scenes.isChanging() ? 1 : 0;
+      this->Tally.limited += tick.isPassivityLimited ? 1 : 0;
+      this->Tally.staleSeen +=
+        this->HasSent && (this->Sent - allowed).norm() > expected.tolerance ? 1 : 0;
+      this->Tally.largestForce = std::max(this->Tally.largestForce, tick.sent.norm());
+      this->Tally.largestStep = std::max(this->Tally.largestStep, (tick.sent - this->Sent).norm());
+    }
+    verdict = this->compare(tick, allowed, expected.tolerance);
+  }
+  this->Sent = tick.sent.allFinite() ? tick.sent : Vector3(Vector3::Zero());
+  this->SentTime = tick.time;
+  this->HasSent = true;
+  return verdict;
+}
+
+TickVerdict TickChecker::compare(const TickFacts& tick, const Vector3& allowed, double tolerance)
+{
+  if (!tick.sent.allFinite())
+  {
+    return fault(TickFault::NotFinite, tick, tick.sent.transpose());
+  }
+  Vector3 nearest = allowed;
+  if (tick.isPassivityLimited && allowed.norm() > 0.0)
+  {
+    const Vector3 direction = allowed.normalized();
+    nearest = std::clamp(tick.sent.dot(direction), 0.0, allowed.norm()) * direction;
+  }
+  const double excess = (tick.sent - nearest).norm() - tolerance;
+  this->Tally.largestExcess = std::max(this->Tally.largestExcess, excess);
+  if (excess > 0.0)
+  {
+    return fault(TickFault::Sent, tick, tick.sent.transpose(), " N instead of ",
+      nearest.transpose(), tick.isPassivityLimited ? " or less" : "", ": ", excess,
+      " N too far off");
+  }
+  return {};
+}
+} // namespace palpate::endurance

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The soak's checker on series of ticks: it accepts those of the real servo step, in virtual time,
+// and finds what is done to them afterwards.
+#include "TickSeries.h"
+
+#include "ServoStep.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace palpate::endurance
+{
+namespace
+{
+/// The fault must be of this kind and in this tick.
+void expectFound(const TickSeries& series, TickFault fault, std::size_t tick)
+{
+  const TickSeries::Finding found = series.firstFault();
+  EXPECT_STREQ(nameOf(found.fault), nameOf(fault)) << found.text;
+  EXPECT_EQ(found.tick, tick) << found.text;
+}
+} // namespace
+
+TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
+{
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    const TickSeries series(seed);
+    const TickSeries::Finding found = series.firstFault();
+    EXPECT_EQ(found.fault, TickFault::None)
+      << seed << ": tick " << found.tick << ", " << found.text;
+    const TickTally tally = series.tally();
+    EXPECT_EQ(tally.ticks, TickSeries::Length);
+    EXPECT_EQ(tally.faults, 0U);
+    EXPECT_GT(tally.felt, TickSeries::Length / 4);
+    EXPECT_GT(tally.changing, TickSeries::Ramp / 2);
+    EXPECT_GT(tally.shut, 0U);
+    EXPECT_GE(tally.lost, TickSeries::Gap);
+    EXPECT_GT(tally.free, 0U);
+    EXPECT_GT(tally.staleSeen, tally.felt / 2);
+    EXPECT_LT(tally.limited, tally.felt / 10);
+  }
+}
+
+TEST(TickChecker, FindsAForceThatIsOneTickOld)
+{
+  for (const double friction : { 0.0, 0.4 })
+  {
+    const TickSeries series(3, true, friction);
+    std::size_t tried = 0;
+    for (std::size_t i = 1; i < TickSeries::Length; i += 127)
+    {
+      if (series.moves(i))
+      {
+        TickSeries stale = series;
+        stale.send(i, series.ticks[i - 1].sent);
+        expectFound(stale, TickFault::Sent, i);
+        ++tried;
+      }
+    }
+    EXPECT_GT(tried, 10U);
+  }
+}
+
+TEST(TickChecker, FindsAContactThatIsOneTickOld)
+{
+  for (const double friction : { 0.0, 0.4 })
+  {
+    const TickSeries series(5, true, friction);
+    std::size_t tried = 0;
+    for (std::size_t i = 1; i < TickSeries::Length; i += 127)
+    {
+      if (series.moves(i))
+      {
+        TickSeries stale = series;
+        stale.ticks[i].contactForce = series.ticks[i - 1].contactForce;
+        stale.ticks[i].idealForce = series.ticks[i - 1].idealForce;
+        stale.send(i, series.ticks[i - 1].sent);
+        expectFound(stale, TickFault::Contact, i);
+        // With the place of then it is consistent in itself, but not where the device is.
+        stale.ticks[i].tip = series.ticks[i - 1].tip;
+        expectFound(stale, TickFault::Tip, i);
+        ++tried;
+      }
+    }
+    EXPECT_GT(tried, 10U);
+  }
+}
+
+TEST(TickChecker, FindsTheBodyOfBeforeASwap)
+{
+  TickSeries series(2);
+  const TickSeries unswapped(2, false);
+  const std::size_t after = TickSeries::Swap + 2 * TickSeries::Ramp;
+  ASSERT_GT(unswapped.ticks[after].sent.norm(), 0.01);
+  for (std::size_t i = after; i < TickSeries::Length; ++i)
+  {
+    series.ticks[i].contactForce = unswapped.ticks[i].contactForce;
+    series.ticks[i].idealForce = unswapped.ticks[i].idealForce;
+    series.send(i, unswapped.ticks[i].sent);
+  }
+  expectFound(series, TickFault::Contact, after);
+}
+
+TEST(TickChecker, FindsASwapThatWasNotAskedFor)
+{
+  TickSeries series(2);
+  for (std::size_t i = TickSeries::Swap - 7; i < TickSeries::Length; ++i)
+  {
+    series.ticks[i].scene = 1;
+  }
+  expectFound(series, TickFault::Scene, TickSeries::Swap - 7);
+  for (std::size_t i = TickSeries::Swap - 7; i < TickSeries::Length; ++i)
+  {
+    series.ticks[i].scene = i < TickSeries::Swap ? 0 : 2;
+  }
+  expectFound(series, TickFault::Scene, TickSeries::Swap);
+}
+
+TEST(TickChecker, FindsASwapWithoutARamp)
+{
+  TickSeries series(2);
+  const std::size_t middle = TickSeries::Swap + TickSeries::Ramp / 2;
+  series.ticks[middle].idealForce = series.ticks[middle].contactForce;
+  expectFound(series, TickFault::Contact, middle);
+  series.ticks[middle].sceneShare = 1.0;
+  expectFound(series, TickFault::Scene, middle);
+}
+
+TEST(TickChecker, FindsWhatIsNoNumber)
+{
+  const TickSeries series(4);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::size_t tick :
+    { TickSeries::Swap - 100, TickSeries::Absent + 3, std::size_t{ 10 } })
+  {
+    TickSeries broken = series;
+    broken.ticks[tick].sent.x() = nan;
+    const TickSeries::Finding found = broken.firstFault();
+    EXPECT_NE(found.fault, TickFault::None);
+    EXPECT_EQ(found.tick, tick);
+  }
+  TickSeries broken = series;
+  broken.ticks[TickSeries::Swap - 100].idealForce.z() = nan;
+  expectFound(broken, TickFault::Contact, TickSeries::Swap - 100);
+  broken = series;
+  broken.ticks[TickSeries::Swap - 100].contactForce.z() = nan;
+  expectFound(broken, TickFault::Contact, TickSeries::Swap - 100);
+}
+
+TEST(TickChecker, FindsASmallJump)
+{
+  const TickSeries series(6);
+  for (const std::size_t tick : { TickSeries::Swap - 200, TickSeries::Swap + TickSeries::Ramp / 2,
+         TickSeries::Swap + 3 * TickSeries::Ramp })
+  {
+    const Vector3 force = series.ticks[tick].sent;
+    ASSERT_GT(force.norm(), 0.01) << tick;
+    ASSERT_FALSE(series.ticks[tick].isPassivityLimited);
+    TickSeries jumped = series;
+    jumped.send(tick, 1.01 * force);
+    expectFound(jumped, TickFault::Sent, tick);
+    jumped.send(tick, Eigen::AngleAxisd(0.01, force.unitOrthogonal()) * force);
+    expectFound(jumped, TickFault::Sent, tick);
+    jumped.send(tick, Vector3::Zero()); // for no reason
+    expectFound(jumped, TickFault::Sent, tick);
+  }
+}
+
+TEST(TickChecker, FindsAForceAfterALoss)
+{
+  const TickSeries series(7);
+  // Without a sample, in the first tick as in the last; and until the tip was outside.
+  for (const std::size_t tick : { TickSeries::Absent, TickSeries::Absent + TickSeries::Gap - 1,
+         TickSeries::Absent + TickSeries::Gap + 5 })
+  {
+    ASSERT_TRUE(series.ticks[tick].sent.isZero(0.0));
+    TickSeries held = series;
+    held.send(tick, series.ticks[TickSeries::Absent - 1].sent);
+    ASSERT_GT(held.ticks[tick].sent.norm(), 0.01);
+    expectFound(held, TickFault::AfterLoss, tick);
+    held.send(tick, Vector3(0.0, 1e-300, 0.0)); // exactly none
+    expectFound(held, TickFault::AfterLoss, tick);
+  }
+  TickSeries held = series;
+  held.send(TickSeries::Broken, series.ticks[TickSeries::Broken - 1].sent);
+  ASSERT_GT(held.ticks[TickSeries::Broken].sent.norm(), 0.01);
+  expectFound(held, TickFault::AfterLoss, TickSeries::Broken);
+}
+
+TEST(TickChecker, FindsAForceOfADeviceThatHasFallenSilent)
+{
+  const TickSeries series(7);
+  const std::size_t lost = TickSeries::Silent + 81; // 20.25 ms after the last that was new
+  EXPECT_GT(series.ticks[lost - 1].sent.norm(), 0.01);
+  ASSERT_TRUE(series.ticks[lost].sent.isZero(0.0));
+  TickSeries held = series;
+  held.send(lost, series.ticks[lost - 1].sent);
+  expectFound(held, TickFault::AfterLoss, lost);
+}
+
+TEST(TickChecker, FindsFrictionOutOfTheCone)
+{
+  const TickSeries series(8, true, 0.4);
+  std::size_t tried = 0;
+  for (std::size_t i = 400; i < TickSeries::Swap; i += 127)
+  {
+    const TickFacts& tick = series.ticks[i];
+    if (tick.contactForce.norm() < 0.01)
+    {
+      continue;
+    }
+    // More across than 0.4 of what is along: atan 0.4 = 22°; half a radian more, either way.
+    const Vector3 axis = tick.contactForce.unitOrthogonal();
+    TickSeries turned = series;
+    turned.ticks[i].contactForce = Eigen::AngleAxisd(0.5, axis) * tick.contactForce;
+    turned.ticks[i].idealForce = turned.ticks[i].contactForce;
+    expectFound(turned, TickFault::Contact, i);
+    ++tried;
+  }
+  EXPECT_GT(tried, 5U);
+}
+
+TEST(TickChecker, FindsAForceThatRisesTooFast)
+{
+  // 1 mm deeper from one tick to the next: what the contact gives comes at 40 N/s only.
+  SceneSupply supply(1);
+  const SuppliedScene scene = supply.make();
+  ServoStep step(std::make_unique<ServoScene>(scene.kernel),
+    WorkspaceMapping(
+      TickSeries::frame().axes, TickSeries::frame().origin, TickSeries::frame().scale),
+    TickSeries::safety());
+  FeltScene frictionless = scene.felt;
+  frictionless.friction = 0.0;
+  TickChecker checker(TickSeries::frame(), DeviceLimits{}, frictionless);
+  Vector3 wanted = Vector3::Zero();
+  for (int i = 0; i < 3; ++i)
+  {
+    const double time = i / TickSeries::Rate;
+    const double high = i == 0 ? 2.0 : -2.0;
+    DeviceSample sample;
+    sample.valid = true;
+    sample.position = TickSeries::frame().position(
+      supply.centre() + (SceneSupply::Radius + high) * Vector3(0.6, 0.0, 0.8));
+    const ServoTick made = step.step(sample, time);
+    TickFacts tick = factsOf(time, sample, made.deviceForce, made);
+    wanted = TickSeries::frame().axes.transpose() * made.idealForce;
+    if (i < 2)
+    {
+      EXPECT_FALSE(checker.check(tick)) << i;
+      continue;
+    }
+    EXPECT_NEAR(tick.sent.norm(), 2.0 * DeviceLimits{}.forceRate / TickSeries::Rate, 1e-9);
+    ASSERT_GT(wanted.norm(), 2.0 * tick.sent.norm());
+    tick.sent = wanted;
+    tick.saidSent = wanted;
+    EXPECT_EQ(checker.check(tick).fault, TickFault::Sent);
+  }
+}
+
+TEST(TickChecker, LetsPassivityTakeButNotAddOrTurn)
+{
+  const TickSeries series(6);
+  const std::size_t tick = TickSeries::Swap - 200;
+  const Vector3 force = series.ticks[tick].sent;
+  // Only one tick: the next starts from what was sent last, as the slew limit does.
+  const auto first = [&](const Vector3& sent)
+  {
+    TickSeries changed = series;
+    changed.ticks.resize(tick + 1);
+    changed.ticks[tick].isPassivityLimited = true;
+    changed.send(tick, sent);
+    return changed.firstFault().fault;
+  };
+  EXPECT_EQ(first(0.5 * force), TickFault::None);
+  EXPECT_EQ(first(Vector3::Zero()), TickFault::None);
+  EXPECT_EQ(first(1.01 * force), TickFault::Sent);
+  EXPECT_EQ(first(-0.1 * force), TickFault::Sent);
+  EXPECT_EQ(first(Eigen::AngleAxisd(0.01, force.unitOrthogonal()) * force), TickFault::Sent);
+}
+
+TEST(TickChecker, FindsARecordThatDiffersFromWhatWasSent)
+{
+  TickSeries series(6);
+  series.ticks[TickSeries::Swap].saidSent.x() += 1e-12;
+  expectFound(series, TickFault::Record, TickSeries::Swap);
+  series.ticks[TickSeries::Swap - 1].time = series.ticks[TickSeries::Swap - 2].time;
+  expectFound(series, TickFault::Time, TickSeries::Swap - 1);
+}
+} // namespace palpate::endurance

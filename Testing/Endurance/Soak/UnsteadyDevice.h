@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_endurance_UnsteadyDevice_h
+#define palpate_endurance_UnsteadyDevice_h
+
+#include "HapticDevice.h"
+#include "PluggedDevice.h"
+#include "SampleRing.h"
+#include "SceneExchange.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace palpate::endurance
+{
+/// What was read and written in one tick, as the device saw it.
+struct DeviceRecord
+{
+  double time = 0.0;
+  DeviceSample sample;
+  Eigen::Vector3d sent = Eigen::Vector3d::Zero();
+};
+
+/// How often what was done to the loop.
+struct DeviceTroubles
+{
+  std::uint64_t unplugs = 0;
+  std::uint64_t absent = 0;     ///< readings without a valid sample
+  std::uint64_t notANumber = 0; ///< readings that claim to be valid
+  std::uint64_t dropped = 0;    ///< not new: lost or stalled
+  std::uint64_t late = 0;       ///< old, but told as new
+  std::uint64_t hangs = 0;      ///< readings that kept the loop waiting
+};
+
+/**
+ * A device that comes and goes: each of those offered is plugged in for its life, then there is
+ * none for a while. Writes down every reading and force. Devices are handed over and back by two
+ * pointers, so that a tick neither allocates nor frees.
+ *
+ * read and write are the servo thread's, all else is for one other.
+ */
+class UnsteadyDevice final : public HapticDevice
+{
+public:
+  /// `capacity`: ticks kept until they are drained.
+  UnsteadyDevice(const DeviceSpecification& specification, std::size_t capacity);
+
+  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
+  DeviceSample read(double time) noexcept override;
+  bool write(const Eigen::Vector3d& force) noexcept override;
+
+  /// Whether the last one offered was taken.
+  bool wantsDevice() const { return this->Wants.load(); }
+  /// The next one. Frees those that are gone.
+  void offer(std::unique_ptr<PluggedDevice> device);
+
+  template <class Sink>
+  std::size_t drain(Sink&& sink)
+  {
+    return this->Records.drain(sink);
+  }
+  std::uint64_t overruns() const { return this->Records.overruns(); }
+  DeviceTroubles troubles() const;
+  /// After the loop has ended: the force that was left on the device.
+  const Eigen::Vector3d& lastForce() const { return this->LastForce; }
+
+private:
+  void plug(double time) noexcept;
+  void count(const DeviceSample& told) noexcept;
+  void hang(double time) noexcept;
+
+  DeviceSpecification Limits;
+  SampleRing<DeviceRecord> Records;
+  SceneExchange<PluggedDevice> Devices;
+  std::atomic<bool> Wants{ true };
+
+  std::unique_ptr<PluggedDevice> Current; ///< the servo thread's, as all below
+  std::unique_ptr<PluggedDevice> Next;
+  double Since = 0.0; ///< when Current came, or the one before it went
+  DeviceRecord Open;
+  bool IsOpen = false;
+  Eigen::Vector3d LastForce = Eigen::Vector3d::Zero();
+
+  std::atomic<std::uint64_t> Unplugs{ 0 };
+  std::atomic<std::uint64_t> Absent{ 0 };
+  std::atomic<std::uint64_t> NotANumber{ 0 };
+  std::atomic<std::uint64_t> Dropped{ 0 };
+  std::atomic<std::uint64_t> Late{ 0 };
+  std::atomic<std::uint64_t> Hangs{ 0 };
+};
+} // namespace palpate::endurance
+
+#endif

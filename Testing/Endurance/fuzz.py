@@ -1,0 +1,136 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The fuzzers for long: each runs at least so many inputs and finds nothing.
+
+    fuzz.py --build build/asan --runs 1000000 --jobs 2 --output FILE.json [--only NAME ...]
+
+Which fuzzers there are, and with what options, ctest tells (label Fuzz). Each starts from its
+committed corpus and leaves what it finds new in a fresh folder, BUILD/endurance/NAME; an input that
+breaks something lies in BUILD/endurance/findings.
+
+FILE.json: {"part": "fuzzing", "passed": bool, "figures": {NAME: {...}}}, per fuzzer seed (as given to
+libFuzzer), executions, executions_per_s, new_units (inputs kept since they reached something new),
+edges and features (libFuzzer's cov and ft), peak_rss_mb, seconds, finding ("none", or libFuzzer's words
+and the path of the input). Exit code: 0 if none has a finding and each ran all its inputs,
+1 otherwise.
+"""
+import argparse
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+# Each allocation keeps where it was made: three frames of it, since to walk thirty takes a third of the
+# time. Run alone, an input that breaks something tells all of them.
+ENVIRONMENT = {"ASAN_OPTIONS": "malloc_context_size=3",
+               "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
+REPLACED = ("-seed=", "-max_total_time=", "-print_final_stats=", "-runs=")
+
+
+def fuzzers(build):
+    """Name -> command line as in the test, of what the build has."""
+    listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=build, check=True,
+                             stdout=subprocess.PIPE, text=True).stdout
+    found = {}
+    for test in json.loads(listing)["tests"]:
+        labels = [p["value"] for p in test["properties"] if p["name"] == "LABELS"]
+        if labels == [["Fuzz"]] and "command" in test:
+            found[test["name"].split(".", 1)[1]] = test["command"]
+    return found
+
+
+def command_for(command, scratch, findings, runs, seed):
+    """The test's command for so many runs; its folders are the scratch corpus and the committed one."""
+    program, *rest = command
+    options = [word for word in rest if word.startswith("-") and not word.startswith(REPLACED)]
+    committed = [word for word in rest if not word.startswith("-")][-1]
+    return [program, *options, f"-runs={runs}", f"-seed={seed}", "-print_final_stats=1",
+            f"-artifact_prefix={findings}/{scratch.name}-", str(scratch), committed]
+
+
+def last(pattern, text, default=None):
+    """The number in the last match, or the default."""
+    found = re.findall(pattern, text)
+    return int(found[-1]) if found else default
+
+
+def read_log(text, runs):
+    """What libFuzzer's closing lines say."""
+    executions = last(r"stat::number_of_executed_units:\s*(\d+)", text, 0)
+    artifact = re.findall(r"Test unit written to (\S+)", text)
+    summary = re.findall(r"^(?:SUMMARY: .*|does not hold: .*)$", text, re.MULTILINE)
+    return {"executions": executions,
+            "complete": executions >= runs,
+            "executions_per_s": last(r"stat::average_exec_per_sec:\s*(\d+)", text),
+            "new_units": last(r"stat::new_units_added:\s*(\d+)", text),
+            "edges": last(r"\bcov: (\d+)", text),
+            "features": last(r"\bft: (\d+)", text),
+            "peak_rss_mb": last(r"stat::peak_rss_mb:\s*(\d+)", text),
+            "finding": ", ".join(summary + artifact) or "none"}
+
+
+def fuzz(name, command, folder, runs, seed):
+    """Runs one fuzzer. Returns its figures."""
+    scratch = folder / name
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
+    findings = folder / "findings"
+    findings.mkdir(exist_ok=True)
+    log = folder / f"{name}.log"
+    begin = time.monotonic()
+    with log.open("w") as stream:
+        code = subprocess.run(command_for(command, scratch, findings, runs, seed), stdout=stream,
+                              stderr=subprocess.STDOUT, check=False,
+                              env={**os.environ, **ENVIRONMENT}).returncode
+    figures = {"seed": seed, **read_log(log.read_text(errors="replace"), runs),
+               "seconds": round(time.monotonic() - begin, 1)}
+    if code != 0 and figures["finding"] == "none":
+        figures["finding"] = f"ended with exit code {code}, see {log}"
+    print(f"{name:16} {figures['executions']:>9} inputs, {figures['executions_per_s']} per s, "
+          f"{figures['edges']} edges, "
+          f"findings: {figures['finding']}" + ("" if figures["complete"] else ", NOT COMPLETE"), flush=True)
+    return figures
+
+
+def judge(figures):
+    """Whether every fuzzer ran all its inputs and found nothing; none at all is no success."""
+    return bool(figures) and all(f["complete"] and f["finding"] == "none" for f in figures.values())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--runs", type=int, default=1_000_000)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--seed", type=int, help="of libFuzzer (default: another each time)")
+    parser.add_argument("--only", nargs="*", help="these fuzzers")
+    parser.add_argument("--output", type=Path, required=True)
+    arguments = parser.parse_args()
+
+    known = fuzzers(arguments.build)
+    unknown = set(arguments.only or ()) - set(known)
+    if unknown or not known:
+        sys.exit(f"error: {arguments.build} has no fuzzer {', '.join(sorted(unknown)) or 'at all'}")
+    chosen = {name: known[name] for name in known if not arguments.only or name in arguments.only}
+    seed = arguments.seed or random.SystemRandom().randrange(1, 2**31)
+    print(f"seed {seed}", flush=True)
+    folder = (arguments.build / "endurance").resolve()
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        running = {name: pool.submit(fuzz, name, command, folder, arguments.runs, seed)
+                   for name, command in chosen.items()}
+        figures = {name: result.result() for name, result in running.items()}
+    passed = judge(figures)
+    arguments.output.parent.mkdir(parents=True, exist_ok=True)
+    arguments.output.write_text(json.dumps(
+        {"part": "fuzzing", "passed": passed, "figures": figures}, indent=1) + "\n")
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
