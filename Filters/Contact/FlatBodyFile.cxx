@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatBodyFile.h"
 
+#include "WholeFile.h"
+
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <limits>
@@ -240,16 +241,13 @@ std::string systemError(const std::string& what, const std::string& path)
   return "cannot " + what + " '" + path + "': " + std::strerror(errno);
 }
 
-bool writeAll(std::FILE* file, const Header& header, const FlatBody& body)
+void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
 {
   const auto data = sectionsOf(body);
   const auto sizes = sectionSizes(header);
   constexpr std::array<char, Alignment> padding{};
   std::uint64_t written = sizeof(Header);
-  if (std::fwrite(&header, sizeof(Header), 1, file) != 1)
-  {
-    return false;
-  }
+  file.write(&header, sizeof(Header));
   for (std::size_t k = 0; k < SectionCount; ++k)
   {
     if (sizes[k] == 0)
@@ -257,14 +255,10 @@ bool writeAll(std::FILE* file, const Header& header, const FlatBody& body)
       continue;
     }
     const std::uint64_t gap = header.offset[k] - written;
-    if (std::fwrite(padding.data(), 1, gap, file) != gap ||
-      std::fwrite(data[k], 1, sizes[k], file) != sizes[k])
-    {
-      return false;
-    }
+    file.write(padding.data(), gap);
+    file.write(data[k], sizes[k]);
     written += gap + sizes[k];
   }
-  return true;
 }
 } // namespace
 
@@ -288,21 +282,14 @@ std::string FlatBodyFile::write(const std::string& path, const FlatBody& body)
 {
   Header header = makeHeader(body);
   header.checksum = checksumOf(sectionsOf(body), header);
-  const std::string unfinished = path + ".part";
-  std::FILE* file = std::fopen(unfinished.c_str(), "wb");
-  if (!file)
+  WholeFile file(path);
+  std::string error = file.open();
+  if (error.empty())
   {
-    return systemError("write", unfinished);
+    writeAll(file, header, body);
+    error = file.finish();
   }
-  const bool whole = writeAll(file, header, body);
-  const bool closed = std::fclose(file) == 0;
-  if (!whole || !closed || std::rename(unfinished.c_str(), path.c_str()) != 0)
-  {
-    std::string error = systemError("write", path);
-    std::remove(unfinished.c_str());
-    return error;
-  }
-  return {};
+  return error;
 }
 
 std::string FlatBodyFile::open(const std::string& path)

@@ -3,6 +3,7 @@
 
 #include "NumberedLines.h"
 #include "TrajectoryTable.h"
+#include "WholeFile.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ namespace
 using namespace TrajectoryTable;
 using NumberedLines::trim;
 
+constexpr std::size_t Block = 65536; // bytes that are written at once
 constexpr std::size_t Absent = static_cast<std::size_t>(-1);
 
 std::string quoted(std::string_view text)
@@ -207,6 +209,15 @@ std::string faultOf(const Trajectory& trajectory)
   }
   return {};
 }
+
+/// Keeps the rows for which there was room, since nobody can have them again; and says so.
+std::string keepRows(WholeFile& file, std::size_t rows)
+{
+  const std::size_t lines = file.keepLines(2); // with the names of the columns
+  return lines == 0 ? std::string()
+                    : "; the first " + std::to_string(lines - 1) + " of " + std::to_string(rows) +
+      " rows are kept in '" + file.unfinished() + "'";
+}
 } // namespace
 
 const char* const TrajectoryColumns =
@@ -232,33 +243,43 @@ std::string writeTrajectory(const std::string& path, const Trajectory& trajector
   {
     return "cannot write '" + path + "': " + fault;
   }
-  std::ofstream file(path, std::ios::binary);
-  std::string line;
+  WholeFile file(path);
+  std::string error = file.open();
+  if (!error.empty())
+  {
+    return error;
+  }
+  std::string text;
   for (std::size_t column = 0; column < ColumnCount; ++column)
   {
     if (isWritten(trajectory, column))
     {
-      line += column == 0 ? "" : ",";
-      line += Names[column];
+      text += column == 0 ? "" : ",";
+      text += Names[column];
     }
   }
-  file << line << '\n';
+  text += '\n';
   for (const TrajectoryRow& row : trajectory.rows)
   {
-    line.clear();
     const Numbers numbers = numbersOf(row);
     for (std::size_t column = 0; column < ColumnCount; ++column)
     {
       if (isWritten(trajectory, column))
       {
-        line += column == 0 ? "" : ",";
-        append(line, numbers[column]);
+        text += column == 0 ? "" : ",";
+        append(text, numbers[column]);
       }
     }
-    file << line << '\n';
+    text += '\n';
+    if (text.size() > Block)
+    {
+      file.write(text);
+      text.clear();
+    }
   }
-  file.close();
-  return file ? std::string() : "cannot write '" + path + "'";
+  file.write(text);
+  error = file.finish();
+  return error.empty() ? error : error + keepRows(file, trajectory.rows.size());
 }
 
 std::string readTrajectory(std::istream& stream, const std::string& name, Trajectory& trajectory)

@@ -19,7 +19,11 @@ extern const char* const TrajectoryColumns;
  * ideal force (magnitude of the total, before any limit of the device), contact state. Body frame;
  * s, mm, N. Numbers are the shortest decimals that read back to the same bits; a column without a
  * value (no contact) is 0. A tick that had no valid sample, or one that is not finite, has a tip of
- * 0 and state 5. Returns an error naming the file, or "".
+ * 0 and state 5. Returns an error that names the file and the reason, or "".
+ *
+ * An old file stands until the new one is whole (WholeFile). What cannot be had again is not thrown
+ * away: where the disk is full the rows that had room are kept in PATH.part, a file like any other,
+ * and the error says how many.
  */
 std::string writeTrajectory(const std::string& path, const std::vector<ServoTick>& ticks);
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrialLog.h"
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -192,22 +196,61 @@ std::string TrialLog::open(const std::string& path, const TrialHead& head)
   this->Path = path;
   this->Head = head;
   this->Rows = 0;
+  this->Size = 0;
+  this->Fault.clear();
   this->File.open(path, std::ios::binary);
-  this->File << headText(head) << std::flush;
-  return this->File ? std::string() : "cannot write the trial log '" + path + "'";
+  if (!this->File)
+  {
+    return this->fail(errno);
+  }
+  std::string error = this->write(headText(head));
+  if (!error.empty())
+  {
+    std::error_code ignored; // it may never have been there
+    std::filesystem::remove(path, ignored);
+  }
+  return error;
 }
 
 std::string TrialLog::append(const TrialAnswer& answer)
 {
   const int right = isRight(this->Head, answer);
-  this->File << ++this->Rows << ',' << letterOf(answer.trial.x) << ',' << letterOf(answer.trial.y)
-             << ',' << (answer.choseX ? 'X' : 'Y') << ',' << letterOf(chosenBy(answer)) << ','
-             << (right < 0       ? ""
-                    : right == 1 ? "1"
-                                 : "0")
-             << ',' << written(answer.seconds) << ',' << answer.switches << '\n'
-             << std::flush;
-  return this->File ? std::string() : "cannot write the trial log '" + this->Path + "'";
+  std::ostringstream row;
+  row << ++this->Rows << ',' << letterOf(answer.trial.x) << ',' << letterOf(answer.trial.y) << ','
+      << (answer.choseX ? 'X' : 'Y') << ',' << letterOf(chosenBy(answer)) << ','
+      << (right < 0       ? ""
+             : right == 1 ? "1"
+                          : "0")
+      << ',' << written(answer.seconds) << ',' << answer.switches << '\n';
+  return this->write(row.str());
+}
+
+std::string TrialLog::write(const std::string& text)
+{
+  if (!this->Fault.empty())
+  {
+    return this->Fault;
+  }
+  errno = 0;
+  this->File << text << std::flush;
+  if (!this->File)
+  {
+    return this->fail(errno);
+  }
+  this->Size += text.size();
+  return {};
+}
+
+std::string TrialLog::fail(int reason)
+{
+  this->Fault = "cannot write the trial log '" + this->Path + "': " + std::strerror(reason);
+  this->File.close(); // which tries once more
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(this->Path, ignored))
+  {
+    std::filesystem::resize_file(this->Path, this->Size, ignored); // no half of a row stays
+  }
+  return this->Fault;
 }
 
 std::string readTrialLog(const std::string& path, TrialRecord& record)

@@ -4,6 +4,7 @@
 
 #include "TrialPlan.h"
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct TrialRecord
 /**
  * The log of a blind comparison: CSV, lines beginning with '#' in the head, then a row per answer,
  * handed to the system as soon as it is given, so that a session that breaks off keeps all it has.
+ * A row for which the disk has no room is told, and leaves the rows before it as they were.
  *
  *   # palpate trial 1
  *   # question: Which one pushes back more?
@@ -69,10 +71,15 @@ public:
   std::string append(const TrialAnswer& answer);
 
 private:
+  std::string write(const std::string& text);
+  std::string fail(int reason);
+
   std::string Path;
   TrialHead Head;
   std::ofstream File;
   int Rows = 0;
+  std::uintmax_t Size = 0; ///< of the file, without what was written in part
+  std::string Fault;       ///< after which nothing is written any more
 };
 
 /// 1: right, 0: wrong, -1: no answer to this trial is right.

@@ -5,6 +5,7 @@
 #include "SurfacePicker.h"
 #include "TickTape.h"
 #include "TrajectoryFile.h"
+#include "WindowPicture.h"
 #include "vtkContactScene.h"
 #include "vtkHapticSession.h"
 
@@ -12,11 +13,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -460,7 +459,12 @@ std::string vtkInteractorStyleHaptic::FreeName(const char* ending)
   std::error_code ignored; // whoever writes the file will tell
   std::filesystem::create_directories(folder, ignored);
   std::filesystem::path name;
-  for (int number = 1; name.empty() || std::filesystem::exists(name, ignored); ++number)
+  const auto isTaken = [&ignored](const std::filesystem::path& path)
+  {
+    return std::filesystem::exists(path, ignored) ||
+      std::filesystem::exists(path.string() + ".part", ignored); // what a full disk left
+  };
+  for (int number = 1; name.empty() || isTaken(name); ++number)
   {
     name = folder / ("palpate-" + std::to_string(number) + ending);
   }
@@ -476,16 +480,10 @@ std::string vtkInteractorStyleHaptic::WritePicture(const std::string& fileName)
     return {};
   }
   const std::string name = fileName.empty() ? this->FreeName(".png") : fileName;
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(name.c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
+  const std::string error = palpate::writeWindowPicture(window, name);
+  if (!error.empty())
   {
-    this->Notice = "cannot write " + name;
+    this->Notice = error;
     return {};
   }
   this->Notice = "picture " + name;

@@ -79,7 +79,12 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
 std::string store(vtkPolyData* body, const std::string& file)
 {
   std::error_code failed;
-  std::filesystem::create_directories(std::filesystem::path(file).parent_path(), failed);
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+  {
+    return "cannot make folder '" + folder.string() + "': " + failed.message();
+  }
   vtkNew<vtkContactTool> tool;
   vtkNew<vtkToolContactResponse> attach;
   attach->SetTool(tool);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveTouch.h"
 
+#include "CollectingWindow.h"
 #include "Pictures.h"
 #include "ScenePath.h"
 #include "SessionSettings.h"
@@ -139,9 +140,15 @@ std::string LiveTouch::run()
   {
     error = writePicture(this->Window, this->Options.screenshot);
   }
+  const std::string unrecorded = this->end();
+  return error.empty() ? unrecorded : error;
+}
+
+std::string LiveTouch::end()
+{
   this->Session->Stop();
   this->printSummary();
-  return error.empty() ? this->writeRecord() : error;
+  return this->writeRecords();
 }
 
 void LiveTouch::onTool(std::function<void(int)> action)
@@ -220,10 +227,16 @@ void LiveTouch::printSummary()
     this->Session->GetStatisticsText().c_str());
 }
 
-std::string LiveTouch::writeRecord()
+std::string LiveTouch::writeRecords()
 {
-  return this->Options.record.empty()
-    ? std::string()
-    : writeTrajectory(this->Options.record, this->Session->GetTicks());
+  const QuietScope quiet;
+  const bool isWritten = !this->Style->IsRecording() || !this->Style->WriteRecording().empty();
+  std::string error = isWritten ? std::string() : this->Style->GetNotice();
+  if (!this->Options.record.empty())
+  {
+    const std::string failed = writeTrajectory(this->Options.record, this->Session->GetTicks());
+    error += (error.empty() || failed.empty() ? "" : "; ") + failed;
+  }
+  return error;
 }
 } // namespace palpate

@@ -2,6 +2,7 @@
 #ifndef palpate_LiveTouch_h
 #define palpate_LiveTouch_h
 
+#include "DisplayLoss.h"
 #include "EventActions.h"
 #include "ResponseSet.h"
 #include "TouchScene.h"
@@ -38,8 +39,9 @@ public:
   void showHelp(const std::string& text);
   /// Shows the body with the tool above the first site of the scene, and says so.
   void open();
-  /// Until the window is closed. Then writes its last picture and the record, if asked to, and
-  /// prints a summary. Returns an error, or "".
+  /// Until the window is closed. Then writes its last picture and the record, if asked to, also one
+  /// that was begun by key, and prints a summary. All but the picture is also done when the X
+  /// server goes away. Returns an error, or "".
   std::string run();
 
   /// What is done when the panel has put another tool into the hand, told from 0.
@@ -57,8 +59,9 @@ public:
 
 private:
   void arrange();
+  std::string end();
   void printSummary();
-  std::string writeRecord();
+  std::string writeRecords();
 
   const ViewerOptions& Options;
   const TouchScene& Scene;
@@ -77,6 +80,7 @@ private:
   vtkNew<vtkContactPanel> Panel;
   bool HasPanel = false;
   EventActions Actions;
+  DisplayWill Will{ [this] { return this->end(); } };
 };
 } // namespace palpate
 

@@ -195,11 +195,6 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   {
     return "cannot make folder '" + options.output + "': " + failed.message();
   }
-  for (const std::string& note : scene.notes)
-  {
-    progress(note.c_str());
-  }
-
   progress("attaching the responses");
   ResponseSet responses;
   std::string error = prepareResponses(options, scene, responses);

@@ -3,6 +3,7 @@
 
 #include "LayerModel.h"
 #include "MeasuredBody.h"
+#include "WindowPicture.h"
 
 #include "vtkChartXY.h"
 #include "vtkContactScene.h"
@@ -12,7 +13,6 @@
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRenderWindow.h"
@@ -20,7 +20,6 @@
 #include "vtkResponseChart.h"
 #include "vtkResponseCurves.h"
 #include "vtkToolContactProbe.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,14 +122,7 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
 std::string writePicture(vtkRenderWindow* window, const std::string& file)
 {
   window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(file.c_str());
-  writer->Write();
-  return writer->GetErrorCode() == 0 ? std::string() : "cannot write '" + file + "'";
+  return writeWindowPicture(window, file);
 }
 
 std::string drawOverview(const std::string& file, const TouchScene& scene,

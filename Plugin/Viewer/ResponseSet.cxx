@@ -3,6 +3,7 @@
 
 #include "CollectingWindow.h"
 #include "FlatBodyConversion.h"
+#include "WholeFile.h"
 
 #include "vtkDataObject.h"
 #include "vtkNew.h"
@@ -112,6 +113,28 @@ std::string attachResponses(
   responses.bytesPerTool = responseBytes(responses.body, responses.names.back());
   return {};
 }
+
+std::string saveBody(vtkPolyData* body, const std::string& path)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary();   // appended data cannot be read back with newer expat
+  writer->WriteToOutputStringOn(); // on a full disk it dies (VTK 9.2)
+  writer->SetInputData(body);
+  const QuietScope quiet;
+  writer->Write();
+  if (writer->GetErrorCode() != 0 || quiet.window->hasFailed())
+  {
+    return "cannot write '" + path + "': " + quiet.window->reason();
+  }
+  WholeFile file(path);
+  std::string error = file.open();
+  if (error.empty())
+  {
+    file.write(writer->GetOutputString());
+    error = file.finish();
+  }
+  return error;
+}
 } // namespace
 
 std::string prepareResponses(
@@ -126,15 +149,7 @@ std::string writeResponses(const ViewerOptions& options, const ResponseSet& resp
   std::string error;
   if (!options.save.empty())
   {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetDataModeToBinary(); // appended data cannot be read back with newer expat
-    writer->SetFileName(options.save.c_str());
-    writer->SetInputData(responses.body);
-    const QuietScope quiet; // what it returns does not tell that the file could not be opened
-    writer->Write();
-    error = writer->GetErrorCode() == 0 && !quiet.window->hasFailed()
-      ? std::string()
-      : "cannot write '" + options.save + "'";
+    error = saveBody(responses.body, options.save);
   }
   if (error.empty() && !options.exportTo.empty())
   {

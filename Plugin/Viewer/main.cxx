@@ -4,16 +4,20 @@
 #include "ComparisonPictures.h"
 #include "ComparisonWindow.h"
 #include "DisplayCheck.h"
+#include "DisplayLoss.h"
 #include "ForceRelease.h"
 #include "LiveWindow.h"
 #include "OffscreenSession.h"
+#include "OutputCheck.h"
 #include "RegimeMap.h"
+#include "ThreadCount.h"
 #include "TouchScene.h"
 #include "ViewerOptions.h"
 
 #include "vtkHapticSession.h"
 #include "vtkSMPTools.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -46,7 +50,11 @@ std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene
 std::string run(const palpate::ViewerOptions& options)
 {
   const bool draws = options.window || options.trial.empty();
-  std::string error = draws ? palpate::displayProblem() : std::string();
+  std::string error = palpate::outputProblem(options);
+  if (error.empty() && draws)
+  {
+    error = palpate::displayProblem();
+  }
   if (!error.empty())
   {
     return error;
@@ -57,6 +65,10 @@ std::string run(const palpate::ViewerOptions& options)
   }
   palpate::TouchScene scene;
   error = palpate::makeTouchScene(options, scene);
+  for (const std::string& note : scene.notes)
+  {
+    std::fprintf(stderr, "palpate: %s\n", note.c_str());
+  }
   return error.empty() ? run(options, scene) : error;
 }
 } // namespace
@@ -74,8 +86,16 @@ int main(int argc, char** argv)
     return EXIT_SUCCESS;
   }
   palpate::releaseForceOnTerminate();
+  palpate::endWithDisplay();
+  // Who writes tells what failed; the process must not die of it with a force in the hand.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   // An application may choose how VTK's loops run; the libraries leave it to their host.
   vtkSMPTools::SetBackend("STDThread");
+  if (std::getenv("PALPATE_THREADS") != nullptr)
+  {
+    vtkSMPTools::Initialize(static_cast<int>(palpate::threadCount()));
+  }
   const std::string error = run(options);
   return error.empty() ? EXIT_SUCCESS : fail(error);
 }

@@ -2,20 +2,22 @@
 // The plug is pulled while the tool presses: the first tick after the device has reported its loss
 // sends no force, every time. And it returns.
 #include "HidDevice.h"
-#include "ServoStep.h"
 
 #include "FakeHidBus.h"
 #include "Firmware.h"
+#include "PressingServo.h"
+#include "PulledPlug.h"
 #include "SampleResponses.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <cstdio>
 #include <memory>
 #include <random>
 #include <thread>
+#include <vector>
 
 using Eigen::Vector3d;
 using namespace palpate;
@@ -24,67 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 namespace
 {
-/// On the middle of a plate of 10 mm: five times a second from 0.1 mm above it to 0.5 mm deep,
-/// where it begins.
-Vector3d press(double seconds)
-{
-  return { 5e-3, 5e-3, -0.2e-3 - 0.3e-3 * std::cos(31.4 * seconds) };
-}
-
-/// The host's loop at 1 kHz, in the test's own thread, with everything between sample and force.
-class Servo
-{
-public:
-  Servo(HidDevice& device, std::shared_ptr<const ContactBody> plate)
-    : Device(device)
-    , Step(std::make_unique<ServoScene>(std::move(plate), ContactSettings()), WorkspaceMapping(),
-        SafetySettings::of(device.specification()))
-  {
-  }
-
-  /// One tick. Whether the loss had been reported when it began.
-  bool tick()
-  {
-    std::this_thread::sleep_until(this->Deadline);
-    this->Deadline += std::chrono::milliseconds(1);
-    const bool reported = this->Device.errors().disconnections > this->Losses;
-    const double time = std::chrono::duration<double>(Clock::now() - this->Begin).count();
-    const ServoTick done = this->Step.step(this->Device.read(time), time);
-    this->Device.write(done.deviceForce);
-    this->Force = done.deviceForce;
-    this->LastReading = done.fresh ? time : this->LastReading;
-    this->Silence = time - this->LastReading;
-    return reported;
-  }
-  void forgetLosses() { this->Losses = this->Device.errors().disconnections; }
-  const Vector3d& force() const { return this->Force; }
-  /// s at the last tick since one with a new reading.
-  double silence() const { return this->Silence; }
-
-private:
-  HidDevice& Device;
-  ServoStep Step;
-  Clock::time_point Begin = Clock::now();
-  Clock::time_point Deadline = Begin;
-  std::uint64_t Losses = 0;
-  double LastReading = 0.0;
-  double Silence = 0.0;
-  Vector3d Force = Vector3d::Zero();
-};
-
-bool ticksUntilForce(Servo& servo)
-{
-  for (int i = 0; i < 5000; ++i)
-  {
-    servo.tick();
-    if (servo.force().norm() > 0.1)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 void print(const char* what, std::vector<double> milliseconds)
 {
   std::sort(milliseconds.begin(), milliseconds.end());
@@ -93,49 +34,21 @@ void print(const char* what, std::vector<double> milliseconds)
 }
 } // namespace
 
+// While it presses; palpateUnplugs pulls it at any moment, and more often.
 TEST(HidUnplug, NoForceInTheFirstTickAfterTheLossEveryTime)
 {
   constexpr int Rounds = 100;
   const std::shared_ptr<const ContactBody> plate = uniformBody(openPlate(10.0, 20));
   std::mt19937 random(4711);
-  std::uniform_int_distribution<int> phase(0, 3000); // µs
+  std::uniform_int_distribution<int> wait(0, 3000); // µs
   std::vector<double> wall;
   int pressing = 0;
   for (int round = 0; round < Rounds; ++round)
   {
-    EmulatedHid hid(modelOf(describedDevice()));
-    std::string error;
-    const auto device = HidDevice::open(hid.path(), error);
-    ASSERT_TRUE(device) << error;
-    Firmware firmware(hid, press);
-    Servo servo(*device, plate);
-    ASSERT_TRUE(ticksUntilForce(servo)) << device->status();
-    Clock::time_point pulled;
-    Vector3d motors = Vector3d::Zero(); // what the hand feels then
-    std::thread hand(
-      [&]
-      {
-        std::this_thread::sleep_for(std::chrono::microseconds(phase(random)));
-        motors = firmware.motors();
-        pulled = Clock::now();
-        hid.unplug();
-      });
-    int ticks = 0;
-    while (!servo.tick())
-    {
-      ASSERT_LT(++ticks, 5000) << "the loss is never reported";
-    }
-    ASSERT_EQ(servo.force(), Vector3d::Zero()) << "round " << round;
-    const Clock::time_point gone = Clock::now();
-    hand.join();
-    pressing += motors.norm() > 0.0 ? 1 : 0;
-    wall.push_back(std::chrono::duration<double, std::milli>(gone - pulled).count());
-    for (int i = 0; i < 20; ++i)
-    {
-      servo.tick();
-      ASSERT_EQ(servo.force(), Vector3d::Zero()) << "round " << round << ", tick " << i;
-    }
-    EXPECT_NE(device->status().substr(0, 9), "connected");
+    const PulledPlug pulled = pullPlug(plate, { 0.0, std::chrono::microseconds(wait(random)) });
+    ASSERT_EQ(pulled.fault, "") << "round " << round;
+    pressing += pulled.motors > 0.0 ? 1 : 0;
+    wall.push_back(pulled.wall);
   }
   EXPECT_GT(pressing, Rounds / 2) << "most were pulled in mid-contact";
   print("from the plug to the first tick without force", wall);
@@ -150,11 +63,11 @@ TEST(HidUnplug, ItReturnsAndIsFeltAgain)
   const auto device = HidDevice::open(hid->path(), error);
   ASSERT_TRUE(device) << error;
   auto firmware = std::make_unique<Firmware>(*hid, press);
-  Servo servo(*device, plate);
+  PressingServo servo(*device, plate);
   std::vector<double> wall;
   for (int round = 0; round < Rounds; ++round)
   {
-    ASSERT_TRUE(ticksUntilForce(servo)) << device->status();
+    ASSERT_TRUE(servo.ticksUntilForce()) << device->status();
     hid->unplug();
     while (!servo.tick())
     {
@@ -172,7 +85,7 @@ TEST(HidUnplug, ItReturnsAndIsFeltAgain)
     wall.push_back(std::chrono::duration<double, std::milli>(Clock::now() - plugged).count());
     EXPECT_EQ(device->status(), "connected");
   }
-  EXPECT_TRUE(ticksUntilForce(servo)) << device->status();
+  EXPECT_TRUE(servo.ticksUntilForce()) << device->status();
   EXPECT_EQ(device->errors().disconnections, static_cast<std::uint64_t>(Rounds));
   print("from the plug's return to a connected device", wall);
 }
@@ -187,11 +100,11 @@ TEST(HidUnplug, ASilentDeviceIsLetGoInTheFirstTickAfterItsTimeOut)
   ASSERT_TRUE(device) << error;
   const double timeOut = device->specification().sampleTimeOut;
   Firmware firmware(hid, press);
-  Servo servo(*device, plate);
+  PressingServo servo(*device, plate);
   int pressing = 0;
   for (int round = 0; round < Rounds; ++round)
   {
-    ASSERT_TRUE(ticksUntilForce(servo)) << device->status();
+    ASSERT_TRUE(servo.ticksUntilForce()) << device->status();
     firmware.hang(true);
     bool wasPressing = false;
     int ticks = 0;

@@ -5,6 +5,7 @@ PALPATE names the executable. Without an X server of the tests' own the programs
 """
 import os
 import re
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -17,15 +18,24 @@ TIME_OUT = 100  # s
 CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # not the user's
 
 
-def run(*arguments, environment=None):
-    """The finished process, with its output as text. `environment`: name -> value, None to unset."""
+def run(*arguments, environment=None, room=None, before=(), answers=None):
+    """The finished process, with its output as text. `environment`: name -> value, None to unset;
+    `room`: bytes beyond which no file grows, as on a full disk; `before`: a command that runs the
+    program; `answers`: what it reads.
+    """
     settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
     for name, value in (environment or {}).items():
         settings.pop(name, None)
         if value is not None:
             settings[name] = value
-    return subprocess.run([PALPATE, *map(str, arguments)], env=settings, capture_output=True,
-                          text=True, errors="replace", timeout=TIME_OUT, check=False)
+
+    def limit():
+        if room is not None:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+
+    return subprocess.run([*before, PALPATE, *map(str, arguments)], env=settings, preexec_fn=limit,
+                          capture_output=True, input=answers, text=True, errors="replace",
+                          timeout=TIME_OUT, check=False)
 
 
 def vertices(result):

@@ -3,6 +3,7 @@
 // reason.
 #include "FlatBodyFile.h"
 
+#include "FileSizeLimit.h"
 #include "SampleResponses.h"
 #include "ScratchFile.h"
 #include "ToolContact.h"
@@ -214,4 +215,12 @@ TEST_F(FlatBodyFileTest, AFileThatCannotBeWrittenLeavesTheOldOne)
   ASSERT_EQ(FlatBodyFile::write(this->Path, this->flat()), "");
   ASSERT_EQ(FlatBodyFile::write(this->Path, this->flat()), "") << "an old file is replaced";
   EXPECT_EQ(this->openError(), "");
+  std::string error;
+  {
+    const FileSizeLimit full(10000); // in the middle of the coordinates
+    error = FlatBodyFile::write(this->Path, this->flat());
+  }
+  EXPECT_EQ(error, "cannot write '" + this->Path + "': File too large");
+  EXPECT_EQ(this->openError(), "");
+  EXPECT_FALSE(std::ifstream(this->Path + ".part").good());
 }

@@ -2,6 +2,7 @@
 // What is written is read to the same bits; files of others are read; broken ones name their line.
 #include "TrajectoryFile.h"
 
+#include "FileSizeLimit.h"
 #include "ScratchFile.h"
 
 #include <gtest/gtest.h>
@@ -263,6 +264,50 @@ TEST(TrajectoryFile, WritesNothingThatCannotBeRead)
   std::swap(trajectory.rows[8], trajectory.rows[9]);
   EXPECT_EQ(palpate::writeTrajectory(file.path(), trajectory),
     "cannot write '" + file.path() + "': row 9: time_s decreases");
-  EXPECT_EQ(
-    palpate::writeTrajectory("/nowhere/t.csv", Trajectory()), "cannot write '/nowhere/t.csv'");
+  EXPECT_EQ(palpate::writeTrajectory("/nowhere/t.csv", Trajectory()),
+    "cannot write '/nowhere/t.csv': No such file or directory");
+}
+
+TEST(TrajectoryFile, OnAFullDiskTheFirstRowsAreKeptAndTheOldFileStands)
+{
+  const ScratchFile file(".csv");
+  const std::string part = file.path() + ".part";
+  const Trajectory old = anyTrajectory(false, false);
+  ASSERT_EQ(palpate::writeTrajectory(file.path(), old), "");
+  const Trajectory trajectory = anyTrajectory(true, true);
+  for (const std::size_t room :
+    { 300U, 5000U }) // for the names of the columns only, or for some rows
+  {
+    std::string error;
+    {
+      const palpate::testing::FileSizeLimit full(room);
+      error = palpate::writeTrajectory(file.path(), trajectory);
+    }
+    EXPECT_EQ(error.find("cannot write '" + file.path() + "': File too large"), 0U) << error;
+    Trajectory read;
+    ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
+    EXPECT_EQ(read.rows.size(), old.rows.size());
+    const bool isKept = error.find(part) != std::string::npos;
+    EXPECT_EQ(isKept, room > 1000);
+    EXPECT_EQ(std::ifstream(part).good(), isKept);
+    if (isKept)
+    {
+      ASSERT_EQ(palpate::readTrajectory(part, read), "");
+      EXPECT_GT(read.rows.size(), 2U);
+      EXPECT_LT(read.rows.size(), trajectory.rows.size());
+      EXPECT_NE(error.find("the first " + std::to_string(read.rows.size()) + " of " +
+                  std::to_string(trajectory.rows.size()) + " rows"),
+        std::string::npos)
+        << error;
+      for (std::size_t i = 0; i < read.rows.size(); ++i)
+      {
+        EXPECT_EQ(read.rows[i].time, trajectory.rows[i].time);
+        EXPECT_EQ(read.rows[i].tip, trajectory.rows[i].tip);
+        EXPECT_EQ(read.rows[i].sentForce, trajectory.rows[i].sentForce);
+      }
+    }
+  }
+  std::remove(part.c_str());
+  EXPECT_EQ(palpate::writeTrajectory("/dev/full", trajectory),
+    "cannot write '/dev/full': No space left on device");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrialLog.h"
 
+#include "FileSizeLimit.h"
 #include "ScratchFile.h"
 
 #include <gmock/gmock.h>
@@ -137,6 +138,41 @@ TEST(TrialLog, NoAnswerIsRightAmongEquals)
   EXPECT_THAT(contentOf(file.path()), HasSubstr("\n1,B,A,X,B,,12.5,7\n"));
   TrialRecord record;
   EXPECT_EQ(readTrialLog(file.path(), record), "");
+}
+
+TEST(TrialLog, OnAFullDiskTheAnswersBeforeStayReadable)
+{
+  const ScratchFile file(".csv");
+  TrialLog log;
+  ASSERT_EQ(log.open(file.path(), sampleHead()), "");
+  ASSERT_EQ(log.append(Answers[0]), "");
+  const std::string before = contentOf(file.path());
+  std::string error;
+  {
+    const palpate::testing::FileSizeLimit full(before.size() + 5); // a piece of a row
+    error = log.append(Answers[1]);
+  }
+  EXPECT_EQ(error, "cannot write the trial log '" + file.path() + "': File too large");
+  EXPECT_EQ(contentOf(file.path()), before);
+  // Room again: a log with a gap would number its answers wrongly.
+  EXPECT_THAT(log.append(Answers[2]), HasSubstr(file.path()));
+  TrialRecord record;
+  ASSERT_EQ(readTrialLog(file.path(), record), "");
+  EXPECT_EQ(record.answers.size(), 1U);
+}
+
+TEST(TrialLog, OnAFullDiskNoHalfOfAHeadIsInTheWay)
+{
+  const ScratchFile file(".csv");
+  TrialLog log;
+  {
+    const palpate::testing::FileSizeLimit full(20);
+    EXPECT_THAT(log.open(file.path(), sampleHead()), HasSubstr("File too large"));
+  }
+  EXPECT_FALSE(std::ifstream(file.path()).good());
+  EXPECT_EQ(log.open(file.path(), sampleHead()), "");
+  EXPECT_THAT(TrialLog().open("/nowhere/log.csv", sampleHead()),
+    HasSubstr("'/nowhere/log.csv': No such file or directory"));
 }
 
 TEST(TrialLog, OverwritesNothing)

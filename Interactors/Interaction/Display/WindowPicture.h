@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef WindowPicture_h
+#define WindowPicture_h
+
+#include <string>
+
+class vtkRenderWindow;
+
+namespace palpate
+{
+/// Draws the window and writes it as a .png, as a whole or not at all (WholeFile). Returns an error
+/// that names the file and the reason, or "".
+std::string writeWindowPicture(vtkRenderWindow* window, const std::string& file);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DisplayLoss.h"
+
+#include <utility>
+
+#ifdef PALPATE_X11
+#include <X11/Xlib.h>
+
+#include <cstdio>
+#include <cstdlib>
+#endif
+
+namespace palpate
+{
+namespace
+{
+std::function<std::string()> Will;
+
+#ifdef PALPATE_X11
+int onLoss(Display* display)
+{
+  const std::function<std::string()> will = std::exchange(Will, nullptr);
+  const std::string error = will ? will() : std::string(); // first of all: the hand
+  if (!error.empty())
+  {
+    std::fprintf(stderr, "palpate: error: %s\n", error.c_str());
+  }
+  std::fprintf(
+    stderr, "palpate: error: the X server of DISPLAY='%s' is gone\n", DisplayString(display));
+  std::fflush(nullptr);
+  std::_Exit(EXIT_FAILURE); // static destructors would draw
+}
+#endif
+} // namespace
+
+void endWithDisplay()
+{
+#ifdef PALPATE_X11
+  XSetIOErrorHandler(onLoss);
+#endif
+}
+
+DisplayWill::DisplayWill(std::function<std::string()> action)
+{
+  Will = std::move(action);
+}
+
+DisplayWill::~DisplayWill()
+{
+  Will = nullptr;
+}
+} // namespace palpate

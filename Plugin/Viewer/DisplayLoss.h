@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_DisplayLoss_h
+#define palpate_DisplayLoss_h
+
+#include <functional>
+#include <string>
+
+namespace palpate
+{
+/// From now on the process ends with a message and exit code 1 when its X server goes away. Xlib
+/// lets nobody return from there: no destructor runs, and what must still be done is a DisplayWill.
+void endWithDisplay();
+
+/// What is still done then, as long as this lives: let go of the hand, save what was recorded. It
+/// runs within a call to Xlib and must not draw. Returns an error, or "". One at a time.
+class DisplayWill
+{
+public:
+  explicit DisplayWill(std::function<std::string()> action);
+  ~DisplayWill();
+  DisplayWill(const DisplayWill&) = delete;
+  DisplayWill& operator=(const DisplayWill&) = delete;
+};
+} // namespace palpate
+
+#endif

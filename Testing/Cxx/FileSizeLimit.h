@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_FileSizeLimit_h
+#define palpate_testing_FileSizeLimit_h
+
+#include <csignal>
+#include <cstddef>
+
+#include <sys/resource.h>
+
+namespace palpate::testing
+{
+/// As long as this lives no file of the process grows beyond so many bytes: as on a disk that is
+/// full, a write takes what there is room for, and the next one fails (EFBIG).
+class FileSizeLimit
+{
+public:
+  explicit FileSizeLimit(std::size_t bytes)
+    : Handler(std::signal(SIGXFSZ, SIG_IGN))
+  {
+    getrlimit(RLIMIT_FSIZE, &this->Before);
+    rlimit limit = this->Before;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit()
+  {
+    setrlimit(RLIMIT_FSIZE, &this->Before);
+    std::signal(SIGXFSZ, this->Handler);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+  rlimit Before{};
+  void (*Handler)(int);
+};
+
+constexpr const char* FileTooLarge = "File too large"; ///< the system's words for EFBIG
+} // namespace palpate::testing
+
+#endif

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An X server of a test's own, that it may take away."""
+import os
+import shutil
+import subprocess
+
+
+class OwnDisplay:
+    """`name` is its DISPLAY. None where Xvfb is not installed: see is_there()."""
+
+    def __init__(self):
+        reading, writing = os.pipe()
+        self._server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-noreset",
+             "-nolisten", "tcp"], pass_fds=[writing], stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as said:
+            self.name = f":{said.readline().strip()}"
+
+    @staticmethod
+    def is_there():
+        return shutil.which("Xvfb") is not None
+
+    def kill(self):
+        self._server.terminate()  # it removes its lock
+        self._server.wait()

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A display that disappears while the hand is pressed against the body: the process ends with a message
+and exit code 1, the hand is let go of first, and what was recorded can be played again."""
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import bodies
+from bridge_peer import BridgePeer
+from own_display import OwnDisplay
+from session import CACHE, PALPATE, TIME_OUT, SessionCase, run
+
+HOVER = 0.010  # m above the body: where a device begins that stands at 0
+GONE = "the X server of DISPLAY='{}' is gone"
+
+
+@unittest.skipUnless(OwnDisplay.is_there(), "Xvfb is not installed")
+class DisplayLoss(SessionCase):
+    def setUp(self):
+        super().setUp()
+        self.body = bodies.write(bodies.sphere(), self.folder / "body.vtp")
+        self.display = OwnDisplay()
+        self.addCleanup(self.display.kill)
+
+    def open(self, *arguments):
+        """Starts the program in a window; returns when it is open."""
+        settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name, "DISPLAY": self.display.name}
+        self.log = self.folder / "said.txt"
+        with open(self.log, "w", encoding="utf-8") as log:
+            program = subprocess.Popen(
+                [PALPATE, self.body, "--young", "0.1", "--poisson", "0.45", "--window",
+                 "--output", self.output, *map(str, arguments)],
+                env=settings, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        return program
+
+    def said(self):
+        return self.log.read_text(errors="replace")
+
+    def wait_until(self, condition, program, what):
+        end = time.monotonic() + TIME_OUT
+        while not condition():
+            self.assertIsNone(program.poll(), f"ended before {what}: {self.said()}")
+            self.assertLess(time.monotonic(), end, f"not {what}: {self.said()}")
+            time.sleep(0.01)
+
+    def lose_display(self, program):
+        self.display.kill()
+        self.assertEqual(program.wait(timeout=TIME_OUT), 1, self.said())
+        self.assertIn(GONE.format(self.display.name), self.said())
+
+    def socket_path(self):
+        """Short, since a socket's path is."""
+        folder = tempfile.mkdtemp(prefix="palpate")
+        self.addCleanup(shutil.rmtree, folder)
+        return Path(folder) / "device"
+
+    def test_the_hand_is_let_go_of_and_the_record_is_saved(self):
+        record = self.folder / "record.csv"
+        path = self.socket_path()
+        with BridgePeer(path) as peer:
+            program = self.open("--tool", "sphere:3", "--site", "1,0,0", "--record", record,
+                                "--device", f"bridge:unix:{path}")
+            self.wait_until(lambda: "tool: " in self.said(), program, "the window is open")
+            peer.position = (0.0, 0.0, -HOVER - 0.001)  # z of the device is outward there
+            self.wait_until(peer.is_pushing, program, "the body pushes back")
+            begin = len(peer.forces)
+            self.wait_until(lambda: len(peer.forces) > begin + 200, program, "it pressed a while")
+            self.assertTrue(peer.is_pushing())
+            self.lose_display(program)
+            time.sleep(0.1)  # what is in the socket
+        self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
+        ticks = int(re.search(r"(\d+) ticks", self.said()).group(1))
+        self.check_record(record, ticks)
+
+    def check_record(self, record, ticks):
+        """Every tick is in it, to the one that pressed, and the same hand feels the same again."""
+        lines = record.read_text().splitlines()
+        self.assertEqual(len(lines), ticks + 1)
+        forces = [float(line.split(",")[8]) for line in lines[1:]]
+        self.assertGreater(forces[-1], 0.0)
+        result = run(self.body, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45",
+                     "--no-auto", "--site", "1,0,0", "--device", f"replay:{record}",
+                     "--output", self.output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        # The live session fits its force to the device, the ideal force knows nothing of it. Replay
+        # is at the times of the ticks, which a recorded loop may have been late for: 5 %.
+        peak = float(re.search(r"peak\s+force ([\d.e+-]+) N", result.stdout).group(1))
+        self.assertAlmostEqual(peak, max(forces), delta=0.05 * peak)
+
+    def test_a_trial_keeps_its_answers(self):
+        program = self.open("--trial", "sphere:3,flat:3")
+        self.wait_until(lambda: "window open" in self.said(), program, "the window is open")
+        self.lose_display(program)
+        self.assertIn("trial,x,y,answer", (self.output / "trial.csv").read_text())
+
+    def test_a_map_ends_too(self):
+        program = self.open("--map")
+        self.wait_until(lambda: "window open" in self.said(), program, "the window is open")
+        self.lose_display(program)
+
+    def test_a_display_that_does_not_answer(self):
+        for display in (":987", ""):
+            with self.subTest(display=display):
+                self.refuse(self.body, "--window", words=("DISPLAY", "xvfb-run"),
+                            environment={"DISPLAY": display})
+
+
+if __name__ == "__main__":
+    unittest.main()
