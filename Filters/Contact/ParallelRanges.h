@@ -2,6 +2,8 @@
 #ifndef palpate_ParallelRanges_h
 #define palpate_ParallelRanges_h
 
+#include "ThreadCount.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <thread>
@@ -9,12 +11,12 @@
 
 namespace palpate
 {
-/// How many ranges forRanges makes of `count` items: one per core, none of them small.
+/// How many ranges forRanges makes of `count` items: one per thread there may be, none
+/// of them small.
 inline std::size_t rangeCount(std::size_t count)
 {
   constexpr std::size_t smallest = 8192; // below that a thread costs more than it saves
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return std::max<std::size_t>(1, std::min(cores, count / smallest));
+  return std::max<std::size_t>(1, std::min(threadCount(), count / smallest));
 }
 
 /// Calls body(first, last) for contiguous ranges that cover 0..count, each on a thread of its own.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyConversion.h"
 
+#include "FilterThreads.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -223,6 +225,7 @@ std::vector<double> copyPoints(vtkPolyData* body)
 
 BodyMesh makeBodyMesh(vtkPolyData* body)
 {
+  const FilterThreads threads;
   const std::vector<std::int32_t> triangles = copyTriangles(body);
   const std::vector<double> points = copyPoints(body);
   return BodyMesh(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3);
@@ -270,6 +273,7 @@ bool viewValidity(vtkPolyData* body, const std::string& name, const float*& vali
 std::unique_ptr<ResponseField> makeResponseField(
   vtkPolyData* body, const std::string& name, std::string& error)
 {
+  const FilterThreads threads;
   ResponseArrays arrays;
   return viewResponse(body, name, arrays, error) ? std::make_unique<ResponseField>(arrays)
                                                  : nullptr;
@@ -291,6 +295,7 @@ std::shared_ptr<const ContactBody> makeContactBody(
   }
   const std::vector<std::int32_t> triangles = copyTriangles(body);
   const std::vector<double> points = copyPoints(body);
+  const FilterThreads threads;
   return std::make_shared<const ContactBody>(
     points.data(), points.size() / 3, triangles.data(), triangles.size() / 3, arrays, progress);
 }
@@ -310,6 +315,7 @@ std::shared_ptr<const ContactBody> makeContactBody(
       " points, the surface it is to have " + std::to_string(same.surface.pointCount());
     return nullptr;
   }
+  const FilterThreads threads;
   return std::make_shared<const ContactBody>(same, arrays);
 }
 

@@ -2,6 +2,7 @@
 #include "vtkReducedContactResponse.h"
 
 #include "BodyConversion.h"
+#include "FilterThreads.h"
 #include "ReplacedCurves.h"
 #include "ResponseReduction.h"
 
@@ -114,6 +115,7 @@ int vtkReducedContactResponse::RequestData(
     return 0;
   }
 
+  const palpate::FilterThreads threads;
   const ReducedResponse reduced =
     palpate::reduceResponse(arrays, { this->Tolerance, this->MaximumNumberOfLaws });
   this->Form = static_cast<int>(reduced.form);

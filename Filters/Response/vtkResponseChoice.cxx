@@ -3,6 +3,7 @@
 
 #include "BodyConversion.h"
 #include "ChoiceReason.h"
+#include "FilterThreads.h"
 #include "ReplacedCurves.h"
 #include "ResponseChoice.h"
 
@@ -153,6 +154,7 @@ int vtkResponseChoice::RequestData(
 
   const palpate::ChoiceSettings settings{ this->Tolerance, this->Share, depth,
     this->MaximumNumberOfLaws };
+  const palpate::FilterThreads threads;
   const palpate::ResponseChoice choice = palpate::chooseResponse(arrays, evidence, settings);
   this->NumbersPerPointBefore = arrays.basis ? arrays.laws : 2 * arrays.samples;
   this->Verdict = static_cast<int>(choice.need);

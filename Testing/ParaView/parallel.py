@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A body in pieces on several processes gives what it gives on one: parallel.py FOLDER, under mpiexec.
 
-The serial result comes from the same filters without a controller, on process 0. Tolerances: arrays of the
-response are equal to a unit in the last place of a float (2e-7 of their largest value), since around a seam
-the normals of triangles are summed in another order; forces and displacements follow from those.
+The serial result comes from the same filters without a controller, on process 0, the same for any number. Triangles
+and what follows from a point's own numbers are the same to the bit (ranks.py), and so is all where normals are given,
+or off the seams. Around a seam the normals of triangles are summed in another order: there arrays of the response are
+equal to a unit in the last place of a float (2e-7 of their largest value); forces and displacements follow from those.
 """
 import os
 import sys
 import numpy as np
+import ranks
 from paraview import servermanager, simple
 from palpate import (vtkContactDeflection, vtkContactRegime, vtkContactTool, vtkToolContactProbe,
                      vtkToolContactResponse)
@@ -217,13 +219,17 @@ def around(depth, count=400, tilt=0.4):
 
 RESPONSE = ("ResponseForce", "ResponseStiffness", "ResponseNormal", "ResponseRange", "ResponseStatus",
             "ResponseValidity", "ResponseLimit")
+OF_POINTS = ("ResponseForce", "ResponseStiffness", "ResponseRange", "ResponseStatus", "E", "Layer")
+OF_NORMALS = ("ResponseNormal", "ResponseValidity", "ResponseLimit")
 
 # A body with constant material: response, forces along a path with friction, the dent.
 ball = bumpy_ball()
 pieces = in_pieces(ball, "ball")
 response = simple.ToolContactResponse(Input=pieces, YoungsModulusMPa=0.05)
 serial = serial_response(ball)
-check_same(servermanager.Fetch(response), serial, RESPONSE)
+fetched = servermanager.Fetch(response)
+check_same(fetched, serial, RESPONSE)
+ranks.check_bits(fetched, serial, OF_POINTS, OF_NORMALS)
 check_integrals(response, serial, ("ResponseForce", "ResponseStiffness", "ResponseValidity"))
 
 path = tips_from(around(2.5), True)
@@ -251,6 +257,8 @@ response = simple.ToolContactResponse(Input=pieces, YoungsModulusArrayMPa=["POIN
 serial = serial_response(ball, i0="E", i1="Layer")
 fetched = servermanager.Fetch(response)
 check_same(fetched, serial, RESPONSE + ("ResponseLayerThickness",))
+ranks.check_bits(fetched, serial, OF_POINTS + ("ResponseLayerThickness",), OF_NORMALS)
+ranks.check_sums(fetched, serial)
 for field in ("ResponseExponent", "ResponseSamples", "ResponseLayerBase"):
     assert (fetched.GetFieldData().GetArray(field).GetTuple1(0) ==
             serial.GetFieldData().GetArray(field).GetTuple1(0)), field
@@ -267,6 +275,17 @@ probe, _, _ = check_probe(response, serial, path, "layers", {"FrictionCoefficien
 dent = simple.ContactDeflection(Body=response, Tips=probe)
 check_same(servermanager.Fetch(dent), serial_dent(serial, serial_probe(serial, path, FrictionCoefficient=0.2)),
            ("ContactDisplacement",), 1e-6)
+
+# Normals given: nothing is summed across a seam.
+with_normals = bumpy_ball()
+normals = numpy_to_vtk((points_of(ball) / np.linalg.norm(points_of(ball), axis=1)[:, None]).astype(np.float32), deep=1)
+normals.SetName("Outward")
+with_normals.GetPointData().SetNormals(normals)
+response = simple.ToolContactResponse(Input=in_pieces(with_normals, "normals"), YoungsModulusArrayMPa=["POINTS", "E"],
+                                      LayerThicknessArraymm=["POINTS", "Layer"])
+fetched, serial = servermanager.Fetch(response), serial_response(with_normals, i0="E", i1="Layer")
+ranks.check_bits(fetched, serial, OF_POINTS + OF_NORMALS)
+ranks.check_sums(fetched, serial)
 
 # Through a block: the contact stays on the face it entered, also where the other is nearer, so that more has to be
 # gathered than what lies around the tip.

@@ -5,6 +5,7 @@
 #include "MissedEnergy.h"
 #include "PatchSelfTerm.h"
 #include "PatchSite.h"
+#include "ThreadCount.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,11 +23,12 @@ namespace
 constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;
 
-/// Calls work(i) for i < count on all cores, in blocks between which the observer is asked.
+/// Calls work(i) for i < count on threadCount() threads, in blocks between which the observer is
+/// asked.
 template <class Work>
 bool forAll(std::size_t count, const WorkObserver& observer, double from, double to, Work&& work)
 {
-  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t threads = threadCount();
   constexpr std::size_t block = 512;
   for (std::size_t first = 0; first < count; first += block)
   {

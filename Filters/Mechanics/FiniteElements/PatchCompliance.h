@@ -38,8 +38,8 @@ struct PatchCompliances
  * factorised body. `radius` (mm) of the smaller patch, 0: PatchSpacings (PatchSite) times the
  * spacing at each point. The larger patch has twice the radius.
  *
- * Local parts are computed by as many threads as the machine has cores; results do not depend on
- * how many. Empty when the observer stopped it.
+ * Local parts are computed by threadCount() threads; results do not depend on how many. Empty when
+ * the observer stopped it.
  */
 PatchCompliances patchCompliances(const ElasticBody& body, const std::vector<std::int32_t>& points,
   double radius, const WorkObserver& observer);

@@ -8,8 +8,9 @@
  *
  * Supernodal: CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008), ordered by METIS, its supernodes
  * walked with BLAS. Simplicial: Eigen's, ordered by minimum degree; it needs no other library and
- * is some hundred times slower on large bodies. Both give the same within 1e-9; so do runs with
- * different numbers of BLAS threads, which sum in different orders.
+ * is some hundred times slower on large bodies. Both give the same within 1e-9. The same bits for
+ * any number of threads, of BLAS too where that is OpenBLAS: it is held to one meanwhile, as
+ * several would sum in another order.
  */
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h

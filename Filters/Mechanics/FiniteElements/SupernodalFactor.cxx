@@ -13,10 +13,13 @@ std::unique_ptr<StiffnessFactor> makeSupernodalFactor()
 
 #else
 
+#include "ThreadCount.h"
+
 #include <cholmod.h>
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <thread>
 
 // Of BLAS: B := L⁻¹ B and C := α A B + β C.
@@ -41,31 +44,41 @@ namespace
 /// Right-hand sides per block. Measured on a body of 95 thousand unknowns: see the benchmark.
 constexpr std::size_t BlockSize = 64;
 
-/// While this lives, OpenBLAS runs in the thread that calls it: the blocks are what is shared among
-/// threads. It is a setting of the whole process; it is put back.
+/// While one lives, OpenBLAS runs in the thread that calls it: several would sum in another order,
+/// and where there are blocks, they are what is shared among threads. It is a setting of the whole
+/// process; the last one puts it back.
 class SingleThreadedBlas
 {
 public:
   SingleThreadedBlas()
   {
-    if (openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr)
+    const std::lock_guard<std::mutex> lock(Guard);
+    if (isThere() && Living++ == 0)
     {
-      this->Before = openblas_get_num_threads();
+      Before = openblas_get_num_threads();
       openblas_set_num_threads(1);
     }
   }
   ~SingleThreadedBlas()
   {
-    if (this->Before > 0)
+    const std::lock_guard<std::mutex> lock(Guard);
+    if (isThere() && --Living == 0)
     {
-      openblas_set_num_threads(this->Before);
+      openblas_set_num_threads(Before);
     }
   }
   SingleThreadedBlas(const SingleThreadedBlas&) = delete;
   SingleThreadedBlas& operator=(const SingleThreadedBlas&) = delete;
 
 private:
-  int Before = 0;
+  static bool isThere()
+  {
+    return openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr;
+  }
+
+  inline static std::mutex Guard;
+  inline static int Living = 0;
+  inline static int Before = 0;
 };
 
 /// L by supernodes, as CHOLMOD stores it: columns super[s] .. super[s+1] share the rows
@@ -259,6 +272,10 @@ public:
   bool analyse(const SymmetricSparse& lower) override
   {
     cholmod_free_factor(&this->Factor, &this->Common);
+    // METIS draws from the C library's rand(), which it seeds each time: two orderings at once
+    // would take each other's numbers, and sums would be rounded another way from run to run.
+    static std::mutex ordering;
+    const std::lock_guard<std::mutex> lock(ordering);
     cholmod_sparse matrix = view(lower);
     this->Factor = cholmod_analyze(&matrix, &this->Common);
     if (this->Factor == nullptr && this->Common.status == CHOLMOD_NOT_INSTALLED)
@@ -282,6 +299,7 @@ public:
 
   bool factorise(const SymmetricSparse& lower) override
   {
+    const SingleThreadedBlas single;
     cholmod_sparse matrix = view(lower);
     return cholmod_factorize(&matrix, this->Factor, &this->Common) != 0 &&
       this->Common.status == CHOLMOD_OK && this->Factor->minor == this->Factor->n;
@@ -289,6 +307,7 @@ public:
 
   Eigen::VectorXd solve(const Eigen::VectorXd& load) const override
   {
+    const SingleThreadedBlas single;
     cholmod_dense right{};
     right.nrow = right.nzmax = right.d = static_cast<std::size_t>(load.size());
     right.ncol = 1;
@@ -340,8 +359,7 @@ public:
       }
     };
     std::vector<std::thread> others;
-    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-    for (std::size_t t = 1; t < std::min(threads, blocks); ++t)
+    for (std::size_t t = 1; t < std::min(threadCount(), blocks); ++t)
     {
       others.emplace_back(work, false);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SiteMeasurement.h"
 
+#include "FilterThreads.h"
 #include "TriangleTree.h"
 
 #include <cmath>
@@ -12,6 +13,7 @@ namespace palpate
 {
 double SiteMeasurement::place(double largestDistance)
 {
+  const FilterThreads threads;
   const BodyMesh& body = *this->Mesh;
   const PackedMesh packed(
     body.coordinates(), body.pointCount(), body.indices(), body.triangleCount());

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <numeric>
@@ -14,12 +15,12 @@ namespace palpate
 {
 TEST(ParallelRanges, FewItemsAreOneRange)
 {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t most = threadCount();
   EXPECT_EQ(rangeCount(0), 1U);
   EXPECT_EQ(rangeCount(1), 1U);
   EXPECT_EQ(rangeCount(2 * 8192 - 1), 1U);
-  EXPECT_EQ(rangeCount(2 * 8192), std::min<std::size_t>(2, cores));
-  EXPECT_EQ(rangeCount(8192 * 1000), std::min<std::size_t>(1000, cores));
+  EXPECT_EQ(rangeCount(2 * 8192), std::min<std::size_t>(2, most));
+  EXPECT_EQ(rangeCount(8192 * 1000), std::min<std::size_t>(1000, most));
 }
 
 TEST(ParallelRanges, CoverEachItemOnce)
@@ -48,6 +49,17 @@ TEST(ParallelRanges, CoverEachItemOnce)
     {
       EXPECT_EQ(ranges[k].first, ranges[k - 1].second);
     }
+  }
+}
+
+TEST(ParallelRanges, AreAsManyAsTheThreadsThereMayBe)
+{
+  for (const std::size_t threads : { 1, 2, 8 })
+  {
+    const ThreadLimit limit(threads);
+    std::atomic<std::size_t> ranges{ 0 };
+    forRanges(8 * 8192, [&ranges](std::size_t, std::size_t) { ++ranges; });
+    EXPECT_EQ(ranges, threads);
   }
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FilterThreads_h
+#define palpate_FilterThreads_h
+
+#include "ThreadCount.h"
+
+#include "vtkSMPTools.h"
+
+#include <cstring>
+
+namespace palpate
+{
+/// While this lives, the kernels that the calling thread enters take as many threads as VTK's own
+/// loops. Where these take none (the back end Sequential, ParaView's default), as many as without.
+class FilterThreads
+{
+  ThreadLimit Limit{ wish() };
+
+  static std::size_t wish()
+  {
+    const char* backend = vtkSMPTools::GetBackend();
+    return backend == nullptr || std::strcmp(backend, "Sequential") == 0
+      ? 0
+      : static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  }
+};
+} // namespace palpate
+
+#endif

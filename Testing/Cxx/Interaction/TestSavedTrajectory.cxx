@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The recorded hands in Data/Determinism, played over the saved body there, leave the same files,
+// byte for byte, whatever VTK this was built with: numbers in them read back to the same bits. But
+// for the C library's pow and the like, which round otherwise on a processor without FMA: where
+// they do, the numbers are compared to 1e-12.
+//   palpateInteractionTests TestSavedTrajectory DATA           compares
+//   palpateInteractionTests TestSavedTrajectory FOLDER --write makes the body and the files anew
+#include "EventfulPath.h"
+#include "FlatBodyConversion.h"
+#include "Response/FilterChecks.h"
+#include "ServoStep.h"
+#include "TrajectoryFile.h"
+
+#include "vtkHapticSession.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double TickRate = 200.0; // Hz, so that the files are small
+
+struct Feel
+{
+  const char* file;
+  palpate::ContactSurface surface;
+  palpate::ForceForm form;
+  palpate::FrictionModel friction;
+};
+
+constexpr Feel Feels[] = {
+  { "facets.csv", palpate::ContactSurface::Facets, palpate::ForceForm::NormalizedDirection,
+    palpate::FrictionModel::ElastoPlastic },
+  { "smooth.csv", palpate::ContactSurface::Smooth, palpate::ForceForm::EnergyConsistent,
+    palpate::FrictionModel::ShapeDerived },
+};
+
+vtkSmartPointer<vtkHapticSession> sessionOn(vtkPolyData* body, const Feel& feel)
+{
+  auto session = vtkSmartPointer<vtkHapticSession>::New();
+  session->SetBody(body);
+  session->SetRate(TickRate);
+  session->SetContactSurface(static_cast<int>(feel.surface));
+  session->SetForceForm(static_cast<int>(feel.form));
+  session->SetFrictionModel(static_cast<int>(feel.friction));
+  session->SetFrictionCoefficient(0.5);
+  session->SetPoissonRatio(0.3);
+  return session;
+}
+
+std::string textOf(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// What `session` feels in Duration, as the text of a file, which is left at `path`.
+std::string fileOf(vtkHapticSession* session, const std::string& path)
+{
+  PALPATE_CHECK(session->Start());
+  session->Step(Duration);
+  PALPATE_CHECK(palpate::writeTrajectory(path, session->GetTicks()).empty());
+  return textOf(path);
+}
+
+/// Where they part, to be read.
+void tellDifference(const std::string& name, const std::string& found, const std::string& stored)
+{
+  std::istringstream one(found);
+  std::istringstream other(stored);
+  std::string left;
+  std::string right;
+  for (int line = 1; std::getline(one, left) && std::getline(other, right); ++line)
+  {
+    if (left != right)
+    {
+      std::cerr << name << ":" << line << ": is\n" << left << "\ninstead of\n" << right << "\n";
+      return;
+    }
+  }
+  std::cerr << name << ": another number of lines\n";
+}
+
+/// Of the last bits of the C library's functions that a tick calls (FNV-1a), as a line.
+std::string roundingOfLibrary()
+{
+  std::uint64_t digest = 14695981039346656037ULL;
+  for (int i = 1; i <= 20000; ++i)
+  {
+    const double x = 2.3e-4 * i;
+    for (const double y : { std::pow(x, 1.37), std::exp(-x), std::expm1(-x), std::atan2(x, 0.7) })
+    {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &y, sizeof bits);
+      digest = (digest ^ bits) * 1099511628211ULL;
+    }
+  }
+  return std::to_string(digest) + "\n";
+}
+
+/// The same but for roundings of other functions, half a unit of the last place each.
+bool agree(const std::string& found, const std::string& stored)
+{
+  std::istringstream one(found);
+  std::istringstream other(stored);
+  palpate::Trajectory left;
+  palpate::Trajectory right;
+  bool good = palpate::readTrajectory(one, "found", left).empty() &&
+    palpate::readTrajectory(other, "stored", right).empty() &&
+    left.rows.size() == right.rows.size();
+  for (std::size_t i = 0; good && i < left.rows.size(); ++i)
+  {
+    const palpate::TrajectoryRow& a = left.rows[i];
+    const palpate::TrajectoryRow& b = right.rows[i];
+    constexpr double Off = 1e-12;
+    good = a.state == b.state && (a.tip - b.tip).norm() <= Off * Radius &&
+      (a.contactPoint - b.contactPoint).norm() <= Off * Radius &&
+      std::abs(a.normalForce - b.normalForce) <= Off * b.normalForce &&
+      (a.friction - b.friction).norm() <= Off * b.normalForce;
+  }
+  return good;
+}
+
+/// Everything that can happen to a contact happens in the file.
+void checkEvents(vtkHapticSession* session)
+{
+  std::set<int> states;
+  std::set<std::int32_t> triangles;
+  for (const palpate::ServoTick& tick : session->GetTicks())
+  {
+    states.insert(static_cast<int>(tick.contact.state));
+    triangles.insert(tick.contact.triangle);
+  }
+  PALPATE_CHECK((states == std::set<int>{ 0, 1, 2, 3, 4 }));
+  PALPATE_CHECK(triangles.size() > 30);
+}
+
+void compare(vtkPolyData* body, const std::string& data)
+{
+  const bool sameLibrary = roundingOfLibrary() == textOf(data + "/library.txt");
+  for (const Feel& feel : Feels)
+  {
+    const std::string file = data + "/" + feel.file;
+    const auto session = sessionOn(body, feel);
+    PALPATE_CHECK(session->SetDevice("replay:" + file));
+    const std::string scratch = std::string("TestSavedTrajectory-") + feel.file;
+    const std::string found = fileOf(session, scratch);
+    std::remove(scratch.c_str());
+    checkEvents(session);
+    const std::string stored = textOf(file);
+    const bool same =
+      stored.size() > 10000 && (sameLibrary ? found == stored : agree(found, stored));
+    PALPATE_CHECK(same);
+    if (!same)
+    {
+      tellDifference(feel.file, found, stored);
+    }
+  }
+}
+
+int write(const std::string& folder)
+{
+  const Body body = openBall();
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName((folder + "/body.vtp").c_str());
+  writer->SetInputData(body);
+  writer->SetDataModeToBinary();
+  writer->SetCompressorTypeToZLib();
+  PALPATE_CHECK(writer->Write() == 1);
+  PALPATE_CHECK(palpate::writeFlatBody(body, "Response", folder + "/body.palpate").empty());
+  for (const Feel& feel : Feels)
+  {
+    const auto session = sessionOn(body, feel);
+    session->SetPath(handPath());
+    fileOf(session, folder + "/" + feel.file);
+  }
+  std::ofstream(folder + "/library.txt") << roundingOfLibrary();
+  return palpate::testing::result();
+}
+} // namespace
+
+int TestSavedTrajectory(int argc, char* argv[])
+{
+  const std::string data = argv[1];
+  if (argc > 2 && std::string(argv[2]) == "--write")
+  {
+    return write(data);
+  }
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((data + "/body.vtp").c_str());
+  reader->Update();
+  compare(reader->GetOutput(), data);
+  std::string error;
+  const auto flat = palpate::readFlatBody(data + "/body.palpate", "Response", error);
+  PALPATE_CHECK(flat != nullptr && error.empty());
+  compare(flat, data);
+  return palpate::testing::result();
+}
