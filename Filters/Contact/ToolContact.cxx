@@ -180,7 +180,7 @@ bool ToolContact::blend(
   const double length = direction.norm();
   result.normal = direction / length;
   result.force = result.normalForce * result.normal;
-  return length > 0.0 && std::isfinite(result.normalForce);
+  return length > 0.0 && result.force.allFinite(); // neither of them infinite
 }
 
 Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept

@@ -71,6 +71,18 @@ double modeAt(const Place& place, vtkDataArray* mode, const Vector3& normal)
   return sum;
 }
 
+bool hasShape(vtkDataArray* array, int components, vtkIdType tuples)
+{
+  return array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == tuples;
+}
+
+/// Null where there is none, or none of a value per point.
+vtkDataArray* layerThickness(vtkPolyData* body, const std::string& name)
+{
+  vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
+  return layers && hasShape(layers, 1, body->GetNumberOfPoints()) ? layers : nullptr;
+}
+
 /// The edge of a tool that lies well within its contact; 0 if there is none.
 double edgeWithin(const AxisymmetricTool& tool, double contactRadius)
 {
@@ -95,17 +107,43 @@ std::vector<vtkDataArray*> globalModes(vtkPolyData* body, const std::string& nam
 {
   std::vector<vtkDataArray*> modes;
   vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
-  const vtkIdType count = signs && isInSeries(body, name) ? signs->GetNumberOfValues() : 0;
+  const bool bends = signs && signs->GetNumberOfComponents() == 1 && isInSeries(body, name);
+  const vtkIdType count = bends ? signs->GetNumberOfTuples() : 0;
   for (vtkIdType k = 0; k < count; ++k)
   {
     vtkDataArray* mode = body->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str());
-    if (!mode || mode->GetNumberOfComponents() != 3)
+    if (!mode || !hasShape(mode, 3, body->GetNumberOfPoints()))
     {
       break;
     }
     modes.push_back(mode);
   }
   return modes;
+}
+
+std::string checkFieldArrays(vtkPolyData* body, const std::string& name)
+{
+  const vtkIdType points = body->GetNumberOfPoints();
+  const auto describe = [points](vtkDataArray* array, int components)
+  {
+    return std::string("array '") + array->GetName() + "' must have " + std::to_string(components) +
+      " components and " + std::to_string(points) + " tuples, but has " +
+      std::to_string(array->GetNumberOfComponents()) + " and " +
+      std::to_string(array->GetNumberOfTuples());
+  };
+  vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
+  if (layers && !hasShape(layers, 1, points))
+  {
+    return describe(layers, 1);
+  }
+  for (vtkIdType k = 0;; ++k)
+  {
+    vtkDataArray* mode = body->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str());
+    if (!mode || !hasShape(mode, 3, points))
+    {
+      return mode ? describe(mode, 3) : std::string();
+    }
+  }
 }
 
 ContactField::ContactField(vtkPolyData* body, const AxisymmetricTool& tool,
@@ -123,8 +161,7 @@ ContactField::ContactField(vtkPolyData* body, const AxisymmetricTool& tool,
   {
     return;
   }
-  vtkDataArray* layers =
-    body->GetPointData()->GetArray((settings.responseName + "LayerThickness").c_str());
+  vtkDataArray* layers = layerThickness(body, settings.responseName);
   vtkDataArray* base =
     body->GetFieldData()->GetArray((settings.responseName + "LayerBase").c_str());
   this->press(tool, layers ? thicknessAt(placeOf(body, contact), layers) : 0.0,

@@ -106,6 +106,10 @@ private:
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModes(
   vtkPolyData* body, const std::string& name);
 
+/// Which of the point arrays that bend a body or tell the layer under it has not a value per point,
+/// naming it, or "". Where this is not asked, such an array is taken for none.
+PALPATERESPONSE_EXPORT std::string checkFieldArrays(vtkPolyData* body, const std::string& name);
+
 /// Whether the response `name` has a global compliance.
 PALPATERESPONSE_EXPORT bool isInSeries(vtkPolyData* body, const std::string& name);
 } // namespace palpate

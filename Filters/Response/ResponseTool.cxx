@@ -2,6 +2,7 @@
 #include "ResponseTool.h"
 
 #include "BodyConversion.h"
+#include "ToolSpecification.h"
 #include "vtkContactTool.h"
 
 namespace palpate
@@ -14,12 +15,16 @@ vtkSmartPointer<vtkContactTool> findTool(
     return set;
   }
   const std::string specification = responseText(body, name, "Tool");
-  auto named = vtkSmartPointer<vtkContactTool>::New();
-  if (specification.empty() || !named->SetSpecification(specification))
+  ToolSpecification known;
+  std::string reason;
+  if (specification.empty() || !parseTool(specification, known, reason))
   {
-    error = "No Tool is set, and the field array '" + name + "Tool' names none";
+    error = "No Tool is set, and the field array '" + name + "Tool' names none" +
+      (reason.empty() ? "" : ": ") + reason;
     return nullptr;
   }
+  auto named = vtkSmartPointer<vtkContactTool>::New();
+  named->SetSpecification(specification);
   return named;
 }
 } // namespace palpate

@@ -188,6 +188,7 @@ void vtkContactDeflection::PrepareMesh(const palpate::Ranks& ranks, vtkPolyData*
 std::string vtkContactDeflection::FindTool(vtkPolyData* body, vtkSmartPointer<vtkContactTool>& tool)
 {
   std::string fault = palpate::checkTriangles(body);
+  fault = fault.empty() ? palpate::checkFieldArrays(body, this->ResponseName) : fault;
   if (!fault.empty())
   {
     return "Wrong body: " + fault;

@@ -183,10 +183,12 @@ std::string vtkContactRegime::FindDepths(vtkPolyData* body, std::vector<double>&
     return {};
   }
   vtkDataArray* range = body->GetPointData()->GetArray((this->ResponseName + "Range").c_str());
-  if (!range || range->GetNumberOfComponents() != 1)
+  if (!range || range->GetNumberOfComponents() != 1 ||
+    range->GetNumberOfTuples() != body->GetNumberOfPoints())
   {
     text << "Deflection is 0, which means half of the point array '" << this->ResponseName
-         << "Range', but the input has none: attach a response, or set Deflection";
+         << "Range', but the input has none with a value per point: attach a response, or set "
+            "Deflection";
     return text.str();
   }
   for (std::size_t i = 0; i < depths.size(); ++i)

@@ -10,6 +10,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
@@ -158,6 +159,12 @@ int vtkContactToolSource::RequestData(
   normals->ConsistencyOn();
   normals->AutoOrientNormalsOn();
   normals->Update();
+  if (!normals->GetOutput()->GetPointData()->GetNormals())
+  {
+    vtkErrorMacro(<< "A tool of Length " << this->Length << " mm and MaximumRadius "
+                  << this->MaximumRadius << " mm has no surface: too far from its own size.");
+    return 0;
+  }
   vtkPolyData::GetData(outputVector)->ShallowCopy(normals->GetOutput());
   return 1;
 }

@@ -9,15 +9,29 @@
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace palpate::testing
 {
+/// What the bits of a number can be, infinities and NaN too; ConsumeFloatingPoint gives finite
+/// ones.
+template <class Number, class Bits>
+Number anyBits(FuzzedDataProvider& input)
+{
+  static_assert(sizeof(Number) == sizeof(Bits));
+  const auto bits = input.ConsumeIntegral<Bits>();
+  Number number = 0;
+  std::memcpy(&number, &bits, sizeof number);
+  return number;
+}
+
 /// A number as such input has it: mostly of a body's size, at times anything that 64 bits can be.
 inline double anyNumber(FuzzedDataProvider& input)
 {
   return input.ConsumeIntegralInRange<int>(0, 15) > 0
     ? 0.125 * input.ConsumeIntegralInRange<int>(-64, 64)
-    : input.ConsumeFloatingPoint<double>();
+    : anyBits<double, std::uint64_t>(input);
 }
 
 /// Leads tips through a body, with every force form, surface and friction: what is felt is finite,

@@ -3,7 +3,9 @@
 // Input: numbers of samples and laws, arrays of floats (any bits), tips.
 #include "AnyTips.h"
 #include "SampleBodies.h"
+#include "SampleResponses.h"
 
+#include <memory>
 #include <vector>
 
 using namespace palpate;
@@ -15,7 +17,7 @@ float anyFloat(FuzzedDataProvider& input)
 {
   const int kind = input.ConsumeIntegralInRange<int>(0, 7);
   return kind > 0 ? 0.25F * static_cast<float>(input.ConsumeIntegralInRange<int>(-4, 60))
-                  : input.ConsumeFloatingPoint<float>();
+                  : anyBits<float, std::uint32_t>(input);
 }
 
 std::vector<float> anyFloats(FuzzedDataProvider& input, std::size_t count)
@@ -32,7 +34,7 @@ std::vector<float> anyFloats(FuzzedDataProvider& input, std::size_t count)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static const Surface surface = icosphere(4.0, 0);
-  static const BodyMesh mesh = surface.mesh();
+  static const std::unique_ptr<ContactBody> sound = uniformBody(surface); // made once
   FuzzedDataProvider input(data, size);
   const std::size_t points = surface.points.size();
 
@@ -62,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   arrays.range = range.data();
   arrays.status = status.data();
 
-  const ContactBody body(mesh.coordinates(), points, mesh.indices(), mesh.triangleCount(), arrays);
-  feelAround(body, mesh.triangleCount(), input);
+  const ContactBody body(*sound, arrays);
+  feelAround(body, surface.triangles.size(), input);
   return 0;
 }

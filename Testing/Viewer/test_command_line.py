@@ -64,6 +64,8 @@ class CommandLine(SessionCase):
                 (("--depth", "-1"), "--depth"),
                 (("--max-deflection", "0"), "--max-deflection"),
                 (("--length-unit", "furlong"), "furlong"),
+                (("--length-unit", "0"), "--length-unit"),
+                (("--length-unit", "-2.5"), "--length-unit"),
                 (("--resolution", "-1"), "--resolution"),
                 (("--closing", "-1"), "--closing"),
                 (("--rate", "0"), "--rate"),

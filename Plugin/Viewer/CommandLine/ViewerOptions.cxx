@@ -23,6 +23,8 @@ profile:FILE.csv (a line r_mm,f_mm per point, from 0,0 outward).
 Files: .palpate (written by --export), .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
 .nii .nii.gz .vti (scans: their outer skin is taken).
 
+Environment: PALPATE_THREADS, the most threads that pre-computing takes (default: one per core). No result depends on it.
+
 Examples:
   palpate                                    the head of Debian's mricron-data, three tools
   palpate --scene cylinder                   the scene of Mahvash and Hayward 2002, Figure 9
@@ -291,7 +293,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
     ->capture_default_str();
   app.add_option("--length-unit", options.lengthScale, "unit of length of the file: mm, cm or m")
-    ->transform(CLI::Transformer(units))
+    ->transform(CLI::CheckedTransformer(units)) // any other number would pass a plain one
     ->default_str("mm");
   app
     .add_option("--resolution", options.resolution,

@@ -170,6 +170,25 @@ TEST(ToolContactStates, NormalsThatCancelGiveNoDirection)
   expectNoForce(found);
 }
 
+TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
+{
+  const Surface surface = openPlate(10.0, 2);
+  for (const double wrong : { std::numeric_limits<double>::infinity(), NaN })
+  {
+    ResponseStore store(surface.points.size());
+    store.normal.assign(store.normal.size(), static_cast<float>(wrong));
+    const auto body = contactBody(surface, store);
+    for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
+    {
+      palpate::ContactSettings settings;
+      settings.form = form;
+      const ToolContactForce found = ToolContact(*body, settings).update(Vector3(4.0, 3.0, -1.0));
+      EXPECT_EQ(found.state, ContactState::Invalid);
+      expectNoForce(found);
+    }
+  }
+}
+
 TEST(ToolContactStates, BodyWithoutTriangles)
 {
   const auto body = uniformBody(Surface{});

@@ -173,6 +173,14 @@ void checkErrors()
   Messages messages(regime.Get());
   regime->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Deflection is 0", "'ResponseRange'");
+  vtkNew<vtkFloatArray> brief; // of fewer values than points
+  brief->SetName("ResponseRange");
+  brief->InsertNextValue(2.0F);
+  body->GetPointData()->AddArray(brief);
+  regime->SetInputData(body);
+  regime->Modified();
+  regime->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "'ResponseRange'", "per point");
   regime->SetDeflection(-1.0);
   regime->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Deflection", "-1");

@@ -193,6 +193,11 @@ void checkErrors()
   source->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "MaximumRadius");
   PALPATE_CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+  source->SetMaximumRadius(1e300); // as of a body with a coordinate that is damaged
+  source->SetLength(1e300);
+  source->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "no surface");
+  source->SetLength(30.0);
   source->SetMaximumRadius(8.0);
   source->Update();
   PALPATE_CHECK(messages.none() && source->GetOutput()->GetNumberOfPoints() > 0);

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Response arrays as a careless or hostile hand leaves them: a sound body, changed at random in one
+// to three places, through every reader of responses. Each reports an error, or what it gives is
+// finite; nothing of VTK's complains by itself (that would fail the test by its output).
+// The second argument is the number of bodies; a failure names its own, which is its seed.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkContactDeflection.h"
+#include "vtkContactRegime.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkLongLongArray.h"
+#include "vtkReducedContactResponse.h"
+#include "vtkResponseChoice.h"
+#include "vtkResponseCurves.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkToolContactProbe.h"
+#include "vtkToolTouch.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace palpate::testing;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/// What is decided at random for one body.
+class Dice
+{
+public:
+  explicit Dice(int seed)
+    : Random(static_cast<unsigned>(seed))
+  {
+  }
+  int below(int count) { return static_cast<int>(this->Random() % static_cast<unsigned>(count)); }
+  template <class Value>
+  Value of(std::initializer_list<Value> values)
+  {
+    return values.begin()[this->below(static_cast<int>(values.size()))];
+  }
+  double number()
+  {
+    return this->of({ 0.0, -0.0, 1.0, -1.0, 2.0, 7.0, 8.0, 9.0, 256.0, 257.0, 1e-40, 1e-30, 1e-3,
+      1e9, 2147483648.0, -2147483649.0, 4294967296.0, 1e19, 3.4e38, -3.4e38, 1e300, NaN, Infinity,
+      -Infinity });
+  }
+
+private:
+  std::mt19937 Random;
+};
+
+Body compacted(const Body& body)
+{
+  vtkNew<vtkReducedContactResponse> reduce;
+  reduce->SetInputData(body);
+  reduce->Update();
+  return reduce->GetOutput();
+}
+
+/// With the arrays that say so to what draws its field.
+Body onALayer(const Body& body)
+{
+  Body layered = Body::New();
+  layered->DeepCopy(body);
+  pointArray<vtkDoubleArray>(layered, "ResponseLayerThickness", [](vtkIdType) { return 7.0; });
+  return layered;
+}
+
+/// The same with one global mode.
+Body bending(const Body& body)
+{
+  Body bent = Body::New();
+  bent->DeepCopy(body);
+  vtkNew<vtkFloatArray> mode;
+  mode->SetName("GlobalMode0");
+  mode->SetNumberOfComponents(3);
+  mode->SetNumberOfTuples(body->GetNumberOfPoints());
+  mode->Fill(0.1);
+  bent->GetPointData()->AddArray(mode);
+  vtkNew<vtkDoubleArray> sign;
+  sign->SetName("GlobalModeSign");
+  sign->InsertNextValue(1.0);
+  bent->GetFieldData()->AddArray(sign);
+  auto* model =
+    vtkStringArray::SafeDownCast(bent->GetFieldData()->GetAbstractArray("ResponseModel"));
+  model->SetValue(0, "half-space + compliance");
+  return bent;
+}
+
+/// A response per point, or law and coefficients; with what makes a regime.
+std::vector<Body> soundBodies()
+{
+  const Body plane = planeBody(10.0, 2);
+  pointArray<vtkDoubleArray>(plane, "GlobalCompliance", [](vtkIdType i) { return 0.01 * (1 + i); });
+  const Body perPoint = withResponse(plane, "sphere:5");
+  const Body round = withResponse(sphereBody(8.0, 0), "cone:60");
+  return { perPoint, round, compacted(perPoint), compacted(round), onALayer(perPoint),
+    bending(round) };
+}
+
+vtkSmartPointer<vtkAbstractArray> anotherType(Dice& dice)
+{
+  switch (dice.below(6))
+  {
+    case 0:
+      return vtkSmartPointer<vtkDoubleArray>::New();
+    case 1:
+      return vtkSmartPointer<vtkIntArray>::New();
+    case 2:
+      return vtkSmartPointer<vtkUnsignedCharArray>::New();
+    case 3:
+      return vtkSmartPointer<vtkLongLongArray>::New();
+    case 4:
+      return vtkSmartPointer<vtkStringArray>::New();
+    default:
+      return vtkSmartPointer<vtkFloatArray>::New();
+  }
+}
+
+/// The same array of another type or shape, with the values that still have a place.
+vtkSmartPointer<vtkAbstractArray> reshaped(vtkAbstractArray* array, Dice& dice)
+{
+  vtkSmartPointer<vtkAbstractArray> other = anotherType(dice);
+  if (dice.below(2) == 0)
+  {
+    other.TakeReference(array->NewInstance());
+  }
+  const int components = array->GetNumberOfComponents();
+  const vtkIdType tuples = array->GetNumberOfTuples();
+  other->SetName(array->GetName());
+  other->SetNumberOfComponents(
+    dice.of({ components, components, 1, 2, 3, components + 1, 2 * components, 512 }));
+  other->SetNumberOfTuples(
+    dice.of<vtkIdType>({ tuples, tuples, 0, 1, 2, tuples - 1, tuples + 1, 300 }));
+  auto* numbers = vtkDataArray::SafeDownCast(other);
+  auto* before = vtkDataArray::SafeDownCast(array);
+  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfValues(); ++i)
+  {
+    const bool has = before && before->GetNumberOfValues() > i;
+    numbers->SetVariantValue(i, has ? before->GetVariantValue(i) : vtkVariant(1.0));
+  }
+  return other;
+}
+
+/// The nearest value that an array can hold.
+double fitting(vtkDataArray* array, double value)
+{
+  const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  if (!std::isfinite(value))
+  {
+    return isReal ? value : 0.0;
+  }
+  const double half = 0.5 * array->GetDataTypeMax(); // that of 64 bits is none of double's
+  return std::clamp(value, std::max(-half, array->GetDataTypeMin()), half);
+}
+
+void spoilText(vtkStringArray* text, Dice& dice)
+{
+  text->SetNumberOfValues(1);
+  text->SetValue(0,
+    dice.of<const char*>({ "", "sphere", "sphere:0", "sphere:1e300", "cone:90", "flat:nan",
+      "profile:0,0;1,1e-300", "power:1e9,1", "\xff\xfe", "%s%n" }));
+}
+
+/// One value, a few, or all of them.
+void spoilNumbers(vtkDataArray* numbers, Dice& dice)
+{
+  const double value = fitting(numbers, dice.number());
+  const auto count = static_cast<int>(numbers->GetNumberOfTuples());
+  const int share = dice.of({ 1, 3, count + 1 });
+  for (int i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < numbers->GetNumberOfComponents(); ++k)
+    {
+      if (dice.below(share) == 0)
+      {
+        numbers->SetComponent(i, k, value);
+      }
+    }
+  }
+}
+
+/// Changes one array of the response.
+void spoilArray(vtkFieldData* arrays, Dice& dice)
+{
+  if (arrays->GetNumberOfArrays() == 0)
+  {
+    return;
+  }
+  vtkAbstractArray* array = arrays->GetAbstractArray(dice.below(arrays->GetNumberOfArrays()));
+  const int what = dice.below(8);
+  if (what == 0)
+  {
+    arrays->RemoveArray(array->GetName());
+  }
+  else if (what <= 2)
+  {
+    arrays->AddArray(reshaped(array, dice));
+  }
+  else if (auto* text = vtkStringArray::SafeDownCast(array))
+  {
+    spoilText(text, dice);
+  }
+  else if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    spoilNumbers(numbers, dice);
+  }
+}
+
+void spoil(vtkPolyData* body, Dice& dice)
+{
+  const int what = dice.below(16);
+  if (what == 0)
+  {
+    spoilNumbers(body->GetPoints()->GetData(), dice);
+  }
+  else if (what == 1)
+  {
+    body->GetPolys()->ReplaceCellAtId(0, 3,
+      std::array<vtkIdType, 3>{ 0, 1, dice.of<vtkIdType>({ -1, 1, 1000, 1LL << 40 }) }.data());
+  }
+  else
+  {
+    spoilArray(what < 7 ? body->GetFieldData() : body->GetPointData(), dice);
+  }
+}
+
+Body spoiled(const Body& sound, Dice& dice)
+{
+  Body body = Body::New();
+  body->DeepCopy(sound);
+  for (int times = 1 + dice.below(3); times > 0; --times)
+  {
+    spoil(body, dice);
+  }
+  return body;
+}
+
+bool isFinite(vtkFieldData* data, std::initializer_list<const char*> names)
+{
+  for (const char* name : names)
+  {
+    vtkDataArray* array = data->GetArray(name);
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      {
+        if (!std::isfinite(array->GetComponent(i, k)))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/// One history and some tips on their own; none of them is spoilt.
+Body soundTips()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const double depth : { 0.5, -0.1, -0.5, -1.9, -2.5 })
+  {
+    points->InsertNextPoint(0.5 - depth, 0.7, depth);
+    points->InsertNextPoint(depth, 0.3, 8.0 + depth);
+  }
+  auto tips = Body::New();
+  tips->SetPoints(points);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 2, 4, 6, 8 });
+  tips->SetLines(lines);
+  return tips;
+}
+
+/// Every reader of responses, made once.
+class Readers
+{
+public:
+  Readers()
+    : Tips(soundTips())
+  {
+    this->Probe->SetTipData(this->Tips);
+    this->Probe->SetFrictionCoefficient(0.5);
+    this->Field->SetInputConnection(1, this->Probe->GetOutputPort());
+    this->Curves->AddPointId(0);
+    this->Curves->AddPointId(5);
+    this->Curves->SetNumberOfRows(21);
+    this->Touch->SetTipPosition(0.5, 0.7, 8.0);
+  }
+
+  /// Whether all readers kept their word.
+  bool read(vtkPolyData* body, Dice& dice)
+  {
+    this->Probe->SetForceForm(dice.below(3));
+    this->Probe->SetContactSurface(dice.below(2));
+    this->Probe->SetFrictionModel(dice.below(3));
+    this->Choose->SetShare(dice.of({ 1.0, 0.5 }));
+    return this->update(this->Probe, body,
+             { "Force", "NormalForce", "FrictionForce", "Deflection", "Normal", "ContactPoint" }) &&
+      this->update(this->Field, body, {}) && this->update(this->Regime, body, {}) &&
+      this->update(this->Reduce, body, {}) && this->update(this->Choose, body, {}) &&
+      this->update(this->Curves, body, {}) &&
+      // To draw a tool takes as long as all the rest fifty times.
+      (dice.below(50) > 0 || this->update(this->Touch, body, {}));
+  }
+
+private:
+  bool update(vtkAlgorithm* reader, vtkPolyData* body, std::initializer_list<const char*> names)
+  {
+    const Messages messages(reader);
+    reader->SetInputDataObject(0, body);
+    reader->Update();
+    vtkDataObject* output = reader->GetOutputDataObject(0);
+    auto* points = vtkPolyData::SafeDownCast(output);
+    const bool good =
+      !messages.errors().empty() || !points || isFinite(points->GetPointData(), names);
+    if (!good)
+    {
+      std::cerr << reader->GetClassName() << " reports no error and gives what is not finite"
+                << std::endl;
+    }
+    return good;
+  }
+
+  Body Tips;
+  vtkNew<vtkToolContactProbe> Probe;
+  Messages ProbeMessages{ this->Probe.Get() }; // it runs again for those that take its output
+  vtkNew<vtkContactDeflection> Field;
+  vtkNew<vtkContactRegime> Regime;
+  vtkNew<vtkReducedContactResponse> Reduce;
+  vtkNew<vtkResponseChoice> Choose;
+  vtkNew<vtkResponseCurves> Curves;
+  vtkNew<vtkToolTouch> Touch;
+};
+} // namespace
+
+int TestMutatedResponse(int argc, char* argv[])
+{
+  const int count = argc > 2 ? std::atoi(argv[2]) : 600;
+  const int first = argc > 3 ? std::atoi(argv[3]) : 1;
+  const std::vector<Body> sound = soundBodies();
+  Readers readers;
+  for (int seed = first; seed < first + count; ++seed)
+  {
+    Dice dice(seed);
+    const Body body =
+      spoiled(sound[static_cast<std::size_t>(dice.below(static_cast<int>(sound.size())))], dice);
+    const bool good = readers.read(body, dice);
+    if (!good)
+    {
+      std::cerr << "body " << seed << std::endl;
+    }
+    PALPATE_CHECK(good);
+  }
+  return palpate::testing::result();
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any words as the viewer's command line: the program ends and says why, or goes on with options
+// that it can use. Input: the words, a line each. Files and devices are named, not opened.
+#include "BridgeSocket.h"
+#include "Require.h"
+#include "ToolSpecification.h"
+#include "ViewerOptions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace palpate;
+using palpate::testing::require;
+
+namespace
+{
+/// Catches what is written to a stream while this lives.
+class Caught
+{
+public:
+  explicit Caught(std::ostream& stream)
+    : Stream(stream)
+    , Usual(stream.rdbuf(Text.rdbuf()))
+  {
+  }
+  ~Caught() { this->Stream.rdbuf(this->Usual); }
+  Caught(const Caught&) = delete;
+  Caught& operator=(const Caught&) = delete;
+  bool isEmpty() const { return this->Text.str().empty(); }
+
+private:
+  std::ostringstream Text;
+  std::ostream& Stream;
+  std::streambuf* Usual;
+};
+
+std::vector<std::string> wordsOf(const std::uint8_t* data, std::size_t size)
+{
+  std::vector<std::string> words = { "palpate" };
+  std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
+  for (std::string line; std::getline(stream, line) && words.size() < 40;)
+  {
+    words.emplace_back(line.c_str()); // a word ends at its first zero
+  }
+  return words;
+}
+
+bool isPositive(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+
+bool isNotNegative(double value)
+{
+  return std::isfinite(value) && value >= 0.0;
+}
+
+bool areFinite(const std::optional<std::array<double, 3>>& place)
+{
+  return !place ||
+    (std::isfinite((*place)[0]) && std::isfinite((*place)[1]) && std::isfinite((*place)[2]));
+}
+
+void checkTools(const std::vector<std::string>& tools)
+{
+  for (const std::string& text : tools)
+  {
+    ToolSpecification tool;
+    std::string error;
+    require(parseTool(text, tool, error), "a tool is one");
+  }
+}
+
+void checkBody(const ViewerOptions& options)
+{
+  require(options.scene == "head" || options.scene == "cylinder", "the scene is known");
+  require(!options.youngsModulus || isPositive(*options.youngsModulus), "a modulus");
+  require(
+    !options.poissonsRatio || (*options.poissonsRatio >= 0.0 && *options.poissonsRatio <= 0.5),
+    "Poisson's ratio");
+  require(!options.layer || options.layer->scanned || isNotNegative(options.layer->thickness),
+    "a thickness");
+  require(isPositive(options.reach) && isNotNegative(options.voxel), "lengths of the body");
+  require(
+    options.lengthScale == 1.0 || options.lengthScale == 10.0 || options.lengthScale == 1000.0,
+    "a unit of length is mm, cm or m");
+  require(isNotNegative(options.resolution) && isNotNegative(options.closingRadius) &&
+      std::isfinite(options.contourValue) && std::isfinite(options.baseValue),
+    "numbers of a scan");
+  checkTools(options.tools);
+}
+
+void checkTouch(const ViewerOptions& options)
+{
+  require(!options.depth || isPositive(*options.depth), "a depth");
+  require(isPositive(options.maximumDeflection), "a range");
+  require(areFinite(options.site) && areFinite(options.slideTo), "a place");
+  require(options.rate >= 1.0 && options.rate <= 1e5, "a rate");
+  require(!options.contact.fault(), "the contact's settings are sound");
+  require(isPositive(options.scale) && isPositive(options.tolerance), "scale and tolerance");
+}
+
+void checkTrial(const ViewerOptions& options)
+{
+  const std::size_t count = options.trial.size();
+  require(count == 0 || (count >= 2 && count <= 26), "alternatives have letters");
+  require(options.trialRounds >= 1 && options.trialRounds <= 10000, "rounds");
+  std::set<std::string> names;
+  for (const TrialChoice& choice : options.trial)
+  {
+    require(names.insert(choice.name).second, "no alternative is given twice");
+    require(!choice.contact.fault(), "an alternative's settings are sound");
+    require(!choice.youngsModulus || isPositive(*choice.youngsModulus), "its modulus");
+    require(!choice.layer || isNotNegative(choice.layer->thickness), "its layer");
+    require(choice.tool.empty() ||
+        std::count(options.tools.begin(), options.tools.end(), choice.tool) == 1,
+      "its tool is one of the scene's");
+  }
+  require(count == 0 || !(options.compare || options.map), "one view at a time");
+}
+
+/// A socket of our own is opened for a sound address; nothing is sent.
+void checkBridge(const std::string& device)
+{
+  const std::string kind = "bridge:";
+  if (device.rfind(kind, 0) == 0)
+  {
+    std::string error;
+    const auto socket = BridgeSocket::open(device.substr(kind.size()), error);
+    require((socket == nullptr) == !error.empty(), "a refused address has words");
+  }
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  std::vector<std::string> words = wordsOf(data, size);
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+  {
+    if (word.find("profile:") != std::string::npos)
+    {
+      return 0; // a file of the machine is not for a fuzzer to read; profiles are ToolText's
+    }
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
+
+  ViewerOptions options;
+  const Caught output(std::cout);
+  const Caught errors(std::cerr);
+  const auto exitCode = readCommandLine(static_cast<int>(words.size()), arguments.data(), options);
+  if (exitCode)
+  {
+    require(*exitCode == 0 ? !output.isEmpty() : !errors.isEmpty(), "the program says why it ends");
+    return 0;
+  }
+  require(output.isEmpty() && errors.isEmpty(), "the program goes on without a word");
+  checkBody(options);
+  checkTouch(options);
+  checkTrial(options);
+  checkBridge(options.device);
+  return 0;
+}
