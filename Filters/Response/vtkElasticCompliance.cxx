@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticCompliance.h"
 
+#include "AvailableMemory.h"
 #include "FilterStage.h"
+#include "FilterThreads.h"
 #include "GlobalModes.h"
 #include "PatchCompliance.h"
 #include "ReducedModulus.h"
@@ -22,21 +24,17 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace
 {
-constexpr double Mebibyte = 1024.0 * 1024.0;
+using palpate::Mebibyte;
 
-double halfOfMemory()
-{
-  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-    static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebibyte;
-}
+/// Of the memory that is available: what the factorisation may take, so that the solutions have
+/// room, and others.
+constexpr double MemoryShare = 0.9;
 
 palpate::StiffnessFactor::Kind kindOf(int solver)
 {
@@ -146,8 +144,19 @@ int vtkElasticCompliance::RequestData(
     grid->GetNumberOfCells(), young, poisson, { this->YoungsModulus, this->PoissonRatio });
 
   const auto goOn = [this](double done) { return palpate::FilterStage{ this, 0.0, 1.0 }(done); };
+  const palpate::FilterThreads threads;
   palpate::ElasticBody body;
-  if (failed(body.assemble(std::move(input))))
+  if (failed(body.take(std::move(input))))
+  {
+    return 0;
+  }
+  const palpate::MemoryForecast forecast = body.memoryForecast();
+  if (forecast.exceeds(this->AllowedMemory()))
+  {
+    this->RefuseMemory(3 * grid->GetNumberOfPoints(), forecast.matrix + forecast.factor);
+    return 0;
+  }
+  if (failed(body.assemble()))
   {
     return 0;
   }
@@ -166,11 +175,9 @@ int vtkElasticCompliance::RequestData(
     return 0;
   }
   this->MemoryEstimate = body.memoryEstimate() / Mebibyte;
-  const double limit = this->MemoryLimit > 0.0 ? this->MemoryLimit : halfOfMemory();
-  if (this->MemoryEstimate > limit)
+  if (body.memoryEstimate() > this->AllowedMemory())
   {
-    vtkErrorMacro(<< "The factorisation of " << body.unknowns() << " unknowns needs about "
-                  << this->MemoryEstimate << " MiB, more than MemoryLimit, " << limit << " MiB.");
+    this->RefuseMemory(body.unknowns(), body.memoryEstimate());
     return 0;
   }
   if (!goOn(0.1))
@@ -233,6 +240,22 @@ int vtkElasticCompliance::RequestData(
   }
   this->UpdateProgress(1.0);
   return 1;
+}
+
+double vtkElasticCompliance::AllowedMemory() const
+{
+  return this->MemoryLimit > 0.0 ? Mebibyte * this->MemoryLimit
+                                 : MemoryShare * palpate::availableMemory();
+}
+
+void vtkElasticCompliance::RefuseMemory(vtkIdType unknowns, double bytes)
+{
+  this->MemoryEstimate = bytes / Mebibyte;
+  vtkErrorMacro(<< "The factorisation of " << unknowns << " unknowns needs about "
+                << this->MemoryEstimate << " MiB, more than "
+                << (this->MemoryLimit > 0.0 ? "MemoryLimit, "
+                                            : "what is available (MemoryLimit is 0), ")
+                << this->AllowedMemory() / Mebibyte << " MiB.");
 }
 
 bool vtkElasticCompliance::CheckProperties()

@@ -61,14 +61,17 @@
  * bonded along a whole side deforms locally; few modes do not describe it (40 % short on a block of
  * 20 × 20 × 5 mm). GetNeglectedByModes() tells.
  *
- * **Cost.** One Cholesky factorisation and, for all points and both radii of a body of 95 thousand
- * unknowns, 1.6 times as much again where cells form a regular grid; the half-space terms of
- * irregular meshes, where no two points are alike, take about 8 ms per point and core
- * (`./run bench --benchmark_filter=ElasticCompliance`).
+ * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
+ * points and both radii, 1.6 times as much again, shared by all threads, where cells form a regular
+ * grid; the half-space terms of irregular meshes, where no two points are alike, take about 8 ms
+ * per point and core (`./run bench --benchmark_filter=ElasticCompliance`).
  * CHOLMOD with OpenBLAS if Palpate was built with it, Eigen otherwise, some hundred times slower.
- * The memory of the factor is known before it is computed, and refused beyond MemoryLimit. Abort is
- * seen between steps, not during the factorisation. Results do not depend on the number of this
- * filter's threads; different numbers of BLAS threads may differ by 1e-9.
+ * A body that does not fit MemoryLimit is refused before it is solved: by its numbers of points
+ * (palpate::MemoryForecast) before anything is assembled, if that is certain, otherwise by the
+ * memory of the factor, known to a seventh before it is computed. A cube of n³ points takes about
+ * 0.9 n⁴ kB: 64 points on a side 14 GiB, which is as far as CHOLMOD counts. Abort is seen between
+ * steps, not during the factorisation. Takes as many threads as vtkSMPTools (one per core where
+ * that is Sequential). The same bits for any number, of OpenBLAS's threads too.
  *
  * @sa vtkVoxelBody vtkToolContactResponse
  */
@@ -117,7 +120,8 @@ public:
   ///@}
 
   ///@{
-  /** Bytes the factorisation may take, in MiB; 0 (default): half of the machine's memory. */
+  /** Bytes the factorisation may take, in MiB; 0 (default): nine tenths of the memory that the
+   * machine has available when the filter runs. */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
@@ -166,6 +170,9 @@ private:
   void operator=(const vtkElasticCompliance&) = delete;
 
   bool CheckProperties();
+  /// Bytes: by MemoryLimit, or by what is available now.
+  double AllowedMemory() const;
+  void RefuseMemory(vtkIdType unknowns, double bytes);
   bool FetchCellArray(vtkUnstructuredGrid* grid, int index, vtkDataArray*& array);
 
   double YoungsModulus = 0.1;

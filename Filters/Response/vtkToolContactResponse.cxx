@@ -16,6 +16,7 @@
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -24,6 +25,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -31,6 +33,23 @@
 namespace
 {
 constexpr vtkIdType ProgressBlocks = 20;
+
+/// The middle one of the three lengths of the whole body's box, mm: no circle much wider fits it.
+double widthOf(vtkPolyData* body, const palpate::Ranks& ranks)
+{
+  std::array<double, 6> bounds{};
+  body->GetBounds(bounds.data());
+  const bool hasBounds = vtkMath::AreBoundsInitialized(bounds.data()) != 0;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::array<double, 3> length{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    length[axis] = ranks.largest(hasBounds ? bounds[2 * axis + 1] : -none) -
+      ranks.smallest(hasBounds ? bounds[2 * axis] : none);
+  }
+  std::sort(length.begin(), length.end());
+  return length[1];
+}
 } // namespace
 
 vtkStandardNewMacro(vtkToolContactResponse);
@@ -133,13 +152,14 @@ int vtkToolContactResponse::RequestData(
     return 0;
   }
   const palpate::CurvatureBound curvature(body, seam, storage.Normal->GetPointer(0));
+  const double width = widthOf(body, ranks);
   if (!hasPiece)
   {
     return 1;
   }
 
   const palpate::ResponseFiller filler(
-    tool, law, curvature, material.view(), this->MaximumDeflection, storage);
+    tool, law, curvature, material.view(), this->MaximumDeflection, width, storage);
   for (vtkIdType block = 0; block < ProgressBlocks; ++block)
   {
     vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks,

@@ -11,7 +11,8 @@
  * `Response`), samples i = 1..n at δ_i = MaximumDeflection (i/n)²:
  * - point data `Force` (float n, N), `Stiffness` (float n, dF/dδ, N/mm), `Normal` (float 3, unit,
  *   outward), `Range` (float, mm, the depth of the last sample), `Status` (uint8: 0 Valid,
- *   1 Degenerate: no triangle with an area meets or the normal is zero, 2 NotFinite, 3 Folded,
+ *   1 Degenerate: no triangle with an area meets or the normal is zero, 2 NotFinite: a coordinate,
+ *   or a force or stiffness outside of what a float holds, 1.2e-38 to 3.4e38; 3 Folded,
  *   4 OutOfReach: the layer is thinner than a tenth of the contact radius at MaximumDeflection),
  *   `Validity` (float, mm) and `Limit` (uint8);
  * - field data `Exponent` (double m), `Samples` (int n), `Tool`, `Model`, `Units` (strings);
@@ -20,12 +21,14 @@
  * See palpate/contract.py for how they are evaluated.
  *
  * **Validity** is the depth at which the first assumption of the law breaks, at most Range, and
- * **Limit** says which: 0 none within Range, 1 strain, 2 curvature, 3 thickness. Strain: a/R
- * exceeds 0.4, the contact radius over the tip radius (for Flat and Cone, which have no tip radius,
- * δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any depth). Curvature: the
- * body's normal turns by more than 0.2 rad under the contact radius, by the largest normal
+ * **Limit** says which: 0 none within Range, 1 strain, 2 curvature, 3 thickness, 5 edge. Strain:
+ * a/R exceeds 0.4, the contact radius over the tip radius (for Flat and Cone, which have no tip
+ * radius, δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any depth). Curvature:
+ * the body's normal turns by more than 0.2 rad under the contact radius, by the largest normal
  * curvature along the edges at the point; beyond it the body no longer looks flat to the tool.
- * Thickness: δ exceeds 20 % of a layer's thickness.
+ * Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is wider than the
+ * whole body, by the middle one of the three lengths of its box (a tool larger than the body; how
+ * far off an edge on a larger body is, is not looked at).
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio. An index
@@ -43,6 +46,12 @@
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
  * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool. Threaded by
  * vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
+ *
+ * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
+ * set the limit. A kilometre away (1e6 mm) points stored as float lie on a grid of 0.0625 mm, and
+ * depths are off by up to 0.054 mm: forces by up to 8 % at 1 mm. Points stored as double keep
+ * 1e-10 mm there and give the forces of the same body at the origin, since contact is searched
+ * about the body's centre (palpate::PackedMesh). Pictures are drawn in floats about the origin.
  *
  * **Several processes**: each may have a piece of the body, or none (Controller). The response is
  * that of the whole body: at a seam, where points of several pieces lie at the same place on the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelBody.h"
 
+#include "AvailableMemory.h"
 #include "BodyConversion.h"
 #include "FilterStage.h"
 #include "VoxelGrid.h"
@@ -37,6 +38,12 @@ constexpr double SharpAngle = 45.0;
 
 /// How far outwards the surface is looked for, in distances of the closest point: √3 at a corner.
 constexpr double LongestReach = 1.75;
+/// What the filter takes at its peak, measured on a filled box and on a ball.
+constexpr double BytesPerGridPoint = 40.0;
+constexpr double BytesPerVoxel = 310.0;
+/// Far within what 32 bits count.
+constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0;
+
 /// Of the spacing. With none at all vtkStaticCellLocator misses faces in the walls between its
 /// bins.
 constexpr double PickTolerance = 1e-6;
@@ -58,6 +65,20 @@ bool readFaces(const std::string& text, std::array<bool, 6>& faces, std::string&
     faces[2 * axis + (wrong[1] == '+' ? 1 : 0)] = true;
   }
   return true;
+}
+
+/// Of the box of a body; as a number, since it may be beyond what the grid counts in.
+double gridPoints(vtkPolyData* body, double spacing)
+{
+  std::array<double, 6> bounds{};
+  body->GetBounds(bounds.data());
+  double points = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
+    points *= std::max(1.0, std::round(length / spacing)) + 1.0;
+  }
+  return points;
 }
 
 palpate::VoxelGrid gridOver(vtkPolyData* body, double spacing)
@@ -157,9 +178,11 @@ int vtkVoxelBody::RequestData(
     return 0;
   }
   const vtkSmartPointer<vtkPolyData> surface = mergePoints(body);
+  double volume = 0.0;
   {
     const palpate::BodyMesh mesh = palpate::makeBodyMesh(surface);
-    if (!mesh.isClosed() || mesh.enclosedVolume() <= 0.0)
+    volume = mesh.enclosedVolume();
+    if (!mesh.isClosed() || volume <= 0.0)
     {
       vtkErrorMacro(<< "Wrong input: the surface "
                     << (mesh.isClosed() ? "is inside out" : "is not closed")
@@ -167,15 +190,25 @@ int vtkVoxelBody::RequestData(
       return 0;
     }
   }
-  palpate::VoxelGrid grid = gridOver(surface, this->Spacing);
-  const double total =
-    (grid.size[0] + 1.0) * (grid.size[1] + 1.0) * (grid.size[2] + 1.0); // as size_t it could wrap
-  if (!(total < static_cast<double>(std::numeric_limits<std::int32_t>::max() / 8)))
+  const double total = gridPoints(surface, this->Spacing);
+  if (!(total < MostGridPoints))
   {
     vtkErrorMacro(<< "Spacing " << this->Spacing << " mm makes " << total
                   << " points of the bounding box: too many.");
     return 0;
   }
+  const double voxelTotal = volume / std::pow(this->Spacing, 3);
+  const double needed = BytesPerGridPoint * total + BytesPerVoxel * voxelTotal;
+  const double available = palpate::availableMemory();
+  if (needed > available)
+  {
+    vtkErrorMacro(<< "Spacing " << this->Spacing << " mm makes " << total
+                  << " points of the bounding box and " << voxelTotal
+                  << " voxels, which need about " << needed / palpate::Mebibyte << " MiB, but "
+                  << available / palpate::Mebibyte << " MiB are available.");
+    return 0;
+  }
+  palpate::VoxelGrid grid = gridOver(surface, this->Spacing);
 
   // How deep the nodes of the grid lie; negative outside.
   vtkNew<vtkPoints> nodes;

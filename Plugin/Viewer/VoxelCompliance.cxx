@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelCompliance.h"
 
+#include "AvailableMemory.h"
 #include "BodyConversion.h"
 #include "FacingPoints.h"
+#include "MemoryForecast.h"
 #include "ResponseSet.h"
 
 #include "vtkDoubleArray.h"
@@ -24,6 +26,37 @@ namespace palpate
 namespace
 {
 constexpr int Modes = 6; ///< of the body's motion as a whole
+
+/// Refuses a solid whose finite elements are certain not to fit the memory, before it is filled.
+std::string checkMemory(vtkPolyData* body, double spacing)
+{
+  const BodyMesh mesh = makeBodyMesh(body);
+  double area = 0.0;
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)
+  {
+    const TriangleCorners& corners = mesh.corners(t);
+    if (mesh.isUsable(t))
+    {
+      const Vector3 from = mesh.point(corners[0]);
+      const Vector3 side = mesh.point(corners[1]) - from;
+      area += 0.5 * side.cross(mesh.point(corners[2]) - from).norm();
+    }
+  }
+  const double voxels = mesh.enclosedVolume() / std::pow(spacing, 3);
+  const MemoryForecast forecast = forecastMemory(voxels, area / std::pow(spacing, 2));
+  const double available = availableMemory();
+  if (!forecast.exceeds(available))
+  {
+    return {};
+  }
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(),
+    "--voxel %g makes about %.3g hexahedra, which need about %.3g MiB to be solved, but %.3g MiB "
+    "of "
+    "memory are available.",
+    spacing, voxels, (forecast.matrix + forecast.factor) / Mebibyte, available / Mebibyte);
+  return text.data();
+}
 
 /// The modes of the solid, from all its points: they hold at those without a compliance too.
 void carryModes(vtkPolyData* solid, vtkPolyData* body)
@@ -114,6 +147,11 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
 std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes)
 {
+  std::string error = checkMemory(body, options.spacing);
+  if (!error.empty())
+  {
+    return error;
+  }
   vtkNew<vtkVoxelBody> voxels;
   voxels->SetInputData(body);
   voxels->SetSpacing(options.spacing);
@@ -123,7 +161,7 @@ std::string attachVoxelCompliance(
   compliance->SetYoungsModulus(options.youngsModulus);
   compliance->SetPoissonRatio(options.poissonsRatio);
   compliance->SetNumberOfModes(Modes);
-  std::string error = updateQuietly(voxels);
+  error = updateQuietly(voxels);
   if (error.empty())
   {
     error = updateQuietly(compliance);

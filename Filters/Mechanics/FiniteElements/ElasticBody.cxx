@@ -43,7 +43,7 @@ std::string ElasticBody::checkInput() const
   return {};
 }
 
-std::string ElasticBody::assemble(ElasticBodyInput input)
+std::string ElasticBody::take(ElasticBodyInput input)
 {
   this->Input = std::move(input);
   std::string error = this->checkInput();
@@ -57,18 +57,27 @@ std::string ElasticBody::assemble(ElasticBodyInput input)
   }
   if (error.empty())
   {
-    error = assembleStiffness(
-      this->Input.mesh, this->Topology, this->Input.materials, this->Input.fixed, this->Stiffness);
-  }
-  if (error.empty() && this->unknowns() == 0)
-  {
-    error = "every point of the body is fixed";
-  }
-  if (error.empty())
-  {
     this->Surface = BodySurface(this->Input.mesh, this->Topology);
   }
   return error;
+}
+
+MemoryForecast ElasticBody::memoryForecast() const
+{
+  return forecastMemory(this->Input.mesh.nodeTotal(), this->Surface.pointTotal());
+}
+
+std::string ElasticBody::assemble()
+{
+  const std::string error = assembleStiffness(
+    this->Input.mesh, this->Topology, this->Input.materials, this->Input.fixed, this->Stiffness);
+  return error.empty() && this->unknowns() == 0 ? "every point of the body is fixed" : error;
+}
+
+std::string ElasticBody::assemble(ElasticBodyInput input)
+{
+  const std::string error = this->take(std::move(input));
+  return error.empty() ? this->assemble() : error;
 }
 
 std::string ElasticBody::analyse(StiffnessFactor::Kind kind)
@@ -80,7 +89,8 @@ std::string ElasticBody::analyse(StiffnessFactor::Kind kind)
   }
   return this->Factor->analyse(this->Stiffness.lower)
     ? std::string()
-    : "the stiffness matrix is too large to be analysed";
+    : "the stiffness matrix of " + std::to_string(this->unknowns()) +
+      " unknowns is too large: its factor does not fit the memory, or has more than 2^31 entries";
 }
 
 double ElasticBody::memoryEstimate() const

@@ -3,6 +3,7 @@
 #define palpate_ElasticBody_h
 
 #include "BodySurface.h"
+#include "MemoryForecast.h"
 #include "StiffnessFactor.h"
 
 namespace palpate
@@ -18,14 +19,19 @@ struct ElasticBodyInput
 /**
  * A linear elastic body under small loads: mesh, surface, stiffness and its factor.
  *
- * To be called in this order: assemble(), analyse(), factorise(); then it answers any number of
- * questions. One that has returned an error is not to be used further.
+ * To be called in this order: take(), assemble(), analyse(), factorise(); then it answers any
+ * number of questions. One that has returned an error is not to be used further.
  */
 class ElasticBody
 {
 public:
-  /// Takes the input over and sums its stiffness. Returns what is wrong (inverted elements,
-  /// a floating part, E or ν out of range; elements and nodes by index), or "".
+  /// Takes the input over: from then on memoryForecast() tells. Returns what is wrong (a floating
+  /// part, E or ν out of range; elements and nodes by index), or "".
+  std::string take(ElasticBodyInput input);
+  MemoryForecast memoryForecast() const;
+  /// Sums the stiffness of what was taken. Returns what is wrong (inverted elements), or "".
+  std::string assemble();
+  /// Both.
   std::string assemble(ElasticBodyInput input);
 
   /// Chooses the order of elimination: from then on memoryEstimate() tells what factorise() takes.

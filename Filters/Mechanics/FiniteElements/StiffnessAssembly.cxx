@@ -53,8 +53,8 @@ void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
 }
 
-/// The pattern of the lower triangle, with zeros.
-void layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<int>& dof,
+/// The pattern of the lower triangle, with zeros. False: more entries than an int counts.
+bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<int>& dof,
   int unknowns, SymmetricSparse& lower)
 {
   std::vector<int> starts(static_cast<std::size_t>(unknowns) + 1, 0);
@@ -85,6 +85,10 @@ void layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vec
           }
         }
       }
+      if (rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      {
+        return false;
+      }
       starts[static_cast<std::size_t>(column) + 1] = static_cast<int>(rows.size());
     }
   }
@@ -93,6 +97,7 @@ void layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vec
   std::copy(starts.begin(), starts.end(), lower.outerIndexPtr());
   std::copy(rows.begin(), rows.end(), lower.innerIndexPtr());
   std::fill_n(lower.valuePtr(), rows.size(), 0.0);
+  return true;
 }
 
 void addElement(const VolumeElement& element, const ElementMatrix& k, const std::vector<int>& dof,
@@ -143,7 +148,11 @@ std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topolo
   StiffnessMatrix& stiffness)
 {
   const int unknowns = numberUnknowns(mesh, topology, fixed, stiffness.dof);
-  layOut(mesh, topology, stiffness.dof, unknowns, stiffness.lower);
+  if (!layOut(mesh, topology, stiffness.dof, unknowns, stiffness.lower))
+  {
+    return "the stiffness matrix of " + std::to_string(unknowns) +
+      " unknowns has more than 2^31 entries, which cannot be solved";
+  }
   ElementMatrix k;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {

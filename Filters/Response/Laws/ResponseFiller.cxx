@@ -28,7 +28,8 @@ enum Limit : unsigned char
   NoLimit,
   StrainLimit,
   CurvatureLimit,
-  ThicknessLimit
+  ThicknessLimit,
+  EdgeLimit = 5
 };
 
 void allocate(vtkDataArray* array, const std::string& name, int components, vtkIdType tuples)
@@ -60,7 +61,7 @@ void ResponseStorage::attach(vtkPolyData* output)
 }
 
 ResponseFiller::ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law,
-  const CurvatureBound& curvature, const ResponseMaterial& material, double range,
+  const CurvatureBound& curvature, const ResponseMaterial& material, double range, double bodyWidth,
   ResponseStorage& storage)
   : Tool(tool)
   , Law(law)
@@ -68,6 +69,8 @@ ResponseFiller::ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& 
   , Material(material)
   , StrainDepth(tool.depthAtStrain(StrainRatio))
   , StrainRadius(std::isfinite(this->StrainDepth) ? tool.contactRadius(this->StrainDepth) : 0.0)
+  , HalfWidth(0.5 * bodyWidth)
+  , WidthDepth(tool.depthAtContactRadius(this->HalfWidth))
   , Range(static_cast<float>(range))
   , Samples(storage.Force->GetNumberOfComponents())
   , Force(storage.Force->GetPointer(0))
@@ -134,6 +137,12 @@ void ResponseFiller::fillValidity(vtkIdType i, double curvature, const ContactSp
   if (curvature > 0.0)
   {
     consider(this->Law.deflectionAtContactRadius(spot, NormalTurn / curvature), CurvatureLimit);
+  }
+  if (!(widens && this->StrainRadius < this->HalfWidth))
+  {
+    consider(layer ? this->Law.deflectionAtContactRadius(spot, this->HalfWidth)
+                   : this->Law.totalDeflection(spot, this->WidthDepth),
+      EdgeLimit);
   }
   if (layer)
   {

@@ -55,14 +55,15 @@ struct ResponseMaterial
 /**
  * Fills the storage of a response point by point: the curve of a law, and how deep it may be
  * trusted (vtkToolContactResponse.h, Validity). The normals and the status of the storage must be
- * set. fill may run on disjoint ranges at the same time.
+ * set. `bodyWidth` (mm) is that of the whole body. fill may run on disjoint ranges at the same
+ * time.
  */
 class ResponseFiller
 {
 public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law,
     const CurvatureBound& curvature, const ResponseMaterial& material, double range,
-    ResponseStorage& storage);
+    double bodyWidth, ResponseStorage& storage);
 
   void fill(vtkIdType first, vtkIdType last) const;
 
@@ -76,6 +77,8 @@ private:
   ResponseMaterial Material;
   double StrainDepth;  ///< on a half-space
   double StrainRadius; ///< the contact radius there
+  double HalfWidth;    ///< of the body
+  double WidthDepth;   ///< on a half-space, where the contact radius is as large
   float Range;
   // The storage.
   int Samples;

@@ -29,6 +29,15 @@ struct FloatCurve
   }
 };
 
+/// Whether a float holds a number to its full precision.
+bool fitsFloat(double value)
+{
+  using Float = std::numeric_limits<float>;
+  const double size = std::abs(value);
+  return size == 0.0 ||
+    (size >= static_cast<double>(Float::min()) && size <= static_cast<double>(Float::max()));
+}
+
 std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
 {
   std::vector<double> depths;
@@ -79,6 +88,21 @@ ResponseLaw::ResponseLaw(const AxisymmetricTool& tool, double range, int samples
     this->HalfSpace.forces.push_back(at.force);
     this->HalfSpace.stiffnesses.push_back(at.stiffness);
   }
+  this->HalfSpace.findExtremes();
+}
+
+void ResponseLaw::UnitCurve::findExtremes()
+{
+  this->least = Infinity;
+  for (const std::vector<double>* values : { &this->forces, &this->stiffnesses })
+  {
+    for (const double value : *values)
+    {
+      this->least = value != 0.0 ? std::min(this->least, std::abs(value)) : this->least;
+      this->most = std::max(this->most, std::abs(value));
+    }
+  }
+  this->least = std::min(this->least, this->most);
 }
 
 void ResponseLaw::prepareLayers(const LayerTable::Layers& layers, bool stiffening)
@@ -94,7 +118,9 @@ ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerTable& table, const Co
 {
   const LayerTable::Curve curve = table.sample(spot.thickness, spot.poissonsRatio);
   const Eigen::Index n = curve.rows();
-  return { { curve.data(), curve.data() + n }, { curve.data() + n, curve.data() + 2 * n } };
+  UnitCurve unit{ { curve.data(), curve.data() + n }, { curve.data() + n, curve.data() + 2 * n } };
+  unit.findExtremes();
+  return unit;
 }
 
 ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float* stiffness) const
@@ -126,6 +152,10 @@ ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float*
 ResponseStatus ResponseLaw::scale(
   const UnitCurve& curve, double reducedModulus, float* force, float* stiffness) const
 {
+  if (!fitsFloat(reducedModulus * curve.least) || !fitsFloat(reducedModulus * curve.most))
+  {
+    return ResponseStatus::NotFinite;
+  }
   for (int i = 0; i < this->Samples; ++i)
   {
     force[i] = static_cast<float>(reducedModulus * curve.force(i));
@@ -145,6 +175,10 @@ ResponseStatus ResponseLaw::solve(
     if (!point.stable)
     {
       return ResponseStatus::Folded;
+    }
+    if (!fitsFloat(point.force) || !fitsFloat(point.stiffness))
+    {
+      return ResponseStatus::NotFinite;
     }
     force[i] = static_cast<float>(point.force);
     stiffness[i] = static_cast<float>(point.stiffness);
@@ -177,6 +211,10 @@ double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a)
   // On a layer a is nearly straight over √δ: so between the samples.
   const LayerTable::Curve curve = this->Stored->sample(spot.thickness, spot.poissonsRatio);
   double radius = this->Tool.smallestContactRadius();
+  if (a <= radius)
+  {
+    return 0.0; // a flat end, from the start
+  }
   double root = 0.0;
   for (int i = 0; i < this->Samples; ++i)
   {

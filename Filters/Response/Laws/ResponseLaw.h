@@ -38,7 +38,8 @@ public:
   void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
   /// Writes n forces (N) and n stiffnesses (N/mm). Zeros, and why, where there is no curve: Folded
-  /// by the compliance, OutOfReach for a layer too thin for the range.
+  /// by the compliance, OutOfReach for a layer too thin for the range, NotFinite where a float does
+  /// not hold a number to its precision (1.2e-38 to 3.4e38).
   ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
   /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm), to 1e-6 on a layer; NaN
@@ -61,6 +62,9 @@ private:
   {
     std::vector<double> forces;
     std::vector<double> stiffnesses;
+    double least = 0.0; ///< of all that are not 0, by magnitude
+    double most = 0.0;
+    void findExtremes();
     double force(int i) const { return this->forces[static_cast<std::size_t>(i)]; }
     double stiffness(int i) const { return this->stiffnesses[static_cast<std::size_t>(i)]; }
   };

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_AvailableMemory_h
+#define palpate_AvailableMemory_h
+
+#include <string>
+
+namespace palpate
+{
+constexpr double Mebibyte = 1024.0 * 1024.0;
+
+/// Bytes that programs can still take on this machine without swapping: `MemAvailable` of Linux
+/// (proc(5)). Where the file does not say, half of the machine's memory.
+double availableMemory(const std::string& file = "/proc/meminfo");
+} // namespace palpate
+
+#endif
