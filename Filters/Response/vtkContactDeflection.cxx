@@ -29,29 +29,39 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <sstream>
 #include <vector>
 
 namespace
 {
-void addGlobalPart(const std::vector<vtkDataArray*>& modes, const palpate::ContactField& field,
+/// Adds what the global modes move. Whether all of it is finite.
+bool addGlobalPart(const std::vector<vtkDataArray*>& modes, const palpate::ContactField& field,
   vtkFloatArray* displacement)
 {
+  std::atomic<bool> isFinite{ true };
   for (std::size_t k = 0; k < field.modeWeights().size(); ++k)
   {
     const double weight = field.modeWeights()[k];
     vtkSMPTools::For(0, displacement->GetNumberOfTuples(),
-      [mode = modes[k], weight, displacement](vtkIdType begin, vtkIdType end)
+      [mode = modes[k], weight, displacement, &isFinite](vtkIdType begin, vtkIdType end)
       {
+        bool isPartFinite = true;
         for (vtkIdType i = begin; i < end; ++i)
         {
           palpate::Vector3 phi;
           mode->GetTuple(i, phi.data());
-          Eigen::Map<Eigen::Vector3f>(displacement->GetPointer(3 * i)) +=
-            (weight * phi).cast<float>();
+          Eigen::Map<Eigen::Vector3f> u(displacement->GetPointer(3 * i));
+          u += (weight * phi).cast<float>();
+          isPartFinite = isPartFinite && u.allFinite();
+        }
+        if (!isPartFinite)
+        {
+          isFinite = false;
         }
       });
   }
+  return isFinite;
 }
 
 /// The triangle of a contact as a body of its own, with what a field reads from it.
@@ -292,10 +302,19 @@ int vtkContactDeflection::RequestData(
       onIt.cell = 0;
     }
     palpate::ContactField field;
+    bool isBent = true;
     if (hasPiece)
     {
       field = this->MakeField(under, *tool->GetKernel(), onIt);
-      addGlobalPart(palpate::globalModes(body, this->ResponseName), field, displacement);
+      isBent = addGlobalPart(palpate::globalModes(body, this->ResponseName), field, displacement);
+    }
+    fault = ranks.firstFault(isBent
+        ? std::string()
+        : "The global modes are too large: they displace the body to infinity");
+    if (!fault.empty())
+    {
+      vtkErrorMacro(<< fault << ".");
+      return 0;
     }
     this->PrepareMesh(ranks, body);
     this->Dent(field, contact, triangle, displacement);

@@ -76,12 +76,12 @@ def judge(code, fault, file):
 def make_parts(arguments):
     """Those that only compute, the soak, and those that look at times."""
     release, asan = ROOT / "build" / "release", ROOT / "build" / "asan"
-    python = sys.executable
+    python, jobs = sys.executable, len(os.sched_getaffinity(0))
     beside = [
         Part("fuzzing", "what comes from devices, files and command lines, under address and undefined sanitizer",
-             [python, HERE / "fuzz.py", "--build", asan, "--runs", arguments.runs, "--jobs", 1]),
+             [python, HERE / "fuzz.py", "--build", asan, "--runs", arguments.runs, "--jobs", jobs]),
         Part("memcheck", "the tests of the kernels under valgrind",
-             [python, HERE / "memcheck.py", "--build", release, "--jobs", 1]),
+             [python, HERE / "memcheck.py", "--build", release, "--jobs", jobs]),
         Part("limits", "a body of many points against brute force",
              [release / "bin" / "palpateLimits", "--points", arguments.points]),
     ]

@@ -56,6 +56,10 @@ LEFT_OUT = {
     "ShapeFriction.LikeThousandsOfSprings": SWEEP,
     "*ExactContact.*/1": "bodies of 200 000 triangles; those of the same tests with fewer remain",
     "ResponseReduction.ManyPoints": "a million points; the reductions of fewer remain",
+    "ExtremeBodies.*Piece*": "a hundred thousand pieces; OneTriangle and AKilometreAway* remain",
+    "MemoryForecast.*": "measures what a factorisation takes, which is another amount here",
+    "Determinism.*": "three times what other tests do",
+    "FiniteElementThreads.*": "several times what PatchCompliance.* and GlobalModes.* do",
     "SceneExchange.ThousandsBetweenThreads": "two threads that wait for each other, of which one runs at a time",
     "SceneChange.ThousandsWhileTheLoopRuns": "two threads that wait for each other, of which one runs at a time",
 }

@@ -72,7 +72,7 @@ class DisplayLoss(SessionCase):
             self.wait_until(peer.is_pushing, program, "the body pushes back")
             begin = len(peer.forces)
             self.wait_until(lambda: len(peer.forces) > begin + 200, program, "it pressed a while")
-            self.assertTrue(peer.is_pushing())
+            self.wait_until(peer.is_pushing, program, "it presses again, should a tick have been late")
             self.lose_display(program)
             time.sleep(0.1)  # what is in the socket
         self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")

@@ -19,7 +19,7 @@ class Units(SessionCase):
     def test_length_unit_that_makes_no_sense(self):
         path = bodies.write(bodies.sphere(), self.folder / "body.vtp")
         for unit in ("0", "-5"):
-            self.refuse(path, f"--length-unit={unit}", words=(path, "unit of length"))
+            self.refuse(path, f"--length-unit={unit}", words=("--length-unit", unit))
 
     def test_size_that_looks_like_another_unit_is_asked_about(self):
         small = self.press(bodies.sphere(1.5), "small.vtp", "--depth", "0.05")

@@ -311,9 +311,9 @@ public:
     this->Choose->SetShare(dice.of({ 1.0, 0.5 }));
     return this->update(this->Probe, body,
              { "Force", "NormalForce", "FrictionForce", "Deflection", "Normal", "ContactPoint" }) &&
-      this->update(this->Field, body, {}) && this->update(this->Regime, body, {}) &&
-      this->update(this->Reduce, body, {}) && this->update(this->Choose, body, {}) &&
-      this->update(this->Curves, body, {}) &&
+      this->update(this->Field, body, { "ContactDisplacement" }) &&
+      this->update(this->Regime, body, {}) && this->update(this->Reduce, body, {}) &&
+      this->update(this->Choose, body, {}) && this->update(this->Curves, body, {}) &&
       // To draw a tool takes as long as all the rest fifty times.
       (dice.below(50) > 0 || this->update(this->Touch, body, {}));
   }
