@@ -133,6 +133,14 @@ void LiveTouch::open()
 
 std::string LiveTouch::run()
 {
+  this->onFrame(
+    [this]
+    {
+      if (this->Signals.any())
+      {
+        this->close();
+      }
+    });
   this->Style->StartUpdates();
   this->Interactor->Start();
   std::string error;

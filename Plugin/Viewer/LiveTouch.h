@@ -3,6 +3,7 @@
 #define palpate_LiveTouch_h
 
 #include "DisplayLoss.h"
+#include "EndSignals.h"
 #include "EventActions.h"
 #include "ResponseSet.h"
 #include "TouchScene.h"
@@ -39,9 +40,9 @@ public:
   void showHelp(const std::string& text);
   /// Shows the body with the tool above the first site of the scene, and says so.
   void open();
-  /// Until the window is closed. Then writes its last picture and the record, if asked to, also one
-  /// that was begun by key, and prints a summary. All but the picture is also done when the X
-  /// server goes away. Returns an error, or "".
+  /// Until the window is closed, or a signal asks for the end. Then writes its last picture and the
+  /// record, if asked to, also one that was begun by key, and prints a summary. All but the picture
+  /// is also done when the X server goes away. Returns an error, or "".
   std::string run();
 
   /// What is done when the panel has put another tool into the hand, told from 0.
@@ -80,6 +81,7 @@ private:
   vtkNew<vtkContactPanel> Panel;
   bool HasPanel = false;
   EventActions Actions;
+  EndSignals Signals;
   DisplayWill Will{ [this] { return this->end(); } };
 };
 } // namespace palpate

@@ -4,6 +4,7 @@ and exit code 1, the hand is let go of first, and what was recorded can be playe
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -93,6 +94,22 @@ class DisplayLoss(SessionCase):
         # is at the times of the ticks, which a recorded loop may have been late for: 5 %.
         peak = float(re.search(r"peak\s+force ([\d.e+-]+) N", result.stdout).group(1))
         self.assertAlmostEqual(peak, max(forces), delta=0.05 * peak)
+
+    def test_a_signal_ends_it_as_by_hand(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            record = self.folder / "signal.csv"
+            path = self.socket_path()
+            with BridgePeer(path) as peer:
+                program = self.open("--tool", "sphere:3", "--site", "1,0,0", "--record", record,
+                                    "--device", f"bridge:unix:{path}")
+                self.wait_until(lambda: "tool: " in self.said(), program, "the window is open")
+                peer.position = (0.0, 0.0, -HOVER - 0.001)
+                self.wait_until(peer.is_pushing, program, "the body pushes back")
+                program.send_signal(number)
+                self.assertEqual(program.wait(timeout=TIME_OUT), 0, self.said())
+                time.sleep(0.1)  # what is in the socket
+            self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
+            self.assertGreater(len(record.read_text().splitlines()), 100)
 
     def test_a_trial_keeps_its_answers(self):
         program = self.open("--trial", "sphere:3,flat:3")
