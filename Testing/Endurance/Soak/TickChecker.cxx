@@ -178,7 +178,9 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   {
     older = this->fit(this->Scenes.older(), tip, rest, 1.0 - share);
   }
-  if (!(older.excess <= 0.0))
+  // The two shares, added up step by step, differ by what rounding of the time makes of the steps.
+  const double rounded = std::abs(tick.sceneShare - share) * tick.contactForce.norm();
+  if (!(older.excess <= rounded))
   {
     return fault(TickFault::Contact, tick, "of the scene that is left ", rest.transpose(),
       " N at a depth of ", older.depth, " mm: ", older.excess, " N too far off");
@@ -187,7 +189,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   expected.force =
     this->Frame.axes.transpose() * (newer.cap * share * tick.contactForce + older.cap * rest);
   // The cap follows the stored curve, which is off by as much as the force.
-  expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance) + Rounding;
+  expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance + rounded) + Rounding;
   const double nothing = RoundBody::DepthTolerance;
   expected.isInside = newer.depth > nothing || (older.depth > nothing && 1.0 - share > 1e-6);
   expected.isOutside = newer.depth < -nothing && older.depth < -nothing;

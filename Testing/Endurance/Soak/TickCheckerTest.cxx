@@ -47,6 +47,18 @@ TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
   }
 }
 
+// Where the time is large, steps of it are rounded, and shares that add them up differ.
+TEST(TickChecker, AcceptsWhatComesAfterAnHour)
+{
+  for (const double begin : { 2000.0, 3600.0, 1e5 })
+  {
+    const TickSeries series(5, true, 0.4, begin);
+    const TickSeries::Finding found = series.firstFault();
+    EXPECT_EQ(found.fault, TickFault::None)
+      << begin << ": tick " << found.tick << ", " << found.text;
+  }
+}
+
 TEST(TickChecker, FindsAForceThatIsOneTickOld)
 {
   for (const double friction : { 0.0, 0.4 })

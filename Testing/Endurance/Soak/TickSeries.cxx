@@ -86,7 +86,7 @@ SafetySettings TickSeries::safety()
   return SafetySettings::of(specification);
 }
 
-TickSeries::TickSeries(unsigned seed, bool swaps, double friction)
+TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin)
   : Supply(seed)
   , First(this->Supply.make())
   , Second(this->Supply.make())
@@ -104,7 +104,7 @@ TickSeries::TickSeries(unsigned seed, bool swaps, double friction)
     {
       step.change(servoScene(this->Second));
     }
-    const double time = static_cast<double>(i) / Rate;
+    const double time = begin + static_cast<double>(i) / Rate;
     const DeviceSample sample = sampleAt(i, this->Supply.centre());
     const ServoTick made = step.step(sample, time);
     this->ticks.push_back(factsOf(time, sample, made.deviceForce, made));

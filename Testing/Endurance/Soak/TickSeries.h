@@ -36,7 +36,7 @@ public:
 
   /// Without `swaps` the first scene is felt throughout; a `friction` of its own for both scenes,
   /// if it is not negative.
-  explicit TickSeries(unsigned seed, bool swaps = true, double friction = -1.0);
+  explicit TickSeries(unsigned seed, bool swaps = true, double friction = -1.0, double begin = 0.0);
 
   /// Sent, and said so.
   void send(std::size_t tick, const Vector3& force)
