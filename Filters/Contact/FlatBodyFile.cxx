@@ -203,8 +203,9 @@ std::string faultOf(const Header& header, std::uint64_t size)
 
 FlatBody view(const Header& header, const unsigned char* file)
 {
+  const auto sizes = sectionSizes(header); // the offset of an empty section may be anything
   const auto at = [&](Section section) -> const void*
-  { return header.offset[section] > 0 ? file + header.offset[section] : nullptr; };
+  { return sizes[section] > 0 ? file + header.offset[section] : nullptr; };
   FlatBody body;
   body.points = header.points;
   body.triangles = header.triangles;

@@ -75,9 +75,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Vector3 tip(anyNumber(input), anyNumber(input), anyNumber(input));
   const SurfacePoint closest = body.tree.closest(tip);
   const bool reaches = tip.allFinite() && body.surface.triangleCount() > 0;
+  require(closest.triangle < 0 || reaches, "only a finite tip has a closest triangle");
+  // Beyond it, at 1e200 mm say, squares of distances are no numbers any more.
+  const bool isWithin = reaches && !body.tree.isBeyondHorizon(body.surface.toLocal(tip));
   require(
-    (closest.triangle >= 0) == reaches, "a finite tip has a closest triangle if there is one");
-  if (reaches && !body.tree.isBeyondHorizon(body.surface.toLocal(tip)))
+    closest.triangle >= 0 || !isWithin, "there is a closest triangle to what is not that far");
+  if (isWithin)
   {
     const double smallest = smallestDistance(body.surface, body.surface.toLocal(tip));
     // Both are computed in double from the same coordinates, of up to the body's size.
