@@ -47,8 +47,8 @@ struct SurfacePoint
  * feature - face, edge or corner - which is right for the closest point of any closed 2-manifold
  * (Baerentzen and Aanaes 2005).
  *
- * What is wrong with the input is counted. Triangles with a point that is not finite, an index out
- * of range or a corner twice take no part; neither do those without area, but their neighbours are
+ * What is wrong with the input is counted. Triangles with a point that is not finite or beyond
+ * LargestCoordinate, an index out of range or a corner twice take no part; neither do those without area, but their neighbours are
  * not left with a border. Triangles that wind against their neighbours are turned over, the fewer
  * to agree with the more; open borders whose points have the same coordinates are joined, and so
  * are the ends of edges without length. An edge of more than two triangles has no neighbour across
@@ -62,7 +62,7 @@ class PackedMesh
 public:
   struct Defects
   {
-    std::size_t notFinite = 0;        ///< triangles left out: a coordinate is not finite
+    std::size_t notFinite = 0; ///< triangles left out: a coordinate is not finite, or too large
     std::size_t badIndex = 0;         ///< triangles left out: a corner is no point
     std::size_t degenerate = 0;       ///< triangles left out: no area
     std::size_t nonManifoldEdges = 0; ///< of more than two triangles, or that cannot be oriented
@@ -70,6 +70,9 @@ public:
     std::size_t turnedTriangles = 0; ///< wound against their neighbours
     std::size_t joinedPoints = 0;    ///< at the place of another, see above
   };
+
+  /// Of points in the body's frame, mm. From so far off a squared distance still fits a float.
+  static constexpr double LargestCoordinate = 1e14;
 
   static constexpr std::int32_t Border = -1; ///< no triangle across an edge
   static constexpr std::int32_t Seam = -2;   ///< one without area across an edge

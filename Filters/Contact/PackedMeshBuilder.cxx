@@ -92,8 +92,9 @@ void PackedMesh::Builder::placeCentre(
       parts[t] = Part::None;
       continue;
     }
-    const auto isFinite = [points](std::int32_t i) { return pointAt(points, i).allFinite(); };
-    if (!std::all_of(corner, corner + 3, isFinite))
+    const auto isWithinReach = [points](std::int32_t i)
+    { return (pointAt(points, i).array().abs() <= LargestCoordinate).all(); };
+    if (!std::all_of(corner, corner + 3, isWithinReach))
     {
       ++this->Mesh.Found.notFinite;
       parts[t] = Part::None;
@@ -127,7 +128,6 @@ void PackedMesh::Builder::roundPoints(const double* points)
 void PackedMesh::Builder::findParts(
   const double* points, const std::int32_t* triangles, std::vector<Part>& parts)
 {
-  std::atomic<std::size_t> tooFar{ 0 };
   std::atomic<std::size_t> degenerate{ 0 };
   forRanges(parts.size(),
     [&](std::size_t first, std::size_t last)
@@ -146,12 +146,7 @@ void PackedMesh::Builder::findParts(
           given[k] = pointAt(points, corner[k]);
           rounded[k] = pointAt(this->Coordinates, corner[k]);
         }
-        if (!(rounded[0] + rounded[1] + rounded[2]).allFinite())
-        {
-          ++tooFar; // beyond the range of a float
-          parts[t] = Part::None;
-        }
-        else if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
+        if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
         {
           ++degenerate;
           parts[t] = Part::None;
@@ -163,7 +158,6 @@ void PackedMesh::Builder::findParts(
         }
       }
     });
-  this->Mesh.Found.notFinite += tooFar;
   this->Mesh.Found.degenerate = degenerate;
 }
 

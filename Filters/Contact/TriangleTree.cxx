@@ -21,6 +21,12 @@ constexpr double LargestFloat = static_cast<double>(std::numeric_limits<float>::
 /// distances round to the same, and every triangle would be looked at to find a side by chance.
 constexpr double FarAway = 1e4;
 
+/// A box that is there is in reach until something nearer is found; an empty one never is.
+static_assert(3.0 * 1.1 * (FarAway * PackedMesh::LargestCoordinate) *
+      (FarAway * PackedMesh::LargestCoordinate) <
+    LargestFloat,
+  "squared distances within the horizon fit a float");
+
 /// What is nearest so far, and the squared distance in float beyond which a box cannot help.
 class Nearest
 {
@@ -164,7 +170,7 @@ SurfacePoint TriangleTree::closestLocal(const Vector3& tip) const noexcept
   {
     return this->closestWithin(tip);
   }
-  SurfacePoint found = this->closestWithin(tip * (this->Horizon / tip.cwiseAbs().maxCoeff()));
+  SurfacePoint found = this->closestWithin(tip / tip.cwiseAbs().maxCoeff() * this->Horizon);
   const double distance = (tip - found.projection.point).stableNorm();
   found.projection.squaredDistance = distance * distance;
   found.signedDistance = std::copysign(distance, found.signedDistance);

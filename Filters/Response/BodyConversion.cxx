@@ -336,8 +336,8 @@ std::string describeDefects(const ContactBody& body)
   add(found.joinedPoints, "point at the place of another on an open border",
     "points at the place of others on open borders", "joined");
   add(found.degenerate, "triangle without area", "triangles without area", "left out");
-  add(found.notFinite, "triangle with a coordinate that is not finite",
-    "triangles with a coordinate that is not finite", "left out");
+  add(found.notFinite, "triangle with a coordinate that is not finite or beyond 1e14 mm",
+    "triangles with a coordinate that is not finite or beyond 1e14 mm", "left out");
   add(found.nonManifoldEdges, "edge of more than two triangles or of two that cannot wind alike",
     "edges of more than two triangles or of two that cannot wind alike", "taken for open borders");
   return text;

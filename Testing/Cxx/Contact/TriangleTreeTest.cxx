@@ -98,3 +98,41 @@ TEST(TriangleTree, TipsThatAreNotFinite)
     EXPECT_EQ(tree.closest(Vector3(0, bad, 0)).triangle, -1);
   }
 }
+
+TEST(TriangleTree, ATriangleForEveryFiniteTip)
+{
+  // Squared distances of so far off that a float would not hold them, and differences of so near
+  // that their squares vanish.
+  constexpr double far = PackedMesh::LargestCoordinate;
+  for (const double size : { 1e-40, 1e-20, 1.0, 1e10, 0.9 * far })
+  {
+    Surface body = icosphere(size, 1);
+    const PackedMesh mesh = body.packed();
+    ASSERT_EQ(mesh.triangleCount(), body.triangles.size()) << size;
+    const TriangleTree tree(mesh);
+    for (const double distance : { 0.0, 1e-300, 1e-30, size, 1e10, 1e20, 1e155, 1e308 })
+    {
+      const SurfacePoint found = tree.closest(Vector3(-distance, distance, 0.5 * distance));
+      EXPECT_GE(found.triangle, 0) << size << ' ' << distance;
+      // Half the body's size: the sphere is one of 80 facets, and is seen as a point from far off.
+      EXPECT_NEAR(found.signedDistance, 1.5 * distance - size, 0.5 * size + 1e-9 * distance)
+        << size << ' ' << distance;
+    }
+  }
+}
+
+TEST(TriangleTree, OnePointBeyondAllDoesNotSpoilTheBody)
+{
+  for (const double beyond : { 1.1e14, 1e20, 1e60, 1e308, -1e308 })
+  {
+    Surface body = icosphere(20.0, 1);
+    body.points.emplace_back(beyond, 0.0, 0.0);
+    body.triangles.push_back({ 0, 1, static_cast<std::int32_t>(body.points.size()) - 1 });
+    const PackedMesh mesh = body.packed();
+    EXPECT_EQ(mesh.defects().notFinite, 1U);
+    EXPECT_EQ(mesh.centre(), Vector3::Zero());
+    const Vector3 tip = 1.5 * body.points.front();
+    EXPECT_NEAR(TriangleTree(mesh).closest(tip).signedDistance, 10.0, 1e-5) // floats of 20 mm
+      << beyond;
+  }
+}
