@@ -60,7 +60,8 @@ function(palpate_add_kernel name)
   palpate_warnings(palpate${name})
   target_compile_options(palpate${name} PRIVATE
     -Wpedantic -Wnull-dereference # VTK's headers fail both
-    -fno-math-errno)              # a square root is one instruction
+    -fno-math-errno               # a square root is one instruction
+    $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-O2>) # a million inputs each
   install(TARGETS palpate${name} EXPORT PalpateKernels)
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate")
 endfunction()
