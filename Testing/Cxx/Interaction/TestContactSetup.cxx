@@ -243,6 +243,9 @@ void checkChoice()
   PALPATE_CHECK_TEXT(series->GetChoice(1), "point force");
   series->SetChosenTool(1);
   PALPATE_CHECK_NEAR(feltForce(series) * (100.0 + 1.0 / (4.0 * Reduced)), 1.0, 0.05);
+  series->SetChoiceDeflection(0.0); // half of Range
+  PALPATE_CHECK(series->Update());
+  PALPATE_CHECK_TEXT(series->GetChoice(1), "point force");
 
   Messages messages(series);
   series->SetTolerance(std::nan(""));
