@@ -134,13 +134,14 @@ void SoakRun::run()
   this->Result.seconds = passed.count();
 }
 
-/// One body is felt, and the one before has had some ticks and a drain to be freed.
+/// One body is felt, and the one before was given back some ticks before the last drain, which
+/// freed it, began.
 bool SoakRun::isSettled() const
 {
   constexpr std::uint64_t some = 200;
   const SceneRule& scenes = this->Checker->scenes();
   return this->Swaps.seen() == this->Swaps.asked() && !scenes.isChanging() &&
-    this->Checked > this->SettledAt + some;
+    this->CheckedBefore > this->SettledAt + some;
 }
 
 void SoakRun::swap()
@@ -172,6 +173,7 @@ void SoakRun::swap()
 
 void SoakRun::drain()
 {
+  this->CheckedBefore = this->Checked;
   const TickHistory& ticks = this->Session->GetLastTicks();
   // After the ticks: a tick is recorded when its force has been written.
   this->Device->drain([this](const DeviceRecord& record) { this->Records.push_back(record); });

@@ -77,6 +77,7 @@ private:
 
   std::vector<DeviceRecord> Records; ///< whose ticks have not come yet
   std::uint64_t Checked = 0;
+  std::uint64_t CheckedBefore = 0; ///< when the last drain began
   SwapWatch Swaps;
   std::uint64_t SettledAt = 0; ///< the tick after which only one body was felt
   std::vector<std::weak_ptr<const palpate::ContactBody>> Bodies; ///< all that may be alive
