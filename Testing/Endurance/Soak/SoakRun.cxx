@@ -34,18 +34,6 @@ DeviceFrame makeFrame()
   return frame;
 }
 
-DeviceSpecification makeSpecification(double rate)
-{
-  const DeviceLimits limits;
-  DeviceSpecification specification;
-  specification.maximumForce = limits.force;
-  specification.maximumStiffness = limits.stiffness;
-  specification.maximumForceRate = limits.forceRate;
-  specification.sampleTimeOut = limits.timeOut;
-  specification.rate = rate;
-  return specification;
-}
-
 BodyKernels kernelsOf(const SuppliedScene& scene)
 {
   BodyKernels kernels;
@@ -57,7 +45,7 @@ BodyKernels kernelsOf(const SuppliedScene& scene)
 SoakRun::SoakRun(const SoakOptions& options)
   : Options(options)
   , Frame(makeFrame())
-  , Specification(makeSpecification(options.rate))
+  , Specification(specificationOf(DeviceLimits{}, options.rate))
   , Scenes(options.seed)
   , Devices(Frame, Specification, Scenes.centre(), SceneSupply::Radius, options.seed + 1)
   , Memory(static_cast<std::size_t>(2.0 * options.seconds / options.swapEvery) + 100)

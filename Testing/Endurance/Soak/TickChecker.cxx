@@ -55,6 +55,17 @@ const char* nameOf(TickFault fault)
   }
 }
 
+DeviceSpecification specificationOf(const DeviceLimits& limits, double rate)
+{
+  DeviceSpecification specification;
+  specification.maximumForce = limits.force;
+  specification.maximumStiffness = limits.stiffness;
+  specification.maximumForceRate = limits.forceRate;
+  specification.sampleTimeOut = limits.timeOut;
+  specification.rate = rate;
+  return specification;
+}
+
 TickChecker::TickChecker(const DeviceFrame& frame, const DeviceLimits& limits, FeltScene first)
   : Frame(frame)
   , Limits(limits)

@@ -21,6 +21,8 @@ struct DeviceLimits
   double forceRate = 40.0;   ///< N/s
   double timeOut = 0.0201;   ///< s; no whole number of ticks
 };
+/// As the device states them, at a rate (Hz).
+DeviceSpecification specificationOf(const DeviceLimits& limits, double rate);
 
 /// What is wrong with a tick.
 enum class TickFault : std::uint8_t

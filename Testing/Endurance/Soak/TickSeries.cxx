@@ -76,14 +76,7 @@ DeviceFrame TickSeries::frame()
 
 SafetySettings TickSeries::safety()
 {
-  const DeviceLimits limits;
-  DeviceSpecification specification;
-  specification.maximumForce = limits.force;
-  specification.maximumStiffness = limits.stiffness;
-  specification.maximumForceRate = limits.forceRate;
-  specification.sampleTimeOut = limits.timeOut;
-  specification.rate = Rate;
-  return SafetySettings::of(specification);
+  return SafetySettings::of(specificationOf(DeviceLimits{}, Rate));
 }
 
 TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin)
