@@ -24,6 +24,27 @@ void expectFound(const TickSeries& series, TickFault fault, std::size_t tick)
   EXPECT_STREQ(nameOf(found.fault), nameOf(fault)) << found.text;
   EXPECT_EQ(found.tick, tick) << found.text;
 }
+
+/// With friction and without: `spoil` is given a copy of a series and a tick in which the force
+/// moves, for many such ticks.
+template <class Spoil>
+void spoilTicks(unsigned seed, const Spoil& spoil)
+{
+  for (const double friction : { 0.0, 0.4 })
+  {
+    const TickSeries series(seed, true, friction);
+    std::size_t tried = 0;
+    for (std::size_t i = 1; i < TickSeries::Length; i += 127)
+    {
+      if (series.moves(i))
+      {
+        spoil(TickSeries(series), i);
+        ++tried;
+      }
+    }
+    EXPECT_GT(tried, 10U);
+  }
+}
 } // namespace
 
 TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
@@ -61,47 +82,28 @@ TEST(TickChecker, AcceptsWhatComesAfterAnHour)
 
 TEST(TickChecker, FindsAForceThatIsOneTickOld)
 {
-  for (const double friction : { 0.0, 0.4 })
-  {
-    const TickSeries series(3, true, friction);
-    std::size_t tried = 0;
-    for (std::size_t i = 1; i < TickSeries::Length; i += 127)
+  spoilTicks(3,
+    [](TickSeries stale, std::size_t i)
     {
-      if (series.moves(i))
-      {
-        TickSeries stale = series;
-        stale.send(i, series.ticks[i - 1].sent);
-        expectFound(stale, TickFault::Sent, i);
-        ++tried;
-      }
-    }
-    EXPECT_GT(tried, 10U);
-  }
+      stale.send(i, stale.ticks[i - 1].sent);
+      expectFound(stale, TickFault::Sent, i);
+    });
 }
 
 TEST(TickChecker, FindsAContactThatIsOneTickOld)
 {
-  for (const double friction : { 0.0, 0.4 })
-  {
-    const TickSeries series(5, true, friction);
-    std::size_t tried = 0;
-    for (std::size_t i = 1; i < TickSeries::Length; i += 127)
+  spoilTicks(5,
+    [](TickSeries stale, std::size_t i)
     {
-      if (series.moves(i))
-      {
-        TickSeries stale = series;
-        stale.ticks[i].contactForce = series.ticks[i - 1].contactForce;
-        stale.ticks[i].idealForce = series.ticks[i - 1].idealForce;
-        stale.send(i, series.ticks[i - 1].sent);
-        expectFound(stale, TickFault::Contact, i);
-        // With the place of then it is consistent in itself, but not where the device is.
-        stale.ticks[i].tip = series.ticks[i - 1].tip;
-        expectFound(stale, TickFault::Tip, i);
-        ++tried;
-      }
-    }
-    EXPECT_GT(tried, 10U);
-  }
+      const TickFacts& before = stale.ticks[i - 1];
+      stale.ticks[i].contactForce = before.contactForce;
+      stale.ticks[i].idealForce = before.idealForce;
+      stale.send(i, before.sent);
+      expectFound(stale, TickFault::Contact, i);
+      // With the place of then it is consistent in itself, but not where the device is.
+      stale.ticks[i].tip = before.tip;
+      expectFound(stale, TickFault::Tip, i);
+    });
 }
 
 TEST(TickChecker, FindsTheBodyOfBeforeASwap)
