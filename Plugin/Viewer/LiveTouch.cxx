@@ -65,6 +65,16 @@ double usualForce(const ResponseSet& responses, double depth)
   }
   return usual > 0.0 ? usual : 1.0;
 }
+
+/// Small and grey, from the top left.
+void styleHelp(vtkTextActor* help)
+{
+  help->GetTextProperty()->SetFontSize(15);
+  help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
+  help->GetTextProperty()->SetVerticalJustificationToTop();
+  help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
+}
 } // namespace
 
 LiveTouch::LiveTouch(
@@ -80,6 +90,7 @@ LiveTouch::LiveTouch(
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
   this->Window->AddRenderer(this->Renderer);
   this->Interactor->SetRenderWindow(this->Window);
+  styleHelp(this->Help);
   this->View->SetRenderer(this->Renderer);
   this->View->SetBody(responses.body);
   this->View->SetTool(responses.tools.front());
@@ -105,11 +116,6 @@ LiveTouch::LiveTouch(
 void LiveTouch::showHelp(const std::string& text)
 {
   this->Help->SetInput(text.c_str());
-  this->Help->GetTextProperty()->SetFontSize(15);
-  this->Help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
-  this->Help->GetTextProperty()->SetVerticalJustificationToTop();
-  this->Help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->Help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
   this->Renderer->AddViewProp(this->Help); // the same is not added twice
 }
 
@@ -197,8 +203,8 @@ void LiveTouch::usePanel(vtkContactSetup* setup)
   this->Panel->SetStyle(this->Style);
   this->Panel->SetCharts(this->Charts);
   this->arrange();
-  this->Actions.add(this->Style, vtkInteractorStyleHaptic::FrameEvent,
-    [this](void*)
+  this->onFrame(
+    [this]
     {
       this->arrange();
       if (this->Panel->GetChartsVisibility())
