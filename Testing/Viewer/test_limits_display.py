@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A display that disappears while the hand is pressed against the body: the process ends with a message
 and exit code 1, the hand is let go of first, and what was recorded can be played again."""
+import contextlib
 import os
 import re
 import shutil
@@ -62,8 +63,10 @@ class DisplayLoss(SessionCase):
         self.addCleanup(shutil.rmtree, folder)
         return Path(folder) / "device"
 
-    def test_the_hand_is_let_go_of_and_the_record_is_saved(self):
-        record = self.folder / "record.csv"
+    @contextlib.contextmanager
+    def pressed(self, record):
+        """The program in its window with a hand that presses, and that hand, which must feel nothing in
+        the end; everything is recorded."""
         path = self.socket_path()
         with BridgePeer(path) as peer:
             program = self.open("--tool", "sphere:3", "--site", "1,0,0", "--record", record,
@@ -71,12 +74,17 @@ class DisplayLoss(SessionCase):
             self.wait_until(lambda: "tool: " in self.said(), program, "the window is open")
             peer.position = (0.0, 0.0, -HOVER - 0.001)  # z of the device is outward there
             self.wait_until(peer.is_pushing, program, "the body pushes back")
+            yield program, peer
+            time.sleep(0.1)  # what is in the socket
+        self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
+
+    def test_the_hand_is_let_go_of_and_the_record_is_saved(self):
+        record = self.folder / "record.csv"
+        with self.pressed(record) as (program, peer):
             begin = len(peer.forces)
             self.wait_until(lambda: len(peer.forces) > begin + 200, program, "it pressed a while")
             self.wait_until(peer.is_pushing, program, "it presses again, should a tick have been late")
             self.lose_display(program)
-            time.sleep(0.1)  # what is in the socket
-        self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
         ticks = int(re.search(r"(\d+) ticks", self.said()).group(1))
         self.check_record(record, ticks)
 
@@ -98,17 +106,9 @@ class DisplayLoss(SessionCase):
     def test_a_signal_ends_it_as_by_hand(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             record = self.folder / "signal.csv"
-            path = self.socket_path()
-            with BridgePeer(path) as peer:
-                program = self.open("--tool", "sphere:3", "--site", "1,0,0", "--record", record,
-                                    "--device", f"bridge:unix:{path}")
-                self.wait_until(lambda: "tool: " in self.said(), program, "the window is open")
-                peer.position = (0.0, 0.0, -HOVER - 0.001)
-                self.wait_until(peer.is_pushing, program, "the body pushes back")
+            with self.pressed(record) as (program, _):
                 program.send_signal(number)
                 self.assertEqual(program.wait(timeout=TIME_OUT), 0, self.said())
-                time.sleep(0.1)  # what is in the socket
-            self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
             self.assertGreater(len(record.read_text().splitlines()), 100)
 
     def test_a_trial_keeps_its_answers(self):
