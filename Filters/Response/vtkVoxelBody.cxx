@@ -6,6 +6,7 @@
 #include "FilterStage.h"
 #include "VoxelGrid.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCleanPolyData.h"
@@ -67,32 +68,25 @@ bool readFaces(const std::string& text, std::array<bool, 6>& faces, std::string&
   return true;
 }
 
-/// Of the box of a body; as a number, since it may be beyond what the grid counts in.
-double gridPoints(vtkPolyData* body, double spacing)
+/// Voxels along each side of a box; as numbers, since they may be beyond what the grid counts in.
+Eigen::Array3d voxelsAlong(const vtkBoundingBox& box, double spacing)
 {
-  std::array<double, 6> bounds{};
-  body->GetBounds(bounds.data());
-  double points = 1.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  Eigen::Array3d voxels;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
-    points *= std::max(1.0, std::round(length / spacing)) + 1.0;
+    voxels[axis] = std::max(1.0, std::round(box.GetLength(axis) / spacing));
   }
-  return points;
+  return voxels;
 }
 
-palpate::VoxelGrid gridOver(vtkPolyData* body, double spacing)
+palpate::VoxelGrid gridOver(const vtkBoundingBox& box, const Eigen::Array3d& voxels)
 {
-  std::array<double, 6> bounds{};
-  body->GetBounds(bounds.data());
   palpate::VoxelGrid grid;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
-    grid.size[axis] = static_cast<int>(std::max(1.0, std::round(length / spacing)));
-    const auto i = static_cast<Eigen::Index>(axis);
-    grid.origin[i] = bounds[2 * axis];
-    grid.spacing[i] = length / grid.size[axis];
+    grid.size[static_cast<std::size_t>(axis)] = static_cast<int>(voxels[axis]);
+    grid.origin[axis] = box.GetBound(2 * axis);
+    grid.spacing[axis] = box.GetLength(axis) / voxels[axis];
   }
   return grid;
 }
@@ -190,7 +184,9 @@ int vtkVoxelBody::RequestData(
       return 0;
     }
   }
-  const double total = gridPoints(surface, this->Spacing);
+  const vtkBoundingBox box(surface->GetBounds());
+  const Eigen::Array3d voxels = voxelsAlong(box, this->Spacing);
+  const double total = (voxels + 1.0).prod();
   if (!(total < MostGridPoints))
   {
     vtkErrorMacro(<< "Spacing " << this->Spacing << " mm makes " << total
@@ -208,7 +204,7 @@ int vtkVoxelBody::RequestData(
                   << available / palpate::Mebibyte << " MiB are available.");
     return 0;
   }
-  palpate::VoxelGrid grid = gridOver(surface, this->Spacing);
+  palpate::VoxelGrid grid = gridOver(box, voxels);
 
   // How deep the nodes of the grid lie; negative outside.
   vtkNew<vtkPoints> nodes;
