@@ -2,6 +2,8 @@
 // vtkToolContactResponse on two million points, into memory that is new each time, beside the time
 // to clear as much new memory in the same run. The floor is not 1: the filter also reads points,
 // normals and triangles, `read_MB`.
+#include "ProcessMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkContactTool.h"
 #include "vtkDataObject.h"
@@ -19,8 +21,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <string>
 #include <vector>
 
 namespace
@@ -88,26 +88,6 @@ vtkPolyData* grid()
   return body;
 }
 
-/// A line of /proc/self/status, in MB.
-double memory(const char* name)
-{
-  std::ifstream file("/proc/self/status");
-  std::string line;
-  while (std::getline(file, line))
-  {
-    if (line.rfind(name, 0) == 0)
-    {
-      return std::stod(line.substr(line.find(':') + 1)) / 1024.0;
-    }
-  }
-  return 0.0;
-}
-
-void resetPeakMemory()
-{
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
-
 template <class Work>
 double secondsOf(const Work& work)
 {
@@ -167,7 +147,7 @@ void response(benchmark::State& state, const Given& given)
   tool->SetSpecification(given.tool);
   double filterSeconds = 0.0;
   double clearing = 0.0;
-  double peak = 0.0;
+  double peak = 0.0; // bytes above what was in use before
   for (auto _ : state)
   {
     vtkNew<vtkToolContactResponse> filter;
@@ -177,10 +157,10 @@ void response(benchmark::State& state, const Given& given)
     filter->SetInputArrayToProcess(
       given.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, given.array);
     forgetFreedMemory();
-    resetPeakMemory();
-    const double before = memory("VmRSS");
+    palpate::testing::resetPeakMemory();
+    const double before = palpate::testing::residentMemory();
     const double seconds = secondsOf([&] { filter->Update(); });
-    peak = std::max(peak, memory("VmHWM") - before);
+    peak = std::max(peak, palpate::testing::peakMemory() - before);
     if (!filter->GetOutput()->GetPointData()->HasArray("ResponseForce"))
     {
       state.SkipWithError("no response");
@@ -202,7 +182,7 @@ void response(benchmark::State& state, const Given& given)
   state.counters["read_MB"] = static_cast<double>(24 * PointCount + 24 * TriangleCount) / 1e6;
   state.counters["memset_ms"] = 1e3 * clearing / runs;
   state.counters["ratio"] = filterSeconds / clearing;
-  state.counters["peak_MiB"] = peak; // above what was in use before
+  state.counters["peak_MiB"] = peak / 1048576.0;
 }
 
 void ResponseOfConstants(benchmark::State& state)

@@ -5,13 +5,13 @@
 #include "BumpySphere.h"
 #include "ColdRead.h"
 #include "ContactBody.h"
+#include "ProcessMemory.h"
 #include "TickReport.h"
 #include "vtkSMPTools.h"
 
 #include <CLI/CLI.hpp>
 
 #include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <thread>
@@ -76,11 +75,7 @@ Paths makePaths(const Options& options)
 double residentMegabytes()
 {
   malloc_trim(0);
-  std::ifstream file("/proc/self/statm");
-  double total = 0.0;
-  double resident = 0.0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  return palpate::testing::residentMemory() / 1e6;
 }
 
 struct BuildCost

@@ -3,6 +3,7 @@
 // thread, so that a test can give up its own.
 #include "RealTimeGrant.h"
 
+#include "ProcessMemory.h"
 #include "Sanitized.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
@@ -26,6 +26,7 @@
 using palpate::RealTimeGrant;
 using palpate::RealTimeRequest;
 using palpate::requestRealTime;
+using palpate::testing::lockedMemory;
 
 namespace
 {
@@ -87,21 +88,6 @@ private:
   rlimit Before{};
   bool Set = false;
 };
-
-long lockedKilobytes()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-  {
-    if (word == "VmLck:")
-    {
-      long kilobytes = -1;
-      status >> kilobytes;
-      return kilobytes;
-    }
-  }
-  return -1;
-}
 } // namespace
 
 TEST(RealTimeGrant, TheSchedulingReportedIsTheOneTheThreadHas)
@@ -118,11 +104,11 @@ TEST(RealTimeGrant, NothingIsChangedThatWasNotAskedFor)
 {
   RealTimeRequest request;
   request.priority = 0;
-  const long before = lockedKilobytes();
+  const double before = lockedMemory();
   const Asked asked = askInAThread(request);
   EXPECT_EQ(asked.policy, SCHED_OTHER);
   EXPECT_EQ(asked.slack, 1);
-  EXPECT_EQ(lockedKilobytes(), before);
+  EXPECT_EQ(lockedMemory(), before);
   EXPECT_EQ(asked.grant.describe(),
     "SCHED_FIFO not asked for; memory not locked: not asked for; timer slack 1 ns");
 }
@@ -178,7 +164,7 @@ TEST(RealTimeGrant, MemoryIsLockedOrItIsSaidWhyNot)
   const Asked asked = askInAThread(request);
   EXPECT_EQ(asked.grant.memoryLocked, asked.grant.memoryError == 0);
 #ifndef PALPATE_SANITIZED
-  EXPECT_EQ(lockedKilobytes() > 0, asked.grant.memoryLocked); // sanitizers let mlockall do nothing
+  EXPECT_EQ(lockedMemory() > 0.0, asked.grant.memoryLocked); // sanitizers let mlockall do nothing
 #endif
   munlockall();
 }

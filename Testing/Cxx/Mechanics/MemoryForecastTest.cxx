@@ -4,6 +4,7 @@
 #include "AvailableMemory.h"
 #include "ElasticBlocks.h"
 #include "MemoryForecast.h"
+#include "ProcessMemory.h"
 #include "Sanitized.h"
 #include "ScratchFile.h"
 
@@ -28,28 +29,6 @@ ElasticBodyInput blockInput(int nx, int ny, int nz)
   input.fixed = heldBelow(input.mesh);
   input.materials = { { 1.0, 0.3 } };
   return input;
-}
-
-/// The largest resident size since the mark was reset, bytes (proc(5)).
-double residentPeak()
-{
-  std::ifstream status("/proc/self/status");
-  std::string line;
-  while (std::getline(status, line))
-  {
-    if (line.rfind("VmHWM:", 0) == 0)
-    {
-      return 1024.0 * std::stod(line.substr(6));
-    }
-  }
-  return std::nan("");
-}
-
-double resetResidentPeak()
-{
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5"; // the mark is what is resident now
-  return residentPeak();
 }
 } // namespace
 
@@ -82,10 +61,12 @@ TEST(MemoryForecast, TheEstimateIsWhatTheFactorisationTakes)
   ElasticBody body;
   ASSERT_EQ(body.assemble(blockInput(18, 18, 18)), "");
   ASSERT_EQ(body.analyse(StiffnessFactor::Kind::Automatic), "");
-  const double before = resetResidentPeak();
+  malloc_trim(0);
+  resetPeakMemory();
+  const double before = peakMemory();
   ASSERT_EQ(body.factorise(), "");
   // 110 MB, and some that BLAS packs blocks in and that malloc keeps.
-  EXPECT_NEAR((residentPeak() - before) / body.memoryEstimate(), 1.0, 0.2);
+  EXPECT_NEAR((peakMemory() - before) / body.memoryEstimate(), 1.0, 0.2);
 }
 
 TEST(MemoryForecast, GrowsAsTheFourThirdsPowerOfACube)

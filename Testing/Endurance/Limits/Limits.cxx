@@ -7,6 +7,7 @@
 #include "DrawnBody.h"
 #include "FlatBodyConversion.h"
 #include "PlainSearch.h"
+#include "ProcessMemory.h"
 #include "ToolContact.h"
 
 #include "vtkContactTool.h"
@@ -27,6 +28,7 @@
 namespace
 {
 using palpate::Vector3;
+using palpate::testing::peakMemory;
 using Body = vtkSmartPointer<vtkPolyData>;
 
 constexpr double TipRadius = 5.0; // mm, of a paraboloid
@@ -84,20 +86,6 @@ private:
   std::string Figures;
   bool Passed = true;
 };
-
-double peakMemory()
-{
-  std::ifstream status("/proc/self/status");
-  std::string line;
-  while (std::getline(status, line))
-  {
-    if (line.rfind("VmHWM:", 0) == 0)
-    {
-      return 1024.0 * std::stod(line.substr(6));
-    }
-  }
-  return std::nan("");
-}
 
 Body respond(vtkPolyData* body)
 {

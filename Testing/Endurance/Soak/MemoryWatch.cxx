@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MemoryWatch.h"
 
+#include "ProcessMemory.h"
+
 #include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace palpate::endurance
 {
 namespace
 {
 constexpr double Mebi = 1024.0 * 1024.0;
-
-double residentBytes()
-{
-  std::FILE* const file = std::fopen("/proc/self/statm", "r");
-  if (file == nullptr)
-  {
-    return 0.0;
-  }
-  long size = 0;
-  long resident = 0;
-  const bool isRead = std::fscanf(file, "%ld %ld", &size, &resident) == 2;
-  std::fclose(file);
-  return isRead ? static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;
-}
 
 double heapBytes()
 {
@@ -43,7 +28,7 @@ MemoryWatch::MemoryWatch(std::size_t readings)
 
 void MemoryWatch::read()
 {
-  this->Resident.push_back(residentBytes() / Mebi);
+  this->Resident.push_back(testing::residentMemory() / Mebi);
   this->Heap.push_back(heapBytes() / Mebi);
 }
 

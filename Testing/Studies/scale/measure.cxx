@@ -8,6 +8,7 @@
 #include "FlatBodyConversion.h"
 #include "FlatBodyFile.h"
 #include "FrameScenes.h"
+#include "ProcessMemory.h"
 #include "TickTimes.h"
 #include "ToolContact.h"
 
@@ -32,7 +33,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <thread>
 
 namespace
@@ -57,20 +57,11 @@ void tell(const char* name, double value)
   std::fflush(stdout);
 }
 
-/// A line of /proc/self/status, bytes.
-double memory(const char* name)
+/// Resident, without what was freed; bytes.
+double memoryInUse()
 {
   malloc_trim(0);
-  std::ifstream file("/proc/self/status");
-  std::string line;
-  while (std::getline(file, line))
-  {
-    if (line.rfind(name, 0) == 0)
-    {
-      return 1024.0 * std::stod(line.substr(line.find(':') + 1));
-    }
-  }
-  return 0.0;
+  return palpate::testing::residentMemory();
 }
 
 template <class Work>
@@ -227,11 +218,11 @@ void measureFiles(vtkPolyData* body, double points, const Passes& passes, const 
 
 std::shared_ptr<const ContactBody> measureKernel(vtkPolyData* body, double points)
 {
-  const double before = memory("VmRSS");
+  const double before = memoryInUse();
   std::string error;
   std::shared_ptr<const ContactBody> kernel;
   tell("kernel_s", secondsOf([&] { kernel = palpate::makeContactBody(body, "Response", error); }));
-  tell("kernel_bytes_per_vertex", (memory("VmRSS") - before) / points);
+  tell("kernel_bytes_per_vertex", (memoryInUse() - before) / points);
   if (!kernel)
   {
     std::fprintf(stderr, "palpateScale: %s\n", error.c_str());
@@ -344,6 +335,6 @@ int main(int argc, char* argv[])
     measureFrames(body, points, FramePath::Plain, "plain_s");
     measureFrames(body, points, FramePath::Shader, "frame_s");
   }
-  tell("peak_bytes_per_vertex", memory("VmHWM") / points);
+  tell("peak_bytes_per_vertex", palpate::testing::peakMemory() / points);
   return 0;
 }
