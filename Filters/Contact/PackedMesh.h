@@ -48,11 +48,11 @@ struct SurfacePoint
  * (Baerentzen and Aanaes 2005).
  *
  * What is wrong with the input is counted. Triangles with a point that is not finite or beyond
- * LargestCoordinate, an index out of range or a corner twice take no part; neither do those without area, but their neighbours are
- * not left with a border. Triangles that wind against their neighbours are turned over, the fewer
- * to agree with the more; open borders whose points have the same coordinates are joined, and so
- * are the ends of edges without length. An edge of more than two triangles has no neighbour across
- * and counts as border.
+ * LargestCoordinate, an index out of range or a corner twice take no part; neither do those without
+ * area, but their neighbours are not left with a border. Triangles that wind against their
+ * neighbours are turned over, the fewer to agree with the more; open borders whose points have the
+ * same coordinates are joined, and so are the ends of edges without length. An edge of more than
+ * two triangles has no neighbour across and counts as border.
  *
  * Cost: about 105 bytes per triangle; built in O(n log n), threaded, the same for any number of
  * threads. Immutable, safe from any number of threads.
@@ -62,7 +62,7 @@ class PackedMesh
 public:
   struct Defects
   {
-    std::size_t notFinite = 0; ///< triangles left out: a coordinate is not finite, or too large
+    std::size_t notFinite = 0;        ///< triangles left out: a coordinate not finite or too large
     std::size_t badIndex = 0;         ///< triangles left out: a corner is no point
     std::size_t degenerate = 0;       ///< triangles left out: no area
     std::size_t nonManifoldEdges = 0; ///< of more than two triangles, or that cannot be oriented

@@ -124,7 +124,8 @@ void checkUnsoundBody()
   body->GetPoints()->SetPoint(80, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   body->GetPoints()->Modified();
   probe->Update();
-  PALPATE_CHECK_TEXT(messages.warnings(), "coordinate that is not finite or beyond 1e14 mm: left out",
+  PALPATE_CHECK_TEXT(messages.warnings(),
+    "coordinate that is not finite or beyond 1e14 mm: left out",
     "2 triangles wound against their neighbours");
 }
 
