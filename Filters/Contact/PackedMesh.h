@@ -71,7 +71,7 @@ public:
     std::size_t joinedPoints = 0;    ///< at the place of another, see above
   };
 
-  /// Of points in the body's frame, mm. From so far off a squared distance still fits a float.
+  /// Of points in the body's frame, mm: squared distances from TriangleTree's horizon fit a float.
   static constexpr double LargestCoordinate = 1e14;
 
   static constexpr std::int32_t Border = -1; ///< no triangle across an edge
