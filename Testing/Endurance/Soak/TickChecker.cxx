@@ -13,6 +13,8 @@ namespace
 constexpr double MillimetresPerMetre = 1000.0;
 /// N: double rounding of forces of some N.
 constexpr double Rounding = 1e-11;
+/// Of two hundred steps added up, each of a time of up to 1e5 s.
+constexpr double ShareRounding = 1e-6;
 /// mm: of tips some 100 mm from the device's origin.
 constexpr double TipRounding = 1e-10;
 /// Of a force: normals are stored as float32 (1e-7), and the place is off by up to 1e-5 mm on
@@ -169,10 +171,13 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   {
     return fault(TickFault::Tip, tick, tick.tip.transpose(), " mm instead of ", tip.transpose());
   }
-  const double share = this->Scenes.share();
-  if (!(std::abs(tick.sceneShare - share) <= 1e3 * SceneRule::Rounding))
+  // Shares are added up step by step, and differ by what rounding of the time makes of the steps.
+  // Of the two, the one that is told is what the forces are made with.
+  const double share = tick.sceneShare;
+  if (!(std::abs(share - this->Scenes.share()) <= ShareRounding && share <= 1.0))
   {
-    return fault(TickFault::Scene, tick, "a share of ", tick.sceneShare, " instead of ", share);
+    return fault(
+      TickFault::Scene, tick, "a share of ", share, " instead of ", this->Scenes.share());
   }
   const Fit newer = this->fit(this->Scenes.newer(), tip, tick.contactForce, 1.0);
   if (newer.excess > 0.0)
@@ -185,13 +190,11 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   Fit older;
   older.depth = newer.depth;
   older.excess = rest.allFinite() ? rest.norm() - Rounding : rest.norm();
-  if (this->Scenes.isChanging())
+  if (share < 1.0 && this->Scenes.current() > 0)
   {
     older = this->fit(this->Scenes.older(), tip, rest, 1.0 - share);
   }
-  // The two shares, added up step by step, differ by what rounding of the time makes of the steps.
-  const double rounded = std::abs(tick.sceneShare - share) * tick.contactForce.norm();
-  if (!(older.excess <= rounded))
+  if (!(older.excess <= 0.0))
   {
     return fault(TickFault::Contact, tick, "of the scene that is left ", rest.transpose(),
       " N at a depth of ", older.depth, " mm: ", older.excess, " N too far off");
@@ -200,7 +203,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   expected.force =
     this->Frame.axes.transpose() * (newer.cap * share * tick.contactForce + older.cap * rest);
   // The cap follows the stored curve, which is off by as much as the force.
-  expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance + rounded) + Rounding;
+  expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance) + Rounding;
   const double nothing = RoundBody::DepthTolerance;
   expected.isInside = newer.depth > nothing || (older.depth > nothing && 1.0 - share > 1e-6);
   expected.isOutside = newer.depth < -nothing && older.depth < -nothing;

@@ -71,12 +71,16 @@ TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
 // Where the time is large, steps of it are rounded, and shares that add them up differ.
 TEST(TickChecker, AcceptsWhatComesAfterAnHour)
 {
-  for (const double begin : { 2000.0, 3600.0, 1e5 })
+  for (const double begin :
+    { 2000.1, 2735.4578, 3387.4595, 3492.45925, 3600.0, 1e4 + 0.3, 1e5 + 0.7 })
   {
-    const TickSeries series(5, true, 0.4, begin);
-    const TickSeries::Finding found = series.firstFault();
-    EXPECT_EQ(found.fault, TickFault::None)
-      << begin << ": tick " << found.tick << ", " << found.text;
+    for (unsigned seed = 0; seed < 16; ++seed)
+    {
+      const TickSeries series(seed, true, 0.4, begin);
+      const TickSeries::Finding found = series.firstFault();
+      EXPECT_EQ(found.fault, TickFault::None)
+        << begin << ", " << seed << ": tick " << found.tick << ", " << found.text;
+    }
   }
 }
 
