@@ -40,7 +40,7 @@ class Part:
     def run(self, folder):
         result = self.file(folder)
         result.unlink(missing_ok=True)
-        begin, date = time.monotonic(), datetime.datetime.now(datetime.timezone.utc)
+        begin, date, tried = time.monotonic(), datetime.datetime.now(datetime.timezone.utc), commit()
         code, fault = None, ""
         with open(folder / (self.name + ".txt"), "wb") as said:
             try:
@@ -49,7 +49,7 @@ class Part:
             except OSError as error:
                 fault = str(error)
         written = judge(code, fault, result)
-        written.update(date=date.strftime("%Y-%m-%d %H:%M UTC"), commit=commit(), seconds=time.monotonic() - begin)
+        written.update(date=date.strftime("%Y-%m-%d %H:%M UTC"), commit=tried, seconds=time.monotonic() - begin)
         result.write_text(json.dumps(written, indent=1), encoding="utf-8")
 
     def result(self, folder):
