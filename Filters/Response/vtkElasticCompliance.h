@@ -62,7 +62,7 @@
  * 20 × 20 × 5 mm). GetNeglectedByModes() tells.
  *
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
- * points and both radii, 1.6 times as much again, shared by all threads, where cells form a regular
+ * points and both radii, half as much again on two cores, where cells form a regular
  * grid; the half-space terms of irregular meshes, where no two points are alike, take about 8 ms
  * per point and core (`./run bench --benchmark_filter=ElasticCompliance`).
  * CHOLMOD with OpenBLAS if Palpate was built with it, Eigen otherwise, some hundred times slower.
