@@ -61,10 +61,10 @@ public:
   /// While changing.
   const FeltScene& older() const { return this->Scenes.at(this->Current - 1); }
 
+private:
   /// Of two hundred steps added up.
   static constexpr double Rounding = 1e-9;
 
-private:
   std::map<std::uint32_t, FeltScene> Scenes; ///< from the older one on
   std::uint32_t Offered = 0;
   std::uint32_t Current = 0;
