@@ -71,7 +71,7 @@ TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
 // Where the time is large, steps of it are rounded, and shares that add them up differ.
 TEST(TickChecker, AcceptsWhatComesAfterAnHour)
 {
-  for (const double begin : { 3600.0, 1e4 + 0.3, 1e5 + 0.7 })
+  for (const double begin : { 2000.0, 3600.0, 1e5, 1e5 + 0.7 })
   {
     for (unsigned seed = 0; seed < 16; ++seed)
     {
