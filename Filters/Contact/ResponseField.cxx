@@ -35,12 +35,6 @@ struct CombinedCurve
     return sum;
   }
 };
-
-bool isUsable(std::uint8_t status)
-{
-  return status == static_cast<std::uint8_t>(ResponseStatus::Valid) ||
-    status == static_cast<std::uint8_t>(ResponseStatus::Edge);
-}
 } // namespace
 
 ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh)
@@ -78,7 +72,7 @@ void ResponseField::shareCoefficient(const ResponseArrays& arrays)
   bool found = false;
   for (std::size_t i = 0; i < this->Points; ++i)
   {
-    if (isUsable(arrays.status[i]))
+    if (arrays.isUsable(i))
     {
       if (found && arrays.coefficient[i] != this->Shared)
       {
@@ -96,7 +90,7 @@ void ResponseField::pack(const ResponseArrays& arrays, std::size_t input, std::s
   const auto n = static_cast<std::size_t>(arrays.samples);
   const auto laws = static_cast<std::size_t>(this->Laws);
   float* record = this->Records.data() + this->Stride * point;
-  *record++ = isUsable(arrays.status[input]) ? arrays.range[input] : 0.0F;
+  *record++ = arrays.isUsable(input) ? arrays.range[input] : 0.0F;
   record = std::copy_n(arrays.normal + 3 * input, 3, record);
   if (laws > 0)
   {

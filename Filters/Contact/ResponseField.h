@@ -44,6 +44,13 @@ struct ResponseArrays
   const float* normal = nullptr;
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
+
+  /// Whether the point has a response.
+  bool isUsable(std::size_t point) const noexcept
+  {
+    const auto is = static_cast<ResponseStatus>(this->status[point]);
+    return (is == ResponseStatus::Valid || is == ResponseStatus::Edge) && this->range[point] > 0.0F;
+  }
 };
 
 /**

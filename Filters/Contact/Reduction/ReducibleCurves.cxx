@@ -9,9 +9,7 @@ ReducibleCurves::ReducibleCurves(const ResponseArrays& arrays)
 {
   for (std::size_t p = 0; p < arrays.points; ++p)
   {
-    const auto status = static_cast<ResponseStatus>(arrays.status[p]);
-    if ((status == ResponseStatus::Valid || status == ResponseStatus::Edge) &&
-      arrays.range[p] > 0.0F)
+    if (arrays.isUsable(p))
     {
       this->Points.push_back(p);
     }

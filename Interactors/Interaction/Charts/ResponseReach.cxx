@@ -11,13 +11,6 @@ namespace palpate
 {
 namespace
 {
-bool isUsable(const ResponseArrays& arrays, std::size_t point)
-{
-  const auto status = static_cast<ResponseStatus>(arrays.status[point]);
-  return (status == ResponseStatus::Valid || status == ResponseStatus::Edge) &&
-    arrays.range[point] > 0.0F;
-}
-
 double sampleOf(const ResponseArrays& arrays, std::size_t point, std::size_t sample)
 {
   const auto count = static_cast<std::size_t>(arrays.samples);
@@ -56,12 +49,12 @@ ResponseReach ResponseReach::of(vtkPolyData* body, const std::string& name, doub
   for (std::size_t i = 0; i < arrays.points; ++i)
   {
     longest =
-      isUsable(arrays, i) ? std::max(longest, static_cast<double>(arrays.range[i])) : longest;
+      arrays.isUsable(i) ? std::max(longest, static_cast<double>(arrays.range[i])) : longest;
   }
   reach.deflection = deflection > 0.0 ? deflection : longest;
   for (std::size_t i = 0; i < arrays.points; ++i)
   {
-    if (isUsable(arrays, i))
+    if (arrays.isUsable(i))
     {
       const double range = arrays.range[i];
       const auto force = [&](double depth)
