@@ -12,6 +12,7 @@ namespace
 {
 constexpr double Tolerance = 1e-3;          // of the depth, see the header
 constexpr std::size_t LeastSamples = 512;   // of g, in all
+constexpr double SamplesPerFactor = 12.0;   // of e in the radius
 constexpr std::size_t MostCandidates = 512; // radii at which the gap is followed
 
 struct Sample
@@ -20,7 +21,9 @@ struct Sample
   double g;
 };
 
-/// g between the kinks; points crowd behind each kink, where g may start like a square root.
+/// g between the kinks; before the first evenly. Behind a kink r points crowd, where g may start
+/// like a square root; then they keep their distance in proportion to x, for g changes over lengths
+/// of r there, however far the next kink is.
 std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
   const std::vector<double>& kinks, double outer)
 {
@@ -38,12 +41,14 @@ std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedPr
   double begin = 0.0;
   for (const double end : ends)
   {
-    const double whole = std::sqrt((end - begin) * (end + begin));
-    for (std::size_t i = 1; i <= perPiece; ++i)
+    const double span =
+      begin > 0.0 ? std::acosh(std::min(end / begin, std::numeric_limits<double>::max())) : 0.0;
+    const std::size_t count = std::max(perPiece, static_cast<std::size_t>(SamplesPerFactor * span));
+    for (std::size_t i = 1; i <= count; ++i)
     {
-      const double x = i == perPiece
-        ? end
-        : std::hypot(begin, whole * static_cast<double>(i) / static_cast<double>(perPiece));
+      const double share = static_cast<double>(i) / static_cast<double>(count);
+      const double inside = begin > 0.0 ? begin * std::cosh(span * share) : end * share;
+      const double x = i == count ? end : inside;
       samples.push_back({ x, reducedProfile(x) });
     }
     begin = end;

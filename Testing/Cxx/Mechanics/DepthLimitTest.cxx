@@ -51,6 +51,40 @@ TEST(DepthLimit, OfAConeWithAShoulder)
   EXPECT_TRUE(agrees(limit.depth, low, 1e-3)); // g is sampled at 500 points
 }
 
+TEST(DepthLimit, OfAShoulderHoweverWide)
+{
+  // One that rises ever so little: behind the corner g dips over a length of 1 and more, a tiny
+  // part of the shoulder's where that is wide. The gap closes first where the sum of rise and u_z
+  // is least.
+  struct Case
+  {
+    const char* tool;
+    double radius;
+    double slope;
+  };
+  for (const Case& each : { Case{ "profile:0,0;1,1;100,1.99", 100.0, 0.01 },
+         Case{ "profile:0,0;1,1;1000001,11", 1000001.0, 1e-5 },
+         Case{ "profile:0,0;1,1;1000000000001,11", 1e12 + 1.0, 1e-11 },
+         Case{ "profile:0,0;1,1;1e18,10", 1e18, 9e-18 } })
+  {
+    double closing = 2.0;
+    for (double r = 1.01; r < each.radius; r *= 1.01)
+    {
+      double low = 0.5;
+      double high = 1.5;
+      for (int i = 0; i < 50; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        const double over = penetration(middle, r) - each.slope * (r - 1.0) - 1e-3 * middle;
+        (over > 0.0 ? high : low) = middle;
+      }
+      closing = std::min(closing, low);
+    }
+    // g is sampled at 500 points.
+    EXPECT_TRUE(agrees(tool(each.tool)->depthLimit().depth, closing, 1e-3)) << each.tool;
+  }
+}
+
 TEST(DepthLimit, EveryAnswerBeyondItIsNaN)
 {
   const auto t = tool(Shoulder);
