@@ -148,10 +148,16 @@ def number(value):
 
 
 def show(figures):
-    """Markdown of {name: value}; values that are such themselves become rows of one table."""
+    """Markdown of {name: value}; a list becomes lines below its name, values that are such themselves rows of one
+    table.
+    """
     rows = {name: value for name, value in figures.items() if isinstance(value, dict)}
-    lines = ["- {}: {}".format(name, ", ".join(map(number, value)) if isinstance(value, list) else number(value))
-             for name, value in figures.items() if name not in rows]
+    lines = []
+    for name, value in figures.items():
+        if isinstance(value, list):
+            lines += ["- {}:".format(name)] + ["  - {}".format(number(item)) for item in value]
+        elif name not in rows:
+            lines.append("- {}: {}".format(name, number(value)))
     if rows:
         columns = list(dict.fromkeys(column for row in rows.values() for column in row))
         lines += [""] if lines else []

@@ -8,7 +8,8 @@ import unittest
 import endurance
 
 WRITE = "import json, sys; json.dump({}, open(sys.argv[-1], 'w')); sys.exit({})"
-GOOD = {"part": "x", "passed": True, "figures": {"ticks": 12345678, "worst": 0.25, "A": {"runs": 3}, "B": {"peak": 7}}}
+GOOD = {"part": "x", "passed": True, "figures": {"ticks": 12345678, "worst": 0.25, "left out": ["one", "another"],
+                                                 "A": {"runs": 3}, "B": {"peak": 7}}}
 
 
 def part(written, code=0, name="x"):
@@ -53,6 +54,7 @@ class Endurance(unittest.TestCase):
         self.assertIn("| good | yes |", report)
         self.assertIn("- memory: 4 GB", report)
         self.assertIn("- ticks: 12 345 678", report)
+        self.assertIn("- left out:\n  - one\n  - another\n", report)
         self.assertIn("| | runs | peak |", report)
         self.assertIn("| A | 3 |  |", report)
 

@@ -89,6 +89,9 @@ class CommandLine(SessionCase):
                 (("--device", "joystick"), "joystick"),
                 (("--scene", "moon"), "moon"),
                 (("--site", "0,0"), "--site"),
+                (("--no-auto=" + 40 * "4",), "no-auto"),
+                (("--no-auto=maybe",), "no-auto"),
+                (("--window=maybe",), "maybe"),
                 (("--colour", "red"), "--colour"),
                 (("one.stl", "two.stl"), "two.stl"),
                 (("--young",), "--young")):

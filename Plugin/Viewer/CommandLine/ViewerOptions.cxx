@@ -319,10 +319,12 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--save", options.save, "also write the body with its responses, a .vtp");
   app.add_option("--export", options.exportTo,
     "also write the body with the first tool's responses for loops without VTK, a .palpate");
-  app.add_flag("--auto,!--no-auto", options.automatic,
-    "choose from regime, validity and spread what is felt: a point force, one law, a few, or a "
-    "response per vertex, and say why (default; --no-auto: per vertex as computed, as always in "
-    "--trial)");
+  app
+    .add_flag("--auto,!--no-auto", options.automatic,
+      "choose from regime, validity and spread what is felt: a point force, one law, a few, or a "
+      "response per vertex, and say why (default; --no-auto: per vertex as computed, as always in "
+      "--trial)")
+    ->disable_flag_override(); // a number too large for CLI11 is no ParseError
   app
     .add_option("--tolerance", options.tolerance,
       "how much the chosen form may change a force, relative (see vtkResponseChoice)")
