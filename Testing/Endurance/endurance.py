@@ -185,7 +185,7 @@ def write_report(parts, folder, about):
 def parse(words):
     parser = argparse.ArgumentParser(prog="./run endurance", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", nargs="+", default=[], metavar="PART")
+    parser.add_argument("--only", nargs="*", metavar="PART", help="these; without any the report is written anew")
     parser.add_argument("--soak-seconds", type=int, default=3600)
     parser.add_argument("--runs", type=int, default=1000000, help="inputs of each fuzzer")
     parser.add_argument("--unplugs", type=int, default=1000)
@@ -194,10 +194,10 @@ def parse(words):
     arguments = parser.parse_args(words)
     beside, soak, alone = make_parts(arguments)
     known = [part.name for part in beside + [soak] + alone]
-    for name in arguments.only:
+    for name in arguments.only or []:
         if name not in known:
             parser.error("there is no part '{}'; there are: {}".format(name, " ".join(known)))
-    return arguments.output.resolve(), beside, soak, alone, set(arguments.only or known)
+    return arguments.output.resolve(), beside, soak, alone, set(known if arguments.only is None else arguments.only)
 
 
 def main(words):

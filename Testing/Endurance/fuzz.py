@@ -8,8 +8,10 @@ Which fuzzers there are, and with what options, ctest tells (label Fuzz). Each s
 committed corpus and leaves what it finds new in a fresh folder, BUILD/endurance/NAME; an input that
 breaks something lies in BUILD/endurance/findings.
 
-FILE.json: {"part": "fuzzing", "passed": bool, "figures": {NAME: {...}}}, per fuzzer seed (as given to
-libFuzzer), executions, executions_per_s, new_units (inputs kept since they reached something new),
+--only runs some again, after a finding was mended, and keeps what FILE.json tells of the others.
+
+FILE.json: {"part": "fuzzing", "passed": bool, "figures": {NAME: {...}}}, per fuzzer the commit, seed (as
+given to libFuzzer), executions, executions_per_s, new_units (inputs kept since they reached something new),
 edges and features (libFuzzer's cov and ft), peak_rss_mb, seconds, finding ("none", or libFuzzer's words
 and the path of the input). Exit code: 0 if none has a finding and each ran all its inputs,
 1 otherwise.
@@ -25,6 +27,8 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+from endurance import commit
 
 # Each allocation keeps where it was made: three frames of it, since to walk thirty takes a third of the
 # time. Run alone, an input that breaks something tells all of them. What is freed is kept back for a
@@ -84,12 +88,12 @@ def fuzz(name, command, folder, runs, seed):
     findings = folder / "findings"
     findings.mkdir(exist_ok=True)
     log = folder / f"{name}.log"
-    begin = time.monotonic()
+    begin, tried = time.monotonic(), commit()
     with log.open("w") as stream:
         code = subprocess.run(command_for(command, scratch, findings, runs, seed), stdout=stream,
                               stderr=subprocess.STDOUT, check=False,
                               env={**os.environ, **ENVIRONMENT}).returncode
-    figures = {"seed": seed, **read_log(log.read_text(errors="replace"), runs),
+    figures = {"commit": tried, "seed": seed, **read_log(log.read_text(errors="replace"), runs),
                "seconds": round(time.monotonic() - begin, 1)}
     if code != 0 and figures["finding"] == "none":
         figures["finding"] = f"ended with exit code {code}, see {log}"
@@ -104,13 +108,19 @@ def judge(figures):
     return bool(figures) and all(f["complete"] and f["finding"] == "none" for f in figures.values())
 
 
+def merge(earlier, figures):
+    """What to write: the earlier file with the new figures in place of the old ones."""
+    together = {**earlier.get("figures", {}), **figures}
+    return {**earlier, "part": "fuzzing", "passed": judge(together), "figures": together}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--runs", type=int, default=1_000_000)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seed", type=int, help="of libFuzzer (default: another each time)")
-    parser.add_argument("--only", nargs="*", help="these fuzzers")
+    parser.add_argument("--only", nargs="*", help="these fuzzers; the others' figures are kept")
     parser.add_argument("--output", type=Path, required=True)
     arguments = parser.parse_args()
 
@@ -119,6 +129,8 @@ def main():
     if unknown or not known:
         sys.exit(f"error: {arguments.build} has no fuzzer {', '.join(sorted(unknown)) or 'at all'}")
     chosen = {name: known[name] for name in known if not arguments.only or name in arguments.only}
+    file = arguments.output
+    earlier = json.loads(file.read_text(encoding="utf-8")) if arguments.only and file.exists() else {}
     seed = arguments.seed or random.SystemRandom().randrange(1, 2**31)
     print(f"seed {seed}", flush=True)
     folder = (arguments.build / "endurance").resolve()
@@ -126,11 +138,10 @@ def main():
         running = {name: pool.submit(fuzz, name, command, folder, arguments.runs, seed)
                    for name, command in chosen.items()}
         figures = {name: result.result() for name, result in running.items()}
-    passed = judge(figures)
-    arguments.output.parent.mkdir(parents=True, exist_ok=True)
-    arguments.output.write_text(json.dumps(
-        {"part": "fuzzing", "passed": passed, "figures": figures}, indent=1) + "\n")
-    return 0 if passed else 1
+    written = merge(earlier, figures)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(written, indent=1) + "\n", encoding="utf-8")
+    return 0 if judge(figures) else 1
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 import endurance
+import fuzz
 
 WRITE = "import json, sys; json.dump({}, open(sys.argv[-1], 'w')); sys.exit({})"
 GOOD = {"part": "x", "passed": True, "figures": {"ticks": 12345678, "worst": 0.25, "left out": ["one", "another"],
@@ -57,6 +58,19 @@ class Endurance(unittest.TestCase):
         self.assertIn("- left out:\n  - one\n  - another\n", report)
         self.assertIn("| | runs | peak |", report)
         self.assertIn("| A | 3 |  |", report)
+
+    def test_a_fuzzer_that_is_run_again_takes_the_place_of_its_finding(self):
+        sound, broken = {"complete": True, "finding": "none"}, {"complete": False, "finding": "a force pushes out"}
+        first = {**fuzz.merge({}, {"A": broken, "B": sound}), "date": "then"}
+        self.assertFalse(first["passed"])
+        self.assertEqual(fuzz.merge(first, {"A": sound}),
+                         {"part": "fuzzing", "passed": True, "date": "then", "figures": {"A": sound, "B": sound}})
+        self.assertFalse(fuzz.merge(first, {"B": sound})["passed"])
+
+    def test_parts_are_chosen_all_some_or_none(self):
+        self.assertEqual(len(endurance.parse([])[-1]), 5)
+        self.assertEqual(endurance.parse(["--only", "soak", "limits"])[-1], {"soak", "limits"})
+        self.assertEqual(endurance.parse(["--only"])[-1], set())
 
     def test_a_part_nobody_knows_is_refused(self):
         with self.assertRaises(SystemExit) as refused:
