@@ -25,6 +25,8 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 
+NOTHING = {"passed": False, "figures": {}, "fault": "not run", "seconds": 0.0, "date": "", "commit": ""}
+
 
 class Part:
     """A command that writes {"part", "passed", "figures"} to a file of its own, to which is added when it was run, of
@@ -55,9 +57,9 @@ class Part:
     def result(self, folder):
         """What run() left, now or earlier."""
         try:
-            return json.loads(self.file(folder).read_text(encoding="utf-8"))
+            return {**NOTHING, **json.loads(self.file(folder).read_text(encoding="utf-8"))}
         except OSError:
-            return {"passed": False, "figures": {}, "fault": "not run", "seconds": 0.0, "date": "", "commit": ""}
+            return NOTHING
 
 
 def judge(code, fault, file):

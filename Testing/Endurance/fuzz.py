@@ -88,12 +88,12 @@ def fuzz(name, command, folder, runs, seed):
     findings = folder / "findings"
     findings.mkdir(exist_ok=True)
     log = folder / f"{name}.log"
-    begin, tried = time.monotonic(), commit()
+    begin = time.monotonic()
     with log.open("w") as stream:
         code = subprocess.run(command_for(command, scratch, findings, runs, seed), stdout=stream,
                               stderr=subprocess.STDOUT, check=False,
                               env={**os.environ, **ENVIRONMENT}).returncode
-    figures = {"commit": tried, "seed": seed, **read_log(log.read_text(errors="replace"), runs),
+    figures = {"seed": seed, **read_log(log.read_text(errors="replace"), runs),
                "seconds": round(time.monotonic() - begin, 1)}
     if code != 0 and figures["finding"] == "none":
         figures["finding"] = f"ended with exit code {code}, see {log}"
@@ -111,7 +111,9 @@ def judge(figures):
 def merge(earlier, figures):
     """What to write: the earlier file with the new figures in place of the old ones."""
     together = {**earlier.get("figures", {}), **figures}
-    return {**earlier, "part": "fuzzing", "passed": judge(together), "figures": together}
+    passed = judge(together)
+    return {**earlier, "part": "fuzzing", "passed": passed, "fault": "" if passed else "see finding",
+            "figures": together}
 
 
 def main():
@@ -120,7 +122,7 @@ def main():
     parser.add_argument("--runs", type=int, default=1_000_000)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seed", type=int, help="of libFuzzer (default: another each time)")
-    parser.add_argument("--only", nargs="*", help="these fuzzers; the others' figures are kept")
+    parser.add_argument("--only", nargs="+", help="these fuzzers; the others' figures are kept")
     parser.add_argument("--output", type=Path, required=True)
     arguments = parser.parse_args()
 
@@ -131,13 +133,14 @@ def main():
     chosen = {name: known[name] for name in known if not arguments.only or name in arguments.only}
     file = arguments.output
     earlier = json.loads(file.read_text(encoding="utf-8")) if arguments.only and file.exists() else {}
+    tried = commit() # of which the build is, whatever comes while it runs
     seed = arguments.seed or random.SystemRandom().randrange(1, 2**31)
     print(f"seed {seed}", flush=True)
     folder = (arguments.build / "endurance").resolve()
     with ThreadPoolExecutor(arguments.jobs) as pool:
         running = {name: pool.submit(fuzz, name, command, folder, arguments.runs, seed)
                    for name, command in chosen.items()}
-        figures = {name: result.result() for name, result in running.items()}
+        figures = {name: {"commit": tried, **result.result()} for name, result in running.items()}
     written = merge(earlier, figures)
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(written, indent=1) + "\n", encoding="utf-8")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A part that fails, dies or is missing is never reported as passed."""
+import json
 import pathlib
 import sys
 import tempfile
@@ -64,8 +65,17 @@ class Endurance(unittest.TestCase):
         first = {**fuzz.merge({}, {"A": broken, "B": sound}), "date": "then"}
         self.assertFalse(first["passed"])
         self.assertEqual(fuzz.merge(first, {"A": sound}),
-                         {"part": "fuzzing", "passed": True, "date": "then", "figures": {"A": sound, "B": sound}})
+                         {"part": "fuzzing", "passed": True, "date": "then", "fault": "",
+                          "figures": {"A": sound, "B": sound}})
         self.assertFalse(fuzz.merge(first, {"B": sound})["passed"])
+
+    def test_what_fuzzers_left_alone_can_be_reported(self):
+        fuzzing = part(GOOD, name="fuzzing")
+        broken = {"complete": False, "finding": "a force pushes out"}
+        fuzzing.file(self.folder).write_text(json.dumps(fuzz.merge({}, {"A": broken})), encoding="utf-8")
+        report = endurance.write_report([fuzzing], self.folder, [])
+        self.assertIn("| fuzzing | NO: see finding |", report)
+        self.assertIn("a force pushes out", report)
 
     def test_parts_are_chosen_all_some_or_none(self):
         self.assertEqual(len(endurance.parse([])[-1]), 5)

@@ -28,6 +28,20 @@ double penetration(double depth, double r)
     2.0 / Pi * depth * (std::asin(x) + (std::sqrt(1.0 - x * x) - 1.0) / x); // the cone's u_z, c = 1
   return depth - 1.0 - outside;
 }
+
+/// The depth at which the gap over a shoulder that rises by `slope` closes at r, a thousandth of δ
+/// allowed; by bisection.
+double closingDepth(double r, double slope)
+{
+  double low = 0.5;
+  double high = 1.5;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (penetration(middle, r) - slope * (r - 1.0) > 1e-3 * middle ? high : low) = middle;
+  }
+  return low;
+}
 } // namespace
 
 TEST(DepthLimit, OfAConeWithAShoulder)
@@ -38,17 +52,10 @@ TEST(DepthLimit, OfAConeWithAShoulder)
   EXPECT_NEAR(penetration(1.1, 20.0), 0.088, 0.0005);
   EXPECT_TRUE(std::isnan(t->force(1.1, 1.0)));
 
-  // The gap closes first at the far end; bisect it there, a thousandth of δ allowed.
-  double low = 0.5;
-  double high = 1.5;
-  for (int i = 0; i < 60; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (penetration(middle, 20.0) > 1e-3 * middle ? high : low) = middle;
-  }
+  // The gap closes first at the far end.
   const palpate::DepthLimit limit = t->depthLimit();
   EXPECT_EQ(limit.radius, 20.0);
-  EXPECT_TRUE(agrees(limit.depth, low, 1e-3)); // g is sampled at 500 points
+  EXPECT_TRUE(agrees(limit.depth, closingDepth(20.0, 0.0), 1e-3)); // g is sampled at 500 points
 }
 
 TEST(DepthLimit, OfAShoulderHoweverWide)
@@ -70,15 +77,7 @@ TEST(DepthLimit, OfAShoulderHoweverWide)
     double closing = 2.0;
     for (double r = 1.01; r < each.radius; r *= 1.01)
     {
-      double low = 0.5;
-      double high = 1.5;
-      for (int i = 0; i < 50; ++i)
-      {
-        const double middle = 0.5 * (low + high);
-        const double over = penetration(middle, r) - each.slope * (r - 1.0) - 1e-3 * middle;
-        (over > 0.0 ? high : low) = middle;
-      }
-      closing = std::min(closing, low);
+      closing = std::min(closing, closingDepth(r, each.slope));
     }
     // g is sampled at 500 points.
     EXPECT_TRUE(agrees(tool(each.tool)->depthLimit().depth, closing, 1e-3)) << each.tool;
