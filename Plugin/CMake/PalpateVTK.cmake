@@ -2,19 +2,32 @@
 # The VTK side: finds VTK (ParaView's own where ParaView is installed), builds our VTK modules and
 # their Python wrapping. Only Plugin/ParaView may need ParaView itself.
 option(PALPATE_USE_PARAVIEW "Take VTK from an installed ParaView" ON)
+option(PALPATE_BUILD_PLUGIN "Build ParaView's plugin; its VTK alone needs far fewer packages" ON)
+include(PalpatePythonTargets)
 
+set(palpate_packages "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake") # where Debian has them
 set(palpate_vtk_found OFF)
+set(palpate_vtk_of_paraview)
 if(PALPATE_USE_PARAVIEW)
+  file(GLOB palpate_vtk_of_paraview "${palpate_packages}/paraview-*/vtk")
+  file(GLOB palpate_python_targets "${palpate_packages}/paraview-*/vtk/VTKPython-targets.cmake")
+  if(NOT palpate_python_targets) # since 6 Debian's ParaView is built on plain VTK
+    file(GLOB palpate_python_targets "${palpate_packages}/vtk-*/VTKPython-targets.cmake")
+  endif()
+  file(GLOB palpate_paraview_targets "${palpate_packages}/paraview-*/ParaViewPython*-targets.cmake")
+  palpate_read_python_targets(${palpate_python_targets} ${palpate_paraview_targets})
+endif()
+if(PALPATE_USE_PARAVIEW AND PALPATE_BUILD_PLUGIN)
   find_package(ParaView 5.11 QUIET)
   if(ParaView_FOUND)
     set(palpate_vtk_found ON)
     message(STATUS "VTK ${VTK_VERSION} of ParaView ${ParaView_VERSION}")
   else()
-    message(STATUS "ParaView not found or not complete (${ParaView_NOT_FOUND_MESSAGE}); trying plain VTK")
+    message(STATUS "ParaView not found: no plugin (${ParaView_NOT_FOUND_MESSAGE})")
   endif()
 endif()
 if(NOT palpate_vtk_found)
-  find_package(VTK 9.1 REQUIRED
+  find_package(VTK 9.1 REQUIRED HINTS ${palpate_vtk_of_paraview}
     COMPONENTS
       ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
       CommonTransforms FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersPoints
@@ -23,7 +36,7 @@ if(NOT palpate_vtk_found)
       RenderingOpenGL2 ViewsContext2D
     OPTIONAL_COMPONENTS
       Python PythonInterpreter TestingCore TestingRendering WrappingPythonCore)
-  message(STATUS "Plain VTK ${VTK_VERSION}")
+  message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")
 endif()
 find_package(CLI11 REQUIRED)
 

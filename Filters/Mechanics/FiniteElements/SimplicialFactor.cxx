@@ -14,10 +14,12 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(BlockSize), 
 
 double SimplicialFactor::Cholesky::predictedNonZeros() const
 {
+  // Where the columns begin is an int, which may wrap around; how long each is does not.
+  const int* starts = this->m_matrix.outerIndexPtr();
   double sum = 0.0;
-  for (Eigen::Index i = 0; i < this->m_nonZerosPerCol.size(); ++i)
+  for (Eigen::Index i = 0; i < this->m_matrix.outerSize(); ++i)
   {
-    sum += this->m_nonZerosPerCol[i] + 1;
+    sum += static_cast<unsigned>(starts[i + 1]) - static_cast<unsigned>(starts[i]);
   }
   return sum;
 }

@@ -222,7 +222,7 @@ std::string ComparisonColumn::followContact(
 
 std::string ComparisonColumn::showPlace(const double place[3])
 {
-  return this->Body ? this->judge(this->Body->FindPoint(place[0], place[1], place[2]))
+  return this->Body ? this->judge(this->Body->vtkDataSet::FindPoint(place[0], place[1], place[2]))
                     : "there is no body";
 }
 

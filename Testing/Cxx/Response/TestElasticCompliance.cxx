@@ -147,7 +147,7 @@ void checkOutput()
   // Patches of 0.75 and 1.5 mm, whose outermost force lies at 0.94 of that: two points from an
   // edge. On top 3 × 3; on a side none, as its lowest row of faces is on fixed points.
   PALPATE_CHECK(valid == 9);
-  const vtkIdType top = surface->FindPoint(3.0, 3.0, 4.0);
+  const vtkIdType top = surface->vtkDataSet::FindPoint(3.0, 3.0, 4.0);
   PALPATE_CHECK(data->GetArray("GlobalCompliance")->GetTuple1(top) < 0.0); // a base 4 mm below
 }
 
@@ -207,8 +207,8 @@ void checkLoadedDisplacement()
 {
   const auto filter = makeFilter(block(8, 4));
   filter->Update();
-  const vtkIdType a = filter->GetOutput()->FindPoint(4.0, 4.0, 4.0);
-  const vtkIdType b = filter->GetOutput()->FindPoint(6.0, 4.0, 4.0);
+  const vtkIdType a = filter->GetOutput()->vtkDataSet::FindPoint(4.0, 4.0, 4.0);
+  const vtkIdType b = filter->GetOutput()->vtkDataSet::FindPoint(6.0, 4.0, 4.0);
   PALPATE_CHECK(filter->GetOutput()->GetPointData()->GetArray("LoadedDisplacement") == nullptr);
   const auto moved = [&](vtkIdType loaded, vtkIdType seen, double force)
   {

@@ -148,7 +148,7 @@ void checkBar()
   filter->SetLoadForce(force);
   for (const int x : { 10, 17, 24, 31, 38 })
   {
-    const vtkIdType pressed = filter->GetOutput()->FindPoint(x, 0.5 * Side, Side);
+    const vtkIdType pressed = filter->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Side);
     filter->SetLoadedPoint(pressed);
     filter->Update();
     vtkPolyData* body = filter->GetOutput();

@@ -156,7 +156,7 @@ void checkToolLargerThanBody()
   const auto check = [](vtkPolyData* shape, const char* tool, double depth, int limit)
   {
     const Body body = withResponse(shape, tool);
-    const vtkIdType top = body->FindPoint(0.0, 0.0, 5.0);
+    const vtkIdType top = body->vtkDataSet::FindPoint(0.0, 0.0, 5.0);
     PALPATE_CHECK_NEAR(
       valueOf(body, "ResponseValidity", top), depth, 1e-6 * depth); // stored as float
     PALPATE_CHECK(static_cast<int>(valueOf(body, "ResponseLimit", top)) == limit);
@@ -192,7 +192,7 @@ void checkToolLargerThanBody()
   layer->SetTool(makeTool("flat:6"));
   layer->SetLayerThickness(20.0);
   layer->Update();
-  const vtkIdType top = cube->FindPoint(0.0, 0.0, 5.0);
+  const vtkIdType top = cube->vtkDataSet::FindPoint(0.0, 0.0, 5.0);
   PALPATE_CHECK(valueOf(layer->GetOutput(), "ResponseLimit", top) == Edge);
   PALPATE_CHECK(valueOf(layer->GetOutput(), "ResponseValidity", top) == 0.0);
 }

@@ -174,7 +174,7 @@ void checkDent()
   // Beside the contact the surface falls towards it, so that its normal leans the same way.
   vtkDataArray* normals = dented->GetPointData()->GetNormals();
   PALPATE_CHECK(normals && normals != up);
-  const vtkIdType beside = dented->FindPoint(3.0, 0.0, 0.0);
+  const vtkIdType beside = dented->vtkDataSet::FindPoint(3.0, 0.0, 0.0);
   PALPATE_CHECK(normals->GetComponent(beside, 0) < -0.02);
   PALPATE_CHECK(up->GetComponent(beside, 0) == 0.0);
   double below[2];
@@ -184,7 +184,7 @@ void checkDent()
   const double slope = std::atan2(below[1] - above[1], 1.0 + above[0] - below[0]);
   // A vertex' facets span its neighbours, 0.5 mm to each side; their mean is weighted by area.
   PALPATE_CHECK_NEAR(normals->GetComponent(beside, 0), -std::sin(slope), 0.15 * std::sin(slope));
-  const vtkIdType corner = dented->FindPoint(20.0, 20.0, 0.0);
+  const vtkIdType corner = dented->vtkDataSet::FindPoint(20.0, 20.0, 0.0);
   PALPATE_CHECK_NEAR(normals->GetComponent(corner, 2), 1.0, 0.0);
 }
 
