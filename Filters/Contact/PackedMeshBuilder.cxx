@@ -40,7 +40,7 @@ bool keepsItsArea(const std::array<Vector3, 3>& given, const std::array<Vector3,
   return normal.norm() > 4e-16 * longest && normal.dot(normalOf(given)) > 0.0;
 }
 
-double angleBetween(const Vector3& u, const Vector3& v)
+double cornerAngle(const Vector3& u, const Vector3& v)
 {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
@@ -368,7 +368,7 @@ void PackedMesh::Builder::computePointNormals()
             const Vector3 u = this->Mesh.corner(triangle, (k + 1) % 3) - at;
             const Vector3 v = this->Mesh.corner(triangle, (k + 2) % 3) - at;
             const Vector3 normal = u.cross(v);
-            sum += angleBetween(u, v) / normal.norm() * normal;
+            sum += cornerAngle(u, v) / normal.norm() * normal;
           });
         const double length = sum.norm();
         Eigen::Map<Eigen::Vector3f>(this->Mesh.Vertices[i].normal.data()) =

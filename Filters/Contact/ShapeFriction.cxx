@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double AtLimit = 1.0 - 1e-9;
+constexpr double NearlyAll = 1.0 - 1e-9;
 }
 
 ShapeFriction::ShapeFriction(const FrictionSettings& settings) noexcept
@@ -52,7 +52,7 @@ TangentialForce ShapeFriction::move(
       }
       u = step.fromPath(u);
     }
-    const double nearly = AtLimit * limit;
+    const double nearly = NearlyAll * limit;
     result.sliding = result.sliding && (stiffness == 0.0 || u.squaredNorm() >= nearly * nearly);
     this->Stiffness[j] = stiffness;
     this->Displacement[j] = u;

@@ -20,7 +20,7 @@
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 
 /// The tips in the order of the rows, and which of the histories each belongs to.
 struct Rows
@@ -87,7 +87,7 @@ void addForces(vtkTable* table, const Rows& rows, const std::string& name, const
     column->SetName((name + of + " (N)").c_str());
     for (std::size_t i = 0; i < rows.point.size(); ++i)
     {
-      column->InsertNextValue(rows.line[i] == line ? value(rows.point[i]) : NaN);
+      column->InsertNextValue(rows.line[i] == line ? value(rows.point[i]) : Missing);
     }
     table->AddColumn(column);
   }

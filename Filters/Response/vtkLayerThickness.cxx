@@ -39,7 +39,7 @@ namespace
 constexpr double SamplesPerVoxel = 4.0;
 constexpr double LargestTurn = 0.5; // cosine of 60°: beyond, the surface faces elsewhere
 constexpr double MostSamples = 1e6; // of a ray
-constexpr int ProgressBlocks = 10;
+constexpr int ThicknessBlocks = 10;
 constexpr float NotFound = std::numeric_limits<float>::infinity();
 using Stage = palpate::FilterStage;
 
@@ -167,10 +167,10 @@ float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>
 template <class Loop>
 bool ForAll(vtkIdType count, Stage stage, const Loop& loop)
 {
-  for (vtkIdType block = 0; block < ProgressBlocks; ++block)
+  for (vtkIdType block = 0; block < ThicknessBlocks; ++block)
   {
-    vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks, loop);
-    if (!stage(static_cast<double>(block + 1) / ProgressBlocks))
+    vtkSMPTools::For(count * block / ThicknessBlocks, count * (block + 1) / ThicknessBlocks, loop);
+    if (!stage(static_cast<double>(block + 1) / ThicknessBlocks))
     {
       return false;
     }

@@ -37,7 +37,7 @@
 
 namespace
 {
-constexpr double BuildShare = 0.9; // of the progress
+constexpr double ProbeShare = 0.9; // of the progress
 constexpr double ArrowShare = 0.2; // of the body's diagonal: the force at half of Range
 constexpr double ToolShare = 0.25;
 constexpr double ArrowThickness = 0.012;
@@ -214,7 +214,7 @@ bool vtkToolTouch::Probe(palpate::Touch& touch)
   }
   this->Prober->SetTipData(singleTip(touch.tip));
   this->Prober->SetIndentation(depth);
-  palpate::runWithin(this->Prober, { this, 0.0, BuildShare });
+  palpate::runWithin(this->Prober, { this, 0.0, ProbeShare });
   if (!this->PassMessages(*this->Messages))
   {
     return false;
@@ -249,7 +249,7 @@ bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
     touch.touches() ? this->Tool->GetContactRadius(touch.deflection) : 0.0; // mm
   this->Dent->SetPoissonRatio(this->PoissonRatio);
   this->Dent->SetMaximumDistance(std::isfinite(radius) ? this->Reach * radius : 0.0);
-  palpate::runWithin(this->Dent, { this, BuildShare, 1.0 });
+  palpate::runWithin(this->Dent, { this, ProbeShare, 1.0 });
   if (!this->PassMessages(*this->Messages))
   {
     return false;

@@ -3,6 +3,7 @@
 
 #include "ParallelRanges.h"
 #include "ResponseField.h"
+#include "WorkspaceMapping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double MillimetresPerMetre = 1000.0;
-
 /// NaN counts as infinite.
 double larger(double peak, double value) noexcept
 {

@@ -16,8 +16,8 @@ namespace
 {
 constexpr int ReadLimit = 50; ///< ms; how long a stop may go unnoticed
 constexpr std::chrono::milliseconds SearchPause(250);
-constexpr std::chrono::milliseconds Patience(1000);
-constexpr int Priority = 79; ///< below the servo's, so that no flood of reports delays a tick
+constexpr std::chrono::milliseconds ReaderPatience(1000);
+constexpr int ReaderPriority = 79; ///< below the servo's, so that no flood of reports delays a tick
 } // namespace
 
 /// What the thread owns together with the reader: all of it, in case the reader does not wait.
@@ -54,7 +54,7 @@ struct HidReader::Shared
 
   void run()
   {
-    requestRealTime({ Priority });
+    requestRealTime({ ReaderPriority });
     while (!this->stopping())
     {
       if (this->Port)
@@ -137,7 +137,7 @@ HidReader::~HidReader()
     this->Work->Stopping = true;
   }
   this->Work->Stop.notify_all();
-  this->Thread.finish(Patience);
+  this->Thread.finish(ReaderPatience);
 }
 
 bool HidReader::connected() const noexcept

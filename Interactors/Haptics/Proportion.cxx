@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Bisections = 60; // of an interval no longer than 80: to 1e-16 of it
+constexpr int Halvings = 60; // of an interval no longer than 80: to 1e-16 of it
 
 /// Probability of at least `successes` in `trials`, each a success with probability p in (0, 1).
 /// Terms by their logarithms, since the coefficients overflow from 1030 trials on.
@@ -27,7 +27,7 @@ double upperTail(int successes, int trials, double p)
 template <class Function>
 double rootBetween(double low, double high, const Function& function)
 {
-  for (int i = 0; i < Bisections; ++i)
+  for (int i = 0; i < Halvings; ++i)
   {
     const double middle = 0.5 * (low + high);
     (function(middle) < 0.0 ? low : high) = middle;

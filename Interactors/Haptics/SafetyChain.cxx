@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SafetyChain.h"
 
+#include "WorkspaceMapping.h"
+
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-constexpr double MillimetresPerMetre = 1000.0;
 
 double factorOf(double given) noexcept
 {

@@ -16,7 +16,7 @@ namespace
 constexpr std::size_t LongestReport = 64;
 constexpr double LongestStep = 0.02; ///< s; what is longer is a pause of the loop, no motion
 
-struct NumberedState
+struct NumberedAxes
 {
   SpaceMouseState state;
   std::uint64_t number = 0; ///< 1, 2, 3, …
@@ -66,8 +66,8 @@ public:
 
   void lost() noexcept override { this->Alive.store(false, std::memory_order_release); }
 
-  LatestValue<NumberedState> States; ///< reader's thread → tick
-  std::atomic<bool> Alive{ true };   ///< silent at rest: open is enough
+  LatestValue<NumberedAxes> States; ///< reader's thread → tick
+  std::atomic<bool> Alive{ true };  ///< silent at rest: open is enough
   std::atomic<std::uint64_t> Malformed{ 0 };
 
 private:
@@ -133,7 +133,7 @@ DeviceSample SpaceMouseDevice::read(double time) noexcept
 
 Eigen::Vector3d SpaceMouseDevice::pushed(double time) noexcept
 {
-  const NumberedState& state = this->Connection->States.read();
+  const NumberedAxes& state = this->Connection->States.read();
   if (state.number != this->Seen)
   {
     this->Seen = state.number;

@@ -12,7 +12,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double MillimetresPerMetre = 1000.0;
 }
 
 WorkspaceMapping::WorkspaceMapping(

@@ -8,6 +8,8 @@
 
 namespace palpate
 {
+constexpr double MillimetresPerMetre = 1000.0;
+
 /**
  * From the frame of the device (m) to the frame of the body (mm) and back: the only place where
  * units change. x_body = R (1000 scale x_device) + t; forces keep their magnitude, so a stiffness K

@@ -21,8 +21,8 @@
 namespace
 {
 constexpr int TextSize = 15;
-constexpr double LegendWidth = 175.0; // pixels, as the legend of a contact scene
-constexpr double NamesShift = 0.6;    // of that
+constexpr double MapLegendWidth = 175.0; // pixels, as the legend of a contact scene
+constexpr double NamesShift = 0.6;       // of that
 
 struct QuantityLook
 {
@@ -129,8 +129,8 @@ void vtkRegimeMap::PlaceLegend()
   if (this->Renderer)
   {
     // The same size in pixels, however narrow the viewport.
-    const double share =
-      std::min(1.0, LegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
+    const double share = std::min(
+      1.0, MapLegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
     // Names stand to the right of their bar, which would move with them.
     const double shift = this->Quantity == Verdict ? NamesShift : 0.0;
     this->Legend->GetPositionCoordinate()->SetValue(1.0 - (1.0 + shift) * share, 0.2);

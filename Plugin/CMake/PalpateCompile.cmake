@@ -32,6 +32,32 @@ function(palpate_warnings target)
     $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
 endfunction()
 
+# Up to twelve sources of a folder are compiled as one, since most of the time goes into headers that all of
+# them include: what two files of a folder define for themselves needs two names. Not what is generated.
+option(PALPATE_GROUP_SOURCES "Compile sources in groups; off, a change compiles one file" ON)
+function(palpate_group_sources target)
+  if(NOT PALPATE_GROUP_SOURCES)
+    return()
+  endif()
+  get_target_property(folder ${target} SOURCE_DIR)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${folder}")
+    cmake_path(IS_PREFIX folder "${source}" is_own)
+    if(is_own AND source MATCHES "\\.cxx$")
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${folder}" OUTPUT_VARIABLE part)
+      cmake_path(GET part PARENT_PATH part)
+      math(EXPR count_${part} "0${count_${part}} + 1")
+      math(EXPR number "(${count_${part}} - 1) / 12")
+      set_source_files_properties("${source}" TARGET_DIRECTORY ${target}
+        PROPERTIES UNITY_GROUP "${part}${number}")
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # g++ takes a class of one of the files for one of a header.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 # A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
 # CLASSES, and what is named besides. A name may lie in a subfolder; headers are included without it,
 # as they are installed.
@@ -58,6 +84,7 @@ function(palpate_add_kernel name)
   target_compile_features(palpate${name} PUBLIC cxx_std_17)
   set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON)
   palpate_warnings(palpate${name})
+  palpate_group_sources(palpate${name})
   target_compile_options(palpate${name} PRIVATE
     -Wpedantic -Wnull-dereference # VTK's headers fail both
     -fno-math-errno               # a square root is one instruction

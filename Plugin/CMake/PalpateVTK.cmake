@@ -58,6 +58,7 @@ vtk_module_build(
 foreach(palpate_module IN LISTS palpate_modules)
   _vtk_module_real_target(palpate_target ${palpate_module})
   palpate_warnings(${palpate_target})
+  palpate_group_sources(${palpate_target})
 endforeach()
 
 if(TARGET VTK::WrappingPythonCore)

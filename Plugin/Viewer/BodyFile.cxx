@@ -3,6 +3,7 @@
 
 #include "CollectingWindow.h"
 #include "FlatBodyConversion.h"
+#include "JoinedText.h"
 #include "MeshFileCheck.h"
 #include "PromptReader.h"
 
@@ -76,15 +77,6 @@ const Format* findFormat(std::string path)
   return nullptr;
 }
 
-/** Text from parts. */
-template <class... Parts>
-std::string join(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
-
 //------------------------------------------------------------------------------
 /** What keeps the file from being read at all; "" if nothing. */
 std::string fileProblem(const std::string& path)
@@ -132,8 +124,8 @@ vtkSmartPointer<vtkPolyData> skinOf(
   skin->SetClosingRadius(options.closingRadius / options.lengthScale);
   skin->Update();
   const int* size = scan->GetDimensions();
-  notes.push_back(join("outer skin of a scan of ", size[0], " x ", size[1], " x ", size[2],
-    " voxels at grey level ", options.contourValue, ", openings up to ",
+  notes.push_back(palpate::joined("outer skin of a scan of ", size[0], " x ", size[1], " x ",
+    size[2], " voxels at grey level ", options.contourValue, ", openings up to ",
     2.0 * options.closingRadius, " mm closed: ", skin->GetOutput()->GetNumberOfPoints(),
     " points"));
   if (options.baseValue)
@@ -178,7 +170,7 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
     std::string known = " .palpate";
     for (const Format& one : formats)
     {
-      known += join(" ", one.extension);
+      known += palpate::joined(" ", one.extension);
     }
     return "unknown kind of file; a body may be" + known;
   }
@@ -193,7 +185,7 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   }
   if (!(options.lengthScale > 0.0) || !std::isfinite(options.lengthScale))
   {
-    return join("a unit of length of ", options.lengthScale, " mm makes no sense");
+    return palpate::joined("a unit of length of ", options.lengthScale, " mm makes no sense");
   }
 
   // The file as it is.
@@ -206,8 +198,8 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   }
   if (vtkSTLReader::SafeDownCast(reader) && data->GetNumberOfPoints() > 0)
   {
-    result.notes.push_back(join(3 * data->GetNumberOfCells(), " corners of facets merged into ",
-      data->GetNumberOfPoints(), " points"));
+    result.notes.push_back(palpate::joined(3 * data->GetNumberOfCells(),
+      " corners of facets merged into ", data->GetNumberOfPoints(), " points"));
   }
 
   // As triangles in millimetres.
@@ -229,7 +221,7 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   if (body->GetNumberOfPolys() == 0)
   {
     const std::string& reason = complaints->reason();
-    return join("holds no triangles", reason.empty() ? "" : ": ", reason);
+    return palpate::joined("holds no triangles", reason.empty() ? "" : ": ", reason);
   }
   scaleThickness(body, options.lengthScale);
   for (int i = 0; i < surface->GetNumberOfNotes(); ++i)
@@ -238,8 +230,8 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   }
   if (vtkBodySurface::IsSizeDoubtful(surface->GetLongestSide()))
   {
-    result.notes.push_back(
-      join("its longest side is ", surface->GetLongestSide(), " mm: is --length-unit right?"));
+    result.notes.push_back(palpate::joined(
+      "its longest side is ", surface->GetLongestSide(), " mm: is --length-unit right?"));
   }
   if (!complaints->firstWarning().empty())
   {
@@ -268,12 +260,12 @@ BodyFileResult readBodyFile(const std::string& path, const BodyFileOptions& opti
   }
   catch (const std::exception& exception)
   {
-    problem = join("cannot be read: ", exception.what());
+    problem = palpate::joined("cannot be read: ", exception.what());
   }
   if (!problem.empty())
   {
     result = {};
-    result.error = join(path, ": ", problem, ".");
+    result.error = palpate::joined(path, ": ", problem, ".");
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include "ComparisonBodies.h"
 #include "ComparisonStage.h"
+#include "PictureSize.h"
 #include "Pictures.h"
 #include "MapStage.h"
 #include "ScenePath.h"
@@ -26,10 +27,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Width = 1280;
-constexpr int Height = 960;
-
-void progress(const char* what)
+void sayProgress(const char* what)
 {
   std::fprintf(stderr, "palpate: %s\n", what);
 }
@@ -77,7 +75,7 @@ std::string drawComparison(const std::string& file, const std::array<ComparedBod
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0); // the same pixels on every machine
-  window->SetSize(Width, Height);
+  window->SetSize(PictureWidth, PictureHeight);
   vtkNew<vtkBodyComparison> comparison;
   comparison->SetRenderWindow(window);
   setStage(comparison, bodies);
@@ -138,17 +136,17 @@ std::string runComparison(const ViewerOptions& options)
   {
     return "cannot make folder '" + options.output + "': " + failed.message();
   }
-  progress("finite elements of a strip and a block");
+  sayProgress("finite elements of a strip and a block");
   std::array<ComparedBody, 2> bodies;
   std::string error = makeComparedBodies(options, bodies);
   std::array<Press, 2> presses;
   const std::array<const char*, 2> names = { "/strip.csv", "/block.csv" };
-  progress("pressing and sliding");
+  sayProgress("pressing and sliding");
   for (std::size_t i = 0; i < bodies.size() && error.empty(); ++i)
   {
     error = pressAndSlide(options, bodies[i], options.output + names[i], presses[i]);
   }
-  progress("drawing");
+  sayProgress("drawing");
   if (error.empty())
   {
     error = drawComparison(options.output + "/comparison.png", bodies, presses);

@@ -4,6 +4,7 @@
 #include "ComparisonBodies.h"
 #include "ComparisonStage.h"
 #include "EventActions.h"
+#include "PictureSize.h"
 #include "Pictures.h"
 #include "SessionSettings.h"
 
@@ -25,8 +26,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int Width = 1280;
-constexpr int Height = 960;
 constexpr float BeforeTheStyle = 1.0F;
 
 const char* const Hint = "? or h: keys and mouse";
@@ -78,7 +77,7 @@ ComparisonWindow::ComparisonWindow(
   , Bodies(bodies)
 {
   this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
-  this->Window->SetSize(Width, Height);
+  this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName("Palpate: global and local deformation");
   this->Interactor->SetRenderWindow(this->Window);
   this->Comparison->SetRenderWindow(this->Window);

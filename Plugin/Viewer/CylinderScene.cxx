@@ -17,14 +17,14 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = 50.0; // mm
-constexpr double Length = 160.0;
-constexpr double Spacing = 0.6; // of the vertices
+constexpr double CylinderLength = 160.0;
+constexpr double VertexSpacing = 0.6; // of the vertices
 
 /// A tube along x, open at its ends.
 vtkSmartPointer<vtkPolyData> makeTube()
 {
-  const int around = static_cast<int>(std::lround(2.0 * Pi * Radius / Spacing));
-  const int along = static_cast<int>(std::lround(Length / Spacing));
+  const int around = static_cast<int>(std::lround(2.0 * Pi * Radius / VertexSpacing));
+  const int along = static_cast<int>(std::lround(CylinderLength / VertexSpacing));
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyData> makeTube()
       const double y = std::cos(angle);
       const double z = std::sin(angle);
       points->InsertNextPoint(
-        Length * (static_cast<double>(i) / along - 0.5), Radius * y, Radius * z);
+        CylinderLength * (static_cast<double>(i) / along - 0.5), Radius * y, Radius * z);
       normals->InsertNextTuple3(0.0, y, z);
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerModel.h"
 
+#include "JoinedText.h"
 #include "LayerContact.h"
 
 #include "vtkDataArray.h"
@@ -21,14 +22,6 @@ namespace
 const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal, "
   "small strain; a layer's force depends more on nu than a half-space's";
-
-template <class... Parts>
-std::string text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  (stream << ... << parts);
-  return stream.str();
-}
 
 /// With so many decimals.
 std::string rounded(double value, int decimals)
@@ -95,13 +88,13 @@ std::string describeLaw(const TouchScene& scene)
     const double share =
       static_cast<double>(found.size()) / static_cast<double>(thickness->GetNumberOfTuples());
     vtkNew<vtkLayerThickness> settings;
-    return text("elastic layer on rigid bone at the ", rounded(100.0 * share, 0),
+    return joined("elastic layer on rigid bone at the ", rounded(100.0 * share, 0),
       " % of the vertices where the scan shows bone within ", settings->GetMaximumDepth(), " mm (",
       rounded(found.front(), 1), " to ", rounded(found.back(), 1), " mm thick, median ",
       rounded(found[found.size() / 2], 1), " mm), half-space at the others; ");
   }
   return scene.layer.thickness > 0.0
-    ? text("elastic layer of ", scene.layer.thickness, " mm on a rigid base at every vertex; ")
+    ? joined("elastic layer of ", scene.layer.thickness, " mm on a rigid base at every vertex; ")
     : "elastic half-space at every vertex; ";
 }
 
@@ -116,10 +109,10 @@ std::string describeSpot(const TouchScene& scene, vtkIdType point)
   const double thickness = thicknessAt(scene, point);
   if (scene.layer.scanned)
   {
-    return thickness > 0.0 ? text(", here ", rounded(thickness, 1), " mm over bone")
+    return thickness > 0.0 ? joined(", here ", rounded(thickness, 1), " mm over bone")
                            : std::string(", here no bone: half-space");
   }
-  return thickness > 0.0 ? text(", a layer of ", thickness, " mm") : std::string();
+  return thickness > 0.0 ? joined(", a layer of ", thickness, " mm") : std::string();
 }
 
 std::string describeStiffening(
@@ -138,8 +131,8 @@ std::string describeStiffening(
     const LayerContact layer(tool, kernel, thickness);
     const auto ratio = [&](double depthNow)
     { return layer.evaluate(depthNow, 1.0).force / tool.evaluate(depthNow, 1.0).force; };
-    all += text(i == 0 ? ": " : ", ", scene.tools[i], " ", rounded(ratio(depth), 2), " at ", depth,
-      " mm, ", rounded(ratio(deep), 2), " at ", deep, " mm");
+    all += joined(i == 0 ? ": " : ", ", scene.tools[i], " ", rounded(ratio(depth), 2), " at ",
+      depth, " mm, ", rounded(ratio(deep), 2), " at ", deep, " mm");
   }
   return all;
 }

@@ -2,6 +2,7 @@
 #include "LiveTouch.h"
 
 #include "CollectingWindow.h"
+#include "PictureSize.h"
 #include "Pictures.h"
 #include "ScenePath.h"
 #include "SessionSettings.h"
@@ -21,8 +22,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int Width = 1280;
-constexpr int Height = 960;
 constexpr double LongestFrame = 60.0; // s, that a record can wait for
 constexpr double PanelWidth = 256.0;  // pixels
 constexpr double LargestPanelShare = 0.4;
@@ -86,7 +85,7 @@ LiveTouch::LiveTouch(
 {
   this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
   this->Renderer->UseFXAAOn();
-  this->Window->SetSize(Width, Height);
+  this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
   this->Window->AddRenderer(this->Renderer);
   this->Interactor->SetRenderWindow(this->Window);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapStage.h"
 
+#include "PictureSize.h"
 #include "ResponseSet.h"
 #include "SceneLight.h"
 
@@ -18,8 +19,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int Width = 1280;
-constexpr int Height = 960;
 constexpr int TextSize = 17;
 constexpr double Zoom = 1.25; // the camera is reset for the ball around the body
 constexpr double LegendShare = 0.27;
@@ -73,7 +72,7 @@ MapStage::MapStage(const std::string& name, bool onScreen)
 {
   this->Window->SetOffScreenRendering(!onScreen);
   this->Window->SetMultiSamples(0); // the same pixels on every machine
-  this->Window->SetSize(Width, Height);
+  this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName(name.c_str());
 }
 

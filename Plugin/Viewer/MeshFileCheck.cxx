@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFileCheck.h"
 
+#include "JoinedText.h"
+
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -35,14 +37,6 @@ struct PlyHeader
   std::uint64_t lines = 0;
   std::uint64_t vertices = 0;
 };
-
-template <class... Parts>
-std::string join(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 bool isCorners(const Element& element, const Property& property)
 {
@@ -123,7 +117,7 @@ std::string readHeader(std::istream& file, PlyHeader& header)
     }
     if (!problem.empty())
     {
-      return join("line ", header.lines, ": ", problem);
+      return palpate::joined("line ", header.lines, ": ", problem);
     }
   }
   return "its header does not end";
@@ -192,7 +186,7 @@ std::string rowProblem(Values& values, const Element& element, std::uint64_t ver
     }
     if (element.name == "face" && length > LongestFace)
     {
-      return join("has a list of ", length, ", more than ", LongestFace);
+      return palpate::joined("has a list of ", length, ", more than ", LongestFace);
     }
     for (std::uint64_t i = 0; i < length; ++i)
     {
@@ -203,7 +197,7 @@ std::string rowProblem(Values& values, const Element& element, std::uint64_t ver
       }
       if (corners && value >= vertices)
       {
-        return join("names a vertex that is not there, of ", vertices);
+        return palpate::joined("names a vertex that is not there, of ", vertices);
       }
     }
   }
@@ -232,7 +226,7 @@ std::string plyProblem(std::istream& file)
       problem = values.nextRow() ? rowProblem(values, element, header.vertices) : "is cut short";
       if (!problem.empty())
       {
-        return join(element.name, " ", row, " of ", element.count, " ", problem);
+        return palpate::joined(element.name, " ", row, " of ", element.count, " ", problem);
       }
     }
   }
@@ -258,7 +252,7 @@ std::string stlProblem(std::istream& file)
     head[80] | head[81] << 8 | head[82] << 16 | static_cast<std::uint64_t>(head[83]) << 24;
   file.seekg(0, std::ios::end);
   const auto found = (static_cast<std::uint64_t>(file.tellg()) - sizeof(head)) / 50;
-  return found < facets ? join("it ends after ", found, " of ", facets, " facets") : "";
+  return found < facets ? palpate::joined("it ends after ", found, " of ", facets, " facets") : "";
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 
 #include "LayerModel.h"
 #include "MeasuredBody.h"
+#include "PictureSize.h"
 #include "WindowPicture.h"
 
 #include "vtkChartXY.h"
@@ -28,8 +29,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int Width = 1280;
-constexpr int Height = 960;
 constexpr double CloseUpDistance = 120.0; // mm
 
 /// A window that shows one or more contact scenes.
@@ -37,11 +36,11 @@ struct Stage
 {
   vtkNew<vtkRenderWindow> window;
 
-  explicit Stage(int width = Width)
+  explicit Stage(int width = PictureWidth)
   {
     this->window->SetOffScreenRendering(1);
     this->window->SetMultiSamples(0); // the same pixels on every machine
-    this->window->SetSize(width, Height);
+    this->window->SetSize(width, PictureHeight);
   }
 
   vtkSmartPointer<vtkContactScene> addScene(const TouchScene& scene, vtkPolyData* body,
@@ -176,7 +175,7 @@ std::string drawSideBySide(const std::string& file, const TouchScene& scene,
     largestForce = std::max(
       largestForce, probe->GetOutput()->GetPointData()->GetArray("NormalForce")->GetTuple1(0));
   }
-  Stage stage(static_cast<int>(count) * Width / 2);
+  Stage stage(static_cast<int>(count) * PictureWidth / 2);
   std::vector<vtkSmartPointer<vtkContactScene>> scenes;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -219,7 +218,7 @@ std::string drawCurves(const std::string& file, const TouchScene& scene,
   vtkNew<vtkContextView> view;
   view->GetRenderWindow()->SetOffScreenRendering(1);
   view->GetRenderWindow()->SetMultiSamples(0);
-  view->GetRenderWindow()->SetSize(Width, Height);
+  view->GetRenderWindow()->SetSize(PictureWidth, PictureHeight);
   view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   view->GetScene()->AddItem(chart->GetChart());
   return writePicture(view->GetRenderWindow(), file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThicknessPicture.h"
 
+#include "PictureSize.h"
 #include "Pictures.h"
 #include "SceneLight.h"
 
@@ -30,12 +31,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int Width = 1280;
-constexpr int Height = 960;
 constexpr int TableSize = 256;
-constexpr int TextSize = 17;
+constexpr int ScaleTextSize = 17;
 constexpr double LegendStep = 2.0; // mm
-constexpr double Zoom = 1.45;
+constexpr double HeadZoom = 1.45;
 
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
@@ -86,7 +85,7 @@ vtkSmartPointer<vtkLookupTable> makeColors(vtkDataArray* found)
 void style(vtkTextProperty* text)
 {
   text->SetColor(TextColor.data());
-  text->SetFontSize(TextSize);
+  text->SetFontSize(ScaleTextSize);
   text->SetBold(0);
   text->SetItalic(0);
   text->SetShadow(0);
@@ -114,7 +113,7 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
   camera->SetPosition(centre[0] + from[0], centre[1] + from[1], centre[2] + from[2]);
   camera->SetViewUp(up.data());
   renderer->ResetCamera(body->GetBounds());
-  camera->Zoom(Zoom); // that is made for the ball around the body
+  camera->Zoom(HeadZoom); // that is made for the ball around the body
   renderer->ResetCameraClippingRange();
 }
 } // namespace
@@ -141,7 +140,7 @@ std::string drawThickness(const std::string& file, const TouchScene& scene)
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0); // the same pixels on every machine
-  window->SetSize(Width, Height);
+  window->SetSize(PictureWidth, PictureHeight);
   const vtkSmartPointer<vtkRenderer> near = addView(window, body, 0.0, 0.5);
   const vtkSmartPointer<vtkRenderer> far = addView(window, body, 0.5, 1.0);
   const Direction& from = scene.viewFrom;

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-const char* const Help = "space: the other of the two   1: X   2: Y   ?: more";
+const char* const TrialHelp = "space: the other of the two   1: X   2: Y   ?: more";
 const char* const TrialKeys = "? or h\tthis help, on and off\n"
                               "space\tthe other of the two under the hand\n"
                               "1  2\tthe answer: X, Y\n"
@@ -77,7 +77,7 @@ std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene
   {
     return error;
   }
-  live.showHelp(Help);
+  live.showHelp(TrialHelp);
   live.onSpace(
     [&]
     {

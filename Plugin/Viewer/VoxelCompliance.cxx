@@ -25,7 +25,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Modes = 6; ///< of the body's motion as a whole
+constexpr int BodyModes = 6; ///< of the body's motion as a whole
 
 /// Refuses a solid whose finite elements are certain not to fit the memory, before it is filled.
 std::string checkMemory(vtkPolyData* body, double spacing)
@@ -160,7 +160,7 @@ std::string attachVoxelCompliance(
   compliance->SetInputConnection(voxels->GetOutputPort());
   compliance->SetYoungsModulus(options.youngsModulus);
   compliance->SetPoissonRatio(options.poissonsRatio);
-  compliance->SetNumberOfModes(Modes);
+  compliance->SetNumberOfModes(BodyModes);
   error = updateQuietly(voxels);
   if (error.empty())
   {
@@ -181,7 +181,7 @@ std::string attachVoxelCompliance(
     "filled with %lld hexahedra of %g mm, held at %s: it gives way by %.3g to %.3g mm/N; "
     "what is drawn of that, %d modes, leaves out %.0f %%.",
     static_cast<long long>(voxels->GetOutput()->GetNumberOfCells()), options.spacing,
-    options.fixedFaces.c_str(), range[0], range[1], Modes,
+    options.fixedFaces.c_str(), range[0], range[1], BodyModes,
     100.0 * compliance->GetNeglectedByModes());
   notes.emplace_back(text.data());
   return {};

@@ -40,8 +40,17 @@ def compile_flags(build):
         words = shlex.split(entry["command"])
         words = words[1 + next(i for i, word in enumerate(words) if not word.endswith("ccache")):]
         words = words[:words.index("-o")]
-        flags[(Path(entry["directory"]) / entry["file"]).resolve()] = tuple(words)
+        file = (Path(entry["directory"]) / entry["file"]).resolve()
+        for source in grouped_sources(file) or [file]:
+            flags[source] = tuple(words)
     return flags
+
+
+def grouped_sources(file):
+    """The sources that CMake compiles as one by this file; none if it is a source itself."""
+    if file.parent.name != "Unity":
+        return []
+    return [Path(name) for name in re.findall(r'^#include "(/.*)"', file.read_text(), re.MULTILINE)]
 
 
 def kernel_files(root, names):

@@ -15,7 +15,7 @@ constexpr std::size_t SampleSize = 8192;
 
 /// As it is after storage.
 template <class Matrix>
-Matrix stored(const Matrix& values)
+Matrix asStored(const Matrix& values)
 {
   return values.template cast<float>().template cast<double>();
 }
@@ -88,7 +88,7 @@ double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& 
   const Eigen::VectorXd curve = curves.curve(i);
   const double range = curves.range(i);
   const Eigen::VectorXd weights = columnWeights(curve, curves.sampling(), range);
-  coefficients = stored(Eigen::VectorXd(lawCoefficients(curve, weights, laws)));
+  coefficients = asStored(Eigen::VectorXd(lawCoefficients(curve, weights, laws)));
   const Eigen::VectorXd reduced = laws * coefficients;
   return curveError({ curve, curves.sampling() }, { reduced, curves.sampling() }, range, 0).force;
 }
@@ -110,7 +110,7 @@ Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& 
   const double least = scales[out];
   const double most = scales[scales.size() - 1 - out];
   // Relative errors to both ends are the same at the harmonic mean.
-  return stored(Eigen::MatrixXd(2.0 * least * most / (least + most) * law));
+  return asStored(Eigen::MatrixXd(2.0 * least * most / (least + most) * law));
 }
 
 /// Whether all points have the curve of the first, and its range, bit by bit.
@@ -207,7 +207,7 @@ bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Redu
   const SampledPoints some(arrays, curves);
   const ReducibleCurves sample(some.arrays());
   const int most = std::min(settings.mostLaws, choice.numbersPerPoint - 1);
-  const Eigen::MatrixXd laws = stored(leadingLaws(sample, std::max(most, 1)));
+  const Eigen::MatrixXd laws = asStored(leadingLaws(sample, std::max(most, 1)));
   if (!laws.allFinite())
   {
     return false; // forces that are zero or no numbers

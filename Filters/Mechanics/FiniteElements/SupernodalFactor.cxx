@@ -42,7 +42,7 @@ namespace palpate
 namespace
 {
 /// Right-hand sides per block. Measured on a body of 95 thousand unknowns: see the benchmark.
-constexpr std::size_t BlockSize = 64;
+constexpr std::size_t SupernodalBlock = 64;
 
 /// While one lives, OpenBLAS runs in the thread that calls it: several would sum in another order,
 /// and where there are blocks, they are what is shared among threads. It is a setting of the whole
@@ -337,7 +337,7 @@ public:
     const Supernodes supernodes(this->Factor);
     const SingleThreadedBlas single;
     std::vector<double> result(loads.size(), 0.0);
-    const std::size_t blocks = (order.size() + BlockSize - 1) / BlockSize;
+    const std::size_t blocks = (order.size() + SupernodalBlock - 1) / SupernodalBlock;
     std::atomic<std::size_t> next{ 0 };
     std::atomic<std::size_t> done{ 0 };
     std::atomic<bool> stopped{ false };
@@ -347,8 +347,8 @@ public:
       PathSolver solver(supernodes);
       for (std::size_t block = next++; block < blocks && !stopped; block = next++)
       {
-        const std::size_t first = block * BlockSize;
-        const std::size_t count = std::min(BlockSize, order.size() - first);
+        const std::size_t first = block * SupernodalBlock;
+        const std::size_t count = std::min(SupernodalBlock, order.size() - first);
         solver.run(loads, position, order.data() + first, count, result);
         const std::size_t finished = ++done;
         if (reports && finished < blocks &&

@@ -10,7 +10,7 @@ namespace
 constexpr double Storage = 1e-3;
 constexpr int Halvings = 24; // of the interval between two samples: beyond float
 
-struct FloatCurve
+struct StoredCurve
 {
   const float* forces;
   const float* stiffnesses;
@@ -22,7 +22,7 @@ struct FloatCurve
 double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,
   const float* stiffness, const DataEnd& end)
 {
-  const FloatCurve curve{ force, stiffness };
+  const StoredCurve curve{ force, stiffness };
   const double largestForce = end.force * (1.0 + Storage);
   const double largestStiffness = end.stiffness * (1.0 + Storage);
   const auto beyond = [&](double f, double k) { return f > largestForce || k > largestStiffness; };

@@ -22,9 +22,9 @@ namespace
 /// Of the displacement over the length of an edge: a smaller turn is not seen.
 constexpr double SeenTurn = 1e-3;
 
-using Corners = std::array<Vector3, 3>;
+using FacetCorners = std::array<Vector3, 3>;
 
-Vector3 facetNormal(const Corners& corners)
+Vector3 facetNormal(const FacetCorners& corners)
 {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // twice the area long
 }
@@ -96,8 +96,8 @@ vtkSmartPointer<vtkDataArray> turnNormals(
       {
         return;
       }
-      Corners old;
-      Corners now;
+      FacetCorners old;
+      FacetCorners now;
       for (std::size_t k = 0; k < 3; ++k)
       {
         before->GetPoint(ids[k], old[k].data());

@@ -12,8 +12,8 @@ namespace palpate
 struct Touch
 {
   Vector3 tip = Vector3::Zero();     ///< after snap and indentation
-  SurfacePlace nearest;              ///< of the tip as it was given
-  SurfacePlace place;                ///< the contact; cell -1: none
+  TouchedPlace nearest;              ///< of the tip as it was given
+  TouchedPlace place;                ///< the contact; cell -1: none
   Vector3 normal = Vector3::UnitZ(); ///< of the contact; without one, away from the surface
   Vector3 force = Vector3::Zero();
   int state = 0; ///< vtkToolContactProbe's ContactState

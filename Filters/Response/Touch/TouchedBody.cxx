@@ -62,7 +62,7 @@ bool TouchedBody::take(vtkPolyData* body, const std::string& name, std::string& 
   return true;
 }
 
-SurfacePlace TouchedBody::nearest(const Vector3& tip)
+TouchedPlace TouchedBody::nearest(const Vector3& tip)
 {
   if (!this->Locator)
   {
@@ -73,7 +73,7 @@ SurfacePlace TouchedBody::nearest(const Vector3& tip)
     this->Locator->SetDataSet(this->Triangles);
     this->Locator->BuildLocator();
   }
-  SurfacePlace place;
+  TouchedPlace place;
   if (this->Triangles->GetNumberOfPolys() == 0)
   {
     return place;
@@ -92,9 +92,9 @@ SurfacePlace TouchedBody::nearest(const Vector3& tip)
   return place;
 }
 
-SurfacePlace TouchedBody::placeIn(vtkIdType cell, const Vector3& point) const
+TouchedPlace TouchedBody::placeIn(vtkIdType cell, const Vector3& point) const
 {
-  SurfacePlace place;
+  TouchedPlace place;
   place.cell = cell;
   place.point = point;
   const auto ids = cornersOf(this->Body, cell);
@@ -107,7 +107,7 @@ SurfacePlace TouchedBody::placeIn(vtkIdType cell, const Vector3& point) const
   return place;
 }
 
-double TouchedBody::range(const SurfacePlace& place) const
+double TouchedBody::range(const TouchedPlace& place) const
 {
   const auto ids = cornersOf(this->Body, place.cell);
   double range = 0.0;
@@ -119,7 +119,7 @@ double TouchedBody::range(const SurfacePlace& place) const
   return std::isfinite(range) ? range : 0.0;
 }
 
-double TouchedBody::stiffness(const SurfacePlace& place, double depth) const
+double TouchedBody::stiffness(const TouchedPlace& place, double depth) const
 {
   // The kernel evaluates its own copy of a response: one of three points.
   const auto ids = cornersOf(this->Body, place.cell);
@@ -166,7 +166,7 @@ double TouchedBody::stiffness(const SurfacePlace& place, double depth) const
   return stiffness;
 }
 
-PlaceValidity TouchedBody::validity(const SurfacePlace& place) const
+PlaceValidity TouchedBody::validity(const TouchedPlace& place) const
 {
   PlaceValidity weakest;
   const float* validity = nullptr;

@@ -16,7 +16,7 @@ class vtkStaticCellLocator;
 namespace palpate
 {
 /// A place on the surface of a body.
-struct SurfacePlace
+struct TouchedPlace
 {
   vtkIdType cell = -1;               ///< of the body; -1: none
   Vector3 point = Vector3::Zero();   ///< mm
@@ -46,15 +46,15 @@ public:
   bool take(vtkPolyData* body, const std::string& name, std::string& error);
 
   /// The nearest place of the surface; cell -1 for a body without triangles.
-  SurfacePlace nearest(const Vector3& tip);
+  TouchedPlace nearest(const Vector3& tip);
   /// The place of a point of the surface in a cell of the body.
-  SurfacePlace placeIn(vtkIdType cell, const Vector3& point) const;
+  TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
 
   /// Depth of the last sample there, mm; 0 without a response.
-  double range(const SurfacePlace& place) const;
+  double range(const TouchedPlace& place) const;
   /// dF/dδ of the three corners' curves, blended, N/mm.
-  double stiffness(const SurfacePlace& place, double depth) const;
-  PlaceValidity validity(const SurfacePlace& place) const;
+  double stiffness(const TouchedPlace& place, double depth) const;
+  PlaceValidity validity(const TouchedPlace& place) const;
 
   /// Force at half of Range, on average over the points that have a response, N. O(points).
   double typicalForce() const;

@@ -8,14 +8,14 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* DeflectionName = "Deflection (mm)";
+constexpr const char* DeflectionColumn = "Deflection (mm)";
 } // namespace
 
 ForceDeflectionChart::ForceDeflectionChart()
-  : LiveChart("Force over deflection, this touch", DeflectionName, "Force (N)")
-  , Ideal(DeflectionName, "Ideal force (N)")
-  , Applied(DeflectionName, "Applied force (N)")
-  , Now(DeflectionName, "Ideal force now (N)")
+  : LiveChart("Force over deflection, this touch", DeflectionColumn, "Force (N)")
+  , Ideal(DeflectionColumn, "Ideal force (N)")
+  , Applied(DeflectionColumn, "Applied force (N)")
+  , Now(DeflectionColumn, "Ideal force now (N)")
 {
   this->Ideal.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
   this->AppliedPlot = this->Applied.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);

@@ -16,7 +16,7 @@ namespace
 constexpr const char* Title = "Force over time";
 constexpr const char* TimeName = "Time before now (s)";
 constexpr std::size_t Bins = 500; // a point or two of each: more than such a chart has pixels
-constexpr int Steps = 5;
+constexpr int TimeSteps = 5;
 } // namespace
 
 ForceTimeChart::Line::Line(double seconds, const char* name)
@@ -55,7 +55,7 @@ void ForceTimeChart::setSeconds(double seconds)
   {
     line->signal = SignalEnvelope(seconds, Bins);
   }
-  fitAxisBefore(this->chart()->GetAxis(vtkAxis::BOTTOM), seconds, Steps);
+  fitAxisBefore(this->chart()->GetAxis(vtkAxis::BOTTOM), seconds, TimeSteps);
   this->clear();
 }
 

@@ -15,17 +15,17 @@ namespace palpate
 {
 namespace
 {
-constexpr double LineRadius = 0.5; // mm
-constexpr double Dash = 1.5;       // mm
-constexpr double Gap = 1.5;        // mm
-constexpr double Nearest = 0.05;   // mm, between two contacts
+constexpr double TrailRadius = 0.5; // mm
+constexpr double TrailDash = 1.5;   // mm
+constexpr double TrailGap = 1.5;    // mm
+constexpr double Nearest = 0.05;    // mm, between two contacts
 } // namespace
 
 ForceTrail::ForceTrail(vtkLookupTable* colors)
   : Tube(vtkSmartPointer<vtkTubeFilter>::New())
   , Actor(vtkSmartPointer<vtkActor>::New())
 {
-  this->Tube->SetRadius(LineRadius);
+  this->Tube->SetRadius(TrailRadius);
   this->Tube->SetNumberOfSides(12);
   this->Tube->CappingOn();
   vtkNew<vtkPolyDataMapper> mapper;
@@ -77,7 +77,7 @@ void ForceTrail::keep(std::size_t contacts)
 
 void ForceTrail::draw()
 {
-  DashedLine line(Dash, Gap);
+  DashedLine line(TrailDash, TrailGap);
   bool begins = true;
   for (const Place& place : this->Contacts)
   {

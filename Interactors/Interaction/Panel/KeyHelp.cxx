@@ -18,10 +18,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int FontSize = 15;
+constexpr int KeyFontSize = 15;
 constexpr int SmallestFontSize = 9;
-constexpr int Margin = 22; // pixels, around the text
-constexpr int Gap = 28;    // pixels, between the columns
+constexpr int TextMargin = 22; // pixels, around the text
+constexpr int Gap = 28;        // pixels, between the columns
 constexpr int TopLayer = 5;
 constexpr Color KeyColor = { 0.00, 0.36, 0.58 };
 
@@ -39,7 +39,7 @@ KeyHelp::KeyHelp()
   {
     actor->SetLayerNumber(TopLayer);
     vtkTextProperty* look = actor->GetTextProperty();
-    look->SetFontSize(FontSize);
+    look->SetFontSize(KeyFontSize);
     look->SetLineSpacing(1.3);
     look->SetColor(TextColor.data());
     look->SetVerticalJustificationToTop();
@@ -103,20 +103,20 @@ void KeyHelp::place()
     this->Meanings->GetTextProperty()->SetFontSize(fontSize);
     this->Keys->GetSize(this->Renderer, keys);
     this->Meanings->GetSize(this->Renderer, meanings);
-    return std::pair(
-      keys[0] + Gap + meanings[0] + 2 * Margin, std::max(keys[1], meanings[1]) + 2 * Margin);
+    return std::pair(keys[0] + Gap + meanings[0] + 2 * TextMargin,
+      std::max(keys[1], meanings[1]) + 2 * TextMargin);
   };
-  auto sheet = measure(FontSize);
+  auto sheet = measure(KeyFontSize);
   const double share = std::min(size[0] / sheet.first, size[1] / sheet.second);
   if (share < 1.0)
   {
-    sheet = measure(std::max(static_cast<int>(share * FontSize), SmallestFontSize));
+    sheet = measure(std::max(static_cast<int>(share * KeyFontSize), SmallestFontSize));
   }
   const double left = std::floor(0.5 * (size[0] - sheet.first));
   const double bottom = std::floor(0.5 * (size[1] - sheet.second));
   this->Sheet.place(left, bottom, sheet.first, sheet.second);
-  const double top = bottom + sheet.second - Margin;
-  this->Keys->SetPosition(left + Margin, top);
-  this->Meanings->SetPosition(left + Margin + keys[0] + Gap, top);
+  const double top = bottom + sheet.second - TextMargin;
+  this->Keys->SetPosition(left + TextMargin, top);
+  this->Meanings->SetPosition(left + TextMargin + keys[0] + Gap, top);
 }
 } // namespace palpate

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_JoinedText_h
+#define palpate_JoinedText_h
+
+#include <sstream>
+#include <string>
+
+namespace palpate
+{
+/// Text from parts, each written as a stream writes it.
+template <class... Parts>
+std::string joined(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+} // namespace palpate
+
+#endif
