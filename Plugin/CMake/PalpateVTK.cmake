@@ -61,6 +61,7 @@ foreach(palpate_module IN LISTS palpate_modules)
   palpate_group_sources(${palpate_target})
 endforeach()
 
+add_custom_target(palpatePython) # the package, as far as this VTK allows
 if(TARGET VTK::WrappingPythonCore)
   block() # lib/python/palpate/*.so find lib/*.so when installed
   list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../..")
@@ -73,6 +74,13 @@ if(TARGET VTK::WrappingPythonCore)
     BUILD_STATIC OFF
     INSTALL_HEADERS OFF)
   endblock()
+  foreach(palpate_module IN LISTS palpate_modules)
+    string(REPLACE "::" "" palpate_target "${palpate_module}Python")
+    string(REGEX REPLACE "^P" "p" palpate_target "${palpate_target}")
+    add_dependencies(palpatePython ${palpate_target})
+    set_target_properties(${palpate_target} PROPERTIES UNITY_BUILD ${PALPATE_GROUP_SOURCES} UNITY_BUILD_BATCH_SIZE 8)
+    target_compile_options(${palpate_target} PRIVATE -O1) # passes arguments on
+  endforeach()
 else()
   message(WARNING "This VTK has no Python wrapping: the package 'palpate' is not built.")
 endif()
