@@ -22,7 +22,13 @@ SUFFIXES = (".h", ".cxx")
 
 
 def find_tool():
-    return shutil.which(f"clang-format-{VERSION}") or shutil.which("clang-format")
+    """clang-format of this version; others lay out some lines otherwise."""
+    for name in (f"clang-format-{VERSION}", "clang-format"):
+        tool = shutil.which(name)
+        if tool and f"version {VERSION}." in subprocess.run(
+                [tool, "--version"], capture_output=True, text=True).stdout:
+            return tool
+    return None
 
 
 def listed_by_git(root):

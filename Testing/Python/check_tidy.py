@@ -30,7 +30,13 @@ CLANG_FLAGS = ("-Wno-unknown-warning-option", "-Wno-error")
 
 
 def find_tool():
-    return shutil.which(f"clang-tidy-{VERSION}") or shutil.which("clang-tidy")
+    """clang-tidy of this version; others ask for other things."""
+    for name in (f"clang-tidy-{VERSION}", "clang-tidy"):
+        tool = shutil.which(name)
+        if tool and f"version {VERSION}." in subprocess.run(
+                [tool, "--version"], capture_output=True, text=True).stdout:
+            return tool
+    return None
 
 
 def compile_flags(build):

@@ -15,7 +15,8 @@ endif()
 function(palpate_finish_touch_handle)
   if(PARAVIEW_USE_QT)
     target_include_directories(Palpate PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Handle")
-    target_link_libraries(Palpate PRIVATE ParaView::pqApplicationComponents)
+    target_link_libraries(Palpate PRIVATE ParaView::pqApplicationComponents
+      VTK::GUISupportQt) # which the headers of ParaView 6 include without saying so
     set_property(SOURCE ${touch_handle_sources} APPEND PROPERTY COMPILE_OPTIONS
       -Wall -Wextra -Wshadow -Wformat=2 $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
   endif()
