@@ -2,6 +2,7 @@
 #ifndef palpate_BodyMesh_h
 #define palpate_BodyMesh_h
 
+#include "PalpateExport.h"
 #include "TriangleLinks.h"
 #include "TriangleProjection.h"
 
@@ -26,7 +27,7 @@ namespace palpate
  *
  * Cost: built in O(n), about 90 bytes per triangle. Immutable, safe from any number of threads.
  */
-class BodyMesh
+class PALPATE_EXPORT BodyMesh
 {
 public:
   struct Defects

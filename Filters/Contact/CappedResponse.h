@@ -2,6 +2,7 @@
 #ifndef palpate_CappedResponse_h
 #define palpate_CappedResponse_h
 
+#include "PalpateExport.h"
 #include "ResponseField.h"
 
 namespace palpate
@@ -26,7 +27,7 @@ namespace palpate
  * below 0, after a capped rise and a longer fall, is 0. K_max infinite: F; negative or NaN: 0.
  * δ <= 0 and NaN give 0. Neither allocates nor throws.
  */
-class CappedResponse
+class PALPATE_EXPORT CappedResponse
 {
 public:
   static constexpr int NodesInRange = 16;

@@ -3,6 +3,7 @@
 #define palpate_ContactPlace_h
 
 #include "PackedMesh.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -11,7 +12,7 @@
 namespace palpate
 {
 /// Where on a surface the closest point of a tip lies, and how that place moves with the tip. mm.
-struct ContactPlace
+struct PALPATE_EXPORT ContactPlace
 {
   bool isSmooth = false;             ///< on the smooth surface, or on the facets
   std::int32_t triangle = -1;        ///< of the PackedMesh

@@ -3,6 +3,7 @@
 #define palpate_ContactTracker_h
 
 #include "PackedMesh.h"
+#include "PalpateExport.h"
 #include "TriangleTree.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ namespace palpate
  * minimum, and its distance no deflection. One tracker serves one thread; mesh and tree may be
  * shared and must outlive it.
  */
-class ContactTracker
+class PALPATE_EXPORT ContactTracker
 {
 public:
   static constexpr int MaximumSteps = 256;

@@ -4,6 +4,7 @@
 
 #include "ContactSettings.h"
 #include "FrictionFrame.h"
+#include "PalpateExport.h"
 
 namespace palpate
 {
@@ -19,7 +20,7 @@ namespace palpate
  * It comes near the limit but never reaches it: sliding is from 99 % on. On a circle of radius ρ it
  * lags by atan(z_max/ρ), with cos of that of the limit.
  */
-class DahlFriction
+class PALPATE_EXPORT DahlFriction
 {
 public:
   explicit DahlFriction(const FrictionSettings& settings) noexcept

@@ -4,6 +4,7 @@
 
 #include "ContactSettings.h"
 #include "FrictionFrame.h"
+#include "PalpateExport.h"
 
 namespace palpate
 {
@@ -35,7 +36,7 @@ namespace palpate
  * σ₀ is constant and |z| clipped, so that a changing normal force takes energy but creates none
  * (σ₀ = limit/z_max would create ½ z² Δσ₀ per cycle).
  */
-class ElastoPlasticFriction
+class PALPATE_EXPORT ElastoPlasticFriction
 {
 public:
   explicit ElastoPlasticFriction(const FrictionSettings& settings) noexcept;

@@ -3,6 +3,7 @@
 #define palpate_FlatBodyFile_h
 
 #include "ContactBody.h"
+#include "PalpateExport.h"
 #include "ResponseField.h"
 
 #include <cstddef>
@@ -35,7 +36,7 @@ struct FlatBody
  * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
  * reason; nothing is half-loaded.
  */
-class FlatBodyFile
+class PALPATE_EXPORT FlatBodyFile
 {
 public:
   static constexpr std::uint32_t Version = 1;
@@ -64,7 +65,7 @@ private:
 };
 
 /// The kernel's own copy of a flat body; independent of its memory afterwards.
-std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body);
+PALPATE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body);
 } // namespace palpate
 
 #endif

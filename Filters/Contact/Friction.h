@@ -6,6 +6,7 @@
 #include "DahlFriction.h"
 #include "ElastoPlasticFriction.h"
 #include "FrictionFrame.h"
+#include "PalpateExport.h"
 #include "ShapeFriction.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ namespace palpate
  * Cost of an update: 40 ns (stuck) to 110 ns (sliding under a changing load) with
  * ElastoPlastic and Dahl, 0.5 to 2.5 µs for ShapeDerived; nothing with coefficient 0.
  */
-class Friction
+class PALPATE_EXPORT Friction
 {
 public:
   /// Settings out of their range give no friction.

@@ -2,6 +2,7 @@
 #ifndef palpate_FrictionFrame_h
 #define palpate_FrictionFrame_h
 
+#include "PalpateExport.h"
 #include "StraightStep.h"
 
 #include <Eigen/Core>
@@ -38,7 +39,7 @@ struct TangentialForce
  *
  * Normals more than 177 degrees apart have no smallest rotation: history ends there.
  */
-class FrictionFrame
+class PALPATE_EXPORT FrictionFrame
 {
 public:
   /// Forget the last contact.

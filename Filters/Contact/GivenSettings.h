@@ -3,6 +3,7 @@
 #define palpate_GivenSettings_h
 
 #include "ContactSettings.h"
+#include "PalpateExport.h"
 
 #include <string>
 
@@ -22,7 +23,7 @@ struct SettingFault
  * filters and the C interface hold, and the one place that knows their ranges. Members, units and
  * defaults are those of ContactSettings.
  */
-struct GivenSettings
+struct PALPATE_EXPORT GivenSettings
 {
   int forceForm = static_cast<int>(ContactSettings{}.form);
   int contactSurface = static_cast<int>(ContactSettings{}.surface);

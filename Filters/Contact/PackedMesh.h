@@ -3,6 +3,7 @@
 #define palpate_PackedMesh_h
 
 #include "LargePages.h"
+#include "PalpateExport.h"
 #include "TriangleLinks.h"
 #include "TriangleProjection.h"
 
@@ -57,7 +58,7 @@ struct SurfacePoint
  * Cost: about 105 bytes per triangle; built in O(n log n), threaded, the same for any number of
  * threads. Immutable, safe from any number of threads.
  */
-class PackedMesh
+class PALPATE_EXPORT PackedMesh
 {
 public:
   struct Defects

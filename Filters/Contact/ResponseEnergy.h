@@ -2,6 +2,7 @@
 #ifndef palpate_ResponseEnergy_h
 #define palpate_ResponseEnergy_h
 
+#include "PalpateExport.h"
 #include "ResponseSampling.h"
 
 #include <cmath>
@@ -23,7 +24,7 @@ namespace palpate
  *
  * δ <= 0 gives 0, NaN gives NaN. energy() takes O(n) and neither allocates nor throws.
  */
-class ResponseEnergy
+class PALPATE_EXPORT ResponseEnergy
 {
 public:
   explicit ResponseEnergy(const ResponseSampling& sampling);

@@ -4,6 +4,7 @@
 
 #include "LargePages.h"
 #include "PackedMesh.h"
+#include "PalpateExport.h"
 #include "ResponseEnergy.h"
 #include "ResponseSampling.h"
 
@@ -59,7 +60,7 @@ struct ResponseArrays
  * in the compact form 16 bytes and 4 per law, and 16 where all points share one law and its
  * coefficient. Immutable, safe from any number of threads.
  */
-class ResponseField
+class PALPATE_EXPORT ResponseField
 {
 public:
   /// In the order of the mesh's points, the arrays being in that of its input; without a mesh in
@@ -145,7 +146,7 @@ inline Eigen::Vector4d ResponseField::blendSamples(
 }
 
 /// The curve of a contact: those of three points, blended by area coordinates.
-class BlendedResponse
+class PALPATE_EXPORT BlendedResponse
 {
 public:
   /// Points of weight 0 have no say; the others must have a response.

@@ -2,6 +2,8 @@
 #ifndef palpate_ResponseSampling_h
 #define palpate_ResponseSampling_h
 
+#include "PalpateExport.h"
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -26,7 +28,7 @@ struct ResponseValue
  *
  * δ <= 0 gives 0, NaN gives NaN. evaluate() neither allocates nor throws.
  */
-class ResponseSampling
+class PALPATE_EXPORT ResponseSampling
 {
 public:
   /// More samples than this are taken for a damaged file or a slip.

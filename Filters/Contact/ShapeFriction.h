@@ -4,6 +4,7 @@
 
 #include "ContactSettings.h"
 #include "FrictionFrame.h"
+#include "PalpateExport.h"
 #include "ResponseSampling.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ namespace palpate
  * Cost, besides an evaluation of the response per cell within the depth: 5 to 25 ns per spring
  * (stuck or straight; sliding in a curve, an exponential each).
  */
-class ShapeFriction
+class PALPATE_EXPORT ShapeFriction
 {
 public:
   static constexpr std::size_t Cells = 16;

@@ -4,6 +4,7 @@
 
 #include "ContactPlace.h"
 #include "PackedMesh.h"
+#include "PalpateExport.h"
 #include "ResponseField.h"
 #include "SmoothTriangle.h"
 
@@ -46,7 +47,7 @@ struct SmoothPoint
  * follow() neither allocates nor locks nor throws. It keeps the last patch: one SmoothContact
  * serves one thread. Mesh and response may be shared and must outlive it.
  */
-class SmoothContact
+class PALPATE_EXPORT SmoothContact
 {
 public:
   static constexpr int MaximumSteps = 64;

@@ -3,6 +3,7 @@
 #define palpate_SmoothTracker_h
 
 #include "ContactTracker.h"
+#include "PalpateExport.h"
 #include "SmoothContact.h"
 #include "TriangleTree.h"
 
@@ -21,7 +22,7 @@ namespace palpate
  * The tick neither allocates nor locks nor throws. One tracker serves one thread; mesh, tree and
  * response may be shared and must outlive it.
  */
-class SmoothTracker
+class PALPATE_EXPORT SmoothTracker
 {
 public:
   struct Contact

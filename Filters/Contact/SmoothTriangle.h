@@ -2,6 +2,7 @@
 #ifndef palpate_SmoothTriangle_h
 #define palpate_SmoothTriangle_h
 
+#include "PalpateExport.h"
 #include "TriangleProjection.h"
 
 #include <array>
@@ -9,7 +10,7 @@
 namespace palpate
 {
 /// A point of a surface and its derivatives by two parameters v and w.
-struct SurfaceJet
+struct PALPATE_EXPORT SurfaceJet
 {
   Vector3 point = Vector3::Zero();
   Vector3 dv = Vector3::Zero();
@@ -47,7 +48,7 @@ struct SurfaceJet
  * Second derivatives are bounded, but jump across edges and depend on the direction at corners.
  * evaluate() may be called a little outside of the triangle. Nothing allocates or throws.
  */
-class SmoothTriangle
+class PALPATE_EXPORT SmoothTriangle
 {
 public:
   /// A corner normal that makes a smaller cosine than this with the facet's (41°) belongs to a

@@ -7,6 +7,7 @@
 #include "ContactSettings.h"
 #include "ContactTracker.h"
 #include "Friction.h"
+#include "PalpateExport.h"
 #include "SmoothTracker.h"
 
 #include <cstdint>
@@ -50,7 +51,7 @@ struct ToolContactForce
  * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
  * thread; the body may be shared and must outlive it.
  */
-class ToolContact
+class PALPATE_EXPORT ToolContact
 {
 public:
   explicit ToolContact(const ContactBody& body, const ContactSettings& settings = {})

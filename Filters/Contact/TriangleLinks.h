@@ -2,6 +2,8 @@
 #ifndef palpate_TriangleLinks_h
 #define palpate_TriangleLinks_h
 
+#include "PalpateExport.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +24,7 @@ using TriangleCorners = std::array<std::int32_t, 3>;
  *
  * Cost: O(n); threaded, the same for any number of threads.
  */
-class TriangleLinks
+class PALPATE_EXPORT TriangleLinks
 {
 public:
   static constexpr std::int32_t Border = -1;

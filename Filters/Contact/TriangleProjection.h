@@ -2,6 +2,8 @@
 #ifndef palpate_TriangleProjection_h
 #define palpate_TriangleProjection_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -33,7 +35,7 @@ struct TriangleProjection
 
 /// Closest point of triangle abc to `tip`, by the Voronoi regions of its corners and edges
 /// (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5). The triangle must have an area.
-TriangleProjection projectOnTriangle(
+PALPATE_EXPORT TriangleProjection projectOnTriangle(
   const Vector3& tip, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
 
 /// Below this squared sine of the angle at a, the areas of a projection are lost in rounding.

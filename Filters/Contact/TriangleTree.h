@@ -4,6 +4,7 @@
 
 #include "LargePages.h"
 #include "PackedMesh.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -25,7 +26,7 @@ namespace palpate
  * O(n), 7 bytes per triangle. Immutable, safe from any number of threads. The mesh must outlive the
  * tree.
  */
-class TriangleTree
+class PALPATE_EXPORT TriangleTree
 {
 public:
   explicit TriangleTree(const PackedMesh& mesh);

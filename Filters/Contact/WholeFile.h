@@ -2,6 +2,8 @@
 #ifndef palpate_WholeFile_h
 #define palpate_WholeFile_h
 
+#include "PalpateExport.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -16,7 +18,7 @@ namespace palpate
  *
  * Errors are "cannot write 'PATH': ", then the system's reason.
  */
-class WholeFile
+class PALPATE_EXPORT WholeFile
 {
 public:
   /// Why no such file can be begun: its folder is missing or may not be written to, or it is a

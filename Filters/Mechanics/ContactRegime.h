@@ -3,6 +3,7 @@
 #define palpate_ContactRegime_h
 
 #include "IndentationLaw.h"
+#include "PalpateExport.h"
 
 namespace palpate
 {
@@ -15,7 +16,7 @@ namespace palpate
  * tool's own law, E* (MPa) that of the body's surface, F (N) the force at δ (mm). NaN unless F and
  * δ are positive and finite.
  */
-double regimeIndex(
+PALPATE_EXPORT double regimeIndex(
   const IndentationLaw& halfSpace, double reducedModulus, double force, double deflection);
 
 /// Whether the shape of the tool matters.
@@ -30,7 +31,7 @@ enum class RegimeVerdict : unsigned char
  * The verdict from the tool sensitivity S = dlnF/dln(size) at fixed δ. It cannot rest on λ: on
  * a thin layer λ is small or negative, and size matters more than on a half-space.
  */
-RegimeVerdict regimeVerdict(double sensitivity);
+PALPATE_EXPORT RegimeVerdict regimeVerdict(double sensitivity);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_IndentationLaw_h
 #define palpate_IndentationLaw_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /// One point of a force-deflection curve.
@@ -19,7 +21,7 @@ struct IndentationPoint
  * F(δ) is convex and grows from 0. δ <= 0 gives zeros, NaN gives NaN; a depth the law cannot answer
  * gives NaN. Units mm, N, MPa. Immutable and safe to call from any number of threads.
  */
-class IndentationLaw
+class PALPATE_EXPORT IndentationLaw
 {
 public:
   virtual ~IndentationLaw() = default;

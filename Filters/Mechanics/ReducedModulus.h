@@ -2,17 +2,19 @@
 #ifndef palpate_ReducedModulus_h
 #define palpate_ReducedModulus_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /// Whether E is a usable Young's modulus: finite and positive (MPa).
-bool isYoungsModulus(double youngsModulus);
+PALPATE_EXPORT bool isYoungsModulus(double youngsModulus);
 
 /// Whether nu is a Poisson's ratio the half-space laws hold for: 0 <= nu <= 0.5.
-bool isPoissonsRatio(double poissonsRatio);
+PALPATE_EXPORT bool isPoissonsRatio(double poissonsRatio);
 
 /// E* = E / (1 - nu^2), in the unit of E (MPa here); the tool is rigid.
 /// NaN when E or nu is outside its range.
-double reducedModulus(double youngsModulus, double poissonsRatio);
+PALPATE_EXPORT double reducedModulus(double youngsModulus, double poissonsRatio);
 } // namespace palpate
 
 #endif

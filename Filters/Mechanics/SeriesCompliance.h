@@ -3,6 +3,7 @@
 #define palpate_SeriesCompliance_h
 
 #include "IndentationLaw.h"
+#include "PalpateExport.h"
 
 namespace palpate
 {
@@ -25,7 +26,7 @@ struct SeriesPoint
  * Solved by Newton's method, monotone because F(δ_local) is convex. Cost: about five evaluations of
  * the local law.
  */
-SeriesPoint seriesResponse(
+PALPATE_EXPORT SeriesPoint seriesResponse(
   const IndentationLaw& local, double reducedModulus, double compliance, double deflection);
 } // namespace palpate
 

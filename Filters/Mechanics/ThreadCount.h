@@ -9,16 +9,18 @@
 #ifndef palpate_ThreadCount_h
 #define palpate_ThreadCount_h
 
+#include "PalpateExport.h"
+
 #include <cstddef>
 
 namespace palpate
 {
 /// Of loops that the calling thread starts; at least 1.
-std::size_t threadCount() noexcept;
+PALPATE_EXPORT std::size_t threadCount() noexcept;
 
 /// While this lives, loops that the thread that made it starts take `count` threads. The innermost
 /// one holds; 0 changes nothing.
-class ThreadLimit
+class PALPATE_EXPORT ThreadLimit
 {
 public:
   explicit ThreadLimit(std::size_t count) noexcept;

@@ -5,6 +5,7 @@
 #include "BridgeSocket.h"
 #include "HapticDevice.h"
 #include "HapticReport.h"
+#include "PalpateExport.h"
 #include "ReportSequence.h"
 
 #include <atomic>
@@ -29,7 +30,7 @@ namespace palpate
  * Destroying it sends "amplifiers off, zero force". read and write belong to one thread; status and
  * the counters may be called from another.
  */
-class BridgeDevice final : public HapticDevice
+class PALPATE_EXPORT BridgeDevice final : public HapticDevice
 {
 public:
   static constexpr int ReadsPerTick = 64;

@@ -2,6 +2,8 @@
 #ifndef palpate_BridgeSocket_h
 #define palpate_BridgeSocket_h
 
+#include "PalpateExport.h"
+
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -21,7 +23,7 @@ namespace palpate
  * comes in. The socket has a name of its own, to which the program answers, and is connected to
  * none, so that a program that ends and returns is reached again.
  */
-class BridgeSocket
+class PALPATE_EXPORT BridgeSocket
 {
 public:
   /// Null, and why in words, for a wrong address or if the system refuses.

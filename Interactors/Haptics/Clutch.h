@@ -3,6 +3,7 @@
 #define palpate_Clutch_h
 
 #include "ForceRamp.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -21,7 +22,7 @@ namespace palpate
  *
  * Positions are the tip's, in the body's frame, mm. No heap; nothing throws.
  */
-class Clutch
+class PALPATE_EXPORT Clutch
 {
 public:
   /// `buttons`: any of these bits of DeviceSample::buttons holds it; 0: there is no clutch.

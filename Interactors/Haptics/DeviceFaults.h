@@ -2,6 +2,8 @@
 #ifndef palpate_DeviceFaults_h
 #define palpate_DeviceFaults_h
 
+#include "PalpateExport.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -50,7 +52,7 @@ struct DeviceFaults
 };
 
 /// What is wrong with the numbers, naming the fault; or "".
-std::string fault(const DeviceFaults& faults);
+PALPATE_EXPORT std::string fault(const DeviceFaults& faults);
 } // namespace palpate
 
 #endif

@@ -3,6 +3,7 @@
 #define palpate_DeviceFit_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 
 namespace palpate
 {
@@ -18,7 +19,7 @@ class ResponseField;
  * (2002), 1 mm deep in rubber, differ by 52 % (11.4, 11.0, 5.45 N); with the stiffness capped at
  * 2 N/mm alone by 2 % (1.99, 2.00, 1.96 N); with the common factor 0.115 by 52 % again.
  */
-class DeviceFit
+class PALPATE_EXPORT DeviceFit
 {
 public:
   /// `scale` is that of the WorkspaceMapping: a stiffness K of the body is felt as scale K.

@@ -4,6 +4,7 @@
 
 #include "HapticDevice.h"
 #include "HidBus.h"
+#include "PalpateExport.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,7 +19,7 @@ enum class DeviceKind : std::uint8_t
   SpaceMouse ///< a 3Dconnexion mouse with six axes: input only (SpaceMouseDevice)
 };
 /// "force" or "SpaceMouse".
-const char* inWords(DeviceKind kind) noexcept;
+PALPATE_EXPORT const char* inWords(DeviceKind kind) noexcept;
 
 /// A device that is plugged in and that Palpate can drive.
 struct ListedDevice
@@ -29,7 +30,7 @@ struct ListedDevice
   std::string obstacle; ///< in words why it cannot be opened; empty: it can
 };
 
-struct DeviceList
+struct PALPATE_EXPORT DeviceList
 {
   std::vector<ListedDevice> devices; ///< by path
   /// In words why devices may be missing ("built without hidapi"); empty: they are not.
@@ -41,18 +42,18 @@ struct DeviceList
 };
 
 /// Nothing is opened for it.
-DeviceList listDevices(HidBus& bus = systemHidBus());
+PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
 /// Opens the device at `path` ("/dev/hidraw0") as what it is: a HidDevice or a SpaceMouseDevice (in
 /// rate mode). Null, and why in words, if it is neither or cannot be opened.
-std::unique_ptr<HapticDevice> openHidDevice(
+PALPATE_EXPORT std::unique_ptr<HapticDevice> openHidDevice(
   const std::string& path, std::string& error, HidBus& bus = systemHidBus());
 
 /// Whether Palpate drives such a device, and as what.
-bool isKnown(const HidEntry& entry, DeviceKind& kind) noexcept;
+PALPATE_EXPORT bool isKnown(const HidEntry& entry, DeviceKind& kind) noexcept;
 /// What the bus lists for this path: of several usages the one that Palpate drives. Nothing but the
 /// path if it is not listed.
-HidEntry entryAt(HidBus& bus, const std::string& path);
+PALPATE_EXPORT HidEntry entryAt(HidBus& bus, const std::string& path);
 } // namespace palpate
 
 #endif

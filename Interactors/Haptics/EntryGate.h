@@ -2,6 +2,8 @@
 #ifndef palpate_EntryGate_h
 #define palpate_EntryGate_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /**
@@ -10,7 +12,7 @@ namespace palpate
  * been outside once. With a ramp, the first touch after that is soft: the share grows linearly from
  * 0 over so many seconds, counted from that touch.
  */
-class EntryGate
+class PALPATE_EXPORT EntryGate
 {
 public:
   /// `ramp` in s; 0, or what is no number: none. Without `closes` the gate is always open.

@@ -4,6 +4,7 @@
 
 #include "DeviceFaults.h"
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 
 #include <array>
 #include <atomic>
@@ -31,7 +32,7 @@ namespace palpate
  * A tick costs O(scheduled faults). read and write are the servo thread's, status and errors for
  * any.
  */
-class FaultyDevice final : public HapticDevice
+class PALPATE_EXPORT FaultyDevice final : public HapticDevice
 {
 public:
   FaultyDevice(std::unique_ptr<HapticDevice> device, DeviceFaults faults);

@@ -2,6 +2,8 @@
 #ifndef palpate_ForceRateLimit_h
 #define palpate_ForceRateLimit_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 namespace palpate
@@ -11,7 +13,7 @@ namespace palpate
  * between them, along the straight line to where it should be. It starts from the force that was
  * sent last, none at first, so that what later links take away does not come back at once.
  */
-class ForceRateLimit
+class PALPATE_EXPORT ForceRateLimit
 {
 public:
   /// `rate` in N/s; infinite: no limit; negative or NaN: the force does not change.

@@ -3,6 +3,7 @@
 #define palpate_ForceRelease_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 
 #include <atomic>
 
@@ -20,10 +21,10 @@ namespace palpate
  * A library does not call this, because it changes what the whole process does. Signals, such as
  * SIGSEGV or SIGKILL, are not caught: what is left then is the device's watchdog.
  */
-void releaseForceOnTerminate() noexcept;
+PALPATE_EXPORT void releaseForceOnTerminate() noexcept;
 
 /// What a servo thread has on its stack for as long as its device may exert a force.
-class ForceHold
+class PALPATE_EXPORT ForceHold
 {
 public:
   explicit ForceHold(HapticDevice& device) noexcept;

@@ -4,6 +4,7 @@
 
 #include "BoundedThread.h"
 #include "HidBus.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -21,7 +22,7 @@ namespace palpate
  * off", and waits at most a second, even if the driver hangs: the device's own watchdog is there
  * for that.
  */
-class ForceWriter
+class PALPATE_EXPORT ForceWriter
 {
 public:
   /// Each force report asks the device to go to zero when none has followed for `watchdog` µs.

@@ -2,6 +2,8 @@
 #ifndef palpate_HapticDevice_h
 #define palpate_HapticDevice_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -54,7 +56,7 @@ struct DeviceErrors
  * nor throw. `time` (s) is passed in, so that a session can run in virtual time. status and errors
  * may be called from any one other thread at the same time.
  */
-class HapticDevice
+class PALPATE_EXPORT HapticDevice
 {
 public:
   virtual ~HapticDevice() = default;

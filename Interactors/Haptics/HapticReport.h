@@ -3,6 +3,7 @@
 #define palpate_HapticReport_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 
 #include <array>
 #include <cstddef>
@@ -92,23 +93,27 @@ enum class ReportDefect : std::uint8_t
   Content   ///< a position, velocity or force that is not finite
 };
 /// "wrong check sum" and the like.
-const char* inWords(ReportDefect defect) noexcept;
+PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
 
-void pack(const StateReport& report, HapticReportBytes& bytes) noexcept;
-void pack(const ForceReport& report, HapticReportBytes& bytes) noexcept;
-void pack(const DescriptionReport& report, HapticReportBytes& bytes) noexcept;
-void pack(const HelloReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const StateReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const ForceReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const DescriptionReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const HelloReport& report, HapticReportBytes& bytes) noexcept;
 
-ReportDefect parse(const std::uint8_t* bytes, std::size_t size, StateReport& report) noexcept;
-ReportDefect parse(const std::uint8_t* bytes, std::size_t size, ForceReport& report) noexcept;
-ReportDefect parse(const std::uint8_t* bytes, std::size_t size, DescriptionReport& report) noexcept;
-ReportDefect parse(const std::uint8_t* bytes, std::size_t size, HelloReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, StateReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, ForceReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, DescriptionReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, HelloReport& report) noexcept;
 
 /// Size, mark, version and check sum alone; the kind of a sound report is byte 1.
-ReportDefect checkReport(const std::uint8_t* bytes, std::size_t size) noexcept;
+PALPATE_EXPORT ReportDefect checkReport(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /// CRC-32 of IEEE 802.3 (reflected, polynomial 0xEDB88320), as zlib's crc32.
-std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
+PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /**
  * What a device describes itself as, with a careful value in place of each that is missing or not
@@ -116,10 +121,10 @@ std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexce
  * 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1 s).
  * With `replaced`, each such value is named there in words. Not for the tick: words allocate.
  */
-DeviceSpecification specificationOf(
+PALPATE_EXPORT DeviceSpecification specificationOf(
   const DescriptionReport& description, std::string* replaced = nullptr);
 /// Of a device that says nothing about itself: weak and slow enough for any.
-DeviceSpecification carefulSpecification() noexcept;
+PALPATE_EXPORT DeviceSpecification carefulSpecification() noexcept;
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_HidBus_h
 #define palpate_HidBus_h
 
+#include "PalpateExport.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -25,7 +27,7 @@ struct HidEntry
 
 /// A HID device that is open. read is one thread's, the rest one other's, unless they use two
 /// ports.
-class HidPort
+class PALPATE_EXPORT HidPort
 {
 public:
   virtual ~HidPort() = default;
@@ -40,7 +42,7 @@ public:
 
 /// Where HID devices are found and opened: the system's, by hidapi, or one made up for a test.
 /// Any thread may call it, none of them a servo thread.
-class HidBus
+class PALPATE_EXPORT HidBus
 {
 public:
   virtual ~HidBus() = default;
@@ -55,7 +57,7 @@ public:
 
 /// The system's devices, by hidapi; a bus without entries, and with a complaint, if Palpate was
 /// built without it (PALPATE_USE_HIDAPI).
-HidBus& systemHidBus();
+PALPATE_EXPORT HidBus& systemHidBus();
 } // namespace palpate
 
 #endif

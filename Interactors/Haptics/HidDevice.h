@@ -7,6 +7,7 @@
 #include "HapticReport.h"
 #include "HidBus.h"
 #include "HidReader.h"
+#include "PalpateExport.h"
 
 #include <cstdint>
 #include <memory>
@@ -32,7 +33,7 @@ namespace palpate
  *
  * The two threads ask for SCHED_FIFO, and do without.
  */
-class HidDevice final : public HapticDevice
+class PALPATE_EXPORT HidDevice final : public HapticDevice
 {
 public:
   /// Opens the device at `path`, such as "/dev/hidraw0". Null, and why in words, if that fails.

@@ -4,6 +4,7 @@
 
 #include "BoundedThread.h"
 #include "HidBus.h"
+#include "PalpateExport.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,7 @@
 namespace palpate
 {
 /// Who is told what a HidReader meets, in its thread.
-class HidListener
+class PALPATE_EXPORT HidListener
 {
 public:
   virtual ~HidListener() = default;
@@ -30,7 +31,7 @@ public:
  * (without one, by vendor and product; the old path is preferred). Looked for four times a second.
  * Destroying it waits at most a second, even if the driver hangs.
  */
-class HidReader
+class PALPATE_EXPORT HidReader
 {
 public:
   /// `port` is open on `entry`. Reports are read as `reportSize` bytes at most.
@@ -52,7 +53,7 @@ private:
 };
 
 /// The entry of the bus that is the same device as `entry`, or one with an empty path.
-HidEntry findAgain(HidBus& bus, const HidEntry& entry);
+PALPATE_EXPORT HidEntry findAgain(HidBus& bus, const HidEntry& entry);
 } // namespace palpate
 
 #endif

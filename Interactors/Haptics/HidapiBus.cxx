@@ -154,7 +154,7 @@ public:
     if (reason == EACCES || reason == EPERM)
     {
       return "no permission to read and write " + path +
-        ": install the udev rule 70-palpate.rules (in share/palpate/udev of an installation, see "
+        ": install the udev rule 70-palpate.rules (in lib/udev/rules.d of an installation, see "
         "its head), then plug the device in again";
     }
     if (reason == ENOENT)

@@ -2,6 +2,8 @@
 #ifndef palpate_LatencyHistogram_h
 #define palpate_LatencyHistogram_h
 
+#include "PalpateExport.h"
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -15,7 +17,7 @@ namespace palpate
  * Classes are 1 ns wide up to 64 ns, then 32 to each doubling: at most 1/32 of what they hold. The
  * last one takes everything from 68 s on.
  */
-class LatencyCounts
+class PALPATE_EXPORT LatencyCounts
 {
 public:
   static constexpr std::size_t Classes = 1024;
@@ -56,7 +58,7 @@ private:
  * class of. reset leaves the counts alone and remembers them, so that the other thread has nothing
  * to do for it.
  */
-class LatencyHistogram
+class PALPATE_EXPORT LatencyHistogram
 {
 public:
   void add(std::int64_t nanoseconds) noexcept

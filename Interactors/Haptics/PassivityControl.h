@@ -2,6 +2,8 @@
 #ifndef palpate_PassivityControl_h
 #define palpate_PassivityControl_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 namespace palpate
@@ -40,7 +42,7 @@ namespace palpate
  *
  * What it cannot see: a device that tells its place, or takes its force, with a delay.
  */
-class PassivityControl
+class PALPATE_EXPORT PassivityControl
 {
 public:
   /// Rounding must not cut the force of a passive scene: so much, J, once, is not asked back.

@@ -2,6 +2,7 @@
 #ifndef palpate_PlantAxis_h
 #define palpate_PlantAxis_h
 
+#include "PalpateExport.h"
 #include "SimulatedPlant.h"
 
 namespace palpate
@@ -19,7 +20,7 @@ namespace palpate
  *
  * Cost: below half a microsecond; some forty times that per event.
  */
-class PlantAxis
+class PALPATE_EXPORT PlantAxis
 {
 public:
   struct State

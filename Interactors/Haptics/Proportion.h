@@ -2,6 +2,8 @@
 #ifndef palpate_Proportion_h
 #define palpate_Proportion_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /// A share of successes among independent trials, with its exact interval.
@@ -22,11 +24,11 @@ struct Proportion
  * `successes` within 0 … trials, `confidence` within (0, 1); else all that is returned is NaN.
  * Accurate to 1e-12; costs some 10 µs per 100 trials.
  */
-Proportion proportionOf(int successes, int trials, double confidence = 0.95);
+PALPATE_EXPORT Proportion proportionOf(int successes, int trials, double confidence = 0.95);
 
 /// The standard normal deviate below which the share `p` of the distribution lies; -inf for 0,
 /// +inf for 1, NaN outside.
-double normalQuantile(double p);
+PALPATE_EXPORT double normalQuantile(double p);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_RealTimeGrant_h
 #define palpate_RealTimeGrant_h
 
+#include "PalpateExport.h"
+
 #include <string>
 
 namespace palpate
@@ -28,7 +30,7 @@ struct RealTimeRequest
  * processors are busy. Root is granted all of it, others what their limits say (RLIMIT_RTPRIO; in
  * Debian `/etc/security/limits.conf`: rtprio, memlock).
  */
-struct RealTimeGrant
+struct PALPATE_EXPORT RealTimeGrant
 {
   RealTimeRequest request;
   /// Of SCHED_FIFO; 0: the scheduling is what it was. Less than requested where the limit is lower.
@@ -47,7 +49,7 @@ struct RealTimeGrant
  * wait for a page of it. Memory is locked only where no limit stands against it: mlockall under a
  * limit would make allocations of the process fail later.
  */
-RealTimeGrant requestRealTime(const RealTimeRequest& request) noexcept;
+PALPATE_EXPORT RealTimeGrant requestRealTime(const RealTimeRequest& request) noexcept;
 } // namespace palpate
 
 #endif

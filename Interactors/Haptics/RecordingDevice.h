@@ -3,6 +3,7 @@
 #define palpate_RecordingDevice_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 #include "SampleRing.h"
 #include "Trajectory.h"
 #include "WorkspaceMapping.h"
@@ -37,7 +38,7 @@ struct RecordedSample
  * ends counts once it was answered. Forces beyond the first of a reading, as the zero that a loop
  * sends when it stops, are passed on but not kept.
  */
-class RecordingDevice final : public HapticDevice
+class PALPATE_EXPORT RecordingDevice final : public HapticDevice
 {
 public:
   /// `capacity`: readings kept until they are drained; 96 bytes each.
@@ -66,7 +67,7 @@ private:
 /// sample that is not valid has a tip of 0, and so has one whose position or velocity is not
 /// finite: it is not valid in the trajectory. A sent force that is not finite becomes 0, and not
 /// taken.
-Trajectory trajectoryOf(
+PALPATE_EXPORT Trajectory trajectoryOf(
   const std::vector<RecordedSample>& samples, const WorkspaceMapping& mapping);
 } // namespace palpate
 

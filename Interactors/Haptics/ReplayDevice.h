@@ -3,6 +3,7 @@
 #define palpate_ReplayDevice_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 #include "Trajectory.h"
 #include "WorkspaceMapping.h"
 
@@ -26,7 +27,7 @@ namespace palpate
  * recorded through a mapping without rotation; with one the last bit may differ. Rows without a tip
  * are samples that are not valid.
  */
-class ReplayDevice final : public HapticDevice
+class PALPATE_EXPORT ReplayDevice final : public HapticDevice
 {
 public:
   /// The rows' times do not decrease (readTrajectory). Without rows no sample is valid.

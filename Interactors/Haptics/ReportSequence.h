@@ -2,6 +2,8 @@
 #ifndef palpate_ReportSequence_h
 #define palpate_ReportSequence_h
 
+#include "PalpateExport.h"
+
 #include <cstdint>
 
 namespace palpate
@@ -14,7 +16,7 @@ namespace palpate
  * one, may be that of a sender that has started anew: it is believed once Confirmations reports
  * have come that follow one another, until then they are stale. Bounded, allocates nothing.
  */
-class ReportSequence
+class PALPATE_EXPORT ReportSequence
 {
 public:
   static constexpr std::uint32_t LargestGap = 65536;

@@ -5,6 +5,7 @@
 #include "EntryGate.h"
 #include "ForceLimit.h"
 #include "ForceRateLimit.h"
+#include "PalpateExport.h"
 #include "PassivityControl.h"
 #include "SafetySettings.h"
 #include "SampleWatchdog.h"
@@ -76,7 +77,7 @@ struct SafeForce
  *
  * All members belong to the servo thread; none allocates, locks or throws.
  */
-class SafetyChain
+class PALPATE_EXPORT SafetyChain
 {
 public:
   explicit SafetyChain(const SafetySettings& settings) noexcept;

@@ -3,16 +3,17 @@
 #define palpate_SafetyFault_h
 
 #include "GivenSettings.h"
+#include "PalpateExport.h"
 #include "SafetySettings.h"
 
 namespace palpate
 {
 /// The first of settings that come in from outside which is out of its range, NaN included, by its
 /// name with a capital ("MaximumForce"). The chain itself is safe with any, but may send nothing.
-SettingFault faultOf(const SafetySettings& settings);
+PALPATE_EXPORT SettingFault faultOf(const SafetySettings& settings);
 
 /// The range is that of SafetySettings::forceFactor and ServoScene::forceFactor.
-SettingFault faultOfForceFactor(double factor);
+PALPATE_EXPORT SettingFault faultOfForceFactor(double factor);
 } // namespace palpate
 
 #endif

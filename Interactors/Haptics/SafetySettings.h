@@ -3,6 +3,7 @@
 #define palpate_SafetySettings_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 
 #include <limits>
 
@@ -10,7 +11,7 @@ namespace palpate
 {
 /// What a force must keep to before it reaches a hand (SafetyChain). The device's frame, SI units.
 /// A limit that is negative or NaN lets nothing through, one that is infinite everything.
-struct SafetySettings
+struct PALPATE_EXPORT SafetySettings
 {
   /// Of every force, 0 to 1: the same for all tools that are compared, so that their ratios survive
   /// (DeviceFit).

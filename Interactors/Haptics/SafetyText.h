@@ -2,6 +2,8 @@
 #ifndef palpate_SafetyText_h
 #define palpate_SafetyText_h
 
+#include "PalpateExport.h"
+
 #include <cstdint>
 #include <string>
 
@@ -9,10 +11,10 @@ namespace palpate
 {
 /// In words, for a person, how the force sent differs from the ideal one: the factor and the other
 /// links that acted, in the chain's order. "force ×0.12, stiffness capped"; "" where nothing acted.
-std::string describeSafety(std::uint16_t acted, double forceFactor);
+PALPATE_EXPORT std::string describeSafety(std::uint16_t acted, double forceFactor);
 
 /// "force ×0.12", with two digits.
-std::string describeForceFactor(double forceFactor);
+PALPATE_EXPORT std::string describeForceFactor(double forceFactor);
 } // namespace palpate
 
 #endif

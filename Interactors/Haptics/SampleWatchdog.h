@@ -2,6 +2,8 @@
 #ifndef palpate_SampleWatchdog_h
 #define palpate_SampleWatchdog_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /**
@@ -9,7 +11,7 @@ namespace palpate
  * its time-out is lost, until it does. The same holds for a loop that has not asked for so long,
  * and for a clock that goes back.
  */
-class SampleWatchdog
+class PALPATE_EXPORT SampleWatchdog
 {
 public:
   /// `timeOut` in s; infinite: never; negative or NaN: always.

@@ -3,6 +3,7 @@
 #define palpate_SceneSwitch_h
 
 #include "ForceRamp.h"
+#include "PalpateExport.h"
 #include "ServoScene.h"
 
 #include <cstdint>
@@ -41,7 +42,7 @@ struct SceneForce
  *
  * Nothing here allocates or frees but the constructors; a tick of a ramp costs two contacts.
  */
-class SceneSwitch
+class PALPATE_EXPORT SceneSwitch
 {
 public:
   /// `scene` is not null.

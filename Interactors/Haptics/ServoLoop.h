@@ -4,6 +4,7 @@
 
 #include "HapticDevice.h"
 #include "LatestValue.h"
+#include "PalpateExport.h"
 #include "RealTimeGrant.h"
 #include "SampleRing.h"
 #include "SceneExchange.h"
@@ -21,7 +22,7 @@
 
 namespace palpate
 {
-struct ServoLoopSettings
+struct PALPATE_EXPORT ServoLoopSettings
 {
   static constexpr double MaximumRate = 100000.0;
   static constexpr double MaximumRecordedTicks = 1e7; ///< some gigabytes
@@ -56,7 +57,7 @@ struct ServoLoopSettings
  * All that is public is for one owning thread; the device must outlive the loop, the bodies of its
  * scenes are kept alive by them.
  */
-class ServoLoop
+class PALPATE_EXPORT ServoLoop
 {
 public:
   ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings);

@@ -3,6 +3,7 @@
 #define palpate_ServoMeter_h
 
 #include "LatencyHistogram.h"
+#include "PalpateExport.h"
 #include "ServoStatistics.h"
 
 #include <atomic>
@@ -34,7 +35,7 @@ private:
  * resets it; neither ever waits. See LatencyHistogram for what a reading holds; counts of one
  * reading may differ by the tick that was under way.
  */
-struct ServoMeter
+struct PALPATE_EXPORT ServoMeter
 {
   LatencyHistogram period;
   LatencyHistogram wakeUp;

@@ -2,6 +2,7 @@
 #ifndef palpate_ServoScene_h
 #define palpate_ServoScene_h
 
+#include "PalpateExport.h"
 #include "ToolContact.h"
 
 #include <memory>
@@ -13,7 +14,7 @@ namespace palpate
  * A body with the response of a tool, as one ServoStep renders it: another body, tool, material or
  * other settings are another scene. Made and freed outside of the tick, which only hands it on.
  */
-struct ServoScene
+struct PALPATE_EXPORT ServoScene
 {
   /// `contactBody` must not be null and is kept alive by the scene. `sceneForceFactor` (0, 1] fits
   /// this scene to the device, beside SafetySettings::forceFactor: their product is what counts.

@@ -4,6 +4,7 @@
 
 #include "HapticDevice.h"
 #include "LatencyHistogram.h"
+#include "PalpateExport.h"
 #include "RealTimeGrant.h"
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace palpate
 {
 /// How a servo loop has kept time, and what went wrong, since it was made or last reset.
-struct ServoStatistics
+struct PALPATE_EXPORT ServoStatistics
 {
   double rate = 0.0;   ///< ticks per second that were asked for
   RealTimeGrant grant; ///< of the newest start

@@ -4,6 +4,7 @@
 
 #include "Clutch.h"
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 #include "SafetyChain.h"
 #include "SceneSwitch.h"
 #include "ServoScene.h"
@@ -53,7 +54,7 @@ struct ServoTick
  *
  * step() and all that is noexcept neither allocate, free, lock nor throw, and are for one thread.
  */
-class ServoStep
+class PALPATE_EXPORT ServoStep
 {
 public:
   /// Of the safety chain only finiteness and magnitude (SafetySettings::magnitudeOnly): a limit

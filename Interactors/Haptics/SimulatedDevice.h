@@ -3,6 +3,7 @@
 #define palpate_SimulatedDevice_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 #include "SimulatedMotion.h"
 #include "SimulatedPlant.h"
 #include "TimedPath.h"
@@ -35,7 +36,7 @@ namespace palpate
  * costs a microsecond; with friction or a limited hand some ten per axis when something stops,
  * lets go or reaches its limit.
  */
-class SimulatedDevice final : public HapticDevice
+class PALPATE_EXPORT SimulatedDevice final : public HapticDevice
 {
 public:
   using WayPoint = palpate::WayPoint;

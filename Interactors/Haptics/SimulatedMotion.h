@@ -3,6 +3,7 @@
 #define palpate_SimulatedMotion_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 #include "PlantAxis.h"
 #include "SteeredTarget.h"
 #include "TimedPath.h"
@@ -24,7 +25,7 @@ namespace palpate
  * means a plant that runs behind by the sample delay: nothing is remembered but forces on their
  * way. read and write are for one thread, and allocate nothing.
  */
-class SimulatedMotion
+class PALPATE_EXPORT SimulatedMotion
 {
 public:
   /// The hand follows `path`; on an empty one it is steered, from `start`.

@@ -2,6 +2,8 @@
 #ifndef palpate_SimulatedPlant_h
 #define palpate_SimulatedPlant_h
 
+#include "PalpateExport.h"
+
 #include <limits>
 #include <string>
 
@@ -41,8 +43,8 @@ struct HandModel
 };
 
 /// What is wrong, naming the setting and its value; or "".
-std::string fault(const SimulatedPlant& plant);
-std::string fault(const HandModel& hand);
+PALPATE_EXPORT std::string fault(const SimulatedPlant& plant);
+PALPATE_EXPORT std::string fault(const HandModel& hand);
 } // namespace palpate
 
 #endif

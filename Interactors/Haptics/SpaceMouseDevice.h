@@ -5,6 +5,7 @@
 #include "HapticDevice.h"
 #include "HidBus.h"
 #include "HidReader.h"
+#include "PalpateExport.h"
 #include "SpaceMouseReport.h"
 
 #include <cstdint>
@@ -40,7 +41,7 @@ struct SpaceMouseSettings
  * fresh. Unplugged, read is not valid from the next call on; when it returns, the tip goes on from
  * where it stood.
  */
-class SpaceMouseDevice final : public HapticDevice
+class PALPATE_EXPORT SpaceMouseDevice final : public HapticDevice
 {
 public:
   /// Opens the device at `path`, such as "/dev/hidraw0". Null, and why in words, if that fails.

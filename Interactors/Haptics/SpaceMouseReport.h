@@ -2,6 +2,8 @@
 #ifndef palpate_SpaceMouseReport_h
 #define palpate_SpaceMouseReport_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -35,7 +37,7 @@ struct SpaceMouseState
  * False: the report has another length; nothing is taken. Reports with other numbers (battery,
  * display, …) are not ours and change nothing.
  */
-bool takeSpaceMouseReport(
+PALPATE_EXPORT bool takeSpaceMouseReport(
   const std::uint8_t* report, std::size_t size, SpaceMouseState& state) noexcept;
 } // namespace palpate
 

@@ -3,6 +3,7 @@
 #define palpate_SteeredDevice_h
 
 #include "HapticDevice.h"
+#include "PalpateExport.h"
 #include "SteeredTarget.h"
 
 namespace palpate
@@ -14,7 +15,7 @@ namespace palpate
  * The position is the hand's aim itself (SteeredTarget); a hand that feels is a SimulatedDevice
  * with a plant. steerTo is for one thread, read and write for the servo thread; neither waits.
  */
-class SteeredDevice final : public HapticDevice
+class PALPATE_EXPORT SteeredDevice final : public HapticDevice
 {
 public:
   static constexpr double TimeConstant = SteeredTarget::TimeConstant; ///< s

@@ -3,6 +3,7 @@
 #define palpate_SteeredTarget_h
 
 #include "LatestValue.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -15,7 +16,7 @@ namespace palpate
  * x ← told + (x - told) e^(-Δt/τ), so that it neither jumps nor rings at servo rate. steerTo is for
  * one thread, moveOn for the servo thread; neither waits.
  */
-class SteeredTarget
+class PALPATE_EXPORT SteeredTarget
 {
 public:
   static constexpr double TimeConstant = 0.03; ///< s

@@ -2,6 +2,8 @@
 #ifndef palpate_TimedPath_h
 #define palpate_TimedPath_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 #include <string>
@@ -22,7 +24,7 @@ struct WayPoint
  *
  * Looking up costs O(log n) and allocates nothing.
  */
-class TimedPath
+class PALPATE_EXPORT TimedPath
 {
 public:
   /// A stretch of uniform motion.

@@ -2,6 +2,7 @@
 #ifndef palpate_TrajectoryFile_h
 #define palpate_TrajectoryFile_h
 
+#include "PalpateExport.h"
 #include "ServoStep.h"
 #include "Trajectory.h"
 
@@ -25,7 +26,8 @@ extern const char* const TrajectoryColumns;
  * away: where the disk is full the rows that had room are kept in PATH.part, a file like any other,
  * and the error says how many.
  */
-std::string writeTrajectory(const std::string& path, const std::vector<ServoTick>& ticks);
+PALPATE_EXPORT std::string writeTrajectory(
+  const std::string& path, const std::vector<ServoTick>& ticks);
 
 /**
  * The same for a trajectory: time and tip, the columns of the contact if it has one, and if it has
@@ -33,7 +35,7 @@ std::string writeTrajectory(const std::string& path, const std::vector<ServoTick
  * sent_x_N... (the force written to the device), taken (0 or 1; by the device). Numbers that are
  * not finite, and times that decrease, are errors naming the row (from 0) and the column.
  */
-std::string writeTrajectory(const std::string& path, const Trajectory& trajectory);
+PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const Trajectory& trajectory);
 
 /**
  * Reads what writeTrajectory has written to the same bits, and files of others: columns may stand
@@ -46,10 +48,11 @@ std::string writeTrajectory(const std::string& path, const Trajectory& trajector
  * button or flag that does not exist, time that decreases, no lines. After an error `trajectory` is
  * unchanged.
  */
-std::string readTrajectory(const std::string& path, Trajectory& trajectory);
+PALPATE_EXPORT std::string readTrajectory(const std::string& path, Trajectory& trajectory);
 
 /// The same from a stream; `name` stands for the file in errors.
-std::string readTrajectory(std::istream& stream, const std::string& name, Trajectory& trajectory);
+PALPATE_EXPORT std::string readTrajectory(
+  std::istream& stream, const std::string& name, Trajectory& trajectory);
 } // namespace palpate
 
 #endif

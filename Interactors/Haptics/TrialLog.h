@@ -2,6 +2,7 @@
 #ifndef palpate_TrialLog_h
 #define palpate_TrialLog_h
 
+#include "PalpateExport.h"
 #include "TrialPlan.h"
 
 #include <cstdint>
@@ -62,7 +63,7 @@ struct TrialRecord
  * Alternatives are letters from A on; `correct` is empty where no answer is right. A log holds what
  * cannot be had again: an existing file is not overwritten.
  */
-class TrialLog
+class PALPATE_EXPORT TrialLog
 {
 public:
   /// Creates the file and writes its head. Returns an error that names the file, or "".
@@ -83,10 +84,10 @@ private:
 };
 
 /// 1: right, 0: wrong, -1: no answer to this trial is right.
-int isRight(const TrialHead& head, const TrialAnswer& answer);
+PALPATE_EXPORT int isRight(const TrialHead& head, const TrialAnswer& answer);
 
 /// Reads a log. Returns an error that names file and line and leaves the record as it was, or "".
-std::string readTrialLog(const std::string& path, TrialRecord& record);
+PALPATE_EXPORT std::string readTrialLog(const std::string& path, TrialRecord& record);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_TrialPlan_h
 #define palpate_TrialPlan_h
 
+#include "PalpateExport.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +25,7 @@ struct Trial
  * Returns rounds · alternatives · (alternatives - 1) trials; none for fewer than two alternatives.
  * The same seed gives the same order on every machine (Mersenne Twister, Fisher–Yates).
  */
-std::vector<Trial> planTrials(int alternatives, int rounds, std::uint64_t seed);
+PALPATE_EXPORT std::vector<Trial> planTrials(int alternatives, int rounds, std::uint64_t seed);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef palpate_TrialScore_h
 #define palpate_TrialScore_h
 
+#include "PalpateExport.h"
 #include "Proportion.h"
 #include "TrialLog.h"
 
@@ -42,10 +43,11 @@ struct TrialScore
  * is p = Φ(d′/√2), and d′ grows in proportion to the difference D, so that 75 % are right at
  * D Φ⁻¹(0.75) / Φ⁻¹(p).
  */
-TrialScore scoreTrials(const TrialRecord& record);
+PALPATE_EXPORT TrialScore scoreTrials(const TrialRecord& record);
 
 /// In words, a line each, for a person.
-std::vector<std::string> describeScore(const TrialHead& head, const TrialScore& score);
+PALPATE_EXPORT std::vector<std::string> describeScore(
+  const TrialHead& head, const TrialScore& score);
 } // namespace palpate
 
 #endif

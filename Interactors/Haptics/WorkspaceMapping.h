@@ -3,6 +3,7 @@
 #define palpate_WorkspaceMapping_h
 
 #include "GivenSettings.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -19,7 +20,7 @@ constexpr double MillimetresPerMetre = 1000.0;
  * what lies in the plane arrives. The plane in the body is the one through `translation` that the
  * first two columns of the rotation span.
  */
-class WorkspaceMapping
+class PALPATE_EXPORT WorkspaceMapping
 {
 public:
   WorkspaceMapping() = default;

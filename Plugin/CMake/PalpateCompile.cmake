@@ -5,6 +5,15 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# Where things go below the prefix, and below the build folder likewise. On Debian as its packages have it, for
+# any prefix, so that what is installed by hand is what ./run package packs; CMAKE_INSTALL_LIBDIR wins.
+if(EXISTS "/etc/debian_version" AND CMAKE_LIBRARY_ARCHITECTURE AND CMAKE_INSTALL_LIBDIR STREQUAL "lib")
+  set(CMAKE_INSTALL_LIBDIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
+  set(PALPATE_INSTALL_PYTHONDIR "lib/python3/dist-packages")
+else()
+  set(PALPATE_INSTALL_PYTHONDIR "${CMAKE_INSTALL_LIBDIR}/python")
+endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
@@ -58,37 +67,65 @@ function(palpate_group_sources target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
+# The name programs ask for (soname) has the part of the version that changes when they must be built again:
+# the first two numbers before 1.0, the first from then on.
+function(palpate_version_library target)
+  set(soversion ${PROJECT_VERSION_MAJOR})
+  if(PROJECT_VERSION_MAJOR EQUAL 0)
+    string(APPEND soversion ".${PROJECT_VERSION_MINOR}")
+  endif()
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${soversion})
+endfunction()
+
 # A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
-# CLASSES, and what is named besides. A name may lie in a subfolder; headers are included without it,
-# as they are installed.
+# CLASSES and PRIVATE_CLASSES, and what is named besides. A name may lie in a subfolder; headers are included
+# without it, as they are installed. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
+# what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
 function(palpate_add_kernel name)
-  cmake_parse_arguments(arg "" "" "CLASSES;SOURCES;HEADERS;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
+  set(private_headers ${arg_PRIVATE_HEADERS})
   set(sources ${arg_SOURCES})
   foreach(class IN LISTS arg_CLASSES)
     list(APPEND headers ${class}.h)
     list(APPEND sources ${class}.cxx)
   endforeach()
+  foreach(class IN LISTS arg_PRIVATE_CLASSES)
+    list(APPEND private_headers ${class}.h)
+    list(APPEND sources ${class}.cxx)
+  endforeach()
   set(folders "")
-  foreach(header IN LISTS headers)
+  foreach(header IN LISTS headers private_headers)
     get_filename_component(folder "${header}" DIRECTORY)
     list(APPEND folders "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
   endforeach()
   list(REMOVE_DUPLICATES folders)
-  add_library(palpate${name} ${sources} ${headers})
+  add_library(palpate${name} ${sources} ${headers} ${private_headers})
   add_library(Palpate::${name} ALIAS palpate${name})
   target_include_directories(palpate${name} PUBLIC
     ${folders}
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
   target_link_libraries(palpate${name} PUBLIC Eigen3::Eigen ${arg_LINK})
   target_compile_features(palpate${name} PUBLIC cxx_std_17)
-  set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON)
+  set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   palpate_warnings(palpate${name})
   palpate_group_sources(palpate${name})
   target_compile_options(palpate${name} PRIVATE
     -Wpedantic -Wnull-dereference # VTK's headers fail both
     -fno-math-errno               # a square root is one instruction
     $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-O2>) # a million inputs each
-  install(TARGETS palpate${name} EXPORT PalpateKernels)
-  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate")
+  palpate_version_library(palpate${name})
+  install(TARGETS palpate${name} EXPORT PalpateKernels
+    RUNTIME COMPONENT runtime
+    LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+    ARCHIVE COMPONENT development)
+  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate" COMPONENT development)
+
+  list(TRANSFORM arg_LINK REPLACE "^Palpate::(.+)$" "palpate\\1Inside" OUTPUT_VARIABLE link)
+  add_library(palpate${name}Inside STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:palpate${name}>)
+  set_target_properties(palpate${name}Inside PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(palpate${name}Inside INTERFACE $<TARGET_PROPERTY:palpate${name},INTERFACE_INCLUDE_DIRECTORIES>)
+  target_compile_features(palpate${name}Inside INTERFACE cxx_std_17)
+  target_link_libraries(palpate${name}Inside INTERFACE Eigen3::Eigen ${link})
 endfunction()

@@ -59,17 +59,20 @@ foreach(palpate_module IN LISTS palpate_modules)
   _vtk_module_real_target(palpate_target ${palpate_module})
   palpate_warnings(${palpate_target})
   palpate_group_sources(${palpate_target})
+  palpate_version_library(${palpate_target})
+  set_target_properties(${palpate_target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endforeach()
 
 add_custom_target(palpatePython) # the package, as far as this VTK allows
 if(TARGET VTK::WrappingPythonCore)
-  block() # lib/python/palpate/*.so find lib/*.so when installed
-  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../..")
+  block() # the modules in palpate/ find the libraries when installed
+  file(RELATIVE_PATH palpate_python_to_lib "/${PALPATE_INSTALL_PYTHONDIR}/palpate" "/${CMAKE_INSTALL_LIBDIR}")
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/${palpate_python_to_lib}")
   vtk_module_wrap_python(
     MODULES ${palpate_modules}
     TARGET Palpate::Python
     PYTHON_PACKAGE "palpate"
-    MODULE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python"
+    MODULE_DESTINATION "${PALPATE_INSTALL_PYTHONDIR}"
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/palpate"
     BUILD_STATIC OFF
     INSTALL_HEADERS OFF)

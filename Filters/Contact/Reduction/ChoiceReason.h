@@ -2,6 +2,7 @@
 #ifndef palpate_ChoiceReason_h
 #define palpate_ChoiceReason_h
 
+#include "PalpateExport.h"
 #include "ResponseChoice.h"
 
 #include <string>
@@ -10,7 +11,8 @@ namespace palpate
 {
 /// The choice in a sentence: what is taken, what it costs, why nothing less, and where the law that
 /// was looked at does not hold. `before` is how many numbers per point there were.
-std::string choiceReason(const ResponseChoice& choice, const ChoiceSettings& settings, int before);
+PALPATE_EXPORT std::string choiceReason(
+  const ResponseChoice& choice, const ChoiceSettings& settings, int before);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef palpate_ResponseChoice_h
 #define palpate_ResponseChoice_h
 
+#include "PalpateExport.h"
 #include "ResponseField.h"
 
 #include <cstddef>
@@ -98,7 +99,7 @@ struct ResponseChoice
  * number of threads. Cost: some 20 ns per point where all curves are the same, else 2 to 3 us per
  * point and core.
  */
-ResponseChoice chooseResponse(
+PALPATE_EXPORT ResponseChoice chooseResponse(
   const ResponseArrays& arrays, const ChoiceEvidence& evidence, const ChoiceSettings& settings);
 } // namespace palpate
 

@@ -2,6 +2,7 @@
 #ifndef palpate_ResponseReduction_h
 #define palpate_ResponseReduction_h
 
+#include "PalpateExport.h"
 #include "ResponseField.h"
 
 #include <cstddef>
@@ -66,7 +67,8 @@ struct ReducedResponse
  * without response (by status) take no part. Same bits for any number of threads. Cost: about 3 µs
  * per point, core and number of laws tried, of which all but the last are tried on 4096 points.
  */
-ReducedResponse reduceResponse(const ResponseArrays& arrays, const ReductionSettings& settings);
+PALPATE_EXPORT ReducedResponse reduceResponse(
+  const ResponseArrays& arrays, const ReductionSettings& settings);
 } // namespace palpate
 
 #endif

@@ -10,6 +10,7 @@
 #ifndef palpate_BodySurface_h
 #define palpate_BodySurface_h
 
+#include "PalpateExport.h"
 #include "VolumeMesh.h"
 
 namespace palpate
@@ -22,7 +23,7 @@ struct SurfacePlace
   std::array<double, 6> shape{};
 };
 
-class BodySurface
+class PALPATE_EXPORT BodySurface
 {
 public:
   BodySurface() = default;

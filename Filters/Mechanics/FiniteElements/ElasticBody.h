@@ -4,6 +4,7 @@
 
 #include "BodySurface.h"
 #include "MemoryForecast.h"
+#include "PalpateExport.h"
 #include "StiffnessFactor.h"
 
 namespace palpate
@@ -22,7 +23,7 @@ struct ElasticBodyInput
  * To be called in this order: take(), assemble(), analyse(), factorise(); then it answers any
  * number of questions. One that has returned an error is not to be used further.
  */
-class ElasticBody
+class PALPATE_EXPORT ElasticBody
 {
 public:
   /// Takes the input over: from then on memoryForecast() tells. Returns what is wrong (a floating

@@ -12,6 +12,7 @@
 #ifndef palpate_ElasticElement_h
 #define palpate_ElasticElement_h
 
+#include "PalpateExport.h"
 #include "VolumeMesh.h"
 
 namespace palpate
@@ -31,15 +32,15 @@ using ElementMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3
   3 * LargestNodeCount>;
 
 /// The positions of an element's nodes, 3 × n.
-ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeElement& element);
+PALPATE_EXPORT ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeElement& element);
 
 /// Stiffness, 3n × 3n, node by node (x, y, z). False when the element is inverted: a Jacobian that
 /// is not positive at an integration point.
-bool elementStiffness(
+PALPATE_EXPORT bool elementStiffness(
   ElementKind kind, const ElementNodes& nodes, const ElasticMaterial& material, ElementMatrix& k);
 
 /// The smallest Jacobian determinant over the integration points; not positive: inverted.
-double smallestJacobian(ElementKind kind, const ElementNodes& nodes);
+PALPATE_EXPORT double smallestJacobian(ElementKind kind, const ElementNodes& nodes);
 } // namespace palpate
 
 #endif

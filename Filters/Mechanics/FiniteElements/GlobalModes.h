@@ -17,6 +17,7 @@
 #ifndef palpate_GlobalModes_h
 #define palpate_GlobalModes_h
 
+#include "PalpateExport.h"
 #include "PatchCompliance.h"
 
 namespace palpate
@@ -43,8 +44,8 @@ struct GlobalModes
  * among the points whose compliance is valid; none of them: every mode is zero. `radius` as in
  * patchCompliances(). Costs one solution per landmark. No fields when the observer stopped it.
  */
-GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances, double radius,
-  int count, const WorkObserver& observer);
+PALPATE_EXPORT GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances,
+  double radius, int count, const WorkObserver& observer);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_MemoryForecast_h
 #define palpate_MemoryForecast_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /**
@@ -31,7 +33,7 @@ struct MemoryForecast
 };
 
 /// Of `nodes` nodes, of which `outerNodes` lie on the surface.
-MemoryForecast forecastMemory(double nodes, double outerNodes);
+PALPATE_EXPORT MemoryForecast forecastMemory(double nodes, double outerNodes);
 } // namespace palpate
 
 #endif

@@ -15,6 +15,7 @@
 #define palpate_PatchCompliance_h
 
 #include "ElasticBody.h"
+#include "PalpateExport.h"
 
 namespace palpate
 {
@@ -41,18 +42,20 @@ struct PatchCompliances
  * Local parts are computed by threadCount() threads; results do not depend on how many. Empty when
  * the observer stopped it.
  */
-PatchCompliances patchCompliances(const ElasticBody& body, const std::vector<std::int32_t>& points,
-  double radius, const WorkObserver& observer);
+PALPATE_EXPORT PatchCompliances patchCompliances(const ElasticBody& body,
+  const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
 
 /// The patch of 1 N at a surface point as forces on the nodes (3 × nodes); where it wraps an edge,
 /// the whole force at the point.
-Eigen::Matrix3Xd patchForces(const ElasticBody& body, std::int32_t point, double radius);
+PALPATE_EXPORT Eigen::Matrix3Xd patchForces(
+  const ElasticBody& body, std::int32_t point, double radius);
 
 /**
  * Gives points without a value one from the valid points around: the six nearest along the edges of
  * the surface, weighted by 1/distance². A part of the surface without any keeps NaN.
  */
-void spreadValidCompliances(const BodySurface& surface, PatchCompliances& compliances);
+PALPATE_EXPORT void spreadValidCompliances(
+  const BodySurface& surface, PatchCompliances& compliances);
 } // namespace palpate
 
 #endif

@@ -3,6 +3,7 @@
 #define palpate_StiffnessAssembly_h
 
 #include "ElasticElement.h"
+#include "PalpateExport.h"
 
 #include <Eigen/SparseCore>
 
@@ -30,7 +31,7 @@ struct StiffnessMatrix
 
 /// Numbers the unknowns and sums the elements. `materials` holds one per element, or one for all.
 /// Returns what is wrong (an inverted element, by its index), or "".
-std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topology,
+PALPATE_EXPORT std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topology,
   const std::vector<ElasticMaterial>& materials, const std::vector<unsigned char>& fixed,
   StiffnessMatrix& stiffness);
 
@@ -42,7 +43,7 @@ std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topolo
  * factorisation stumbles over them. Returns a sentence that names the part by its first element and
  * says how many motions are left, or "".
  */
-std::string findFloatingPart(
+PALPATE_EXPORT std::string findFloatingPart(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& fixed);
 } // namespace palpate
 

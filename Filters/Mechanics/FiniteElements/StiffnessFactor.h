@@ -15,6 +15,7 @@
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h
 
+#include "PalpateExport.h"
 #include "StiffnessAssembly.h"
 
 #include <functional>
@@ -29,7 +30,7 @@ using SparseLoad = std::vector<std::pair<int, double>>;
 /// Told the share that is done; returns false to stop.
 using WorkObserver = std::function<bool(double)>;
 
-class StiffnessFactor
+class PALPATE_EXPORT StiffnessFactor
 {
 public:
   enum class Kind
@@ -62,7 +63,7 @@ public:
 
 /// The indices of the loads, ordered by their first unknown in the order of elimination;
 /// `position` leads from an unknown to its place there. Empty loads are left out.
-std::vector<std::size_t> orderLoads(
+PALPATE_EXPORT std::vector<std::size_t> orderLoads(
   const std::vector<SparseLoad>& loads, const std::vector<int>& position);
 } // namespace palpate
 

@@ -2,6 +2,8 @@
 #ifndef palpate_VolumeMesh_h
 #define palpate_VolumeMesh_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -21,8 +23,8 @@ enum class ElementKind : std::uint8_t
 
 constexpr int LargestNodeCount = 10;
 
-int nodeCount(ElementKind kind);
-int faceCount(ElementKind kind);
+PALPATE_EXPORT int nodeCount(ElementKind kind);
+PALPATE_EXPORT int faceCount(ElementKind kind);
 
 /// One side of an element, by the element's own node numbers: corners counter-clockwise seen from
 /// outside, then mid-edge nodes, the first one between the first two corners.
@@ -32,7 +34,7 @@ struct ElementFace
   int nodes = 0;   ///< 3, 4 or 6
   std::array<int, 6> node{};
 };
-const ElementFace& elementFace(ElementKind kind, int face);
+PALPATE_EXPORT const ElementFace& elementFace(ElementKind kind, int face);
 
 struct VolumeElement
 {
@@ -51,10 +53,10 @@ struct VolumeMesh
 };
 
 /// The mean of an element's nodes.
-Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element);
+PALPATE_EXPORT Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element);
 
 /// A number for each node, the same for nodes of elements that hang together, if only by a node.
-std::vector<std::int32_t> partOfNodes(const VolumeMesh& mesh);
+PALPATE_EXPORT std::vector<std::int32_t> partOfNodes(const VolumeMesh& mesh);
 
 /// A side of the body: face `face` of element `element`.
 struct BoundaryFace
@@ -69,7 +71,7 @@ struct BoundaryFace
  * Two elements are neighbours when a face of one has the corner nodes of a face of the other. A
  * face of more than two elements is a fault. Cost: one sort of all faces.
  */
-class MeshTopology
+class PALPATE_EXPORT MeshTopology
 {
 public:
   /// Returns what is wrong, or "".

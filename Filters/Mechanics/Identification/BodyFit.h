@@ -4,6 +4,7 @@
 
 #include "AxisymmetricTool.h"
 #include "LayerKernel.h"
+#include "PalpateExport.h"
 #include "SeriesCompliance.h"
 
 #include <Eigen/Core>
@@ -39,11 +40,11 @@ struct IndentationCurve
 };
 
 /// The response of a body to a tool; `kernel` is needed for a layer only.
-SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
+PALPATE_EXPORT SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 
 /// A body fitted to curves, and how sharply.
-struct BodyFit
+struct PALPATE_EXPORT BodyFit
 {
   BodyParameters body;
   std::vector<double> contactOffset; ///< depth of first contact of each curve, mm
@@ -65,11 +66,11 @@ struct BodyFit
  * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, and the depth
  * of first contact of each curve, which is 0 unless `findContact`.
  */
-BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bool findContact,
-  const std::shared_ptr<const LayerKernel>& kernel);
+PALPATE_EXPORT BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model,
+  bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
 /// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
-double modulusErrorBesideCompliance(
+PALPATE_EXPORT double modulusErrorBesideCompliance(
   const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact);
 } // namespace palpate
 

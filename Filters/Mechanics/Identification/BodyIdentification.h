@@ -4,6 +4,7 @@
 
 #include "BodyFit.h"
 #include "ForceNoise.h"
+#include "PalpateExport.h"
 
 #include <limits>
 #include <memory>
@@ -77,7 +78,7 @@ struct IdentifiedBody
  * or the misfit (Student's t); of E* and h symmetric in the logarithm. Cost: about a millisecond, a
  * tenth of a second for a layer. Immutable and safe to use from any number of threads.
  */
-class BodyIdentification
+class PALPATE_EXPORT BodyIdentification
 {
 public:
   static constexpr std::size_t FewestReadings = 8;
@@ -112,7 +113,7 @@ private:
 };
 
 /// "half-space", "half-space in series with global compliance", "layer on a rigid base".
-const char* nameOf(BodyModel model);
+PALPATE_EXPORT const char* nameOf(BodyModel model);
 } // namespace palpate
 
 #endif

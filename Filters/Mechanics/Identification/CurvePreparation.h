@@ -3,6 +3,7 @@
 #define palpate_CurvePreparation_h
 
 #include "MeasuredCurve.h"
+#include "PalpateExport.h"
 
 #include <limits>
 #include <string>
@@ -47,7 +48,7 @@ struct ElasticityLimits
  *
  * Returns why the curve is refused, or "". What was found is in `prepared` in either case.
  */
-std::string prepareCurve(
+PALPATE_EXPORT std::string prepareCurve(
   const MeasuredCurve& curve, const ElasticityLimits& limits, PreparedCurve& prepared);
 } // namespace palpate
 

@@ -3,6 +3,7 @@
 #define palpate_CurvesFile_h
 
 #include "MeasuredCurve.h"
+#include "PalpateExport.h"
 
 #include <cstddef>
 #include <functional>
@@ -26,10 +27,11 @@ namespace palpate
  *
  * Returns an error "file:line: what is wrong", or "". After an error `curves` is unchanged.
  */
-std::string readCurves(const std::string& path, MeasuredCurves& curves);
+PALPATE_EXPORT std::string readCurves(const std::string& path, MeasuredCurves& curves);
 
 /// The same from a stream; `name` stands for the file in errors.
-std::string readCurves(std::istream& stream, const std::string& name, MeasuredCurves& curves);
+PALPATE_EXPORT std::string readCurves(
+  std::istream& stream, const std::string& name, MeasuredCurves& curves);
 
 /// The readings of one tool as a table that has been read already: its columns, named as in a file,
 /// and their fields as texts.
@@ -43,7 +45,7 @@ struct CurvesTable
 };
 
 /// The same from a table; an error is "name: row 7: what is wrong", rows counting from 0.
-std::string readCurves(const CurvesTable& table, MeasuredCurves& curves);
+PALPATE_EXPORT std::string readCurves(const CurvesTable& table, MeasuredCurves& curves);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_ForceNoise_h
 #define palpate_ForceNoise_h
 
+#include "PalpateExport.h"
+
 #include <limits>
 #include <vector>
 
@@ -24,7 +26,7 @@ struct ForceNoise
  * Croux 1993); overlapping runs share readings, so a quarter of n is counted. Fewer than four
  * readings: NaN.
  */
-ForceNoise estimateForceNoise(
+PALPATE_EXPORT ForceNoise estimateForceNoise(
   const std::vector<double>& deflection, const std::vector<double>& force);
 } // namespace palpate
 

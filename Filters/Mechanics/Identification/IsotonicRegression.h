@@ -2,13 +2,15 @@
 #ifndef palpate_IsotonicRegression_h
 #define palpate_IsotonicRegression_h
 
+#include "PalpateExport.h"
+
 #include <vector>
 
 namespace palpate
 {
 /// The non-decreasing sequence closest to `values` in the least-squares sense, by pooling adjacent
 /// violators (Ayer et al. 1955). O(n).
-std::vector<double> isotonicRegression(const std::vector<double>& values);
+PALPATE_EXPORT std::vector<double> isotonicRegression(const std::vector<double>& values);
 } // namespace palpate
 
 #endif

@@ -5,6 +5,7 @@
 #include "BodyIdentification.h"
 #include "CurvePreparation.h"
 #include "MeasuredCurve.h"
+#include "PalpateExport.h"
 
 #include <memory>
 #include <string>
@@ -34,11 +35,11 @@ struct MeasuredSite
 
 /// Puts together what several files, each of one tool, say of the same sites, in the order in which
 /// they come. An error names the site that two files put at different places.
-std::string collectSites(
+PALPATE_EXPORT std::string collectSites(
   const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
 
 /// Prepares the curves of the site and identifies its body; sets `refusal` where that fails.
-void identifySite(
+PALPATE_EXPORT void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site);
 } // namespace palpate
 

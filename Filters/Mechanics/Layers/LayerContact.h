@@ -5,6 +5,7 @@
 #include "AxisymmetricTool.h"
 #include "IndentationLaw.h"
 #include "LayerKernel.h"
+#include "PalpateExport.h"
 #include "ProfileQuadrature.h"
 
 #include <memory>
@@ -23,7 +24,7 @@ namespace palpate
  * Cost: 10 to 30 µs per evaluation of a smooth tool. Immutable and safe to use from any number of
  * threads.
  */
-class LayerContact final : public IndentationLaw
+class PALPATE_EXPORT LayerContact final : public IndentationLaw
 {
 public:
   /// Thickness > 0, mm. `tool` must outlive the contact.

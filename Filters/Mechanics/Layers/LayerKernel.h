@@ -2,6 +2,7 @@
 #ifndef palpate_LayerKernel_h
 #define palpate_LayerKernel_h
 
+#include "PalpateExport.h"
 #include "PiecewiseChebyshev.h"
 
 #include <Eigen/Core>
@@ -37,7 +38,7 @@ enum class LayerBase
  * a/h <= LargestRatio; the table agrees with the direct solution to 1e-10. Immutable and safe to
  * use from any number of threads.
  */
-class LayerKernel
+class PALPATE_EXPORT LayerKernel
 {
 public:
   static constexpr int NodeCount = 48;

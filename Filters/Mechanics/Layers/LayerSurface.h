@@ -4,6 +4,7 @@
 
 #include "AxisymmetricTool.h"
 #include "LayerKernel.h"
+#include "PalpateExport.h"
 #include "PiecewiseChebyshev.h"
 
 #include <Eigen/Core>
@@ -28,7 +29,7 @@ class LayerContact;
  * Built once per contact (about 1 ms), then about 3 µs per point. Immutable and safe to use from
  * any number of threads.
  */
-class LayerSurface
+class PALPATE_EXPORT LayerSurface
 {
 public:
   /// All zero unless 0 < deflection <= contact.deepest(). `contact` and its tool must outlive this.

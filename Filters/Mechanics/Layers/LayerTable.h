@@ -5,6 +5,7 @@
 #include "AxisymmetricTool.h"
 #include "ChebyshevRule.h"
 #include "LayerKernel.h"
+#include "PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -22,7 +23,7 @@ namespace palpate
  * LayerContact to 1e-7; where Poisson's ratio takes more than DistinctRatios values, to 1e-5 while
  * a < 2h. Immutable and safe to use from any number of threads.
  */
-class LayerTable
+class PALPATE_EXPORT LayerTable
 {
 public:
   /// Up to this many values of Poisson's ratio are tabulated each for itself.

@@ -4,6 +4,7 @@
 
 #include "AxisymmetricTool.h"
 #include "GaussLegendre.h"
+#include "PalpateExport.h"
 
 #include <cstddef>
 #include <vector>
@@ -17,7 +18,7 @@ namespace palpate
  * [b, c] is mapped by x = b + (c-b) u², which makes the integrand smooth again. Panels that lie
  * wholly inside a contact are evaluated once, here.
  */
-class ProfileQuadrature
+class PALPATE_EXPORT ProfileQuadrature
 {
 public:
   /// `tool` must outlive the quadrature.

@@ -2,6 +2,8 @@
 #ifndef palpate_AvailableMemory_h
 #define palpate_AvailableMemory_h
 
+#include "PalpateExport.h"
+
 #include <string>
 
 namespace palpate
@@ -10,7 +12,7 @@ constexpr double Mebibyte = 1024.0 * 1024.0;
 
 /// Bytes that programs can still take on this machine without swapping: `MemAvailable` of Linux
 /// (proc(5)). Where the file does not say, half of the machine's memory.
-double availableMemory(const std::string& file = "/proc/meminfo");
+PALPATE_EXPORT double availableMemory(const std::string& file = "/proc/meminfo");
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef palpate_GaussLegendre_h
 #define palpate_GaussLegendre_h
 
+#include "PalpateExport.h"
+
 #include <Eigen/Core>
 
 namespace palpate
@@ -12,7 +14,7 @@ namespace palpate
  * Nodes and weights are the eigenvalues and first eigenvector components of the Legendre Jacobi
  * matrix (Golub and Welsch 1969), symmetrised about zero.
  */
-class GaussLegendre
+class PALPATE_EXPORT GaussLegendre
 {
 public:
   explicit GaussLegendre(int nodes);

@@ -2,6 +2,8 @@
 #ifndef palpate_PiecewiseChebyshev_h
 #define palpate_PiecewiseChebyshev_h
 
+#include "PalpateExport.h"
+
 #include <functional>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace palpate
  * A function that is analytic within one length of a piece around each piece is kept to about
  * 1e-13 of its size there.
  */
-class PiecewiseChebyshev
+class PALPATE_EXPORT PiecewiseChebyshev
 {
 public:
   static constexpr int Terms = 16;

@@ -4,6 +4,7 @@
 
 #include "DepthLimit.h"
 #include "IndentationLaw.h"
+#include "PalpateExport.h"
 
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct SurfaceDisplacement
  * depthAtStrain. Where g is not increasing the formulas fail from some depth on: deeper than
  * depthLimit every result is NaN. Immutable and safe to call from any number of threads.
  */
-class AxisymmetricTool : public IndentationLaw
+class PALPATE_EXPORT AxisymmetricTool : public IndentationLaw
 {
 public:
   /// The tool as on a command line, "sphere:6.35": lossless, parsed by parseTool.

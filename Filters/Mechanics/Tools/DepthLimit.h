@@ -2,6 +2,8 @@
 #ifndef palpate_DepthLimit_h
 #define palpate_DepthLimit_h
 
+#include "PalpateExport.h"
+
 #include <functional>
 #include <limits>
 #include <vector>
@@ -32,7 +34,7 @@ struct DepthLimit
  * `kinks`: radii, ascending, at which g is not analytic. g is sampled between them, at 500 points
  * or more; the depth found is good to about 1e-3.
  */
-DepthLimit findDepthLimit(const std::function<double(double)>& profile,
+PALPATE_EXPORT DepthLimit findDepthLimit(const std::function<double(double)>& profile,
   const std::function<double(double)>& reducedProfile, const std::vector<double>& kinks,
   double outer);
 } // namespace palpate

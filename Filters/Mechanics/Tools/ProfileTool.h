@@ -4,6 +4,7 @@
 
 #include "AxisymmetricTool.h"
 #include "IncreasingRoot.h"
+#include "PalpateExport.h"
 #include "SlopeStep.h"
 
 #include <vector>
@@ -33,7 +34,7 @@ struct ProfilePoint
  * force and radius about 30 ns each, for pressure and displacements 2 µs each; once for a profile
  * that is not convex its square, 0.1 s for a thousand points.
  */
-class ProfileTool final : public AxisymmetricTool
+class PALPATE_EXPORT ProfileTool final : public AxisymmetricTool
 {
 public:
   /// What is wrong with the points, naming the first wrong one; empty if nothing is.

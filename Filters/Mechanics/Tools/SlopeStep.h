@@ -2,6 +2,8 @@
 #ifndef palpate_SlopeStep_h
 #define palpate_SlopeStep_h
 
+#include "PalpateExport.h"
+
 namespace palpate
 {
 /**
@@ -12,7 +14,7 @@ namespace palpate
  *   g(x) = x A, A = arccos(b/x), x > b;  ∫_0^a g dx = (a²A - b q)/2, q = √(a²-b²)
  * (Popov and Hess 2015). b = 0 is the cone. Results per unit reduced modulus.
  */
-class SlopeStep
+class PALPATE_EXPORT SlopeStep
 {
 public:
   explicit SlopeStep(double radius)

@@ -3,6 +3,7 @@
 #define palpate_ToolSpecification_h
 
 #include "AxisymmetricTool.h"
+#include "PalpateExport.h"
 #include "ProfileTool.h"
 
 #include <initializer_list>
@@ -39,13 +40,13 @@ struct ToolSpecification
 };
 
 /// What parseTool accepts, for help texts: "flat:R, sphere:R, …".
-const char* toolSyntax();
+PALPATE_EXPORT const char* toolSyntax();
 
 /// What is wrong with the specification, naming the parameter and its value; empty if nothing is.
-std::string checkTool(const ToolSpecification& specification);
+PALPATE_EXPORT std::string checkTool(const ToolSpecification& specification);
 
 /// The tool, or null if checkTool finds fault.
-std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
+PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
 
 /**
  * Reads a tool:
@@ -56,19 +57,22 @@ std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specificatio
  * ProfileFile.h. Returns false, says in `error` what is wrong, and leaves the specification as it
  * was.
  */
-bool parseTool(const std::string& text, ToolSpecification& specification, std::string& error);
+PALPATE_EXPORT bool parseTool(
+  const std::string& text, ToolSpecification& specification, std::string& error);
 
 /// The same tool with all lengths times `factor` > 0: its force law is F(δ) → factor² F(δ/factor).
 /// A cone, and a power law of exponent 1, have no length: there tan α grows by the factor. Null if
 /// the tool has no writing, or factor times it is none.
-std::unique_ptr<AxisymmetricTool> scaledTool(const AxisymmetricTool& tool, double factor);
+PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
+  const AxisymmetricTool& tool, double factor);
 
 /// The shortest decimals that read back to the same bits.
-std::string shortestDecimals(double value);
+PALPATE_EXPORT std::string shortestDecimals(double value);
 /// "name:v1,v2" in shortest decimals.
-std::string formatTool(const std::string& name, std::initializer_list<double> values);
+PALPATE_EXPORT std::string formatTool(
+  const std::string& name, std::initializer_list<double> values);
 /// "profile:r1,f1;r2,f2;…" in shortest decimals.
-std::string formatProfile(const std::vector<ProfilePoint>& points);
+PALPATE_EXPORT std::string formatProfile(const std::vector<ProfilePoint>& points);
 } // namespace palpate
 
 #endif

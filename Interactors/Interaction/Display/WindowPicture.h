@@ -2,6 +2,8 @@
 #ifndef WindowPicture_h
 #define WindowPicture_h
 
+#include "palpateInteractionModule.h" // For export macro
+
 #include <string>
 
 class vtkRenderWindow;
@@ -10,7 +12,8 @@ namespace palpate
 {
 /// Draws the window and writes it as a .png, as a whole or not at all (WholeFile). Returns an error
 /// that names the file and the reason, or "".
-std::string writeWindowPicture(vtkRenderWindow* window, const std::string& file);
+PALPATEINTERACTION_EXPORT std::string writeWindowPicture(
+  vtkRenderWindow* window, const std::string& file);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef LeastForm_h
 #define LeastForm_h
 
+#include "palpateInteractionModule.h" // For export macro
+
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -38,7 +40,7 @@ struct LeastForm
 
 /// By vtkContactRegime and vtkResponseChoice. `run` updates each of them, hears its errors and says
 /// whether to go on. On any thread.
-LeastForm findLeastForm(
+PALPATEINTERACTION_EXPORT LeastForm findLeastForm(
   const LeastFormRequest& request, const std::function<bool(vtkAlgorithm*)>& run);
 } // namespace palpate
 

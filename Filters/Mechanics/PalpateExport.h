@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the kernels' shared libraries export: everything else is hidden.
+ *
+ * The rule: a class or function out of line in a header that is installed is marked; headers that
+ * are not installed (PRIVATE in palpate_add_kernel) mark nothing. Tests look inside by linking
+ * palpateMechanicsInside and its like, the same objects as an archive.
+ */
+#ifndef PalpateExport_h
+#define PalpateExport_h
+
+#ifdef __GNUC__
+#define PALPATE_EXPORT __attribute__((visibility("default")))
+#else
+#define PALPATE_EXPORT
+#endif
+
+#endif
