@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
+#include <string_view>
 
 namespace palpate::c
 {
@@ -73,8 +75,30 @@ void copy(const ServoTick& felt, palpate_tick* tick)
   copy(felt.contact.contactPoint, tick->contact_point);
   tick->triangle = felt.contact.triangle;
   tick->state = static_cast<int>(felt.contact.state);
+  std::fill(std::begin(tick->reserved), std::end(tick->reserved), 0.0);
 }
 } // namespace palpate::c
+
+// The header is a file of its own, which C programs may copy: its numbers stand there, not in
+// CMake.
+#define PALPATE_TEXT_OF(number) #number
+#define PALPATE_TEXT(number) PALPATE_TEXT_OF(number)
+static_assert(std::string_view(PALPATE_VERSION_STRING) ==
+    PALPATE_TEXT(PALPATE_VERSION_MAJOR) "." PALPATE_TEXT(PALPATE_VERSION_MINOR) "." PALPATE_TEXT(
+      PALPATE_VERSION_PATCH),
+  "palpate.h: its version's text and numbers");
+static_assert(std::string_view(PALPATE_VERSION_STRING) == PALPATE_PROJECT_VERSION,
+  "palpate.h: its version is not the project's in CMakeLists.txt");
+
+const char* palpate_version(void)
+{
+  return PALPATE_VERSION_STRING;
+}
+
+int palpate_api_version(void)
+{
+  return PALPATE_API_VERSION;
+}
 
 palpate_body* palpate_body_load(const char* path, char* error, std::size_t error_size)
 {
@@ -108,6 +132,7 @@ palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_fo
 void palpate_settings_default(palpate_settings* settings)
 {
   const palpate::GivenSettings given;
+  *settings = {};
   settings->force_form = given.forceForm;
   settings->contact_surface = given.contactSurface;
   settings->friction_model = given.frictionModel;
@@ -129,7 +154,10 @@ palpate_contact* palpate_contact_new_with(const palpate_body* body, double maxim
     {
       palpate::c::report("no body is given", error, error_size);
     }
-    else if (!palpate::c::isRefused(wanted.fault(), error, error_size))
+    else if (!(settings &&
+               palpate::c::isFromLater(
+                 settings->reserved, "palpate_settings", error, error_size)) &&
+      !palpate::c::isRefused(wanted.fault(), error, error_size))
     {
       return new palpate_contact{ palpate::ServoStep(
         *body->kernel, palpate::WorkspaceMapping(), maximum_force, wanted.settings()) };

@@ -8,6 +8,7 @@
 #include "GivenSettings.h"
 #include "ServoStep.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -28,6 +29,22 @@ namespace palpate::c
 void report(const std::string& reason, char* error, std::size_t size);
 /// Reports a fault by its name in C; returns whether there is one.
 bool isRefused(const SettingFault& fault, char* error, std::size_t size);
+
+/// Reports members of `reserved` of the struct `name` that are not zero: from a later header, or
+/// not begun with the function that sets them. Returns whether there are any.
+template <std::size_t N>
+bool isFromLater(const double (&reserved)[N], const char* name, char* error, std::size_t size)
+{
+  const bool isZero =
+    std::all_of(reserved, reserved + N, [](double value) { return value == 0.0; });
+  if (!isZero)
+  {
+    report(std::string(name) + ".reserved must be zero: begin with its defaults; this is version " +
+        palpate_version(),
+      error, size);
+  }
+  return !isZero;
+}
 
 GivenSettings given(const palpate_settings& settings);
 

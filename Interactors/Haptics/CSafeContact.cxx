@@ -8,11 +8,13 @@
 
 #include <cmath>
 #include <exception>
+#include <iterator>
 
 namespace
 {
 using palpate::c::copy;
 using palpate::c::given;
+using palpate::c::isFromLater;
 using palpate::c::isRefused;
 using palpate::c::report;
 
@@ -75,7 +77,8 @@ std::unique_ptr<palpate::ServoScene> makeScene(const palpate_body* body,
     report("no body is given", error, size);
     return nullptr;
   }
-  if (isRefused(wanted.fault(), error, size) ||
+  if ((settings && isFromLater(settings->reserved, "palpate_settings", error, size)) ||
+    isRefused(wanted.fault(), error, size) ||
     isRefused(palpate::faultOfForceFactor(forceFactor), error, size))
   {
     return nullptr;
@@ -86,7 +89,7 @@ std::unique_ptr<palpate::ServoScene> makeScene(const palpate_body* body,
 
 void palpate_mapping_default(palpate_mapping* mapping)
 {
-  *mapping = { { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 0, 0, 0 }, 1.0, 0 };
+  *mapping = { { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 0, 0, 0 }, 1.0, 0, {} };
 }
 
 int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
@@ -111,6 +114,10 @@ int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
       error_size);
     return 0;
   }
+  if (isFromLater(mapping->reserved, "palpate_mapping", error, error_size))
+  {
+    return 0;
+  }
   palpate::WorkspaceMapping turned = given(*mapping);
   const palpate::WorkspaceMapping fit = turned.fitted(box.min(), box.max(), reach, margin);
   if (isRefused(fit.fault(), error, error_size))
@@ -125,6 +132,7 @@ int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
 void palpate_device_default(palpate_device* device)
 {
   const palpate::DeviceSpecification usual;
+  *device = {};
   device->maximum_force = usual.maximumForce;
   device->maximum_stiffness = usual.maximumStiffness;
   device->maximum_force_rate = usual.maximumForceRate;
@@ -144,6 +152,7 @@ void palpate_safety_of(const palpate_device* device, palpate_safety* safety)
     specification.sampleTimeOut = device->sample_time_out;
   }
   const palpate::SafetySettings settings = palpate::SafetySettings::of(specification);
+  *safety = {};
   safety->gate = settings.gate;
   safety->entry_ramp = settings.entryRamp;
   safety->force_factor = settings.forceFactor;
@@ -167,7 +176,9 @@ palpate_contact* palpate_contact_new_safe(const palpate_body* body, const palpat
     {
       report("no safety is given", error, error_size);
     }
-    else if (!isRefused(place.fault(), error, error_size) &&
+    else if (!(mapping && isFromLater(mapping->reserved, "palpate_mapping", error, error_size)) &&
+      !isFromLater(safety->reserved, "palpate_safety", error, error_size) &&
+      !isRefused(place.fault(), error, error_size) &&
       !isRefused(palpate::faultOf(given(*safety)), error, error_size))
     {
       auto scene = makeScene(body, settings, 1.0, error, error_size);
@@ -185,7 +196,7 @@ palpate_contact* palpate_contact_new_safe(const palpate_body* body, const palpat
 
 void palpate_sample_default(palpate_sample* sample)
 {
-  *sample = { { 0, 0, 0 }, { 0, 0, 0 }, 0, 1, 1 };
+  *sample = { { 0, 0, 0 }, { 0, 0, 0 }, 0, 1, 1, {} };
 }
 
 void palpate_step_sample(
@@ -208,6 +219,7 @@ void palpate_step_sample(
   tick->acted = felt.acted;
   tick->valid = felt.valid;
   tick->clutched = felt.clutched;
+  std::fill(std::begin(tick->reserved), std::end(tick->reserved), 0.0);
 }
 
 void palpate_stop(palpate_contact* contact)

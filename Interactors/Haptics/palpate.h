@@ -10,6 +10,17 @@
  *
  * First come contacts for a loop that has a mapping and a safety of its own; then, from
  * palpate_mapping on, contacts that bring theirs.
+ *
+ * How this interface may grow, so that a program goes on with any later library of the same soname:
+ * - Functions, enumerators and macros are only added. What is there keeps its name, its arguments
+ * and its meaning.
+ * - A struct keeps its size and its members their place. A new member takes from `reserved`, and
+ *   zero means what was before it. Every struct that goes in begins with its palpate_..._default or
+ *   palpate_..._of, which sets `reserved` to zero; where a reason can be given, a library refuses
+ *   what it does not know: reserved that is not zero. Every struct that comes out has zero there.
+ * - Each such addition raises PALPATE_API_VERSION by one; palpate.symbols tells which function came
+ *   with which. Anything else is another soname, with the second number of Palpate's version before
+ *   1.0, with the first from then on; PALPATE_API_VERSION goes on counting.
  */
 #ifndef PALPATE_H
 #define PALPATE_H
@@ -17,10 +28,30 @@
 /* NOLINTBEGIN(modernize-*): this is C */
 #include <stddef.h>
 
+/* Of this header. Later versions compare greater: major, minor, patch. */
+#define PALPATE_VERSION_MAJOR 0
+#define PALPATE_VERSION_MINOR 1
+#define PALPATE_VERSION_PATCH 0
+#define PALPATE_VERSION_STRING "0.1.0"
+
+/* Of this header's interface: 1, 2, 3 ... */
+#define PALPATE_API_VERSION 1
+
+#ifdef __GNUC__
+#define PALPATE_API __attribute__((visibility("default")))
+#else
+#define PALPATE_API
+#endif
+
 #ifdef __cplusplus
 extern "C"
 {
 #endif
+
+  /* Of the library that is loaded: "0.1.0"; and its PALPATE_API_VERSION. A program may rely on all
+   * that stands in its header if the library's number is no less than the header's. */
+  PALPATE_API const char* palpate_version(void);
+  PALPATE_API int palpate_api_version(void);
 
   typedef struct palpate_body palpate_body;
   typedef struct palpate_contact palpate_contact;
@@ -57,8 +88,8 @@ extern "C"
     PALPATE_SHAPE_DERIVED = 2
   };
 
-  /* How a contact feels. Begin with palpate_settings_default: members may be added. What the forms,
-   * surfaces and models are stands in ContactSettings.h and vtkToolContactProbe.h. */
+  /* How a contact feels. Begin with palpate_settings_default. What the forms, surfaces and models
+   * are stands in ContactSettings.h and vtkToolContactProbe.h. */
   typedef struct palpate_settings
   {
     int force_form;      /* enum palpate_force_form */
@@ -75,6 +106,7 @@ extern "C"
     double friction_stick_radius;
     /* Of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
     double poisson_ratio;
+    double reserved[8]; /* zero */
   } palpate_settings;
 
   typedef struct palpate_tick
@@ -89,32 +121,33 @@ extern "C"
     double contact_point[3]; /* mm */
     int triangle;            /* of the body, -1 for none */
     int state;               /* enum palpate_state */
+    double reserved[8];
   } palpate_tick;
 
   /* Loads a file written by `palpate --export`. On failure returns null and writes the reason, cut
    * to error_size with its terminating zero, to error (which may be null). */
-  palpate_body* palpate_body_load(const char* path, char* error, size_t error_size);
-  void palpate_body_free(palpate_body* body);
+  PALPATE_API palpate_body* palpate_body_load(const char* path, char* error, size_t error_size);
+  PALPATE_API void palpate_body_free(palpate_body* body);
 
   /* A contact with the body: device axes are the body's, 1 m is 1000 mm, and device_force is
    * limited to maximum_force (N) in magnitude. Null if body is null or memory is short. */
-  palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
+  PALPATE_API palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
 
   /* The default settings: those of palpate_contact_new. */
-  void palpate_settings_default(palpate_settings* settings);
+  PALPATE_API void palpate_settings_default(palpate_settings* settings);
 
   /* The same with other settings (null: the default). Null also if one of them is out of its range;
    * the reason, naming it, its range and its value, goes to error as in palpate_body_load. */
-  palpate_contact* palpate_contact_new_with(const palpate_body* body, double maximum_force,
-    const palpate_settings* settings, char* error, size_t error_size);
-  void palpate_contact_free(palpate_contact* contact);
+  PALPATE_API palpate_contact* palpate_contact_new_with(const palpate_body* body,
+    double maximum_force, const palpate_settings* settings, char* error, size_t error_size);
+  PALPATE_API void palpate_contact_free(palpate_contact* contact);
 
   /* One tick at a position (m) and a time (s). A position that is not finite gives zero force. */
-  void palpate_step(
+  PALPATE_API void palpate_step(
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
 
   /* Forgets the contact: the next step begins anew. */
-  void palpate_reset(palpate_contact* contact);
+  PALPATE_API void palpate_reset(palpate_contact* contact);
 
   /* From the device to the body: x_body = rotation (1000 scale x_device) + translation. Forces keep
    * their magnitude, so that a stiffness of the body is felt as scale times that. */
@@ -126,15 +159,16 @@ extern "C"
     /* Not 0: the device has two axes, x and y, and moves in the plane through translation along
      * them; of a force only what lies in the plane arrives. */
     int planar;
+    double reserved[4];
   } palpate_mapping;
 
   /* Device axes are the body's, and 1 m is 1000 mm: the mapping of palpate_contact_new. */
-  void palpate_mapping_default(palpate_mapping* mapping);
+  PALPATE_API void palpate_mapping_default(palpate_mapping* mapping);
 
   /* Gives a mapping, keeping its rotation, the translation and the least scale that put the body,
    * with margin (mm) free around it, into a workspace of these half extents (m). Returns 1, or 0
    * with the reason in error and the mapping as it was. */
-  int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
+  PALPATE_API int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
     const double workspace[3], double margin, char* error, size_t error_size);
 
   /* What the maker of a device states. */
@@ -145,10 +179,11 @@ extern "C"
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
     double sample_time_out;    /* s; silent for longer, the device is lost. May be infinite */
+    double reserved[4];
   } palpate_device;
 
   /* 10 N, 3000 N/m, any force rate, 1000 Hz, 20 ms. */
-  void palpate_device_default(palpate_device* device);
+  PALPATE_API void palpate_device_default(palpate_device* device);
 
   /* What a force must keep to before it is sent. Begin with palpate_safety_of. In this order: */
   typedef struct palpate_safety
@@ -165,10 +200,11 @@ extern "C"
     int control_passivity;  /* not 0: no more energy out of the device than was put in */
     double period;          /* s, > 0, of the loop */
     double sample_time_out; /* > 0 */
+    double reserved[8];
   } palpate_safety;
 
   /* All links, with what a device (null: the default) allows. */
-  void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
+  PALPATE_API void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
 
   /* What changed something of the force between palpate_full_tick's ideal_force and what is sent.
    */
@@ -190,7 +226,7 @@ extern "C"
    * button of clutch_buttons is down the tip stays and the hand moves freely; 0: no clutch. Keeps
    * its body alive: that may be freed before. Null with the reason in error if a number is out of
    * its range or memory is short. */
-  palpate_contact* palpate_contact_new_safe(const palpate_body* body,
+  PALPATE_API palpate_contact* palpate_contact_new_safe(const palpate_body* body,
     const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
     unsigned int clutch_buttons, char* error, size_t error_size);
 
@@ -202,10 +238,11 @@ extern "C"
     unsigned int buttons; /* bit i: button i is down */
     int valid;            /* 0: there is nothing to report; the force is then zero */
     int fresh;            /* 0: nothing new since the last reading, which is repeated */
+    double reserved[8];
   } palpate_sample;
 
   /* Zeros, valid and fresh. */
-  void palpate_sample_default(palpate_sample* sample);
+  PALPATE_API void palpate_sample_default(palpate_sample* sample);
 
   typedef struct palpate_full_tick
   {
@@ -219,34 +256,35 @@ extern "C"
     unsigned int acted;      /* sum of enum palpate_safety_link */
     int valid;               /* the sample was valid and finite */
     int clutched;            /* the tip stays while the hand moves */
+    double reserved[8];
   } palpate_full_tick;
 
   /* One tick of any contact with all a device tells, in the loop as palpate_step; time increases.
    * palpate_step is this with a valid, fresh sample without velocity and buttons. */
-  void palpate_step_sample(
+  PALPATE_API void palpate_step_sample(
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
   /* In the loop: no force from the next step on, until start. */
-  void palpate_stop(palpate_contact* contact);
-  void palpate_start(palpate_contact* contact);
+  PALPATE_API void palpate_stop(palpate_contact* contact);
+  PALPATE_API void palpate_start(palpate_contact* contact);
 
   /* Another body, tool, material or other settings for a contact that may be touching. */
   typedef struct palpate_scene palpate_scene;
 
   /* Keeps its body alive. force_factor (> 0 to 1) is that of the scene, on top of
    * palpate_safety.force_factor. Null with the reason in error. */
-  palpate_scene* palpate_scene_new(const palpate_body* body, const palpate_settings* settings,
-    double force_factor, char* error, size_t error_size);
+  PALPATE_API palpate_scene* palpate_scene_new(const palpate_body* body,
+    const palpate_settings* settings, double force_factor, char* error, size_t error_size);
   /* Of a scene that was not given to a contact, or of all that palpate_take_retired returned. */
-  void palpate_scene_free(palpate_scene* scene);
+  PALPATE_API void palpate_scene_free(palpate_scene* scene);
 
   /* In the loop: gives a scene (null: nothing happens) to the contact, whose force goes over to it
    * within 50 ms, without a step. One that comes meanwhile waits; of several the newest is taken.
    */
-  void palpate_change(palpate_contact* contact, palpate_scene* scene);
+  PALPATE_API void palpate_change(palpate_contact* contact, palpate_scene* scene);
   /* In the loop: the scenes the contact no longer needs, or null. To be freed outside the loop, all
    * at once by palpate_scene_free; those not taken are freed with the contact. */
-  palpate_scene* palpate_take_retired(palpate_contact* contact);
+  PALPATE_API palpate_scene* palpate_take_retired(palpate_contact* contact);
 
 #ifdef __cplusplus
 }

@@ -245,3 +245,39 @@ TEST(CInterface, WrongSettingsAreNamed)
   EXPECT_EQ(palpate_contact_new_with(nullptr, 1.0, nullptr, reason.data(), reason.size()), nullptr);
   EXPECT_STREQ(reason.data(), "no body is given");
 }
+
+TEST(CInterface, TellsItsVersion)
+{
+  EXPECT_STREQ(palpate_version(), PALPATE_VERSION_STRING);
+  EXPECT_EQ(palpate_api_version(), PALPATE_API_VERSION);
+}
+
+// The sizes of PALPATE_API_VERSION 1 where pointers and doubles have eight bytes, by hand: a
+// program that was compiled once goes on. Members come from `reserved`.
+TEST(CInterface, StructsKeepTheirSizes)
+{
+  static_assert(sizeof(double) == 8 && sizeof(int) == 4);
+  EXPECT_EQ(sizeof(palpate_settings), 3 * 4 + 4 + 5 * 8 + 8 * 8);
+  EXPECT_EQ(sizeof(palpate_tick), (6 * 3 + 2) * 8 + 2 * 4 + 8 * 8);
+  EXPECT_EQ(sizeof(palpate_mapping), (9 + 3 + 1) * 8 + 4 + 4 + 4 * 8);
+  EXPECT_EQ(sizeof(palpate_device), (5 + 4) * 8);
+  EXPECT_EQ(sizeof(palpate_safety), 4 + 4 + 2 * 8 + 4 + 4 + 3 * 8 + 4 + 4 + 2 * 8 + 8 * 8);
+  EXPECT_EQ(sizeof(palpate_sample), 6 * 8 + 3 * 4 + 4 + 8 * 8);
+  EXPECT_EQ(sizeof(palpate_full_tick), sizeof(palpate_tick) + (3 * 3 + 2) * 8 + 4 * 4 + 8 * 8);
+}
+
+TEST(CInterface, RefusesWhatALaterHeaderAsks)
+{
+  const Exported file;
+  const BodyHandle body = load(file);
+  palpate_settings settings;
+  palpate_settings_default(&settings);
+  EXPECT_EQ(refusal(body.get(), settings), "");
+  for (double& member : settings.reserved)
+  {
+    EXPECT_EQ(member, 0.0);
+    member = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(refusal(body.get(), settings).find("palpate_settings.reserved"), std::string::npos);
+    member = 0.0;
+  }
+}
