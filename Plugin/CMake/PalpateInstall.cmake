@@ -7,7 +7,8 @@ set(palpate_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/palpate")
 install(EXPORT PalpateKernels
   NAMESPACE Palpate::
   FILE PalpateKernels-targets.cmake
-  DESTINATION "${palpate_cmake_dir}")
+  DESTINATION "${palpate_cmake_dir}"
+  COMPONENT development)
 export(EXPORT PalpateKernels
   NAMESPACE Palpate::
   FILE "${CMAKE_BINARY_DIR}/${palpate_cmake_dir}/PalpateKernels-targets.cmake")
@@ -18,5 +19,9 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/PalpateConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES
   "${CMAKE_BINARY_DIR}/PalpateConfig.cmake" "${CMAKE_BINARY_DIR}/PalpateConfigVersion.cmake"
-  "${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake"
-  DESTINATION "${palpate_cmake_dir}")
+  "${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake" "${CMAKE_CURRENT_LIST_DIR}/PalpatePythonTargets.cmake"
+  DESTINATION "${palpate_cmake_dir}"
+  COMPONENT development)
+if(PALPATE_WITH_VTK AND PROJECT_IS_TOP_LEVEL)
+  include(PalpatePackage)
+endif()
