@@ -30,6 +30,7 @@ namespace palpate
 class PALPATE_EXPORT BodyMesh
 {
 public:
+  /// What is wrong with the triangles, counted.
   struct Defects
   {
     std::size_t notFinite = 0;

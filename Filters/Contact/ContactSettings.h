@@ -36,6 +36,7 @@ enum class FrictionModel : std::uint8_t
   ShapeDerived   ///< from the stored response itself (Jaeger; Ciavarella): only μ and ν
 };
 
+/// Which friction, and how much.
 struct FrictionSettings
 {
   FrictionModel model = FrictionModel::ElastoPlastic;

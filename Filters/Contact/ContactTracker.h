@@ -46,6 +46,7 @@ public:
     Invalid ///< the tip is not finite, or the body has no usable triangle
   };
 
+  /// Where a tip stands.
   struct Contact
   {
     Outcome outcome = Outcome::Outside;

@@ -42,6 +42,7 @@ public:
   /// Contact lost: the next one starts without pre-sliding displacement.
   void reset() noexcept;
 
+  /// What resists sliding in one tick.
   struct Result
   {
     Vector3 force = Vector3::Zero(); ///< on the tool, tangential, N

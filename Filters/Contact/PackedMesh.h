@@ -61,6 +61,7 @@ struct SurfacePoint
 class PALPATE_EXPORT PackedMesh
 {
 public:
+  /// What was wrong with the triangles, counted.
   struct Defects
   {
     std::size_t notFinite = 0;        ///< triangles left out: a coordinate not finite or too large

@@ -10,6 +10,7 @@
 
 namespace palpate
 {
+/// A curve at one depth.
 struct ResponseValue
 {
   double force = 0.0;     ///< N

@@ -25,6 +25,7 @@ namespace palpate
 class PALPATE_EXPORT SmoothTracker
 {
 public:
+  /// Where a tip stands.
   struct Contact
   {
     ContactTracker::Outcome outcome = ContactTracker::Outcome::Outside;

@@ -14,6 +14,7 @@
 
 namespace palpate
 {
+/// What a contact is doing.
 enum class ContactState : std::uint8_t
 {
   None,

@@ -24,6 +24,7 @@ enum class TriangleFeature : std::uint8_t
   Face
 };
 
+/// The closest point of a triangle.
 struct TriangleProjection
 {
   Vector3 point = Vector3::Zero();

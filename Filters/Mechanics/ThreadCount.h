@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * How many threads the loops of the kernels take: for building bodies, finite elements, reduction.
  * The tick takes none. No result depends on it.
  *

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * From vtkPolyData to the spans the contact kernel takes.
  *
  * The only place that knows how the response arrays of the data contract are named and stored.
@@ -75,7 +75,7 @@ struct ResponseDescription
 PALPATERESPONSE_EXPORT void describeResponse(
   vtkPolyData* body, const std::string& name, const ResponseDescription& description);
 
-/// The string in field array <name><suffix> (Tool, Model, Units); "" if there is none.
+/// The string in field array `name` + `suffix` (Tool, Model, Units); "" if there is none.
 PALPATERESPONSE_EXPORT std::string responseText(
   vtkPolyData* body, const std::string& name, const char* suffix);
 } // namespace palpate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
  * Deflection, Normal, ContactPoint, ContactCell, ContactState. What they mean stands in
  * vtkToolContactProbe.h.
@@ -20,6 +20,7 @@ class vtkPolyData;
 
 namespace palpate
 {
+/// The arrays of probed or recorded tips: Force, FrictionForce, Deflection, ContactState and so on.
 class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:

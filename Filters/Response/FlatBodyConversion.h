@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * Between vtkPolyData with responses and the flat body file that loops without VTK read.
  */
 #ifndef FlatBodyConversion_h

@@ -67,6 +67,7 @@ public:
   vtkTypeMacro(vtkBodySurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of LengthUnit.
   enum LengthUnitType
   {
     Millimetre = 0,

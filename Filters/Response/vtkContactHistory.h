@@ -31,6 +31,7 @@ public:
   vtkTypeMacro(vtkContactHistory, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of Abscissa.
   enum AbscissaType
   {
     Automatic = 0,

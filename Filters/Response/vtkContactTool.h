@@ -72,6 +72,7 @@ public:
   vtkTypeMacro(vtkContactTool, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of Shape.
   enum ShapeType
   {
     Flat = 0,

@@ -91,6 +91,7 @@ public:
   vtkTypeMacro(vtkElasticCompliance, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of Solver.
   enum SolverKind
   {
     Automatic = 0,

@@ -96,6 +96,7 @@ public:
   vtkContactTool* GetTool();
   ///@}
 
+  /// Values of BodyModel.
   enum BodyModelType
   {
     Automatic = 0,

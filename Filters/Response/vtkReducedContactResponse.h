@@ -45,6 +45,7 @@ public:
   vtkTypeMacro(vtkReducedContactResponse, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The forms a response is stored in, from the fewest numbers on.
   enum FormType
   {
     OneLaw = 0,

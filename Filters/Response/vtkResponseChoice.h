@@ -53,6 +53,7 @@ public:
   vtkTypeMacro(vtkResponseChoice, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The forms that may suffice, from the least on.
   enum VerdictType
   {
     PointForce = 0,

@@ -83,6 +83,7 @@ public:
   vtkTypeMacro(vtkToolContactProbe, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of ForceForm.
   enum ForceFormType
   {
     Paper = 0,
@@ -90,12 +91,14 @@ public:
     EnergyConsistent = 2
   };
 
+  /// Values of ContactSurface.
   enum ContactSurfaceType
   {
     Facets = 0,
     Smooth = 1
   };
 
+  /// Values of FrictionModel.
   enum FrictionModelType
   {
     ElastoPlastic = 0,

@@ -108,6 +108,7 @@ public:
   vtkGetMacro(LayerThickness, double);
   ///@}
 
+  /// Values of LayerBase.
   enum LayerBaseType
   {
     Bonded = 0,

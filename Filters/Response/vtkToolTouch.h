@@ -64,6 +64,7 @@ public:
   vtkTypeMacro(vtkToolTouch, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The outputs.
   enum OutputPort
   {
     BodyPort = 0,

@@ -41,6 +41,7 @@ struct FaultRate
   double duration = 0.0;    ///< s, as of a ScheduledFault
 };
 
+/// What goes wrong with a FaultyDevice, by schedule and at random.
 struct DeviceFaults
 {
   std::vector<ScheduledFault> schedule; ///< in any order

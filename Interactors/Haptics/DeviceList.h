@@ -30,6 +30,7 @@ struct ListedDevice
   std::string obstacle; ///< in words why it cannot be opened; empty: it can
 };
 
+/// The HID devices that are plugged in.
 struct PALPATE_EXPORT DeviceList
 {
   std::vector<ListedDevice> devices; ///< by path

@@ -23,11 +23,13 @@ namespace palpate
 class PALPATE_EXPORT PlantAxis
 {
 public:
+  /// Of the mass.
   struct State
   {
     double position = 0.0; ///< m
     double velocity = 0.0; ///< m/s
   };
+  /// What acts on the mass from one tick to the next.
   struct Load
   {
     double force = 0.0;          ///< of the motor, N

@@ -22,6 +22,7 @@
 
 namespace palpate
 {
+/// How fast the loop ticks, what it keeps, what it asks of the system.
 struct PALPATE_EXPORT ServoLoopSettings
 {
   static constexpr double MaximumRate = 100000.0;

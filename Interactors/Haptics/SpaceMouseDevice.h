@@ -21,6 +21,7 @@ enum class SpaceMouseMode : std::uint8_t
   Position ///< the tip stands where the cap is; letting go brings it back to 0
 };
 
+/// How the cap of a SpaceMouse moves the tip.
 struct SpaceMouseSettings
 {
   double fullSpeed = 0.05; ///< m/s at full deflection, in rate mode

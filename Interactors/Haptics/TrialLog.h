@@ -32,6 +32,7 @@ struct TrialHead
   std::string started;      ///< date and time
 };
 
+/// One answer: a row of the log.
 struct TrialAnswer
 {
   Trial trial;

@@ -29,6 +29,7 @@ struct PairScore
   double justNoticeableUpper = 0.0;
 };
 
+/// What the answers of a blind comparison tell.
 struct TrialScore
 {
   Proportion xChosen;           ///< a liking for the first of two, if its interval leaves out 0.5

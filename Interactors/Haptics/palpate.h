@@ -53,9 +53,12 @@ extern "C"
   PALPATE_API const char* palpate_version(void);
   PALPATE_API int palpate_api_version(void);
 
+  /* A body with the responses of one tool. */
   typedef struct palpate_body palpate_body;
+  /* One tip on a body, and the history of its touch. */
   typedef struct palpate_contact palpate_contact;
 
+  /* What the contact is doing; values of palpate_tick.state. */
   enum palpate_state
   {
     PALPATE_NONE = 0,
@@ -81,6 +84,7 @@ extern "C"
     PALPATE_SMOOTH = 1
   };
 
+  /* How a contact resists sliding. */
   enum palpate_friction_model
   {
     PALPATE_ELASTO_PLASTIC = 0,
@@ -109,6 +113,7 @@ extern "C"
     double reserved[8]; /* zero */
   } palpate_settings;
 
+  /* What one step saw and did. */
   typedef struct palpate_tick
   {
     double device_force[3];  /* on the hand, N, frame of the device: what to send */
@@ -244,6 +249,7 @@ extern "C"
   /* Zeros, valid and fresh. */
   PALPATE_API void palpate_sample_default(palpate_sample* sample);
 
+  /* The same of a contact with mapping and safety. */
   typedef struct palpate_full_tick
   {
     palpate_tick tick;       /* contact and what is sent, as from palpate_step */

@@ -55,11 +55,13 @@ public:
   vtkTypeMacro(vtkBodyComparison, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Which of the two bodies.
   enum BodySide
   {
     Left = 0,
     Right = 1
   };
+  /// What the colour of the bodies shows.
   enum BodyColor
   {
     Displacement = 0,

@@ -69,6 +69,7 @@ public:
     HistogramEvent = vtkCommand::UserEvent + 407
   };
 
+  /// Values of Steering.
   enum SteeringType
   {
     Surface = 0,

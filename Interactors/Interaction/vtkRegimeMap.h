@@ -39,6 +39,7 @@ public:
   vtkTypeMacro(vtkRegimeMap, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of Quantity.
   enum MapQuantity
   {
     Index = 0,

@@ -21,6 +21,7 @@ enum class ResponseNeed
   PerVertex   ///< a curve of its own per point
 };
 
+/// How little a form may change the forces, where, and how deep.
 struct ChoiceSettings
 {
   double tolerance = 0.01; ///< see chooseResponse; > 0

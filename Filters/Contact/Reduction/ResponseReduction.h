@@ -20,6 +20,7 @@ enum class ReducedForm
   Unchanged ///< nothing less is within the tolerance
 };
 
+/// How much a reduction may change the forces, and how many laws it may take.
 struct ReductionSettings
 {
   double tolerance = 0.01; ///< see reduceResponse

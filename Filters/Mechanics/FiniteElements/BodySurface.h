@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * The outer surface of a volume mesh as triangles.
  *
  * Quadrilaterals are split along the diagonal from their first corner, quadratic triangles into
@@ -23,6 +23,7 @@ struct SurfacePlace
   std::array<double, 6> shape{};
 };
 
+/// The outer surface of a mesh: its points, triangles and what they were part of.
 class PALPATE_EXPORT BodySurface
 {
 public:

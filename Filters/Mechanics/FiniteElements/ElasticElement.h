@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * Stiffness of one element of linear isotropic elasticity, small strains; mm, N, MPa.
  *
  * Hexahedron: trilinear with the nine incompatible modes 1-ξ², 1-η², 1-ζ² condensed inside the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * How a body as a whole moves, whatever point is pressed: a Green function of low rank.
  *
  * H(x,X) is the motion of the surface at x per force at X, less the dent (RegularField). It is
@@ -27,6 +27,7 @@ constexpr int MostGlobalModes = 6;
 /// Landmarks per mode.
 constexpr int LandmarksPerMode = 8;
 
+/// A few modes that tell how the whole surface moves under a force anywhere.
 struct GlobalModes
 {
   /// φ_k by mode: 3 × surface points, sqrt(mm/N). Zero where the body has fewer.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * The structural (global) compliance of a body at points of its surface:
  * C_g(X) = lim_{y→X} [G_nn(X,y) - 1/(πE*|X-y|)], the regular part of the Green function.
  *
@@ -28,6 +28,7 @@ enum class PatchStatus : std::uint8_t
   Edge = 5        ///< the patch wraps an edge: the surface turns by more than 30° under it
 };
 
+/// How far each point gives way with the body as a whole.
 struct PatchCompliances
 {
   std::vector<double> compliance; ///< mm/N, per surface point; NaN where the status is not Valid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * A uniform pressure on a disc around a point of a body's surface, as forces on the nodes.
  *
  * The disc lies in the tangent plane at the point, its total force is 1 N along -n. It is
@@ -33,6 +33,7 @@ struct DiscRule
 /// Tangents and inward normal of a point: columns x, y, z (z into the body); right-handed.
 Eigen::Matrix3d tangentFrame(const Eigen::Vector3d& outwardNormal);
 
+/// A unit force, spread over a disc around a point of the surface.
 struct PatchLoad
 {
   /// False when the disc wraps an edge or leaves the surface.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * The compliance a patch load would have on a half-space of the same elements.
  *
  * The energy of a patch on a body is that of the patch on a half-space (16/(3π²E*c) for a disc of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * Cholesky factor of a stiffness matrix, P K Pᵀ = L Lᵀ, and the compliances bᵀK⁻¹b of sparse loads.
  *
  * A compliance needs the forward half of the solution alone, bᵀK⁻¹b = |L⁻¹Pb|², and of L only the
@@ -30,6 +30,7 @@ using SparseLoad = std::vector<std::pair<int, double>>;
 /// Told the share that is done; returns false to stop.
 using WorkObserver = std::function<bool(double)>;
 
+/// A factorised stiffness matrix K, asked for bᵀK⁻¹b and K⁻¹b.
 class PALPATE_EXPORT StiffnessFactor
 {
 public:

@@ -36,6 +36,7 @@ struct ElementFace
 };
 PALPATE_EXPORT const ElementFace& elementFace(ElementKind kind, int face);
 
+/// One element: its kind and its nodes, as many as the kind has.
 struct VolumeElement
 {
   ElementKind kind = ElementKind::Hexahedron;

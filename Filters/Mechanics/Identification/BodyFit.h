@@ -22,6 +22,7 @@ enum class BodyModel
   Layer             ///< E*, and h over a rigid base
 };
 
+/// A body as it was found.
 struct BodyParameters
 {
   BodyModel model = BodyModel::HalfSpace;

@@ -22,6 +22,7 @@ struct Estimate
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// What is known beforehand, and when a fit is good enough.
 struct IdentificationOptions
 {
   /// The model to be fitted, where it is known from elsewhere; otherwise the simplest that will do.

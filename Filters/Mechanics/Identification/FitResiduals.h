@@ -34,6 +34,7 @@ public:
   using InputType = Eigen::VectorXd;
   using ValueType = Eigen::VectorXd;
   using JacobianType = Eigen::MatrixXd;
+  /// As Eigen's optimisers ask for it.
   enum
   {
     InputsAtCompileTime = Eigen::Dynamic,

@@ -6,6 +6,7 @@
 
 namespace palpate
 {
+/// The circle constant, and what stands for "no bound" and "not known".
 inline constexpr double Pi = 3.14159265358979323846;
 inline constexpr double Infinity = std::numeric_limits<double>::infinity();
 inline constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();

@@ -6,6 +6,7 @@
 
 namespace palpate
 {
+/// A function and its derivative at one place.
 struct ValueAndSlope
 {
   double value;

@@ -24,6 +24,7 @@ class GeneralTool final : public AxisymmetricTool
 {
 public:
   using Function = std::function<double(double)>;
+  /// The profile f(r), its derivatives, and where it is not smooth. Radii in mm.
   struct Shape
   {
     Function profile;          ///< f, mm, f(0) = 0

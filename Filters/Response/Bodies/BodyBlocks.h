@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * The parts of whatever a user takes for a body: the blocks of a composite, each a data set or the
  * partitions of one. Empty parts are skipped.
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * Grey levels of a scan, low in air and high in tissue, made ready for the contour of the outer
  * skin: openings shut, cavities filled. The grey levels at the skin itself survive, so that a
  * contour keeps its sub-voxel position.

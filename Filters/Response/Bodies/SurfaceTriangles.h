@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
+/** @file
  * One data set, whole or in partitions, as triangles.
  *
  * A surface of triangles alone comes out as it is. Polygons and strips are cut, vertices and lines
