@@ -1,0 +1,95 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A Markdown page for Doxygen: links between pages, to headings, files and pictures become its own, class names links.
+
+    filter_page.py FILE
+
+Pictures and files are expected beside the HTML in the folder files/, where make.py puts them. The line
+<!-- examples --> becomes what the examples print and draw (make.py leaves it in the file that PALPATE_EXAMPLES names).
+"""
+import os
+import re
+import sys
+from pathlib import Path
+
+from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, page_name, split_target
+
+# Pages whose links make the tree of contents: what they name stands below them.
+CONTENTS = {"manual", "house"}
+PUBLIC = ("Filters/Mechanics", "Filters/Contact", "Filters/Response", "Interactors/Haptics",
+          "Interactors/Interaction")
+
+
+def public_classes():
+    """Name -> full name of each class that has a header of its own among the public ones."""
+    found = {}
+    for room in PUBLIC:
+        pattern = "vtk*.h" if room.endswith(("Response", "Interaction")) else "**/*.h"
+        for header in (TOP / room).glob(pattern):
+            if re.search(r"^(class|struct)( \w+)? %s\b[^;]*$" % header.stem, header.read_text(encoding="utf-8"),
+                         re.MULTILINE):
+                found[header.stem] = header.stem if header.stem.startswith("vtk") else "palpate::" + header.stem
+    return found
+
+
+class Page:
+    def __init__(self, path):
+        self.path = path.resolve()
+        self.name = page_name(self.path.relative_to(TOP))
+        self.classes = public_classes()
+
+    def label(self, name, heading):
+        return "%s_%s" % (name, re.sub(r"\W", "_", heading)) if heading else name
+
+    def heading(self, line):
+        level, text = HEADING.match(line).groups()
+        if level == "#":
+            return self.title(text)
+        # Below a page that says itself that it is one, Doxygen's sections begin with #.
+        return "%s %s {#%s}" % (level[1:], text, self.label(self.name, anchor(text)))
+
+    def title(self, text):
+        return "\\mainpage " + text if self.name == "index" else "\\page %s %s" % (self.name, text)
+
+    def link(self, match):
+        picture, text, target = match.groups()
+        if EXTERNAL.match(target):
+            return match.group()
+        file, heading = split_target(self.path, target)
+        if picture:
+            return '<img src="files/%s" alt="%s"/>' % (file, text.replace('"', "&quot;"))
+        if (TOP / file).is_dir():
+            file = file / "README.md"
+        if file.suffix == ".md":
+            if self.name in CONTENTS and not heading:
+                return '\\subpage %s "%s"' % (page_name(file), text)
+            return "[%s](@ref %s)" % (text, self.label(page_name(file), heading))
+        return '<a href="files/%s">%s</a>' % (file, text)
+
+    def name_classes(self, line):
+        """`vtkContactTool` leads to its page. Not in what is a link already."""
+        def name(span):
+            full = self.classes.get(span.group(2))
+            return "[%s](@ref %s)" % (span.group(), full) if full else span.group()
+        pieces = re.split(r"(\[[^\]]*\]\([^)]*\)|<a .*?</a>)", line)
+        return "".join(piece if i % 2 else CODE_SPAN.sub(name, piece) for i, piece in enumerate(pieces))
+
+    def convert(self, text):
+        if not any(HEADING.match(line) and line.startswith("# ") for _, line, code in lines_of(text) if not code):
+            yield self.title(self.path.stem.replace("-", " ").capitalize()) + "\n" # a bare table
+        for _, line, code in lines_of(text):
+            if code:
+                yield line
+            elif HEADING.match(line):
+                yield self.heading(line)
+            elif line.strip() == "<!-- examples -->":
+                examples = os.environ.get("PALPATE_EXAMPLES", "")
+                yield Path(examples).read_text(encoding="utf-8") if Path(examples).is_file() else ""
+            else:
+                yield self.name_classes(LINK.sub(self.link, line))
+
+
+if __name__ == "__main__":
+    sys.stdout.reconfigure(encoding="utf-8")
+    given = Path(sys.argv[1])
+    print("\n".join(Page(given).convert(given.read_text(encoding="utf-8"))))

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Manual, gallery and public classes as HTML, by Doxygen.
+
+    make.py [--output FOLDER] [--no-examples]
+
+The examples of Plugin/Python/examples are run first, unless what they left is there, and what they print and draw
+becomes the end of the gallery. They need the package palpate on PYTHONPATH and a display; ./run docs sees to both.
+Any warning of Doxygen is an error. Exit code: 0 done, 1 not, 2 a wrong call, 77 Doxygen is not installed.
+"""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from pages import TOP, links, pages, split_target
+
+EXAMPLES = TOP / "Plugin/Python/examples"
+# What an example is called with, where it needs something.
+ARGUMENTS = {"touch_window.py": ["--demo"], "read_contract.py": ["ball.vtp", "Finger", "100"]}
+
+
+def run_example(script, folder):
+    """What it prints; None where it cannot run here."""
+    interpreter = "pvpython" if re.search(r"\./run pvpython|pvbatch", script.read_text(encoding="utf-8")) else sys.executable
+    command = [interpreter, str(script), *ARGUMENTS.get(script.name, [])]
+    try:
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
+    except OSError as error:
+        print("make.py: %s: %s" % (script.name, error), file=sys.stderr)
+        return None
+    if done.returncode != 0:
+        print("make.py: %s failed:\n%s" % (script.name, done.stderr[-2000:]), file=sys.stderr)
+        return None
+    return done.stdout
+
+
+def run_examples(folder):
+    """What each example printed and drew, kept in `folder`; (script, text, pictures) of those that ran."""
+    folder.mkdir(parents=True, exist_ok=True)
+    results = []
+    for script in sorted(EXAMPLES.glob("*.py")):
+        kept, drawn = folder / (script.stem + ".txt"), folder / (script.stem + ".pictures")
+        if not (kept.is_file() and drawn.is_file() and kept.stat().st_mtime >= script.stat().st_mtime):
+            before = {path: path.stat().st_mtime_ns for path in folder.glob("*.png")}
+            text = run_example(script, folder)
+            if text is None:
+                continue
+            drawn.write_text("\n".join(path.name for path in sorted(folder.glob("*.png"))
+                                       if before.get(path) != path.stat().st_mtime_ns), encoding="utf-8")
+            kept.write_text(text, encoding="utf-8")
+        results.append((script, kept.read_text(encoding="utf-8"), drawn.read_text(encoding="utf-8").split()))
+    return results
+
+
+def example_page(results):
+    """The end of the gallery: of each example its first words, source, output and pictures."""
+    for script, text, pictures in results:
+        source = script.read_text(encoding="utf-8")
+        first, rest = re.search(r'"""(.*?)\n(.*?)"""', source, re.DOTALL).groups()
+        command = re.search(r"^ *(\S.*%s.*?) *(?:\(.*)?$" % re.escape(script.name), rest, re.MULTILINE)
+        yield "### %s\n\n%s\n" % (script.stem.replace("_", " "), first)
+        for picture in pictures:
+            yield '<img src="examples/%s" alt="%s"/>\n' % (picture, first.replace('"', "&quot;"))
+        if command:
+            yield "```\n%s\n```\n" % command.group(1)
+        if text.strip():
+            lines = text.rstrip().split("\n")
+            yield "```\n%s\n```\n" % "\n".join(lines[:20] + (["..."] if len(lines) > 20 else []))
+        yield '<a href="files/%s">%s</a>\n' % (script.relative_to(TOP), script.name)
+
+
+def write_layout(path):
+    """Doxygen's own, but what a class is for stands before the list of its members."""
+    subprocess.run(["doxygen", "-l", str(path)], check=True, stdout=subprocess.DEVNULL)
+    text = path.read_text(encoding="utf-8")
+    head, rest = text.split("<class>", 1)
+    description = re.search(r"\n *<detaileddescription [^\n]*", rest).group()
+    rest = rest.replace(description, "", 1)
+    rest = re.sub(r"\n *<briefdescription [^\n]*", lambda brief: brief.group() + description, rest, count=1)
+    path.write_text(head + "<class>" + rest, encoding="utf-8")
+
+
+def run_doxygen(output, examples):
+    write_layout(output / "layout.xml")
+    version = re.search(r"VERSION (\d[\d.]*)", (TOP / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1])
+    environment = dict(os.environ, PALPATE_DOCS=str(output), PALPATE_EXAMPLES=str(examples),
+                       PALPATE_LAYOUT=str(output / "layout.xml"),
+                       PALPATE_DOT="YES" if shutil.which("dot") else "NO", PALPATE_VERSION=version.group(1))
+    done = subprocess.run(["doxygen", "Plugin/Manual/Doxygen/Doxyfile"], cwd=TOP, env=environment,
+                          stderr=subprocess.PIPE, text=True)
+    print(done.stderr, end="", file=sys.stderr)
+    return done.returncode == 0 and not done.stderr.strip() # an obsolete setting alone is not an error to Doxygen
+
+
+def copy_files(output):
+    """What pages show or name beside other pages, and the examples."""
+    named = {split_target(page, target)[0] for page in pages()
+             for _, _, target in links(page.read_text(encoding="utf-8"))}
+    named |= {path.relative_to(TOP) for path in EXAMPLES.glob("*.py")}
+    for file in sorted(path for path in named if path and (TOP / path).is_file() and path.suffix != ".md"):
+        (output / "files" / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(TOP / file, output / "files" / file)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--output", type=Path, default=TOP / "build/docs", help="default: build/docs")
+    parser.add_argument("--no-examples", action="store_true", help="the gallery shows what the tree holds")
+    arguments = parser.parse_args()
+    if not shutil.which("doxygen"):
+        print("make.py: doxygen is not installed", file=sys.stderr)
+        return 77
+    output = arguments.output.resolve()
+    output.mkdir(parents=True, exist_ok=True)
+    examples = output / "examples.md"
+    results = [] if arguments.no_examples else run_examples(output / "examples")
+    examples.write_text("\n".join(example_page(results)), encoding="utf-8")
+    if not run_doxygen(output, examples):
+        print("make.py: Doxygen had something to say (see above)", file=sys.stderr)
+        return 1
+    copy_files(output)
+    print("%s, with %d of %d examples" % (output / "index.html", len(results), len(list(EXAMPLES.glob("*.py")))))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a Markdown page of this tree consists of: headings, links, code. Known to the filter for Doxygen, to make.py
+and to the tests of the documentation.
+
+Pages are written for a code-hosting site: relative links to files, `#heading` for a heading.
+"""
+import re
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[3]
+
+FENCE = re.compile(r"^ *```")
+HEADING = re.compile(r"^(#{1,6}) +(.*?) *$")
+CODE_SPAN = re.compile(r"(`+)(.+?)\1")
+# !, text, target: the text may hold code and one pair of brackets.
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
+EXTERNAL = re.compile(r"[a-z]+:")
+
+
+def lines_of(text):
+    """(line number, line, whether it is code) of each line."""
+    fenced = False
+    for number, line in enumerate(text.splitlines(), 1):
+        fence = bool(FENCE.match(line))
+        yield number, line, fenced or fence
+        fenced ^= fence
+
+
+def anchor(heading):
+    """As code-hosting sites make it of a heading."""
+    plain = re.sub(r"[`*]", "", LINK.sub(r"\2", heading)).lower()
+    return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
+
+
+def headings(text):
+    """The anchors of a page."""
+    for _, line, code in lines_of(text):
+        match = not code and HEADING.match(line)
+        if match:
+            yield anchor(match.group(2))
+
+
+def links(text):
+    """(line number, is a picture, target) of each link that is not to another site."""
+    for number, line, code in lines_of(text):
+        if not code:
+            # What a code span says is no link; that a link's text is code does not matter here.
+            plain = CODE_SPAN.sub(lambda span: "`" * len(span.group()), line)
+            for picture, _, target in LINK.findall(plain):
+                if not EXTERNAL.match(target):
+                    yield number, bool(picture), target
+
+
+def split_target(page, target):
+    """The file that a link of `page` names, relative to the top, and the anchor in it. None: outside of the tree."""
+    path, _, heading = target.partition("#")
+    file = (page.parent / path).resolve() if path else page.resolve()
+    try:
+        return file.relative_to(TOP), heading
+    except ValueError:
+        return None, heading
+
+
+def pages():
+    """All Markdown pages, but for what is built."""
+    for entry in sorted(TOP.iterdir()):
+        if entry.suffix == ".md":
+            yield entry
+        elif entry.is_dir() and entry.name in ("Plugin", "Filters", "Interactors", "Testing", "Data"):
+            yield from sorted(entry.rglob("*.md"))
+
+
+def page_name(path):
+    """The name of a page, given relative to the top, in the HTML: Plugin/Manual/devices.md is devices.html."""
+    if path == Path("README.md"):
+        return "index"
+    if path.parent == Path("Plugin/Manual"):
+        return "manual" if path.stem == "README" else path.stem
+    parts = [*path.parent.parts, *([] if path.stem == "README" and path.parent.parts else [path.stem])]
+    return re.sub(r"\W", "_", "_".join(parts)).lower()

@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the Markdown pages name is there: files, pictures, headings, commands of ./run, options of the viewer, tools of
+the build. The README keeps to its length.
+
+    check_links.py [FOLDER]        check the tree (FOLDER is not used)
+    check_links.py --self-test     break a page in each way and see that it is noticed
+
+Exit code: 0 all is there, 1 not.
+"""
+import re
+import sys
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "Plugin/Manual/Doxygen"))
+import pages as tree  # noqa: E402
+
+README_WORDS = 900
+# Written by hand for readers, beside reports, which quote the past.
+MANUAL = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "Plugin/Manual/")
+# Options of other programs that stand in lines with palpate.
+FOREIGN = {"--preset", "--prefix", "--install", "--build", "--dr"}
+
+
+def run_commands():
+    """What `./run help` tells: its head comment."""
+    script = (TOP / "run").read_text(encoding="utf-8")
+    return set(re.findall(r"^# +\./run ([a-z]+)", script, re.MULTILINE)) | {"help"}
+
+
+def study_names():
+    match = re.search(r"^readonly studies=\((.*?)\)", (TOP / "run").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    return set(match.group(1).split())
+
+
+def viewer_options():
+    """The names in the strings of what reads the command line, and CLI11's own."""
+    source = (TOP / "Plugin/Viewer/CommandLine/ViewerOptions.cxx").read_text(encoding="utf-8")
+    return set(re.findall(r"--[a-z][a-z-]+", source)) | {"--help"}
+
+
+def check_targets(page, text):
+    for line, picture, target in tree.links(text):
+        file, heading = tree.split_target(page, target)
+        if file is None:
+            yield line, "'%s' leaves the tree" % target
+        elif not (TOP / file).exists():
+            yield line, "there is no %s '%s'" % ("picture" if picture else "file", target)
+        elif heading:
+            there = (TOP / file).read_text(encoding="utf-8")
+            if heading not in tree.headings(there):
+                yield line, "'%s' has no heading '#%s'" % (file, heading)
+
+
+def commands(text):
+    """(line number, text) of each command: lines of code, and code spans. A backslash goes on."""
+    pending = None
+    for number, line, code in tree.lines_of(text):
+        if code and pending:
+            number, line, pending = pending[0], pending[1] + " " + line, None
+        if code and line.endswith("\\"):
+            pending = (number, line[:-1])
+        elif code:
+            yield number, line
+        else:
+            for _, span in tree.CODE_SPAN.findall(line):
+                yield number, span
+
+
+def check_commands(text):
+    known, studies, options = run_commands(), study_names(), viewer_options()
+    for line, command in commands(text):
+        for job, argument in re.findall(r"\./run ([a-z]+)(?: ([a-z-]+))?", command):
+            if job not in known:
+                yield line, "'./run %s' is no command of run" % job
+            elif job == "study" and argument and argument not in studies:
+                yield line, "there is no study '%s'" % argument
+        calls = re.search(r"(?:^|[\s/])palpate (?P<rest>[^#]*)|\./run demo(?P<demo>[^#]*)", command)
+        alone = re.fullmatch(r"--[a-z][a-z-]+( .*)?", command)
+        if calls or alone:
+            for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", command if alone else calls.group("rest") or calls.group("demo") or ""):
+                if option not in options | FOREIGN | {"--all", "--offscreen"}:
+                    yield line, "'%s' is no option of palpate" % option
+
+
+def check_page(page, text):
+    yield from check_targets(page, text)
+    if str(page.relative_to(TOP)).startswith(MANUAL):
+        yield from check_commands(text)
+    if page == TOP / "README.md" and len(text.split()) > README_WORDS:
+        yield 1, "%d words; it is to have %d at most" % (len(text.split()), README_WORDS)
+
+
+def check_tree():
+    complaints = 0
+    for page in tree.pages():
+        for line, complaint in check_page(page, page.read_text(encoding="utf-8")):
+            print("%s:%d: %s" % (page.relative_to(TOP), line, complaint))
+            complaints += 1
+    print("links: %d pages, %d complaints" % (len(list(tree.pages())), complaints))
+    return 1 if complaints else 0
+
+
+SOUND = """# Page
+[a page](LICENSE), [a heading](README.md), ![a picture](Data/Pictures/overview.png), [other](https://example.org/x)
+`./run help`, `palpate --tool sphere:6.35`
+```
+./run study paper --quick
+palpate x.stl \\
+  --young 0.05      # --no-such-option
+[no link](nowhere)
+```
+"""
+BROKEN = ("[gone](nowhere.md)", "![gone](Data/Pictures/nowhere.png)", "[gone](README.md#nowhere)", "[out](../x)",
+          "`./run nothing`", "`./run study nothing`", "`palpate --nothing`", "```\npalpate \\\n --nothing\n```",
+          "`--nothing`", "word " * 900)
+
+
+def self_test():
+    page, failures = TOP / "README.md", 0
+    for broken in ("",) + BROKEN:
+        found = list(check_page(page, SOUND + broken))
+        if len(found) != (1 if broken else 0):
+            print("self-test: %r: %s" % (broken[:40], found))
+            failures += 1
+    print("self-test: %d pages, %d failures" % (1 + len(BROKEN), failures))
+    return failures
+
+
+if __name__ == "__main__":
+    sys.exit(1 if self_test() or (sys.argv[1:] != ["--self-test"] and check_tree()) else 0)

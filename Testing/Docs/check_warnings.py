@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The HTML of ./run docs comes without a warning of Doxygen, every link in it leads somewhere, and every public header,
+class, struct and enumeration has a comment.
+
+    check_warnings.py FOLDER       FOLDER: where to write
+
+Exit code: 0 all is well, 1 not, 77 Doxygen is not installed.
+"""
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from html import unescape
+from pathlib import Path
+from urllib.parse import unquote
+
+TOP = Path(__file__).resolve().parents[2]
+MANUAL = TOP / "Plugin/Manual/Doxygen"
+
+
+def make_html(output):
+    done = subprocess.run([sys.executable, str(MANUAL / "make.py"), "--no-examples", "--output", str(output)])
+    return done.returncode
+
+
+def dead_links(output):
+    """Local files that the HTML names and that are not there. (Search and tree are written by scripts.)"""
+    for page in sorted(output.glob("*.html")):
+        text = page.read_text(encoding="utf-8", errors="replace")
+        for target in set(re.findall(r'(?:href|src)="([^"#?]+)[^"]*"', text)):
+            if not re.match(r"[a-z]+:", target) and not (output / unquote(unescape(target))).exists():
+                yield "%s: there is no %s" % (page.name, target)
+
+
+def says_something(element):
+    return any("".join(element.find(part).itertext()).strip()
+               for part in ("briefdescription", "detaileddescription") if element.find(part) is not None)
+
+
+def undocumented(output):
+    """Public headers, classes, structs and enumerations without a comment, from Doxygen's XML."""
+    subprocess.run(["doxygen", "-"], cwd=TOP, check=True, text=True, stdout=subprocess.DEVNULL, env={
+        "PATH": "/usr/bin:/bin", "PALPATE_DOCS": str(output), "PALPATE_DOT": "NO", "PALPATE_VERSION": "",
+        "PALPATE_LAYOUT": str(output / "layout.xml"), "PALPATE_EXAMPLES": ""},
+        input="@INCLUDE = Plugin/Manual/Doxygen/Doxyfile\nGENERATE_HTML = NO\nGENERATE_XML = YES\n"
+              "XML_PROGRAMLISTING = NO\nXML_OUTPUT = xml\nWARNINGS = NO\nFILE_PATTERNS = *.h *.dox\n"
+              "INPUT = Filters Interactors Plugin/Manual\n")
+    documented, headers = set(), set()
+    for file in sorted((output / "xml").glob("*.xml")):
+        if file.name in ("index.xml", "Doxyfile.xml"):
+            continue
+        compound = ElementTree.parse(file).getroot().find("compounddef")
+        if compound is None or compound.get("kind") in ("dir", "page"):
+            continue
+        name, place = compound.findtext("compoundname"), compound.find("location")
+        if compound.get("kind") == "file":
+            headers.add(place.get("file"))
+        if says_something(compound) and place is not None:
+            documented.add(place.get("file"))
+        elif compound.get("kind") in ("class", "struct", "union") and compound.get("prot") == "public":
+            yield "%s:%s: %s %s has no comment" % (place.get("file"), place.get("line"), compound.get("kind"), name)
+        for member in compound.iter("memberdef"):
+            where = member.find("location")
+            if says_something(member):
+                documented.add(where.get("file"))
+            elif member.get("kind") == "enum" and member.get("prot") == "public" and \
+                    not any(says_something(value) for value in member.findall("enumvalue")):
+                yield "%s:%s: enumeration %s has no comment" % (where.get("file"), where.get("line"), member.findtext("name"))
+    for header in sorted(headers - documented):
+        if header.endswith(".h"):
+            yield "%s: nothing in it has a comment" % header
+
+
+def main(output):
+    if not shutil.which("doxygen"):
+        print("doxygen is not installed")
+        return 77
+    shutil.rmtree(output, ignore_errors=True)
+    if make_html(output) != 0:
+        return 1
+    complaints = [*dead_links(output), *undocumented(output)]
+    print(*complaints, sep="\n", end="\n" if complaints else "")
+    print("docs: %d pages of HTML, %d complaints" % (len(list(output.glob("*.html"))), len(complaints)))
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main((Path(sys.argv[1]) / "docs").resolve()))
