@@ -6,19 +6,21 @@
  * The tool is pressed `deflection` mm deep, along its axis, without friction, into a half-space of
  * reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
  *
- * | Shape | parameters | profile f(r) | contact radius a | force F |
- * |---|---|---|---|---|
- * | Flat | Radius a | 0, wall at a | a | 2 a E* δ |
- * | Paraboloid | Radius R | r²/2R | √(Rδ) | 4/3 E* √R δ^1.5 |
- * | Sphere | Radius R, exact | R - √(R²-r²), wall at R | δ = (a/2) ln((R+a)/(R-a)) | E* [(a²+R²)/2
- * ln((R+a)/(R-a)) - aR] | | Cone | HalfAngle α | r cot α | (2/π) tan α δ | (2/π) E* tan α δ² | |
- * TruncatedCone | Radius b of the flat, HalfAngle α | (r-b) cot α beyond b | δ = a A cot α | E* cot
- * α [a²A + bq] | | BluntedCone | Radius R of the spherical tip, HalfAngle α | Sphere to b = R cos
- * α, its tangent beyond | δ = a [L + A cot α] beyond b | 2E* (aδ - ½ [(a²-R²) L + Ra - qR/sin α +
- * a²A cot α]) | | RoundedFlat | Radius b of the flat, EdgeRadius R_e | (r-b)²/2R_e beyond b | δ =
- * (a/R_e) (q - bA) | E* [(4a²-b²) q - 3a²bA]/(3R_e) | | PowerLaw | Exponent n, Coefficient B | B
- * r^n | δ = κ B a^n | 2n/(n+1) E* a δ | | Profile | SetProfile: points (r, f) | straight between
- * them, wall at the last | δ = Σ m_i a A_i | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i]) |
+ * By shape: its parameters; profile f(r); contact radius a or depth δ; force F.
+ * - Flat: Radius a; 0, wall at a; a; 2 a E* δ.
+ * - Paraboloid: Radius R; r²/2R; a = √(Rδ); 4/3 E* √R δ^1.5.
+ * - Sphere, exact: Radius R; R - √(R²-r²), wall at R; δ = (a/2) ln((R+a)/(R-a));
+ *   E* [(a²+R²)/2 ln((R+a)/(R-a)) - aR].
+ * - Cone: HalfAngle α; r cot α; a = (2/π) tan α δ; (2/π) E* tan α δ².
+ * - TruncatedCone: Radius b of the flat, HalfAngle α; (r-b) cot α beyond b; δ = a A cot α;
+ *   E* cot α [a²A + bq].
+ * - BluntedCone: Radius R of the spherical tip, HalfAngle α; sphere to b = R cos α, its tangent
+ *   beyond; δ = a [L + A cot α] beyond b; 2E* (aδ - ½ [(a²-R²) L + Ra - qR/sin α + a²A cot α]).
+ * - RoundedFlat: Radius b of the flat, EdgeRadius R_e; (r-b)²/2R_e beyond b;
+ *   δ = (a/R_e) (q - bA); E* [(4a²-b²) q - 3a²bA]/(3R_e).
+ * - PowerLaw: Exponent n, Coefficient B; B r^n; δ = κ B a^n; 2n/(n+1) E* a δ.
+ * - Profile: SetProfile, points (r, f); straight between them, wall at the last;
+ *   δ = Σ m_i a A_i; 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i]).
  *
  * A = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
  * the change of slope at r_i.

@@ -9,7 +9,6 @@ Exit code: 0 all is well, 1 not, 77 Doxygen is not installed.
 """
 import re
 import shutil
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from html import unescape
@@ -17,12 +16,8 @@ from pathlib import Path
 from urllib.parse import unquote
 
 TOP = Path(__file__).resolve().parents[2]
-MANUAL = TOP / "Plugin/Manual/Doxygen"
-
-
-def make_html(output):
-    done = subprocess.run([sys.executable, str(MANUAL / "make.py"), "--no-examples", "--output", str(output)])
-    return done.returncode
+sys.path.insert(0, str(TOP / "Plugin/Manual/Doxygen"))
+import make  # noqa: E402
 
 
 def dead_links(output):
@@ -41,12 +36,8 @@ def says_something(element):
 
 def undocumented(output):
     """Public headers, classes, structs and enumerations without a comment, from Doxygen's XML."""
-    subprocess.run(["doxygen", "-"], cwd=TOP, check=True, text=True, stdout=subprocess.DEVNULL, env={
-        "PATH": "/usr/bin:/bin", "PALPATE_DOCS": str(output), "PALPATE_DOT": "NO", "PALPATE_VERSION": "",
-        "PALPATE_LAYOUT": str(output / "layout.xml"), "PALPATE_EXAMPLES": ""},
-        input="@INCLUDE = Plugin/Manual/Doxygen/Doxyfile\nGENERATE_HTML = NO\nGENERATE_XML = YES\n"
-              "XML_PROGRAMLISTING = NO\nXML_OUTPUT = xml\nWARNINGS = NO\nFILE_PATTERNS = *.h *.dox\n"
-              "INPUT = Filters Interactors Plugin/Manual\n")
+    make.run_doxygen(output, "GENERATE_HTML = NO\nGENERATE_XML = YES\nXML_PROGRAMLISTING = NO\nXML_OUTPUT = xml\n"
+                             "INPUT = Filters Interactors")
     documented, headers = set(), set()
     for file in sorted((output / "xml").glob("*.xml")):
         if file.name in ("index.xml", "Doxyfile.xml"):
@@ -78,7 +69,7 @@ def main(output):
         print("doxygen is not installed")
         return 77
     shutil.rmtree(output, ignore_errors=True)
-    if make_html(output) != 0:
+    if make.main(["--no-examples", "--output", str(output)]) != 0:
         return 1
     complaints = [*dead_links(output), *undocumented(output)]
     print(*complaints, sep="\n", end="\n" if complaints else "")

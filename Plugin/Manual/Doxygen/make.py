@@ -9,14 +9,14 @@ becomes the end of the gallery. They need the package palpate on PYTHONPATH and 
 Any warning of Doxygen is an error. Exit code: 0 done, 1 not, 2 a wrong call, 77 Doxygen is not installed.
 """
 import argparse
-import os
 import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-from pages import TOP, links, pages, split_target
+from convert import Page
+from pages import TOP, links, page_name, pages, split_target
 
 EXAMPLES = TOP / "Plugin/Python/examples"
 # What an example is called with, where it needs something.
@@ -84,16 +84,26 @@ def write_layout(path):
     path.write_text(head + "<class>" + rest, encoding="utf-8")
 
 
-def run_doxygen(output, examples):
-    write_layout(output / "layout.xml")
+def write_pages(folder, inserted):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for page in pages():
+        name = page_name(page.relative_to(TOP)) + ".md"
+        (folder / name).write_text(Page(page, inserted).converted(), encoding="utf-8")
+
+
+def run_doxygen(output, settings=""):
+    """With more settings than those of the Doxyfile. What Doxygen complains about; empty: nothing."""
     version = re.search(r"VERSION (\d[\d.]*)", (TOP / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1])
-    environment = dict(os.environ, PALPATE_DOCS=str(output), PALPATE_EXAMPLES=str(examples),
-                       PALPATE_LAYOUT=str(output / "layout.xml"),
-                       PALPATE_DOT="YES" if shutil.which("dot") else "NO", PALPATE_VERSION=version.group(1))
-    done = subprocess.run(["doxygen", "Plugin/Manual/Doxygen/Doxyfile"], cwd=TOP, env=environment,
-                          stderr=subprocess.PIPE, text=True)
-    print(done.stderr, end="", file=sys.stderr)
-    return done.returncode == 0 and not done.stderr.strip() # an obsolete setting alone is not an error to Doxygen
+    write_layout(output / "layout.xml")
+    done = subprocess.run(["doxygen", "-"], cwd=TOP, text=True, capture_output=True, input="\n".join((
+        "@INCLUDE = Plugin/Manual/Doxygen/Doxyfile",
+        'OUTPUT_DIRECTORY = "%s"' % output,
+        'INPUT += "%s"' % (output / "pages"),
+        'LAYOUT_FILE = "%s"' % (output / "layout.xml"),
+        "PROJECT_NUMBER = " + version.group(1),
+        "HAVE_DOT = " + ("YES" if shutil.which("dot") else "NO"), settings)))
+    return done.stderr.strip() or ("Doxygen failed" if done.returncode else "")
 
 
 def copy_files(output):
@@ -106,21 +116,21 @@ def copy_files(output):
         shutil.copyfile(TOP / file, output / "files" / file)
 
 
-def main():
+def main(words):
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--output", type=Path, default=TOP / "build/docs", help="default: build/docs")
     parser.add_argument("--no-examples", action="store_true", help="the gallery shows what the tree holds")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
     if not shutil.which("doxygen"):
         print("make.py: doxygen is not installed", file=sys.stderr)
         return 77
     output = arguments.output.resolve()
     output.mkdir(parents=True, exist_ok=True)
-    examples = output / "examples.md"
     results = [] if arguments.no_examples else run_examples(output / "examples")
-    examples.write_text("\n".join(example_page(results)), encoding="utf-8")
-    if not run_doxygen(output, examples):
-        print("make.py: Doxygen had something to say (see above)", file=sys.stderr)
+    write_pages(output / "pages", {"examples": "\n".join(example_page(results))})
+    complaints = run_doxygen(output)
+    if complaints:
+        print(complaints, "make.py: Doxygen had something to say", sep="\n", file=sys.stderr)
         return 1
     copy_files(output)
     print("%s, with %d of %d examples" % (output / "index.html", len(results), len(list(EXAMPLES.glob("*.py")))))
@@ -128,4 +138,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -1,15 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Markdown page for Doxygen: links between pages, to headings, files and pictures become its own, class names links.
-
-    filter_page.py FILE
-
-Pictures and files are expected beside the HTML in the folder files/, where make.py puts them. The line
-<!-- examples --> becomes what the examples print and draw (make.py leaves it in the file that PALPATE_EXAMPLES names).
+"""A Markdown page as a page of Doxygen: links between pages, to headings, files and pictures become its own, class names
+become links. Pictures and files are expected beside the HTML in the folder files/, where make.py puts them.
 """
-import os
 import re
-import sys
 from pathlib import Path
 
 from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, page_name, split_target
@@ -33,23 +26,26 @@ def public_classes():
 
 
 class Page:
-    def __init__(self, path):
+    def __init__(self, path, inserted):
+        """`inserted`: what stands in place of a line that is a comment, by the comment's text."""
         self.path = path.resolve()
         self.name = page_name(self.path.relative_to(TOP))
+        self.inserted = inserted
         self.classes = public_classes()
 
     def label(self, name, heading):
         return "%s_%s" % (name, re.sub(r"\W", "_", heading)) if heading else name
 
+    def title(self, text):
+        return "\\mainpage " + text if self.name == "index" else "# %s {#%s}" % (text, self.name)
+
     def heading(self, line):
         level, text = HEADING.match(line).groups()
         if level == "#":
             return self.title(text)
-        # Below a page that says itself that it is one, Doxygen's sections begin with #.
-        return "%s %s {#%s}" % (level[1:], text, self.label(self.name, anchor(text)))
-
-    def title(self, text):
-        return "\\mainpage " + text if self.name == "index" else "\\page %s %s" % (self.name, text)
+        if self.name == "index":
+            level = level[1:] # Doxygen's main page has sections where others have subsections
+        return "%s %s {#%s}" % (level, text, self.label(self.name, anchor(text)))
 
     def link(self, match):
         picture, text, target = match.groups()
@@ -74,22 +70,19 @@ class Page:
         pieces = re.split(r"(\[[^\]]*\]\([^)]*\)|<a .*?</a>)", line)
         return "".join(piece if i % 2 else CODE_SPAN.sub(name, piece) for i, piece in enumerate(pieces))
 
-    def convert(self, text):
-        if not any(HEADING.match(line) and line.startswith("# ") for _, line, code in lines_of(text) if not code):
-            yield self.title(self.path.stem.replace("-", " ").capitalize()) + "\n" # a bare table
+    def lines(self, text):
+        if not any(line.startswith("# ") for _, line, code in lines_of(text) if not code):
+            yield self.title(self.path.stem.replace("-", " ").capitalize()) # a bare table
         for _, line, code in lines_of(text):
+            comment = re.fullmatch(r"<!-- (\w+) -->", line)
             if code:
                 yield line
             elif HEADING.match(line):
                 yield self.heading(line)
-            elif line.strip() == "<!-- examples -->":
-                examples = os.environ.get("PALPATE_EXAMPLES", "")
-                yield Path(examples).read_text(encoding="utf-8") if Path(examples).is_file() else ""
+            elif comment:
+                yield from self.inserted.get(comment.group(1), "").split("\n")
             else:
                 yield self.name_classes(LINK.sub(self.link, line))
 
-
-if __name__ == "__main__":
-    sys.stdout.reconfigure(encoding="utf-8")
-    given = Path(sys.argv[1])
-    print("\n".join(Page(given).convert(given.read_text(encoding="utf-8"))))
+    def converted(self):
+        return "\n".join(self.lines(self.path.read_text(encoding="utf-8"))) + "\n"
