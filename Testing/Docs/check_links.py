@@ -92,8 +92,20 @@ def check_page(page, text):
         yield 1, "%d words; it is to have %d at most" % (len(text.split()), README_WORDS)
 
 
+def check_version():
+    """The version stands in three places."""
+    version = re.search(r"project\(.*?VERSION (\S+)", (TOP / "CMakeLists.txt").read_text(encoding="utf-8"), re.DOTALL).group(1)
+    if "\nversion: %s\n" % version not in (TOP / "CITATION.cff").read_text(encoding="utf-8"):
+        yield "CITATION.cff: not of version %s" % version
+    if "\n## [%s]" % version not in (TOP / "CHANGELOG.md").read_text(encoding="utf-8"):
+        yield "CHANGELOG.md: nothing of version %s" % version
+
+
 def check_tree():
     complaints = 0
+    for complaint in check_version():
+        print(complaint)
+        complaints += 1
     for page in tree.pages():
         for line, complaint in check_page(page, page.read_text(encoding="utf-8")):
             print("%s:%d: %s" % (page.relative_to(TOP), line, complaint))

@@ -48,7 +48,8 @@ WINGS = ("Filters", "Interactors", "Plugin")
 
 TOP_LEVEL = {
     "CMakeLists.txt", "Plugin", "Filters", "Interactors", "Testing", "Data",
-    "README.md", "LICENSE", "CONTRIBUTING.md", "CMakePresets.json", "run",
+    "README.md", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", "SECURITY.md",
+    "CMakePresets.json", "run",
     ".ci", ".clang-format", ".clang-tidy", ".gitignore",
 }
 # What a build leaves behind (as in .gitignore), for a tree that git does not know.

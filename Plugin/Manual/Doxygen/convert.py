@@ -9,19 +9,29 @@ from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, pag
 
 # Pages whose links make the tree of contents: what they name stands below them.
 CONTENTS = {"manual", "house"}
-PUBLIC = ("Filters/Mechanics", "Filters/Contact", "Filters/Response", "Interactors/Haptics",
-          "Interactors/Interaction")
+ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Response", "Interactors/Haptics",
+                                 "Interactors/Interaction")]
+
+
+def private_headers():
+    """The headers that a room's CMakeLists.txt calls private."""
+    for room in ROOMS:
+        text = re.sub(r"#.*", "", (room / "CMakeLists.txt").read_text(encoding="utf-8"))
+        private = False
+        for word in re.findall(r"[^\s()]+|\)", text):
+            if word == ")" or re.fullmatch(r"[A-Z_]{4,}", word): # the end of a list, or the name of one
+                private = word in ("PRIVATE_CLASSES", "PRIVATE_HEADERS")
+            elif private:
+                yield room / (word if word.endswith(".h") else word + ".h")
 
 
 def public_classes():
-    """Name -> full name of each class that has a header of its own among the public ones."""
-    found = {}
-    for room in PUBLIC:
-        pattern = "vtk*.h" if room.endswith(("Response", "Interaction")) else "**/*.h"
-        for header in (TOP / room).glob(pattern):
-            if re.search(r"^(class|struct)( \w+)? %s\b[^;]*$" % header.stem, header.read_text(encoding="utf-8"),
-                         re.MULTILINE):
-                found[header.stem] = header.stem if header.stem.startswith("vtk") else "palpate::" + header.stem
+    """Name -> full name of each class that has a public header of its own."""
+    found, private = {}, set(private_headers())
+    for header in (path for room in ROOMS for path in room.rglob("*.h") if path not in private):
+        text = header.read_text(encoding="utf-8")
+        if re.search(r"^(class|struct)( \w+)? %s\b[^;]*$" % header.stem, text, re.MULTILINE):
+            found[header.stem] = header.stem if header.stem.startswith("vtk") else "palpate::" + header.stem
     return found
 
 

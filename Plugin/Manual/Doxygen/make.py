@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from convert import Page
+from convert import Page, private_headers
 from pages import TOP, links, page_name, pages, split_target
 
 EXAMPLES = TOP / "Plugin/Python/examples"
@@ -100,6 +100,7 @@ def run_doxygen(output, settings=""):
         "@INCLUDE = Plugin/Manual/Doxygen/Doxyfile",
         'OUTPUT_DIRECTORY = "%s"' % output,
         'INPUT += "%s"' % (output / "pages"),
+        *('EXCLUDE += "%s"' % header.relative_to(TOP) for header in private_headers()),
         'LAYOUT_FILE = "%s"' % (output / "layout.xml"),
         "PROJECT_NUMBER = " + version.group(1),
         "HAVE_DOT = " + ("YES" if shutil.which("dot") else "NO"), settings)))
