@@ -60,7 +60,7 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// Of the contract's codes (README, Response arrays).
+/// Of the contract's codes (the manual's Response arrays).
 const char* nameOfLimit(double code)
 {
   static const std::array<const char*, 7> names = { "none", "strain", "curvature", "thickness",

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The six clicks of the README, played in the ParaView program on a body that this script makes.
+"""The six clicks of the manual, played in the ParaView program on a body that this script makes.
 
     pvpython walk.py PARAVIEW WALK_THROUGH.XML BASELINES FOLDER [PICTURES]      needs an X server
 
 Open, Apply, Tool Contact Response, Apply, Touch, Apply: then the view shows the dent, the tool, the
 force arrow and the numbers. Its last picture is compared with a baseline, and the state it saves holds
-the numbers of the tool's closed form. With PICTURES, the pictures of README and help are left there, as paraview_*.png.
+the numbers of the tool's closed form. With PICTURES, the pictures of manual and help are left there, as paraview_*.png.
 """
 import os
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The pages of ParaView's help, with the pictures of the README beside them. Appends to `panel`, what
+# The pages of ParaView's help, with the pictures of the manual beside them. Appends to `panel`, what
 # paraview_add_plugin() takes.
 if(PARAVIEW_USE_QT)
   set(help "${CMAKE_CURRENT_BINARY_DIR}/HelpPages")

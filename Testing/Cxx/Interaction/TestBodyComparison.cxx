@@ -107,7 +107,7 @@ void checkSide(vtkBodyComparison* comparison, int side, double compliance, doubl
   {
     const double force = seriesForce(tool, depth, compliance);
     const double index = compliance * force / depth;
-    // Stored in eight samples: up to 0.5 % in series, see the table of numbers in README.
+    // Stored in eight samples: up to 0.5 % in series, see the manual's numbers.
     PALPATE_CHECK_NEAR(comparison->GetForce(side, tool), force, 0.005 * force);
     // Not from what is stored; float arrays, and a central difference good to 2e-5.
     PALPATE_CHECK_NEAR(comparison->GetRegimeIndex(side, tool), index, 1e-5);

@@ -39,7 +39,7 @@ public:
   /// ∫₀^δ min(dF/dδ, most), the stiffness being one that does not fall.
   double cappedForce(double depth, double modulus, double most) const;
   /// How far, relative, a response stored in 8 samples may be off: the laws that are powers of the
-  /// depth are kept to the rounding of float32; the exact sphere's README figure is 2e-4.
+  /// depth are kept to the rounding of float32; the manual's figure of the exact sphere is 2e-4.
   double storageError() const;
 
 private:

@@ -5,7 +5,7 @@
     test_paper.py FOLDER [UNITTEST ARGS]       FOLDER: where the quick run goes
 
 The CSV have seven digits: 1e-6 where nothing else is said. Curves that a response stores come from float
-samples: 5e-4, twice the storage error in the README. Finite elements: 2 %, what vtkElasticCompliance
+samples: 5e-4, twice the storage error in the manual. Finite elements: 2 %, what vtkElasticCompliance
 promises.
 """
 import math

@@ -39,7 +39,7 @@ class Scale(unittest.TestCase):
                 self.assertAlmostEqual(row["flat_bytes_per_vertex"], FLAT_BYTES, delta=2000 / row["vertices"])
 
     def test_the_kernel_keeps_less_than_the_readme_says(self):
-        # README: 551 MB for 2 million vertices, 276 bytes each; on small bodies a few pages of 2 MiB more.
+        # The manual's numbers: 551 MB for 2 million vertices, 276 bytes each; on small bodies a few pages of 2 MiB more.
         row = self.rows[-1]
         self.assertLess(row["kernel_bytes_per_vertex"], 276 + 16 * 2 ** 20 / row["vertices"])
 

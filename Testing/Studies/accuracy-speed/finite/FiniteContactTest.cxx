@@ -225,7 +225,7 @@ TEST(FiniteMethods, LayerIsThatOfTheIntegralEquation)
     const double exact = 2.0 * modulus * radius * kappa * 0.5;
     // H is good to 1 % of C_g, a tenth to a quarter of the compliance here.
     EXPECT_TRUE(agrees(press(*finiteReference(layer(), flat), 0.0, 0.0, 0.5), exact, 5e-3));
-    // The series' own error, of the order (a/h)³ (Palpate's README), on top.
+    // The series' own error, of the order (a/h)³ (the manual's numbers), on top.
     EXPECT_TRUE(agrees(press(*localAndGlobal(layer(), flat), 0.0, 0.0, 0.5), exact,
       5e-3 + 2.5 * std::pow(0.1 * radius, 3)));
   }
