@@ -101,9 +101,16 @@ def check_version():
         yield "CHANGELOG.md: nothing of version %s" % version
 
 
+def check_examples():
+    manual = (TOP / "Plugin/Manual/python.md").read_text(encoding="utf-8")
+    for example in sorted((TOP / "Plugin/Python/examples").glob("*.py")):
+        if example.name not in manual:
+            yield "Plugin/Manual/python.md: says nothing of the example %s" % example.name
+
+
 def check_tree():
     complaints = 0
-    for complaint in check_version():
+    for complaint in (*check_version(), *check_examples()):
         print(complaint)
         complaints += 1
     for page in tree.pages():
