@@ -33,7 +33,7 @@ def run_example(script, folder):
         print("make.py: %s: %s" % (script.name, error), file=sys.stderr)
         return None
     if done.returncode != 0:
-        print("make.py: %s failed:\n%s" % (script.name, done.stderr[-2000:]), file=sys.stderr)
+        print("make.py: %s failed (%d):\n%s" % (script.name, done.returncode, done.stderr[-2000:]), file=sys.stderr)
         return None
     return done.stdout
 
