@@ -128,7 +128,7 @@ ContactTracker::Contact ContactTracker::search(const Vector3& tip) noexcept
   }
   if (contact.outcome == Outcome::Outside)
   {
-    contact.surface = this->Tree.closestLocal(local);
+    contact.surface = this->Search.closestLocal(local);
     contact.outcome = classify(contact.surface);
   }
   this->Triangle = this->isHeld(contact, local) ? contact.surface.triangle : -1;

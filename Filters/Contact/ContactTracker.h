@@ -4,6 +4,7 @@
 
 #include "PackedMesh.h"
 #include "PalpateExport.h"
+#include "TriangleSearch.h"
 #include "TriangleTree.h"
 
 #include <cmath>
@@ -56,6 +57,7 @@ public:
   ContactTracker(const PackedMesh& mesh, const TriangleTree& tree) noexcept
     : Mesh(mesh)
     , Tree(tree)
+    , Search(tree)
   {
   }
 
@@ -116,6 +118,7 @@ private:
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
+  TriangleSearch Search; ///< of the whole body; what it has seen saves time and changes nothing
   std::int32_t Triangle = -1;
 };
 } // namespace palpate

@@ -115,6 +115,11 @@ public:
       this->record(triangle).corner[static_cast<std::size_t>(k)].data())
       .cast<double>();
   }
+  /// Local coordinates of the three corners, as they are kept.
+  const float* coordinates(std::int32_t triangle) const noexcept
+  {
+    return this->record(triangle).corner.front().data();
+  }
   /// Outward, twice the area long; and as a unit vector.
   Vector3 areaNormal(std::int32_t triangle) const noexcept
   {

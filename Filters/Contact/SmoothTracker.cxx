@@ -56,7 +56,7 @@ SmoothTracker::Contact SmoothTracker::touch(
 
 SmoothTracker::Contact SmoothTracker::search(const Vector3& tip) noexcept
 {
-  const SurfacePoint nearest = this->Tree.closestLocal(tip);
+  const SurfacePoint nearest = this->Search.closestLocal(tip);
   if (nearest.triangle < 0)
   {
     return { Outcome::Invalid, {} };

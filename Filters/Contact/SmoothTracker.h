@@ -5,6 +5,7 @@
 #include "ContactTracker.h"
 #include "PalpateExport.h"
 #include "SmoothContact.h"
+#include "TriangleSearch.h"
 #include "TriangleTree.h"
 
 namespace palpate
@@ -36,6 +37,7 @@ public:
     const PackedMesh& mesh, const TriangleTree& tree, const ResponseField& response) noexcept
     : Mesh(mesh)
     , Tree(tree)
+    , Search(tree)
     , Smooth(mesh, response)
   {
   }
@@ -54,6 +56,7 @@ private:
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
+  TriangleSearch Search; ///< of the whole body; what it has seen saves time and changes nothing
   SmoothContact Smooth;
   ContactPlace Last;             ///< triangle -1: no contact
   Vector3 Tip = Vector3::Zero(); ///< then

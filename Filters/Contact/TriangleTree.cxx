@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleTree.h"
 
+#include "NearestTriangle.h"
 #include "ParallelRanges.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace
 /// 8^11 rows of 32 triangles are more than an int32 can count.
 constexpr std::size_t LargestDepth = 12;
 
-constexpr double LargestFloat = static_cast<double>(std::numeric_limits<float>::max());
-
 /// Tips farther off than this many times the body's size are moved to there: from farther away all
 /// distances round to the same, and every triangle would be looked at to find a side by chance.
 constexpr double FarAway = 1e4;
@@ -24,58 +23,14 @@ constexpr double FarAway = 1e4;
 /// A box that is there is in reach until something nearer is found; an empty one never is.
 static_assert(3.0 * 1.1 * (FarAway * PackedMesh::LargestCoordinate) *
       (FarAway * PackedMesh::LargestCoordinate) <
-    LargestFloat,
+    static_cast<double>(std::numeric_limits<float>::max()),
   "squared distances within the horizon fit a float");
-
-/// What is nearest so far, and the squared distance in float beyond which a box cannot help.
-class Nearest
-{
-public:
-  explicit Nearest(const Vector3& tip)
-    : TipRounding(6e-8 * 2.0 * tip.cwiseAbs().maxCoeff()) // of the tip as floats: √3/2 ulp
-  {
-    this->Best.squaredDistance = std::numeric_limits<double>::infinity();
-  }
-
-  void offer(std::int32_t triangle, const TriangleProjection& candidate) noexcept
-  {
-    if (candidate.squaredDistance < this->Best.squaredDistance)
-    {
-      this->Best = candidate;
-      this->Triangle = triangle;
-      // 1e-6: a dozen roundings of the float distance.
-      const double reach = std::sqrt(candidate.squaredDistance) + this->TipRounding;
-      this->Reach = static_cast<float>(std::min(reach * reach * (1.0 + 1e-6), LargestFloat));
-    }
-  }
-  bool canReach(float squaredDistance) const noexcept { return squaredDistance <= this->Reach; }
-
-  std::int32_t triangle() const noexcept { return this->Triangle; }
-  const TriangleProjection& projection() const noexcept { return this->Best; }
-
-private:
-  double TipRounding;
-  TriangleProjection Best;
-  std::int32_t Triangle = -1;
-  float Reach = static_cast<float>(LargestFloat);
-};
 } // namespace
 
 void TriangleTree::Boxes::clear()
 {
   this->low.fill(Row::Constant(std::numeric_limits<float>::infinity()));
   this->high.fill(Row::Constant(-std::numeric_limits<float>::infinity()));
-}
-
-TriangleTree::Row TriangleTree::Boxes::squaredDistances(const Eigen::Vector3f& tip) const noexcept
-{
-  Row sum = Row::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const float t = tip[static_cast<Eigen::Index>(k)];
-    sum += (this->low[k] - t).max(t - this->high[k]).max(0.0F).square();
-  }
-  return sum;
 }
 
 TriangleTree::TriangleTree(const PackedMesh& mesh)
@@ -90,14 +45,13 @@ TriangleTree::TriangleTree(const PackedMesh& mesh)
   {
     this->buildLevel(this->Levels.back());
   }
-  double size = 0.0; // largest coordinate
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Boxes& all = this->Levels.back().front();
-    size = std::max({ size, -static_cast<double>(all.low[k].minCoeff()),
+    this->Size = std::max({ this->Size, -static_cast<double>(all.low[k].minCoeff()),
       static_cast<double>(all.high[k].maxCoeff()) });
   }
-  this->Horizon = FarAway * size;
+  this->Horizon = FarAway * this->Size;
 }
 
 void TriangleTree::buildLeaves()
@@ -188,12 +142,12 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
   std::array<Pending, (Width - 1) * LargestDepth + 1> stack;
   std::size_t size = 0;
   const Eigen::Vector3f rounded = tip.cast<float>();
-  Nearest nearest(tip);
+  NearestTriangle nearest(tip, this->Size);
   stack[size++] = { 0.0F, static_cast<std::uint32_t>(this->Levels.size() - 1), 0 };
   while (size > 0)
   {
     const Pending next = stack[--size];
-    if (!nearest.canReach(next.squaredDistance))
+    if (next.squaredDistance > nearest.boxReach())
     {
       continue;
     }
@@ -205,7 +159,7 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
     for (std::size_t k = 0; k < Width; ++k)
     {
       const float distance = distances[static_cast<Eigen::Index>(k)];
-      if (!nearest.canReach(distance))
+      if (!(distance <= nearest.boxReach()))
       {
         continue;
       }
@@ -223,24 +177,64 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
     }
     for (std::size_t i = leafCount; i-- > 0;)
     {
-      if (!nearest.canReach(leaves[i].squaredDistance))
+      if (leaves[i].squaredDistance > nearest.boxReach())
       {
         break;
       }
-      const std::size_t first = leaves[i].row * LeafSize;
-      const std::size_t last = std::min(first + LeafSize, this->Mesh.triangleCount());
-      for (std::size_t t = first; t < last; ++t)
-      {
-        const auto triangle = static_cast<std::int32_t>(t);
-        if (!this->Mesh.isPlaneBeyond(tip, triangle, nearest.projection().squaredDistance))
-        {
-          nearest.offer(triangle, this->Mesh.project(tip, triangle));
-        }
-      }
+      this->searchLeaf(leaves[i].row, tip, rounded, nearest);
     }
   }
   return nearest.triangle() < 0 ? SurfacePoint{}
                                 : this->Mesh.orient(tip, nearest.triangle(), nearest.projection());
+}
+
+void TriangleTree::searchLeaf(std::size_t leaf, const Vector3& tip, const Eigen::Vector3f& rounded,
+  NearestTriangle& nearest) const noexcept
+{
+  const std::size_t first = leaf * LeafSize;
+  const std::size_t last = this->Mesh.triangleCount() - 1;
+  std::array<const float*, LeafSize> corners;
+  for (std::size_t i = 0; i < LeafSize; ++i)
+  {
+    corners[i] = this->Mesh.coordinates(static_cast<std::int32_t>(std::min(first + i, last)));
+  }
+  const TriangleBound::Lane bounds = TriangleBound::squaredDistances(rounded, corners);
+  for (std::size_t i = 0; i < LeafSize && first + i <= last; ++i)
+  {
+    const auto triangle = static_cast<std::int32_t>(first + i);
+    if (!nearest.canReach(bounds[static_cast<Eigen::Index>(i)]) || triangle == nearest.triangle())
+    {
+      continue;
+    }
+    const TriangleProjection there = this->Mesh.project(tip, triangle);
+    const double best = nearest.projection().squaredDistance;
+    if (there.squaredDistance < best ||
+      (there.squaredDistance == best && this->comesFirst(rounded, triangle, nearest.triangle())))
+    {
+      nearest.take(triangle, there);
+    }
+  }
+}
+
+bool TriangleTree::comesFirst(
+  const Eigen::Vector3f& rounded, std::int32_t triangle, std::int32_t other) const noexcept
+{
+  std::size_t a = static_cast<std::size_t>(triangle) / LeafSize;
+  std::size_t b = static_cast<std::size_t>(other) / LeafSize;
+  if (other < 0 || a == b)
+  {
+    return triangle < other;
+  }
+  std::size_t level = 0;
+  for (; a / Width != b / Width; ++level)
+  {
+    a /= Width;
+    b /= Width;
+  }
+  const Row distances = this->Levels[level][a / Width].squaredDistances(rounded);
+  const float toA = distances[static_cast<Eigen::Index>(a % Width)];
+  const float toB = distances[static_cast<Eigen::Index>(b % Width)];
+  return toA < toB || (toA == toB && a > b); // as closestWithin takes them from its stack
 }
 
 std::size_t TriangleTree::memory() const noexcept

@@ -15,7 +15,6 @@ void allocate(vtkDataArray* array, const char* name, int components, vtkIdType t
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tips);
-  array->Fill(0.0);
 }
 } // namespace
 

@@ -24,7 +24,7 @@ namespace palpate
 class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
-  /// Zeros, ContactCell too, until stored.
+  /// Every tip must be stored before they are attached: the values are not set.
   explicit ContactArrays(vtkIdType tips);
 
   /// `firstPoly` is the cell id of the body's first triangle. May run for different tips at once.

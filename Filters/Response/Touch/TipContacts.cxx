@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TipContacts.h"
 
+#include "TipOrder.h"
+#include "TriangleSearch.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -16,13 +20,14 @@ namespace palpate
 namespace
 {
 /// The tip moved inward along the blended normal at its closest point.
-Vector3 pressedTip(const ContactBody& body, const Vector3& tip, double indentation)
+Vector3 pressedTip(
+  const ContactBody& body, TriangleSearch& search, const Vector3& tip, double indentation)
 {
   if (indentation == 0.0)
   {
     return tip;
   }
-  const SurfacePoint nearest = body.tree.closest(tip);
+  const SurfacePoint nearest = search.closestLocal(body.surface.toLocal(tip));
   if (nearest.triangle < 0)
   {
     return tip;
@@ -109,17 +114,10 @@ std::string checkTips(vtkPolyData* tips)
 void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
   double indentation, const TipVisitor& visit)
 {
-  const auto touch = [&](ToolContact& contact, vtkIdType tip)
-  {
-    Vector3 position;
-    tips->GetPoint(tip, position.data());
-    const Vector3 pressed = pressedTip(body, position, indentation);
-    visit(tip, contact.update(pressed), pressed);
-  };
-
   const vtkIdType count = tips->GetNumberOfPoints();
   std::vector<char> inHistory(static_cast<std::size_t>(count), 0);
   vtkCellArray* lines = tips->GetLines();
+  TriangleSearch search(body.tree);
   for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
   {
     vtkIdType size = 0;
@@ -128,8 +126,12 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
     ToolContact history(body, settings);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      inHistory[static_cast<std::size_t>(points[i])] = 1;
-      touch(history, points[i]);
+      const vtkIdType tip = points[i];
+      inHistory[static_cast<std::size_t>(tip)] = 1;
+      Vector3 position;
+      tips->GetPoint(tip, position.data());
+      const Vector3 pressed = pressedTip(body, search, position, indentation);
+      visit(tip, history.update(pressed), pressed);
     }
   }
   ContactSettings frictionless = settings;
@@ -138,12 +140,16 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
     [&](vtkIdType first, vtkIdType last)
     {
       ToolContact single(body, frictionless);
-      for (vtkIdType tip = first; tip < last; ++tip)
+      TriangleSearch start(body.tree);
+      TipOrder order;
+      for (vtkIdType block = first; block < last; block += TipOrder::BlockSize)
       {
-        if (!inHistory[static_cast<std::size_t>(tip)])
+        order.sort(tips, block, std::min(block + TipOrder::BlockSize, last), inHistory.data());
+        for (const auto& [tip, position] : order)
         {
+          const Vector3 pressed = pressedTip(body, start, position, indentation);
           single.reset();
-          touch(single, tip);
+          visit(tip, single.update(pressed), pressed);
         }
       }
     });

@@ -1,12 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Palpate: what does this tool feel, pressed here on this body?
 
-Re-exports every wrapped class: ``from palpate import vtkContactTool``. ``palpate.contract`` reads the
-response arrays of a saved body with numpy alone.
+    body = palpate.response("liver.stl", tool="sphere:6.35", young=0.05)     # what is felt at each point
+    forces, deflection, *rest = palpate.probe(body, tips)                    # N and mm, one row per tip
+
+Functions on numpy arrays, each with its own help: response, probe, curves, regime. Beside them every wrapped
+class of the pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` reads the response arrays of a
+saved body with numpy alone, also where there is no VTK.
+
+Units: mm, N, MPa, N/mm. Forces act on the tool and point out of the body.
 """
 import importlib
+import importlib.util
 import os
 import pkgutil
+
+FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", "Probe"),
+             "_curves": ("curves", "Curves")}
 
 
 def _reexport():
@@ -18,6 +28,16 @@ def _reexport():
             for name in dir(wrapped):
                 if name.startswith("vtk"):
                     globals()[name] = getattr(wrapped, name)
+    for module, names in FUNCTIONS.items():
+        for name in names:
+            globals()[name] = getattr(importlib.import_module("." + module, __name__), name)
 
 
-_reexport()
+if importlib.util.find_spec("vtkmodules") is not None:
+    _reexport()
+else:
+    def __getattr__(name):
+        if name.startswith("vtk") or any(name in names for names in FUNCTIONS.values()):
+            raise ImportError("palpate.%s needs VTK's Python modules (vtkmodules), which are not there; "
+                              "palpate.contract works without" % name)
+        raise AttributeError("module 'palpate' has no attribute '%s'" % name)

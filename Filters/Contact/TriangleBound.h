@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TriangleBound_h
+#define palpate_TriangleBound_h
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+
+namespace palpate
+{
+/**
+ * How far a tip is from four triangles at least, all at once, in float: so that only those that may
+ * be nearest are looked at in double.
+ *
+ * The bound of a triangle: from its plane, and in the plane from the half-plane of each edge. It is
+ * the distance itself but where a corner is nearest.
+ */
+class TriangleBound
+{
+public:
+  using Lane = Eigen::Array<float, 4, 1>;
+
+  /// A bound is larger than the true one by less than this share of the largest coordinate of tip
+  /// and triangles: a dozen roundings, thirty times as large where an angle is as sharp as it may
+  /// be.
+  static constexpr double Rounding = 2e-5;
+  /// Of tip and triangles together, mm: beyond it sixth powers of lengths do not fit a float.
+  static constexpr double LargestCoordinate = 3e5;
+
+  /// Squared bounds. `corners`: nine coordinates of each triangle. 0 for slivers, whose planes are
+  /// lost in floats.
+  static Lane squaredDistances(
+    const Eigen::Vector3f& tip, const std::array<const float*, 4>& corners) noexcept
+  {
+    std::array<Lanes, 3> to; // from the tip
+    for (std::size_t k = 0; k < 9; ++k)
+    {
+      to[k / 3][k % 3] = Lane(corners[0][k], corners[1][k], corners[2][k], corners[3][k]) -
+        tip[static_cast<Eigen::Index>(k % 3)];
+    }
+    const Lanes ab = minus(to[1], to[0]);
+    const Lanes bc = minus(to[2], to[1]);
+    const Lanes ca = minus(to[0], to[2]);
+    const Lanes normal = cross(ab, ca); // inward; twice the area long
+    const Lane area2 = dot(normal, normal);
+    const Lane height = dot(normal, to[0]);
+    const Lane ab2 = dot(ab, ab);
+    const Lane ca2 = dot(ca, ca);
+    // Where the foot on the plane lies beyond an edge's line it is negative: times |normal| |edge|.
+    const Lanes turned = cross(to[0], normal);
+    const Lane insideAb = dot(ab, turned);
+    const Lane insideCa = dot(ca, turned);
+    const Lane insideBc = area2 - insideAb - insideCa;
+    const Lane beside2 = (insideAb.min(0.0F).square() / ab2)
+                           .max(insideCa.min(0.0F).square() / ca2)
+                           .max(insideBc.min(0.0F).square() / dot(bc, bc));
+    const Lane bound = (height.square() + beside2) / area2;
+    const Lane smallest = (SliverSine2 * ab2 * ca2).max(SmallestArea2);
+    Lane safe;
+    for (Eigen::Index i = 0; i < safe.size(); ++i)
+    {
+      safe[i] = area2[i] > smallest[i] ? bound[i] : 0.0F;
+    }
+    return safe;
+  }
+
+private:
+  using Lanes = std::array<Lane, 3>; ///< x, y, z
+
+  static constexpr float SliverSine2 = 1e-3F;
+  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4: what is divided by is no denormal
+
+  static Lanes minus(const Lanes& a, const Lanes& b) noexcept
+  {
+    return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+  }
+  static Lane dot(const Lanes& a, const Lanes& b) noexcept
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Lanes cross(const Lanes& a, const Lanes& b) noexcept
+  {
+    return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  }
+};
+} // namespace palpate
+
+#endif

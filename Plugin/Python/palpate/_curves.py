@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate.curves: the stored force-deflection curves of points."""
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _arrays, contract
+from ._bodies import as_body
+
+
+class Curves(NamedTuple):
+    """Force-deflection curves of p points at d depths. See palpate.curves."""
+
+    deflection: np.ndarray
+    force: np.ndarray
+    stiffness: np.ndarray
+
+
+def curves(body, points=None, deflection=None, rows=101, name="Response") -> Curves:
+    """The stored force-deflection curves of points of a body.
+
+    Parameters
+    ----------
+    body : a body with a response, as palpate.response returns it, or a saved one, "body.vtp".
+    points : numbers of points, from 0: one, or an array of shape (p,); None for all of them.
+    deflection : depths, mm, shape (d,) or one number; None: `rows` of them, from 0 to the largest range of the points.
+    rows : how many, if deflection is None, at least 2.
+    name : prefix of the response arrays.
+
+    Returns
+    -------
+    Curves, a tuple of float64 arrays:
+        deflection (d,) : mm;
+        force (p, d) : N, NaN beyond a point's range and where it has no response;
+        stiffness (p, d) : dF/d(deflection), N/mm, likewise.
+    One row only, shape (d,), if `points` is a single number.
+
+    Raises ValueError for a body without the response, or points that are not there; TypeError for things of another
+    kind. Evaluated by palpate.contract in numpy, on one thread, some 0.5 microseconds per value.
+    """
+    body = as_body(body)
+    try:
+        stored = contract.load(body, name)
+    except KeyError as missing:
+        raise ValueError("no response '%s' on the body: %s" % (name, missing.args[0])) from None
+    chosen = np.arange(body.GetNumberOfPoints()) if points is None else np.asarray(points)
+    if chosen.dtype.kind not in "iu" or chosen.ndim > 1:
+        raise TypeError("points must be whole numbers, one or an array of shape (n,), but are %r" % (points,))
+    for point in chosen[(chosen < 0) | (chosen >= body.GetNumberOfPoints())].reshape(-1)[:1]:
+        raise ValueError("there is no point %d: the body has %d points" % (point, body.GetNumberOfPoints()))
+    usable = np.isin(stored["status"][chosen], (0, 5)) & (stored["range"][chosen] > 0)
+    reach = np.where(usable, stored["range"][chosen], 0.0)
+    if deflection is None:
+        if rows < 2:
+            raise ValueError("rows must be at least 2, but is %r" % (rows,))
+        deflection = np.linspace(0.0, reach.max(initial=0.0), rows)
+    depths = np.atleast_1d(_arrays.reals(deflection, "deflection (mm)", np.shape(deflection)[:1])).astype(float)
+    force, stiffness = contract.evaluate(stored, chosen[..., None], depths)
+    beyond = ~(depths <= reach[..., None]) | ~usable[..., None]
+    return Curves(depths, np.where(beyond, np.nan, force), np.where(beyond, np.nan, stiffness))

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a VTK algorithm: what it complains of becomes an exception or a warning, nothing is printed."""
+import warnings
+
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+
+class Listener:
+    """Collects what VTK objects complain of, in their own words."""
+
+    def __init__(self, *objects):
+        self.errors, self.warnings = [], []
+        self._observed = []
+        for one in objects:
+            for event, texts in (("ErrorEvent", self.errors), ("WarningEvent", self.warnings)):
+                self._observed.append((one, one.AddObserver(event, self._take(texts))))
+
+    @staticmethod
+    def _take(texts):
+        def take(caller, event, text):
+            if not caller.IsA("vtkExecutive"):      # which only repeats that there was an error
+                texts.append(words(text))
+        take.CallDataType = "string0"
+        return take
+
+    def stop(self):
+        for one, tag in self._observed:
+            one.RemoveObserver(tag)
+
+
+def words(text):
+    """The message of "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n"."""
+    return text.partition("): ")[2].strip() or text.strip()
+
+
+def run(algorithm, kind=ValueError, others=()):
+    """Updates an algorithm. An error, also of other objects in it, is raised as `kind`; a warning is Python's."""
+    listener = Listener(algorithm, algorithm.GetExecutive(), *others)
+    try:
+        algorithm.Update()
+    finally:
+        listener.stop()
+    if listener.errors:
+        raise kind(listener.errors[0])
+    for text in listener.warnings:
+        warnings.warn(text, RuntimeWarning, stacklevel=3)
+    return algorithm
+
+
+def output_of(source):
+    """The data of a vtkAlgorithm or of one of its output ports, brought up to date."""
+    if isinstance(source, vtkAlgorithm):
+        return run(source, RuntimeError).GetOutputDataObject(0)
+    run(source.GetProducer(), RuntimeError)
+    return source.GetProducer().GetOutputDataObject(source.GetIndex())

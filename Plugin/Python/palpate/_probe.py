@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate.probe: the contact force at tool tips."""
+from __future__ import annotations
+
+import weakref
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import _arrays, _filters
+from ._bodies import as_body, shallow_copy
+from .palpateResponse import vtkToolContactProbe
+
+CHOICES = {
+    "friction_model": {"elasto-plastic": vtkToolContactProbe.ElastoPlastic, "dahl": vtkToolContactProbe.Dahl,
+                       "shape-derived": vtkToolContactProbe.ShapeDerived},
+    "force_form": {"paper": vtkToolContactProbe.Paper, "normalized-direction": vtkToolContactProbe.NormalizedDirection,
+                   "energy-consistent": vtkToolContactProbe.EnergyConsistent},
+    "surface": {"facets": vtkToolContactProbe.Facets, "smooth": vtkToolContactProbe.Smooth}}
+
+
+class Probe(NamedTuple):
+    """What is felt at each of n tips, in their order. See palpate.probe."""
+
+    forces: np.ndarray
+    deflection: np.ndarray
+    normal_force: np.ndarray
+    friction: np.ndarray
+    normal: np.ndarray
+    contact_point: np.ndarray
+    contact_cell: np.ndarray
+    contact_state: np.ndarray
+
+
+def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffness=1.0,
+          friction_model="elasto-plastic", friction_breakaway=0.8, friction_stick_radius=0.9, poisson=0.5,
+          force_form="normalized-direction", surface="facets", indentation=0.0, name="Response") -> Probe:
+    """The contact force at given tool tips, by the kernel of the servo tick.
+
+    Parameters
+    ----------
+    body : a body with a response, as palpate.response returns it, or a saved one, "body.vtp".
+    tips : where the tip of the tool is, mm, in the frame of the body: shape (n, 3), or (3,) for one; float32 or
+        float64 is read where it lies. Or a vtkPolyData, whose polylines are paths.
+    path : False: each tip for itself, found in the whole body, without friction. True: the tips are one movement, in
+        which the contact is followed from tip to tip, with friction.
+    time : of each tip of a path, s, shape (n,); must not decrease. No force depends on it.
+    friction : Coulomb's coefficient, >= 0; of paths only.
+    tangential_stiffness : of the stuck contact, N/mm, > 0.
+    friction_model : "elasto-plastic", "dahl" or "shape-derived" (from the response itself).
+    friction_breakaway, friction_stick_radius : of "elasto-plastic": share of the limit up to which it sticks
+        elastically, 0 to 1, and at which half of a displacement is creep.
+    poisson : Poisson's ratio, 0 to 0.5, of "shape-derived" friction.
+    force_form : "paper", "normalized-direction" or "energy-consistent": how three curves become one force.
+    surface : "facets" (the triangles) or "smooth" (a patch through the normals of each).
+    indentation : mm by which each tip is first moved inward, so that points on the surface press.
+    name : prefix of the response arrays.
+
+    Returns
+    -------
+    Probe, a tuple: forces, deflection, *rest = palpate.probe(body, tips). Fields, of n tips each:
+        forces (n, 3) : total force on the tool, N;
+        deflection (n,) : depth of the tip below its contact point, mm; 0 outside;
+        normal_force (n,) : the part along `normal`, N;
+        friction (n, 3) : the part that is friction, N;
+        normal (n, 3) : unit normal of the contact, outward; zeros without contact;
+        contact_point (n, 3) : on the undeformed body, mm;
+        contact_cell (n,) : number of the triangle, -1 without contact;
+        contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
+            5 invalid (a tip that is not finite, or no response there).
+
+    Raises ValueError with the words of vtkToolContactProbe, TypeError for things of another kind, OSError and
+    RuntimeError for files; defects of the mesh give a RuntimeWarning. Tips for themselves run on all threads of
+    vtkSMPTools with the same bits for any number, some 0.5 microseconds each; a path on one. The first call on a
+    body builds a search structure (0.3 s for 150 thousand points), which is kept for the next call on the same one.
+    """
+    body = as_body(body)
+    tips = _as_tips(tips, path, time)
+    friction = float(friction)
+    if friction != 0.0 and tips.GetNumberOfLines() == 0:
+        raise ValueError("friction acts along a path only: give path=True")
+    with _prepared(body, name) as felt:
+        felt.SetTipData(tips)
+        felt.SetFrictionModel(_choose("friction_model", friction_model))
+        felt.SetForceForm(_choose("force_form", force_form))
+        felt.SetContactSurface(_choose("surface", surface))
+        felt.SetFrictionCoefficient(friction)
+        felt.SetTangentialStiffness(tangential_stiffness)
+        felt.SetFrictionBreakaway(friction_breakaway)
+        felt.SetFrictionStickRadius(friction_stick_radius)
+        felt.SetPoissonRatio(poisson)
+        felt.SetIndentation(indentation)
+        points = _filters.run(felt).GetOutput().GetPointData()
+        arrays = [points.GetArray(array) for array in (
+            "Force", "Deflection", "NormalForce", "FrictionForce", "Normal", "ContactPoint", "ContactCell",
+            "ContactState")]
+    if arrays[0] is None:                               # no tips, or a body without points
+        return _nothing(tips.GetNumberOfPoints())
+    return Probe(*map(_arrays.to_numpy, arrays))
+
+
+def _as_tips(tips, path, time):
+    if isinstance(tips, vtkPolyData):
+        if path or time is not None:
+            raise ValueError("path and time are for arrays of tips; a vtkPolyData has polylines and an array 'Time'")
+        return tips
+    if np.ndim(tips) == 1:
+        tips = np.asarray(tips)[None, :]
+    tips = _arrays.reals(tips, "tips", (None, 3))
+    made = vtkPolyData()
+    made.SetPoints(_arrays.to_points(tips))
+    if path and len(tips):
+        made.SetLines(_arrays.to_cells(np.arange(len(tips)), len(tips)))
+    if time is not None:
+        made.GetPointData().AddArray(_arrays.to_vtk(_arrays.reals(time, "time (s)", (len(tips),)), "Time"))
+    return made
+
+
+def _choose(argument, value):
+    if value not in CHOICES[argument]:
+        raise ValueError("%s must be one of %s, but is %r" % (argument, ", ".join(CHOICES[argument]), value))
+    return CHOICES[argument][value]
+
+
+def _nothing(count):
+    return Probe(*(np.zeros((count, 3) if isvector else count) for isvector in (1, 0, 0, 1, 1, 1)),
+                 np.full(count, -1), np.zeros(count, dtype=np.uint8))
+
+
+class _prepared:
+    """The filter for a body, with its search structure if the body is that of the last call, unchanged. It holds
+    the body's arrays, and is let go with the body or with the next one. In use it is out of reach of other threads."""
+
+    _kept = []
+
+    def __init__(self, body, name):
+        self.body, self.name = body, name
+        self.state = (body.GetMTime(), name)
+
+    def __enter__(self):
+        try:
+            owner, state, self.filter = self._kept.pop()
+        except IndexError:
+            owner, state = (lambda: None), None
+        if owner() is not self.body or state != self.state:
+            self.filter = vtkToolContactProbe()
+            self.filter.SetInputData(0, shallow_copy(self.body))
+            self.filter.SetResponseName(self.name)
+        return self.filter
+
+    def __exit__(self, kind, *_):
+        self.filter.SetInputData(1, None)               # the tips are not kept
+        if kind is None:
+            self._kept[:] = [(weakref.ref(self.body, self._forget), self.state, self.filter)]
+
+    @classmethod
+    def _forget(cls, owner):
+        cls._kept[:] = [kept for kept in cls._kept if kept[0] is not owner]

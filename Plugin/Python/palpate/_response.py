@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate.response and palpate.regime: what a body is made of, and what a tool makes of it."""
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+
+from . import _arrays, _filters
+from ._bodies import as_body, shallow_copy
+from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
+
+BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
+
+
+def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
+             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False) -> vtkPolyData:
+    """Attaches to each point of a body the force-deflection curve of a tool pressed there.
+
+    Parameters
+    ----------
+    body : the surface to touch, in mm: a vtkPolyData of triangles or what wraps one, a vtkAlgorithm, a pair of arrays
+        (points, triangles) of shapes (n, 3) and (m, 3), counter-clockwise seen from outside, or the name of a file
+        (.vtp .stl .ply .obj .vtk .vtu .vti). It is not changed.
+    tool : "flat:R", "sphere:R", "paraboloid:R", "cone:DEGREES", "truncated:R,DEGREES", "blunted:R,DEGREES",
+        "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT" or "profile:FILE.csv" (radii in mm, half angles in degrees from
+        the axis); or a vtkContactTool.
+    young : Young's modulus, MPa, > 0.
+    poisson : Poisson's ratio, 0 to 0.5.
+    layer : thickness of an elastic layer on a rigid base, mm; None (or 0) for a half-space.
+    base : how the layer rests there, "bonded" or "slip" (without friction).
+    compliance : how far the body gives way as a whole, mm/N, beside the local dent; None for not at all.
+    maximum_deflection : depth of the last sample of each curve, mm, > 0.
+    samples : samples per curve, 2 to 256.
+    name : prefix of the arrays; several tools on one body take several names.
+    compliance_excludes_layer : set it where the compliance was found without the layer's base, so that both count.
+
+    young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
+    name of a point array of the body.
+
+    Returns
+    -------
+    vtkPolyData : the body with its arrays and, per point, NAME + Force (samples columns, N), Stiffness (N/mm), Normal,
+        Range (mm), Status, Validity (mm: how deep the law holds), Limit. See palpate.curves and palpate.probe.
+        Arrays that were given are in it without a copy, as YoungsModulus, PoissonRatio, LayerThickness,
+        GlobalCompliance: do not change them afterwards.
+
+    Raises ValueError with the words of vtkToolContactResponse, TypeError for things of another kind, OSError and
+    RuntimeError for files. Points without response give a RuntimeWarning. Runs on all threads of vtkSMPTools with
+    the same bits for any number; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
+    """
+    made = vtkToolContactResponse()
+    given = _set_material(made, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer)
+    made.SetInputData(given)
+    tool = _tool(tool)
+    made.SetTool(tool)
+    made.SetMaximumDeflection(_number(maximum_deflection, "maximum_deflection (mm)"))
+    made.SetNumberOfSamples(_count(samples, "samples"))
+    made.SetResponseName(_text(name, "name"))
+    return _filters.run(made, others=[tool]).GetOutput()
+
+
+class Regime(NamedTuple):
+    """Whether a body gives way locally or globally, per point. See palpate.regime."""
+
+    index: np.ndarray
+    sensitivity: np.ndarray
+    verdict: np.ndarray
+
+
+def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
+           name="Response", compliance_excludes_layer=False) -> Regime:
+    """Whether a body gives way locally or globally under a tool, and so whether the tool's shape matters.
+
+    Parameters
+    ----------
+    body, young, poisson, layer, base, compliance, compliance_excludes_layer : as in palpate.response. Where the body
+        carries the response `name`, the material must be the one that this was made of.
+    deflection : how deep the tool is pressed, mm, > 0; None: half of the response's range at each point.
+    tool : as in palpate.response; None: the tool of the response `name`.
+
+    Returns
+    -------
+    Regime, a tuple of arrays of one value per point, shape (n,):
+        index : float32, share of the deflection that is global: 0 local, 1 global, negative over a near base;
+        sensitivity : float32, dlnF/dln(size) of the tool at this depth;
+        verdict : uint8, 0 the shape matters, 1 mixed, 2 a point force suffices.
+    NaN and 0 where there is no stable contact.
+
+    Raises ValueError with the words of vtkContactRegime, also where material and response disagree by more than 2 %;
+    TypeError for things of another kind.
+    """
+    found = vtkContactRegime()
+    given = _set_material(found, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer)
+    found.SetInputData(given)
+    found.SetResponseName(_text(name, "name"))
+    if tool is not None:
+        tool = _tool(tool)
+        found.SetTool(tool)
+    if deflection is not None:
+        depth = _number(deflection, "deflection (mm)")
+        if not depth > 0:
+            raise ValueError("deflection must be positive (mm), but is %g" % depth)
+        found.SetDeflection(depth)
+    points = _filters.run(found, others=[] if tool is None else [tool]).GetOutput().GetPointData()
+    return Regime(*(_arrays.to_numpy(points.GetArray(array))
+                    for array in ("RegimeIndex", "ToolSensitivity", "RegimeVerdict")))
+
+
+def _set_material(algorithm, body, young, poisson, layer, base, compliance, excludes):
+    """Sets what the body is made of; returns the body with the arrays that were given."""
+    if base not in BASES:
+        raise ValueError("base must be 'bonded' or 'slip', but is %r" % (base,))
+    algorithm.SetLayerBase(BASES[base])
+    algorithm.SetComplianceExcludesLayer(bool(excludes))
+    body = shallow_copy(body)
+    for index, (argument, value, array, setter) in enumerate((
+            ("young (MPa)", young, "YoungsModulus", algorithm.SetYoungsModulus),
+            ("layer (mm)", layer, "LayerThickness", algorithm.SetLayerThickness),
+            ("compliance (mm/N)", compliance, "GlobalCompliance", None),
+            ("poisson", poisson, "PoissonRatio", algorithm.SetPoissonRatio))):
+        if value is None and setter in (None, algorithm.SetLayerThickness):
+            continue
+        if np.ndim(value) == 0 and not isinstance(value, str):
+            value = _number(value, argument)
+            if setter is not None:
+                setter(value)
+                continue
+            value = np.full(body.GetNumberOfPoints(), value)
+        if isinstance(value, str):
+            array = value
+        else:
+            values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
+            body.GetPointData().AddArray(_arrays.to_vtk(values, array))
+        algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
+    return body
+
+
+def _tool(tool):
+    if isinstance(tool, vtkContactTool):
+        return tool
+    made = vtkContactTool()
+    listener = _filters.Listener(made)
+    made.SetSpecification(_text(tool, "tool"))
+    listener.stop()
+    if listener.errors:
+        raise ValueError(listener.errors[0])
+    return made
+
+
+def _number(value, argument):
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError("%s must be a number, but is %r" % (argument, value)) from None
+
+
+def _count(value, argument):
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
+        raise TypeError("%s must be a whole number, but is %r" % (argument, value))
+    return int(value)
+
+
+def _text(value, argument):
+    if not isinstance(value, str):
+        raise TypeError("%s must be a string, but is %r" % (argument, value))
+    return value

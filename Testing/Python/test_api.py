@@ -1,0 +1,507 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate.response, probe, curves and regime on numpy arrays: forces beside closed forms, memory, errors, stubs.
+
+The body is a plate of one facet plane, z = 0, facing +z: a tip at (x, y, -d) is d deep whatever the mesh.
+"""
+import ast
+import gc
+import inspect
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import numpy as np
+import palpate
+from palpate import vtkContactTool, vtkToolContactProbe
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+YOUNG, POISSON = 0.05, 0.45
+REDUCED = YOUNG / (1 - POISSON**2)
+# Curves are stored in floats: forces are off by half a unit in the last place of sample and slope.
+STORED = 2e-7
+
+
+def plate(cells=20, dtype=np.float64, index=np.int64):
+    """(points, triangles) of a square of 40 mm."""
+    x, y = np.meshgrid(np.linspace(-20, 20, cells + 1), np.linspace(-20, 20, cells + 1))
+    points = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1).astype(dtype)
+    corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
+    lower = np.stack([corner, corner + 1, corner + cells + 2], axis=1)
+    upper = np.stack([corner, corner + cells + 2, corner + cells + 1], axis=1)
+    return points, np.concatenate([lower, upper]).astype(index)
+
+
+def ball(radius=50.0):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(120)
+    source.SetPhiResolution(120)
+    return source
+
+
+def scattered(count, seed=1):
+    """Tips just above and under a ball of 50 mm."""
+    random = np.random.default_rng(seed)
+    direction = random.normal(size=(count, 3))
+    return (50.2 - 1.5 * random.random((count, 1))) * direction / np.linalg.norm(direction, axis=1)[:, None]
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+class ClosedForms(unittest.TestCase):
+    DEPTHS = np.linspace(0.1, 2.0, 20)
+
+    def forces(self, tool, **options):
+        body = palpate.response(plate(), tool=tool, young=YOUNG, poisson=POISSON, **options)
+        tips = np.stack([0.3 + 0 * self.DEPTHS, 0.7 + 0 * self.DEPTHS, -self.DEPTHS], axis=1)
+        forces, deflection, *rest = palpate.probe(body, tips)
+        self.assertEqual(len(rest), 6)
+        np.testing.assert_allclose(deflection, self.DEPTHS, rtol=1e-15)
+        self.assertEqual(np.abs(forces[:, :2]).max(), 0.0)
+        return forces[:, 2]
+
+    def test_flat(self):
+        np.testing.assert_allclose(self.forces("flat:3"), 2 * REDUCED * 3 * self.DEPTHS, rtol=STORED)
+
+    def test_paraboloid(self):
+        np.testing.assert_allclose(
+            self.forces("paraboloid:6.35"), 4 / 3 * REDUCED * math.sqrt(6.35) * self.DEPTHS**1.5, rtol=STORED)
+
+    def test_cone(self):
+        expected = 2 / math.pi * REDUCED * math.tan(math.radians(60)) * self.DEPTHS**2
+        np.testing.assert_allclose(self.forces("cone:60"), expected, rtol=STORED)
+
+    def test_flat_in_series_with_a_compliance(self):
+        local, compliance = 2 * REDUCED * 3, 0.7           # N/mm, mm/N
+        expected = self.DEPTHS * local / (1 + local * compliance)
+        np.testing.assert_allclose(self.forces("flat:3", compliance=compliance), expected, rtol=STORED)
+
+    def test_a_tool_object(self):
+        tool = vtkContactTool()
+        tool.SetShapeToFlat()
+        tool.SetRadius(3)
+        np.testing.assert_array_equal(self.forces(tool), self.forces("flat:3"))
+
+    def test_defaults_are_those_of_the_documentation(self):
+        body = palpate.response(plate())
+        depth = 0.5
+        force = palpate.probe(body, [0.3, 0.7, -depth]).forces[0, 2]
+        tool = vtkContactTool()
+        tool.SetSpecification("sphere:6.35")
+        # Eight samples of an exact sphere: 2e-4 of it and less.
+        self.assertAlmostEqual(force, tool.GetForce(depth, REDUCED), delta=2e-4 * force)
+
+
+class PerPoint(unittest.TestCase):
+    def test_a_modulus_per_point(self):
+        points, triangles = plate()
+        young = 0.02 + 0.001 * np.arange(len(points))
+        body = palpate.response((points, triangles), tool="flat:3", young=young, poisson=0.3)
+        chosen = np.array([21 * 10 + 10, 21 * 5 + 7])      # over points, the curve is theirs
+        felt = palpate.probe(body, points[chosen] - [0, 0, 0.8])
+        np.testing.assert_allclose(felt.forces[:, 2], 2 * young[chosen] / (1 - 0.09) * 3 * 0.8, rtol=STORED)
+
+    def test_poisson_and_compliance_per_point(self):
+        points, triangles = plate()
+        poisson = np.linspace(0.1, 0.5, len(points))
+        compliance = np.linspace(0, 2, len(points))
+        body = palpate.response((points, triangles), "flat:3", YOUNG, poisson, compliance=compliance)
+        local = 2 * 3 * YOUNG / (1 - poisson**2)
+        found = palpate.curves(body, deflection=1.0).force[:, 0]
+        np.testing.assert_allclose(found, local / (1 + local * compliance), rtol=STORED)
+
+    def test_a_layer_per_point_is_that_of_the_constant(self):
+        points, triangles = plate(6)
+        thickness = np.where(np.arange(len(points)) % 2, 5.0, 9.0)
+        mixed = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=thickness))
+        for value in (5.0, 9.0):
+            alone = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=value))
+            here = thickness == value
+            # Laws of layers are taken from a table over thickness, whose ends differ: 1e-4.
+            np.testing.assert_allclose(mixed.force[here], alone.force[here], rtol=1e-4)
+        slip = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=5.0, base="slip"))
+        self.assertTrue((slip.force[:, 1:] < alone.force[:, 1:] * 2).all())
+        self.assertGreater(palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=5.0), 0,
+                                          1.0).force[0], slip.force[0, 50])
+
+    def test_by_the_name_of_an_array(self):
+        points, triangles = plate(6)
+        body = palpate.response((points, triangles), "flat:3")
+        modulus = numpy_to_vtk(np.full(len(points), 0.2))
+        modulus.SetName("Stiff")
+        body.GetPointData().AddArray(modulus)
+        twice = palpate.response(body, "flat:3", young="Stiff", name="Other")
+        self.assertAlmostEqual(palpate.curves(twice, 3, 1.0, name="Other").force[0],
+                               4 * palpate.curves(twice, 3, 1.0).force[0], places=6)
+
+
+class Bodies(unittest.TestCase):
+    @staticmethod
+    def felt(body):
+        return palpate.probe(palpate.response(body, "paraboloid:5"), scattered(50)).forces
+
+    def test_every_form_of_a_body(self):
+        source = ball()
+        source.Update()
+        data = source.GetOutput()
+        expected = self.felt(data)
+        self.assertGreater(expected.any(axis=1).sum(), 30)
+        wrapped = dataset_adapter.WrapDataObject(data)
+        for body in (source, source.GetOutputPort(), wrapped):
+            np.testing.assert_array_equal(self.felt(body), expected)
+
+        class Derived(vtkPolyData):
+            pass
+        derived = Derived()
+        derived.ShallowCopy(data)
+        np.testing.assert_array_equal(self.felt(derived), expected)
+        # Without the source's normals they are angle-weighted: as for the same arrays.
+        triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        points = vtk_to_numpy(data.GetPoints().GetData())
+        bare = vtkPolyData()
+        bare.SetPoints(data.GetPoints())
+        bare.SetPolys(data.GetPolys())
+        for kind in (np.int32, np.int64, np.uint16):
+            np.testing.assert_array_equal(self.felt((points, triangles.astype(kind))), self.felt(bare))
+
+    def test_files(self):
+        source = ball()
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "ball.vtp")
+            writer = vtkXMLPolyDataWriter()
+            writer.SetInputConnection(source.GetOutputPort())
+            writer.SetFileName(name)
+            writer.SetDataModeToBinary()
+            writer.Write()
+            np.testing.assert_array_equal(self.felt(name), self.felt(source))
+            np.testing.assert_array_equal(self.felt(Path(name)), self.felt(source))
+            stl = os.path.join(folder, "BALL.STL")
+            writer = vtkSTLWriter()
+            writer.SetInputConnection(source.GetOutputPort())
+            writer.SetFileName(stl)
+            writer.SetFileTypeToBinary()
+            writer.Write()
+            # An STL file has no normals, so that they are those of the facets: 1e-3.
+            np.testing.assert_allclose(self.felt(stl), self.felt(source), atol=2e-3)
+
+    def test_the_body_is_not_changed(self):
+        source = ball()
+        source.Update()
+        data, before = source.GetOutput(), source.GetOutput().GetMTime()
+        arrays = data.GetPointData().GetNumberOfArrays()
+        palpate.response(data, young=np.full(data.GetNumberOfPoints(), 0.1))
+        self.assertEqual(data.GetPointData().GetNumberOfArrays(), arrays)
+        self.assertEqual(data.GetMTime(), before)
+
+
+class Memory(unittest.TestCase):
+    def test_arrays_go_in_without_a_copy(self):
+        for real, whole in ((np.float64, np.int64), (np.float32, np.int32)):
+            points, triangles = plate(dtype=real, index=whole)
+            young = np.full(len(points), 0.1, dtype=real)
+            body = palpate.response((points, triangles), young=young)
+            self.assertEqual(address(vtk_to_numpy(body.GetPoints().GetData())), address(points))
+            self.assertEqual(address(vtk_to_numpy(body.GetPolys().GetConnectivityArray())), address(triangles))
+            self.assertEqual(address(vtk_to_numpy(body.GetPointData().GetArray("YoungsModulus"))), address(young))
+
+    def test_results_are_read_where_the_filter_wrote_them(self):
+        felt = palpate.probe(palpate.response(plate()), scattered(10))
+        for array in felt:
+            self.assertFalse(array.flags.owndata)
+
+    def test_what_vtk_cannot_read_is_copied(self):
+        points, triangles = plate()
+        expected = palpate.curves(palpate.response((points, triangles))).force
+        apart = np.zeros((len(points), 6))
+        apart[:, ::2] = points
+        frozen = points.copy()
+        frozen.flags.writeable = False
+        for other in (apart[:, ::2], np.asfortranarray(points), frozen, points.astype(">f8"), points.tolist()):
+            found = palpate.curves(palpate.response((other, triangles))).force
+            np.testing.assert_array_equal(found, expected)
+
+    def test_memory_lives_as_long_as_what_reads_it(self):
+        tips = np.array([[0.3, 0.7, -0.5]] * 1000)
+        expected = palpate.probe(palpate.response(plate()), tips).forces.copy()
+        for _ in range(20):
+            body = palpate.response(plate(), young=np.full(441, YOUNG))   # all arrays are temporary
+            gc.collect()
+            junk = [np.full((441, 3), np.nan) for _ in range(20)]         # would take the place of freed ones
+            forces = palpate.probe(body, np.array(tips)).forces
+            del body, junk
+            gc.collect()
+            palpate.probe(palpate.response(plate(3)), tips)               # another body is probed meanwhile
+            np.testing.assert_allclose(forces, expected, rtol=1e-12)
+
+    def test_the_search_structure_is_kept_and_let_go(self):
+        from palpate import _probe
+        body = palpate.response(plate())
+        first = palpate.probe(body, scattered(5))
+        kept = _probe._prepared._kept[0][2]
+        second = palpate.probe(body, scattered(7))
+        self.assertIs(_probe._prepared._kept[0][2], kept)
+        self.assertEqual((len(first.forces), len(second.forces)), (5, 7))
+        body.GetPointData().GetArray("ResponseForce").Fill(0.0)           # changed: to be read again
+        body.GetPointData().GetArray("ResponseStiffness").Fill(0.0)
+        body.Modified()
+        self.assertEqual(palpate.probe(body, [0.3, 0.7, -0.5]).forces.tolist(), [[0, 0, 0]])
+        del body
+        gc.collect()
+        self.assertEqual(_probe._prepared._kept, [])
+
+
+class Probing(unittest.TestCase):
+    def test_one_by_one_and_all_at_once(self):
+        """However tips are ordered inside, each is felt as if it were alone, to the bit."""
+        body = palpate.response(ball(), "paraboloid:5")
+        tips = scattered(3000)
+        tips[17] = np.nan
+        tips[18] = np.inf
+        tips[19] = 1e6
+        for options in ({}, {"surface": "smooth"}, {"indentation": 0.3}, {"force_form": "energy-consistent"}):
+            together = palpate.probe(body, tips, **options)
+            self.assertGreater((together.contact_cell >= 0).sum(), 2000)
+            for i in range(0, 3000, 7):
+                for one, alone in zip(together, palpate.probe(body, tips[i], **options)):
+                    np.testing.assert_array_equal(one[i], alone[0])
+            turned = palpate.probe(body, tips[::-1], **options)
+            for one, other in zip(together, turned):
+                np.testing.assert_array_equal(one, other[::-1])
+
+    def test_threads(self):
+        body, tips = palpate.response(ball(), "paraboloid:5"), scattered(200000)
+        found = []
+        for backend, threads in (("Sequential", 1), ("STDThread", 1), ("STDThread", 2), ("STDThread", 8)):
+            if not vtkSMPTools.SetBackend(backend):
+                continue
+            vtkSMPTools.Initialize(threads)
+            found.append(palpate.probe(body, tips))
+        vtkSMPTools.Initialize(0)
+        self.assertGreaterEqual(len(found), 2)
+        for other in found[1:]:
+            for one, two in zip(found[0], other):
+                np.testing.assert_array_equal(one, two)
+
+    def test_a_path_is_one_history(self):
+        body = palpate.response(plate(), "flat:3", poisson=0.5)
+        tips = np.array([[0.05 * i, 0.3, -1.0] for i in range(41)])
+        felt = palpate.probe(body, tips, path=True, friction=0.5, tangential_stiffness=0.2,
+                             time=np.arange(41.0))
+        normal = 2 * YOUNG / 0.75 * 3
+        np.testing.assert_allclose(felt.normal_force, normal, rtol=STORED)
+        np.testing.assert_allclose(felt.friction[1:4, 0], -0.2 * tips[1:4, 0], atol=1e-12)  # it sticks
+        self.assertAlmostEqual(felt.friction[40, 0], -0.5 * normal, delta=1e-6)             # it slides
+        self.assertEqual([felt.contact_state[1], felt.contact_state[40]], [1, 2])
+        # The same as the filter on a polyline.
+        points, line, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+        points.SetDataTypeToDouble()
+        line.InsertNextCell(41)
+        for i, tip in enumerate(tips):
+            points.InsertNextPoint(tip)
+            line.InsertCellPoint(i)
+        data.SetPoints(points)
+        data.SetLines(line)
+        filtered = vtkToolContactProbe()
+        filtered.SetInputData(0, body)
+        filtered.SetTipData(data)
+        filtered.SetFrictionCoefficient(0.5)
+        filtered.SetTangentialStiffness(0.2)
+        filtered.Update()
+        np.testing.assert_array_equal(
+            felt.forces, vtk_to_numpy(filtered.GetOutput().GetPointData().GetArray("Force")))
+        np.testing.assert_array_equal(palpate.probe(body, data, friction=0.5, tangential_stiffness=0.2).forces,
+                                      felt.forces)
+
+    def test_nothing_to_feel(self):
+        body = palpate.response(plate())
+        felt = palpate.probe(body, np.zeros((0, 3)))
+        self.assertEqual([array.shape for array in felt],
+                         [(0, 3), (0,), (0,), (0, 3), (0, 3), (0, 3), (0,), (0,)])
+        outside = palpate.probe(body, [0.3, 0.7, 2.0])
+        self.assertEqual(outside.contact_cell.tolist(), [-1])
+        self.assertEqual(outside.contact_state.tolist(), [0])
+
+
+class CurvesAndRegime(unittest.TestCase):
+    def test_curves(self):
+        body = palpate.response(plate(), "cone:60", maximum_deflection=1.5, samples=12)
+        found = palpate.curves(body, [3, 8], rows=31)
+        self.assertEqual([array.shape for array in found], [(31,), (2, 31), (2, 31)])
+        np.testing.assert_allclose(found.deflection, np.linspace(0, 1.5, 31), rtol=1e-15)
+        law = 2 / math.pi * REDUCED * math.tan(math.radians(60))
+        np.testing.assert_allclose(found.force[0], law * found.deflection**2, rtol=STORED)
+        np.testing.assert_allclose(found.stiffness[1], 2 * law * found.deflection, rtol=2 * STORED)
+        self.assertEqual(palpate.curves(body, 3, 0.5).force.shape, (1,))
+        self.assertTrue(np.isnan(palpate.curves(body, 3, [1.0, 1.6]).force[1]))
+
+    def test_regime(self):
+        points, triangles = plate()
+        compliance = np.linspace(0.0, 200.0, len(points))
+        material = {"young": YOUNG, "poisson": POISSON, "compliance": compliance}
+        body = palpate.response((points, triangles), "flat:3", **material)
+        found = palpate.regime(body, deflection=0.8, **material)
+        # F = k d / (1 + k C): the dent is F / k, and dlnF/dlnR = 1 / (1 + k C).
+        share = 1 / (1 + 2 * REDUCED * 3 * compliance)
+        np.testing.assert_allclose(found.index, 1 - share, atol=1e-5)
+        np.testing.assert_allclose(found.sensitivity, share, atol=1e-5)
+        self.assertEqual([found.verdict[0], found.verdict[-1]], [0, 2])
+
+
+class Errors(unittest.TestCase):
+    def complains(self, kind, words, call, *arguments, **options):
+        with self.assertRaisesRegex(kind, words):
+            call(*arguments, **options)
+
+    def test_response(self):
+        body = plate(4)
+        for kind, words, options in (
+                (ValueError, "unknown|ball", {"tool": "ball:3"}),
+                (ValueError, "-3", {"tool": "sphere:-3"}),
+                (ValueError, "nowhere.csv", {"tool": "profile:nowhere.csv"}),
+                (TypeError, "tool must be a string", {"tool": 6.35}),
+                (ValueError, r"YoungsModulus must be positive and finite \(MPa\), but is 0", {"young": 0}),
+                (ValueError, "YoungsModulus must be positive.*nan", {"young": math.nan}),
+                (TypeError, r"young \(MPa\) must be a number", {"young": None}),
+                (ValueError, r"young \(MPa\) must have shape \(25,\), but has \(3,\)", {"young": np.ones(3)}),
+                (TypeError, r"young \(MPa\) must be numbers", {"young": np.array(["a"] * 25)}),
+                (ValueError, "'YoungsModulus': Young's modulus of point 7 must be positive and finite.*nan",
+                 {"young": np.where(np.arange(25) == 7, np.nan, 0.1)}),
+                (ValueError, "'Soft'.* is not on the input's points", {"young": "Soft"}),
+                (ValueError, "PoissonRatio must lie between 0 and 0.5, but is 45", {"poisson": 45}),
+                (ValueError, "LayerThickness must be finite and not negative", {"layer": -1}),
+                (ValueError, "ComplianceExcludesLayer", {"layer": 5, "compliance": 0.1}),
+                (ValueError, "base must be 'bonded' or 'slip'", {"base": "glued"}),
+                (ValueError, "MaximumDeflection must be positive", {"maximum_deflection": 0}),
+                (TypeError, "maximum_deflection", {"maximum_deflection": "deep"}),
+                (ValueError, "NumberOfSamples must lie between 2 and 256, but is 1", {"samples": 1}),
+                (TypeError, "samples must be a whole number", {"samples": 8.5}),
+                (ValueError, "ResponseName must not be empty", {"name": ""})):
+            with self.subTest(options=str(options)[:60]):
+                self.complains(kind, words, palpate.response, body, **options)
+        broken = vtkContactTool()
+        broken.SetRadius(-1)
+        self.complains(ValueError, "-1", palpate.response, body, broken)
+
+    def test_body(self):
+        points, triangles = plate(4)
+        self.complains(TypeError, "body must be", palpate.response, 3)
+        self.complains(ValueError, r"points must have shape \(n, 3\), but has \(25, 2\)",
+                       palpate.response, (points[:, :2], triangles))
+        self.complains(TypeError, "triangles must be whole numbers", palpate.response, (points, triangles * 1.0))
+        self.complains(ValueError, r"triangles must have shape \(n, 3\)", palpate.response,
+                       (points, triangles[:, :2]))
+        self.complains(ValueError, "99", palpate.response, (points, np.array([[0, 1, 99]])))
+        squares = vtkPlaneSource()
+        self.complains(ValueError, "vtkTriangleFilter", palpate.response, squares)
+
+    def test_files(self):
+        self.complains(FileNotFoundError, "nowhere.stl", palpate.response, "nowhere.stl")
+        self.complains(ValueError, "unknown kind", palpate.response, __file__)
+        self.complains(ValueError, "servo loops", palpate.response, "body.palpate")
+        with tempfile.TemporaryDirectory() as folder:
+            for end in ("vtp", "stl", "ply", "obj", "vtk", "vtu", "vti"):
+                name = os.path.join(folder, "broken." + end)
+                Path(name).write_text("nothing of the kind\n", encoding="utf-8")
+                self.complains((RuntimeError, ValueError), "broken", palpate.response, name)
+
+    def test_probe(self):
+        body = palpate.response(plate(4))
+        tip = [0.3, 0.7, -0.5]
+        for kind, words, options in (
+                (ValueError, "friction acts along a path only", {"friction": 0.3}),
+                (ValueError, "FrictionCoefficient", {"friction": -1, "path": True}),
+                (ValueError, "TangentialStiffness", {"tangential_stiffness": 0}),
+                (ValueError, "friction_model must be one of elasto-plastic", {"friction_model": "sticky"}),
+                (ValueError, "surface must be one of", {"surface": "round"}),
+                (ValueError, "Indentation must be finite", {"indentation": math.nan}),
+                (ValueError, "no response 'Other'|Other", {"name": "Other"}),
+                (ValueError, r"time \(s\) must have shape \(1,\), but has \(2,\)", {"path": True, "time": [0, 1]})):
+            with self.subTest(options=options):
+                self.complains(kind, words, palpate.probe, body, tip, **options)
+        self.complains(ValueError, "'Time' is 1 at point 1, after 2", palpate.probe, body, [tip, tip], path=True,
+                       time=[2.0, 1.0])
+        self.complains(ValueError, r"tips must have shape \(n, 3\)", palpate.probe, body, np.zeros((4, 2)))
+        self.complains(TypeError, "tips must be numbers", palpate.probe, body, "here")
+        self.complains(ValueError, "no response|Response", palpate.probe, plate(4), tip)
+
+    def test_curves_and_regime(self):
+        body = palpate.response(plate(4))
+        self.complains(ValueError, "no response 'Other' on the body: array 'OtherSamples'", palpate.curves, body,
+                       name="Other")
+        self.complains(ValueError, "there is no point 25: the body has 25 points", palpate.curves, body, [3, 25])
+        self.complains(TypeError, "points must be whole numbers", palpate.curves, body, 0.5)
+        self.complains(ValueError, "point", palpate.regime, body, young=0.3)
+        self.complains(ValueError, "deflection must be positive", palpate.regime, body, deflection=0)
+
+    def test_warnings_are_pythons(self):
+        points, triangles = plate(4)
+        alone = np.concatenate([points, [[0.0, 0.0, 5.0]]])
+        with warnings.catch_warnings(record=True) as given:
+            warnings.simplefilter("always")
+            palpate.response((alone, triangles))
+        self.assertIn("1 of 26 points have no response", str(given[0].message))
+
+    def test_nothing_is_printed(self):
+        script = """import palpate, numpy as np
+for call in (lambda: palpate.response("nowhere.vtp"), lambda: palpate.response((np.eye(3), np.array([[0, 1, 2]])), young=-1),
+             lambda: palpate.response((np.eye(3), np.array([[0, 1, 2]])), tool="x:1"),
+             lambda: palpate.probe((np.eye(3), np.array([[0, 1, 2]])), np.eye(3))):
+    try:
+        call()
+        raise SystemExit("no exception")
+    except (ValueError, OSError):
+        pass
+"""
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+
+class Documents(unittest.TestCase):
+    def test_help_tells_units_and_errors(self):
+        for function in (palpate.response, palpate.probe, palpate.curves, palpate.regime):
+            text = inspect.getdoc(function)
+            for argument in inspect.signature(function).parameters:
+                self.assertIn(argument, text, function.__name__)
+            for word in ("mm", "Raises", "Returns", "shape", "thread" if function is not palpate.regime else "index"):
+                self.assertIn(word, text, function.__name__)
+
+    def test_stubs(self):
+        folder = Path(palpate.__file__).parent
+        self.assertTrue((folder / "py.typed").is_file())
+        package = ast.parse((folder / "__init__.pyi").read_text(encoding="utf-8"))
+        named = {alias.asname or alias.name for node in package.body if isinstance(node, ast.ImportFrom)
+                 for alias in node.names}
+        for name in named - {"*"}:
+            self.assertTrue(hasattr(palpate, name) or name == "contract", name)
+        self.assertLessEqual({"response", "probe", "curves", "regime"}, named)
+        for stub in sorted(folder.glob("palpate*.pyi")):
+            found = {node.name for node in ast.parse(stub.read_text(encoding="utf-8")).body
+                     if isinstance(node, ast.ClassDef)}
+            wrapped = __import__("palpate." + stub.stem, fromlist=["*"])
+            self.assertLessEqual({name for name in dir(wrapped) if name.startswith("vtk")}, found)
+
+    def test_contract_needs_numpy_alone(self):
+        script = ("import sys; sys.modules['vtkmodules'] = None; from palpate import contract; import palpate\n"
+                  "try: palpate.response\nexcept ImportError as error: print(error)")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("palpate.response needs VTK's Python modules", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
