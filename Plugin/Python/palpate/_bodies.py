@@ -74,10 +74,9 @@ def _read(name):
     reader = _reader(name)
     with open(name, "rb"):                          # FileNotFoundError, PermissionError
         reader.SetFileName(name)
-    try:
-        data = _filters.run(reader, RuntimeError).GetOutputDataObject(0)
-    except RuntimeError as error:
-        raise RuntimeError("'%s' could not be read: %s" % (name, error)) from None
-    if data is None or data.GetNumberOfPoints() == 0:
-        raise RuntimeError("'%s' could not be read: there are no points in it" % name)
+    with _filters.unprinted() as complaints:
+        reader.Update()
+        data = reader.GetOutputDataObject(0)
+    if complaints or data is None or data.GetNumberOfPoints() == 0:
+        raise RuntimeError("'%s' could not be read: %s" % (name, "".join(complaints) or "there are no points in it"))
     return data

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a VTK algorithm: what it complains of becomes an exception or a warning, nothing is printed."""
+import contextlib
+import re
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
@@ -45,6 +48,22 @@ def run(algorithm, kind=ValueError, others=()):
     for text in listener.warnings:
         warnings.warn(text, RuntimeWarning, stacklevel=3)
     return algorithm
+
+
+@contextlib.contextmanager
+def unprinted():
+    """Within it nothing of VTK's is printed: what cannot be observed, since it is made inside a reader, gives its
+    first complaint to the list that this yields."""
+    before, cutoff = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
+    window, complaints = vtkStringOutputWindow(), []
+    vtkOutputWindow.SetInstance(window)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        yield complaints
+    finally:
+        vtkLogger.SetStderrVerbosity(cutoff)
+        vtkOutputWindow.SetInstance(before)
+        complaints += map(str.strip, re.findall(r"^\w[^\n]*\): (.*)$", window.GetOutput(), re.MULTILINE)[:1])
 
 
 def output_of(source):
