@@ -2,6 +2,7 @@
 #ifndef palpate_TriangleSearch_h
 #define palpate_TriangleSearch_h
 
+#include "PalpateExport.h"
 #include "TriangleTree.h"
 
 #include <array>
@@ -22,7 +23,7 @@ namespace palpate
  * Neither allocates nor throws. One search serves one thread; the tree may be shared and must
  * outlive it.
  */
-class TriangleSearch
+class PALPATE_EXPORT TriangleSearch
 {
 public:
   explicit TriangleSearch(const TriangleTree& tree) noexcept
