@@ -37,16 +37,22 @@ runtime=$(find "$(realpath "${1:?the folder of the packages}")" -name 'palpate_*
 development=$(find "$(realpath "$1")" -name 'palpate-dev_*.deb')
 [ -f "$runtime" ] && [ -f "$development" ] || die "$1 does not hold one palpate_*.deb and one palpate-dev_*.deb"
 
+# install PACKAGE FILE: says how long it took, and how much of that a processor was at work; sets `took`.
+install()
+{
+  local spent TIMEFORMAT='%R %U %S'
+  { time apt install --yes --no-install-recommends "$2" 2>&3; } 3>&2 2>"$work/time"
+  read -ra spent <"$work/time"
+  took=${spent[0]%.*}
+  say "$1 installed in $took s ($((${spent[1]%.*} + ${spent[2]%.*})) s of a processor)," \
+    "with $(grep -c '^Setting up' "$work/apt.log") packages"
+}
+
 # --- Installed as a user does, from nothing
 apt update
-start=$SECONDS
-apt install --yes --no-install-recommends "$runtime"
-took=$((SECONDS - start))
-say "palpate installed in $took s, with $(grep -c '^Setting up' "$work/apt.log") packages"
+install palpate "$runtime"
 [ "$took" -le "$limit" ] || die "installing took longer than $limit s"
-start=$SECONDS
-apt install --yes --no-install-recommends "$development"
-say "palpate-dev installed in $((SECONDS - start)) s, with $(grep -c '^Setting up' "$work/apt.log") packages"
+install palpate-dev "$development"
 
 # What the checks need; and then what is there without Palpate.
 apt install --yes --no-install-recommends xvfb xauth lintian ${PALPATE_CHECK_BUILD:+g++ cmake ninja-build}
