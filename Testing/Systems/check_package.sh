@@ -16,7 +16,7 @@ here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 limit=${PALPATE_CHECK_LIMIT:-120}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export HOME=$work/home XDG_RUNTIME_DIR=$work/run
+export HOME=$work/home XDG_RUNTIME_DIR=$work/run XDG_CACHE_HOME=$work/cache # Mesa asks the latter, then passwd
 mkdir -p "$HOME" "$XDG_RUNTIME_DIR"
 chmod 700 "$XDG_RUNTIME_DIR"
 
@@ -141,7 +141,7 @@ if [ -n "${PALPATE_CHECK_BUILD:-}" ]; then
 fi
 
 # --- Debian's own judgement
-lintian --no-tag-display-limit --fail-on error "$runtime" "$development" || die "lintian"
+lintian --allow-root --tag-display-limit 0 --fail-on error "$runtime" "$development" || die "lintian"
 
 # --- Nothing is left
 apt purge --yes palpate palpate-dev
