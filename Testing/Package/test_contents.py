@@ -26,6 +26,7 @@ ALLOWED = {
     "python": [
         r"lib.*/palpate/__init__\.py",
         r"lib.*/palpate/\w+\.pyi?",
+        r"lib.*/palpate/py\.typed",
         r"lib.*/palpate/palpate(Response|Interaction)(\.[\w-]+)?\.so",
     ],
     "plugin": [
