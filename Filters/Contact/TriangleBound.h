@@ -6,6 +6,9 @@
 
 #include <array>
 #include <cstddef>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace palpate
 {
@@ -30,14 +33,16 @@ public:
 
   /// Squared bounds. `corners`: nine coordinates of each triangle. 0 for slivers, whose planes are
   /// lost in floats.
-  static Lane squaredDistances(
+  [[gnu::always_inline]] static Lane squaredDistances(
     const Eigen::Vector3f& tip, const std::array<const float*, 4>& corners) noexcept
   {
-    std::array<Lanes, 3> to; // from the tip
-    for (std::size_t k = 0; k < 9; ++k)
+    std::array<Lanes, 3> to = load(corners); // from the tip
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      to[k / 3][k % 3] = Lane(corners[0][k], corners[1][k], corners[2][k], corners[3][k]) -
-        tip[static_cast<Eigen::Index>(k % 3)];
+      const float t = tip[static_cast<Eigen::Index>(k)];
+      to[0][k] -= t;
+      to[1][k] -= t;
+      to[2][k] -= t;
     }
     const Lanes ab = minus(to[1], to[0]);
     const Lanes bc = minus(to[2], to[1]);
@@ -71,6 +76,32 @@ private:
   static constexpr float SliverSine2 = 1e-3F;
   static constexpr float SmallestArea2 = 1e-30F; ///< mm^4: what is divided by is no denormal
 
+  /// Corner by corner, coordinate by coordinate.
+  static std::array<Lanes, 3> load(const std::array<const float*, 4>& corners) noexcept
+  {
+    std::array<Lanes, 3> to;
+#ifdef __SSE2__
+    for (std::size_t k = 0; k < 8; k += 4) // eight of the nine coordinates, four at once
+    {
+      __m128 a = _mm_loadu_ps(corners[0] + k);
+      __m128 b = _mm_loadu_ps(corners[1] + k);
+      __m128 c = _mm_loadu_ps(corners[2] + k);
+      __m128 d = _mm_loadu_ps(corners[3] + k);
+      _MM_TRANSPOSE4_PS(a, b, c, d);
+      _mm_storeu_ps(to[k / 3][k % 3].data(), a);
+      _mm_storeu_ps(to[(k + 1) / 3][(k + 1) % 3].data(), b);
+      _mm_storeu_ps(to[(k + 2) / 3][(k + 2) % 3].data(), c);
+      _mm_storeu_ps(to[(k + 3) / 3][(k + 3) % 3].data(), d);
+    }
+    to[2][2] = Lane(corners[0][8], corners[1][8], corners[2][8], corners[3][8]);
+#else
+    for (std::size_t k = 0; k < 9; ++k)
+    {
+      to[k / 3][k % 3] = Lane(corners[0][k], corners[1][k], corners[2][k], corners[3][k]);
+    }
+#endif
+    return to;
+  }
   static Lanes minus(const Lanes& a, const Lanes& b) noexcept
   {
     return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };

@@ -142,14 +142,34 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       ToolContact single(body, frictionless);
       TriangleSearch start(body.tree);
       TipOrder order;
+      // What is felt goes to its place in one piece, and from there, in the order of the tips, to
+      // the many arrays of the visitor.
+      struct Felt
+      {
+        ToolContactForce contact;
+        Vector3 pressed;
+      };
+      std::vector<Felt> felt;
       for (vtkIdType block = first; block < last; block += TipOrder::BlockSize)
       {
         order.sort(tips, block, std::min(block + TipOrder::BlockSize, last), inHistory.data());
-        for (const auto& [tip, position] : order)
+        felt.resize(order.tips().size());
+        order.forEach(
+          [&](std::size_t k, std::size_t next)
+          {
+            __builtin_prefetch(order.tips().data() + next);
+            for (std::size_t line = 0; line < sizeof(Felt); line += 64)
+            {
+              __builtin_prefetch(reinterpret_cast<const char*>(felt.data() + next) + line, 1);
+            }
+            Felt& at = felt[k];
+            at.pressed = pressedTip(body, start, order.tips()[k].position, indentation);
+            single.reset();
+            at.contact = single.update(at.pressed);
+          });
+        for (std::size_t k = 0; k < felt.size(); ++k)
         {
-          const Vector3 pressed = pressedTip(body, start, position, indentation);
-          single.reset();
-          visit(tip, single.update(pressed), pressed);
+          visit(order.tips()[k].id, felt[k].contact, felt[k].pressed);
         }
       }
     });

@@ -86,10 +86,5 @@ void TipOrder::sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const ch
     }
     this->Items.swap(this->Spare);
   }
-  this->Sorted.clear();
-  for (const Item& item : this->Items)
-  {
-    this->Sorted.push_back(this->Given[item.place]);
-  }
 }
 } // namespace palpate

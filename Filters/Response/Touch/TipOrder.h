@@ -6,6 +6,8 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,9 +23,9 @@ namespace palpate
 class TipOrder
 {
 public:
-  /// Tips of one block: a few for each triangle of a large body; what is written for them stays in
-  /// the second cache.
-  static constexpr vtkIdType BlockSize = 1 << 16;
+  /// Tips of one block: several for each place of a large body, and what is kept of them no more
+  /// than a large cache holds.
+  static constexpr vtkIdType BlockSize = 1 << 20;
 
   struct Tip
   {
@@ -34,8 +36,21 @@ public:
   /// Takes the tips first..last-1, at most BlockSize, without those marked in `leftOut`.
   void sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const char* leftOut);
 
-  std::vector<Tip>::const_iterator begin() const { return this->Sorted.begin(); }
-  std::vector<Tip>::const_iterator end() const { return this->Sorted.end(); }
+  /// The tips as they were given.
+  const std::vector<Tip>& tips() const { return this->Given; }
+
+  /// Calls visit(k, next) for each of tips(), in the order; `next` comes a little later, and its
+  /// memory can be asked for.
+  template <class Visit>
+  void forEach(const Visit& visit) const
+  {
+    constexpr std::size_t ahead = 4;
+    for (std::size_t i = 0; i < this->Items.size(); ++i)
+    {
+      const std::size_t next = std::min(i + ahead, this->Items.size() - 1);
+      visit(std::size_t{ this->Items[i].place }, std::size_t{ this->Items[next].place });
+    }
+  }
 
 private:
   struct Item
@@ -45,7 +60,6 @@ private:
   };
 
   std::vector<Tip> Given;
-  std::vector<Tip> Sorted;
   std::vector<Item> Items;
   std::vector<Item> Spare;
 };
