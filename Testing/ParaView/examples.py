@@ -5,6 +5,7 @@
 
 The expected numbers are closed forms, evaluated here without Palpate.
 """
+import ast
 import math
 import os
 import re
@@ -22,7 +23,9 @@ def run(name, *arguments):
     script = EXAMPLES / name
     text = script.read_text(encoding="utf-8")
     assert text.startswith("# SPDX-License-Identifier: BSD-3-Clause\n"), name
-    assert len(text.splitlines()) <= 40, name
+    assert len(text.splitlines()) <= 80, name
+    begun = [node.lineno for node in ast.walk(ast.parse(text)) if isinstance(node, ast.stmt)]
+    assert len(begun) == len(set(begun)) and max(map(len, text.splitlines())) <= 120, name # one statement a line
     said = re.search(r"\./run (\w+) Plugin/Python/examples/" + name, text)
     assert said, name + " does not say how to run it"
     done = subprocess.run([INTERPRETERS[said[1]], str(script), *map(str, arguments)], cwd=OUTPUT, text=True,
@@ -48,6 +51,14 @@ def sphere(radius, depth, reduced):
         log = math.log((radius + a) / (radius - a))
         low, high = (a, high) if a / 2 * log < depth else (low, a)
     return reduced * ((a * a + radius * radius) / 2 * log - a * radius)
+
+
+def first_force():
+    rows = [numbers(line) for line in run("first_force.py")]
+    assert len(rows) == 6
+    for (depth, force), tip in zip(rows, (50.5, 50, 49.5, 49, 48.5, 48)):
+        close(depth, max(0, 50 - tip), 0.015)               # facets lie up to 7 micrometres deep; 2 decimals
+        close(force, sphere(6.35, depth, 0.05 / (1 - 0.45**2)), 2e-3)
 
 
 def tool_curves():
@@ -193,7 +204,7 @@ def measured_curves():
         close(force, 0.5 * stiffness / (1 + stiffness * compliance), 1e-3 * force) # three and four decimals
 
 
-CHECKS = [tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
+CHECKS = [first_force, tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
           deflection_picture, touch_window, in_paraview, compare_global_local, measured_curves]
 ELSEWHERE = {"many_tools_mpi"}                              # many_tools.py runs it under mpiexec
 assert {check.__name__ for check in CHECKS} | ELSEWHERE == {path.stem for path in EXAMPLES.glob("*.py")}

@@ -25,7 +25,7 @@ class TipOrder
 public:
   /// Tips of one block: several for each place of a large body, and what is kept of them no more
   /// than a large cache holds.
-  static constexpr vtkIdType BlockSize = 1 << 20;
+  static constexpr vtkIdType BlockSize = 1 << 18;
 
   struct Tip
   {

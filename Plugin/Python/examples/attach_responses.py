@@ -4,27 +4,20 @@
     ./run python Plugin/Python/examples/attach_responses.py [OUTPUT.vtp]    (default: ball.vtp)
 """
 import sys
-from palpate import vtkContactTool, vtkToolContactResponse
+import palpate
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-step = vtkSphereSource()
-step.SetRadius(50)                                          # mm
-step.SetPhiResolution(64)
-for name, specification in (("Finger", "sphere:6.35"), ("Punch", "flat:3")):
-    tool = vtkContactTool()
-    tool.SetSpecification(specification)
-    response = vtkToolContactResponse()
-    response.SetInputConnection(step.GetOutputPort())
-    response.SetTool(tool)
-    response.SetYoungsModulus(0.05)                         # MPa
-    response.SetResponseName(name)                          # several tools, several names
-    step = response
+ball = vtkSphereSource()
+ball.SetRadius(50)                                          # mm
+ball.SetPhiResolution(64)
+body = palpate.response(ball, tool="sphere:6.35", young=0.05, name="Finger")
+body = palpate.response(body, tool="flat:3", young=0.05, name="Punch")  # several tools, several names
 
 writer = vtkXMLPolyDataWriter()
-writer.SetInputConnection(step.GetOutputPort())
+writer.SetInputData(body)
 writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "ball.vtp")
 writer.SetDataModeToBinary()                                # VTK 9.2 fails to read appended data here
 writer.Write()
-points = step.GetOutput().GetPointData()
+points = body.GetPointData()
 print(writer.GetFileName(), *(points.GetArrayName(i) for i in range(points.GetNumberOfArrays())))

@@ -3,32 +3,39 @@
 
     ./run python Plugin/Python/examples/compare_global_local.py
 """
-from palpate import vtkContactTool, vtkElasticCompliance, vtkToolContactResponse, vtkVoxelBody
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+import palpate
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
-YOUNG, POISSON, TOOLS = 1.0, 0.45, ("flat:1", "sphere:6.35", "cone:80")   # MPa, -, mm and degrees
+YOUNG, POISSON = 1.0, 0.45                                  # MPa, -
+
+
+def surface_with_compliance(size, held):
+    box = vtkCubeSource()
+    box.SetXLength(size[0])                                 # mm
+    box.SetYLength(size[1])
+    box.SetZLength(size[2])
+    surface = vtkTriangleFilter()
+    surface.SetInputConnection(box.GetOutputPort())
+    solid = palpate.vtkVoxelBody()                          # hexahedra of 1 mm, held where it says
+    solid.SetInputConnection(surface.GetOutputPort())
+    solid.SetSpacing(1)
+    solid.SetFixedFaces(held)
+    body = palpate.vtkElasticCompliance()                   # how it gives way as a whole
+    body.SetInputConnection(solid.GetOutputPort())
+    body.SetYoungsModulus(YOUNG)
+    body.SetPoissonRatio(POISSON)
+    body.Update()
+    return body.GetOutput()
+
 
 for name, size, held in (("strip", (48, 12, 4), "x- x+"), ("block", (24, 24, 12), "z-")):
-    box = vtkCubeSource()
-    box.SetXLength(size[0]), box.SetYLength(size[1]), box.SetZLength(size[2])               # mm
-    surface, solid, body = vtkTriangleFilter(), vtkVoxelBody(), vtkElasticCompliance()
-    surface.SetInputConnection(box.GetOutputPort())
-    solid.SetInputConnection(surface.GetOutputPort())       # hexahedra of 1 mm, held where it says
-    solid.SetSpacing(1), solid.SetFixedFaces(held)
-    body.SetInputConnection(solid.GetOutputPort())          # and how it gives way as a whole
-    body.SetYoungsModulus(YOUNG), body.SetPoissonRatio(POISSON), body.Update()
-    middle = body.GetOutput().FindPoint(0, 0, size[2] / 2)
+    body = surface_with_compliance(size, held)
+    middle = body.FindPoint((0, 0, size[2] / 2))
+    print(name, "C %.5f mm/N" % body.GetPointData().GetArray("GlobalCompliance").GetValue(middle), end="  ")
     forces = []
-    for specification in TOOLS:
-        tool, response = vtkContactTool(), vtkToolContactResponse()
-        tool.SetSpecification(specification)
-        response.SetInputConnection(body.GetOutputPort()), response.SetTool(tool)
-        response.SetYoungsModulus(YOUNG), response.SetPoissonRatio(POISSON), response.SetMaximumDeflection(1)
-        response.SetInputArrayToProcess(2, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "GlobalCompliance")
-        response.Update()
-        forces.append(response.GetOutput().GetPointData().GetArray("ResponseForce").GetComponent(middle, 7))
-    compliance = body.GetOutput().GetPointData().GetArray("GlobalCompliance").GetValue(middle)
-    apart = 100 * (max(forces) / min(forces) - 1)
-    print(name, "C %.5f mm/N " % compliance, *("%s %.5f N " % pair for pair in zip(TOOLS, forces)), "apart %.1f %%" % apart)
+    for tool in ("flat:1", "sphere:6.35", "cone:80"):       # mm and degrees
+        felt = palpate.response(body, tool, YOUNG, POISSON, compliance="GlobalCompliance", maximum_deflection=1)
+        forces.append(palpate.curves(felt, middle, deflection=1).force[0])
+        print(tool, "%.5f N" % forces[-1], end="  ")
+    print("apart %.1f %%" % (100 * (max(forces) / min(forces) - 1)))

@@ -1,30 +1,52 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws a ball that gives way under a cone, off screen; prints how deep. Needs a display: run finds one.
+
     ./run python Plugin/Python/examples/deflection_picture.py [OUTPUT.png]    (default: dent.png)
 """
 import sys
-from palpate import vtkContactDeflection, vtkContactTool, vtkToolContactProbe, vtkToolContactResponse
+import palpate
 import vtkmodules.all as vtk
 
-def make(vtk_class, *inputs, **properties):
-    made = vtk_class()
-    for port, algorithm in enumerate(inputs):
-        made.SetInputConnection(port, algorithm.GetOutputPort())
-    for name, value in properties.items():
-        getattr(made, "Set" + name)(value)
-    return made
+ball = vtk.vtkSphereSource()
+ball.SetRadius(50)                                          # mm
+ball.SetThetaResolution(300)
+ball.SetPhiResolution(300)
+body = palpate.response(ball, tool="cone:60")
 
-ball = make(vtk.vtkSphereSource, Radius=50, ThetaResolution=300, PhiResolution=300)         # mm
-response = make(vtkToolContactResponse, ball, Tool=make(vtkContactTool, Specification="cone:60"))
-tip = make(vtk.vtkPointSource, Radius=0, NumberOfPoints=1, Center=(33.2, 0, 33.2))          # 3 mm deep
-probe = make(vtkToolContactProbe, response, tip)
-warp = make(vtk.vtkWarpVector, make(vtkContactDeflection, response, probe))
-warp.SetInputArrayToProcess(0, 0, 0, 0, "ContactDisplacement")
-mapper = make(vtk.vtkPolyDataMapper, make(vtk.vtkPolyDataNormals, warp), ScalarVisibility=0)
-window, renderer = make(vtk.vtkRenderWindow, OffScreenRendering=1, Size=(600, 600)), vtk.vtkRenderer()
+tip = vtk.vtkPointSource()
+tip.SetNumberOfPoints(1)
+tip.SetRadius(0)
+tip.SetCenter(33.2, 0, 33.2)                                # 3 mm deep
+probe = palpate.vtkToolContactProbe()
+probe.SetInputData(0, body)
+probe.SetTipConnection(tip.GetOutputPort())
+
+dent = palpate.vtkContactDeflection()                       # displacement of every point of the body
+dent.SetInputData(0, body)
+dent.SetTipConnection(probe.GetOutputPort())
+warp = vtk.vtkWarpVector()
+warp.SetInputConnection(dent.GetOutputPort())
+warp.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "ContactDisplacement")
+normals = vtk.vtkPolyDataNormals()
+normals.SetInputConnection(warp.GetOutputPort())
+
+mapper = vtk.vtkPolyDataMapper()
+mapper.SetInputConnection(normals.GetOutputPort())
+mapper.ScalarVisibilityOff()
+actor = vtk.vtkActor()
+actor.SetMapper(mapper)
+renderer = vtk.vtkRenderer()
+renderer.AddActor(actor)
+window = vtk.vtkRenderWindow()
+window.SetOffScreenRendering(True)
+window.SetSize(600, 600)
 window.AddRenderer(renderer)
-renderer.AddActor(make(vtk.vtkActor, Mapper=mapper))
 window.Render()
-image = make(vtk.vtkWindowToImageFilter, Input=window)
-make(vtk.vtkPNGWriter, image, FileName=(sys.argv + ["dent.png"])[1]).Write()
+
+image = vtk.vtkWindowToImageFilter()
+image.SetInput(window)
+writer = vtk.vtkPNGWriter()
+writer.SetInputConnection(image.GetOutputPort())
+writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "dent.png")
+writer.Write()
 print("%.3f mm deep" % probe.GetOutput().GetPointData().GetArray("Deflection").GetValue(0))

@@ -9,11 +9,14 @@ is felt by all of them: the numbers do not depend on how many there are. Without
 import sys
 from paraview import servermanager, simple
 
-TOOLS = {"Sphere": dict(Shape="Sphere", Radiusmm=6.35), "Flat": dict(Shape="Flat", Radiusmm=3),
-         "Cone": dict(Shape="Cone", HalfAngledegrees=60)}
+TOOLS = {"Sphere": {"Shape": "Sphere", "Radiusmm": 6.35},
+         "Flat": {"Shape": "Flat", "Radiusmm": 3},
+         "Cone": {"Shape": "Cone", "HalfAngledegrees": 60}}
 
-body = simple.OpenDataFile(sys.argv[1]) if len(sys.argv) > 1 else simple.Sphere(
-    Radius=50, ThetaResolution=200, PhiResolution=200)
+if len(sys.argv) > 1:
+    body = simple.OpenDataFile(sys.argv[1])
+else:
+    body = simple.Sphere(Radius=50, ThetaResolution=200, PhiResolution=200)
 felt = simple.RedistributeDataSet(Input=body) # pieces of equal size
 for name, shape in TOOLS.items():
     felt = simple.ToolContactResponse(Input=felt, ResponseName=name, YoungsModulusMPa=0.05)
@@ -21,12 +24,13 @@ for name, shape in TOOLS.items():
         setattr(felt.Tool, key, value)
 
 felt.UpdatePipeline()
-bounds = felt.GetDataInformation().GetBounds()
-x, y, top = (bounds[0] + bounds[1]) / 2 + 0.1, (bounds[2] + bounds[3]) / 2 + 0.2, bounds[5]
+x0, x1, y0, y1, _, top = felt.GetDataInformation().GetBounds()
+x = (x0 + x1) / 2 + 0.1
+y = (y0 + y1) / 2 + 0.2
 press = simple.Line(Point1=(x, y, top + 1), Point2=(x, y, top - 2), Resolution=6)
 for name in TOOLS:
     probe = simple.ToolContactProbe(Body=felt, Tips=press, ResponseName=name)
-    tips = servermanager.Fetch(probe).GetPointData()
-    print(name, " ".join("%.4f" % tips.GetArray("NormalForce").GetValue(i) for i in range(7)), "N")
+    felt_force = servermanager.Fetch(probe).GetPointData().GetArray("NormalForce")
+    print(name, " ".join("%.4f" % felt_force.GetValue(i) for i in range(7)), "N")
 if len(sys.argv) > 2:
     simple.SaveData(sys.argv[2], felt, DataMode="Binary")

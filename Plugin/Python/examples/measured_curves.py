@@ -5,7 +5,7 @@
 """
 import sys
 from pathlib import Path
-from palpate import vtkContactTool, vtkMeasuredContactResponse
+import palpate
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
@@ -17,17 +17,21 @@ plate.SetPoint2(-30, 15, 50)
 plate.SetResolution(60, 30)
 body = vtkTriangleFilter()
 body.SetInputConnection(plate.GetOutputPort())
-punch = vtkContactTool()
+
+punch = palpate.vtkContactTool()
 punch.SetSpecification("flat:1.6")
-response = vtkMeasuredContactResponse()
+response = palpate.vtkMeasuredContactResponse()
 response.SetInputConnection(body.GetOutputPort())
 response.AddFileName(sys.argv[1] if len(sys.argv) > 1 else str(curves))
 response.SetTool(punch)
 response.Update()
-sites, felt = response.GetOutputDataObject(1), response.GetOutput()
+
+felt = response.GetOutput()
+sites = response.GetOutputDataObject(1)                     # a table: what was found at each
 for row in range(sites.GetNumberOfRows()):
-    modulus, compliance, x, y, z = (sites.GetValueByName(row, name).ToDouble() for name in (
-        "ReducedModulus (MPa)", "Compliance (mm/N)", "X (mm)", "Y (mm)", "Z (mm)"))
-    force = felt.GetPointData().GetArray("ResponseForce").GetComponent(felt.FindPoint(x, y, z), 3)
     name = sites.GetValueByName(row, "Site").ToString()
+    modulus = sites.GetValueByName(row, "ReducedModulus (MPa)").ToDouble()
+    compliance = sites.GetValueByName(row, "Compliance (mm/N)").ToDouble()
+    place = [sites.GetValueByName(row, axis + " (mm)").ToDouble() for axis in "XYZ"]
+    force = palpate.curves(felt, felt.FindPoint(place), deflection=0.5).force[0]
     print("%5s  E* %.3f MPa  C %.4f mm/N  0.5 mm deep: %.4f N" % (name, modulus, compliance, force))

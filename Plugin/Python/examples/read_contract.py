@@ -3,7 +3,8 @@
 
     ./run python Plugin/Python/examples/read_contract.py BODY.vtp [RESPONSE [POINT]]
 
-as attach_responses.py saves it: ./run python ... read_contract.py ball.vtp Finger 100
+as attach_responses.py saves it: ./run python ... read_contract.py ball.vtp Finger 100. Where Palpate is installed,
+palpate.curves("ball.vtp", 100, name="Finger") does the same.
 """
 import sys
 import numpy as np

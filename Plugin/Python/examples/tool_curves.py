@@ -14,7 +14,6 @@ for specification in ("flat:5", "sphere:6.35", "paraboloid:6.35", "cone:60"):
     tools.append(tool)
 
 print("mm".rjust(6), *(tool.GetSpecification().rjust(16) for tool in tools))
-for tenths in range(0, 21, 4):
-    deflection = tenths / 10
-    forces = (tool.GetForce(deflection, reduced) for tool in tools)
+for deflection in (0.0, 0.4, 0.8, 1.2, 1.6, 2.0):
+    forces = [tool.GetForce(deflection, reduced) for tool in tools]
     print("%6.1f" % deflection, *("%16.6f" % force for force in forces))

@@ -1,30 +1,78 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A ball under the mouse, with a panel that changes tool and material under the hand; ? shows the keys.
+
     ./run python Plugin/Python/examples/touch_window.py    (--demo: a script is the hand; prints what is felt)
 """
-import sys, time, palpate, vtkmodules.all as vtk
+import sys
+import time
+import palpate
+import vtkmodules.all as vtk
 
-def make(vtk_class, **properties):
-    made = vtk_class()
-    [getattr(made, "Set" + n)(*v if isinstance(v, tuple) else (v,)) for n, v in properties.items()]
-    return made
-
-ball = make(vtk.vtkSphereSource, Radius=50, ThetaResolution=300, PhiResolution=300)         # mm
+ball = vtk.vtkSphereSource()
+ball.SetRadius(50)                                          # mm
+ball.SetThetaResolution(300)
+ball.SetPhiResolution(300)
 ball.Update()
-setup = make(palpate.vtkContactSetup, Body=ball.GetOutput(), YoungsModulus=0.05)            # MPa
-[setup.AddTool(make(palpate.vtkContactTool, Specification=tool)) for tool in ("sphere:6.35", "flat:1.6")]
-view, strip = make(vtk.vtkRenderer, Viewport=(0, 0, .77, 1)), make(vtk.vtkRenderer, Viewport=(.77, 0, 1, 1))
-window = make(vtk.vtkRenderWindow, Size=(1100, 760), MultiSamples=0)
-setup.Update(), window.AddRenderer(view), window.AddRenderer(strip)
-session = make(palpate.vtkHapticSession, RealTime=True, Recording=False, HistorySeconds=2)
-scene = make(palpate.vtkContactScene, Renderer=view, LargestForce=setup.GetLargestForce())
-style = make(palpate.vtkInteractorStyleHaptic, Session=session, Scene=scene)
-mouse = make(vtk.vtkRenderWindowInteractor, RenderWindow=window, InteractorStyle=style)
-panel = make(palpate.vtkContactPanel, Renderer=strip, Setup=setup, Style=style)
-setup.ApplyTo(session), setup.ShowIn(scene), mouse.Initialize(), panel.On()
-style.HoverAt((30, 0, 40), (.6, 0, .8)), style.StartSession(), scene.LookAtBody((1, -.5, .7), (0, 0, 1))
-for modulus in (0.05, 0.1) if "--demo" in sys.argv else ():
-    setup.SetYoungsModulus(modulus), style.SteerTo((29.4, 0, 39.2))                         # 1 mm deep
-    [(time.sleep(0.05), style.ShowFrame()) for frame in range(30)], session.GetIdealForce(force := [0, 0, 0])
+
+setup = palpate.vtkContactSetup()                           # what is touched, and with what
+setup.SetBody(ball.GetOutput())
+setup.SetYoungsModulus(0.05)                                # MPa
+for specification in ("sphere:6.35", "flat:1.6"):
+    tool = palpate.vtkContactTool()
+    tool.SetSpecification(specification)
+    setup.AddTool(tool)
+setup.Update()
+
+session = palpate.vtkHapticSession()                        # who feels it: a thread at 1 kHz
+session.SetRealTime(True)
+session.SetRecording(False)
+session.SetHistorySeconds(2)
+setup.ApplyTo(session)
+
+view, strip = vtk.vtkRenderer(), vtk.vtkRenderer()          # the body, and the panel beside it
+view.SetViewport(0, 0, 0.77, 1)
+strip.SetViewport(0.77, 0, 1, 1)
+window = vtk.vtkRenderWindow()
+window.SetSize(1100, 760)
+window.SetMultiSamples(0)
+window.AddRenderer(view)
+window.AddRenderer(strip)
+
+scene = palpate.vtkContactScene()                           # body, tool and force in the view
+scene.SetRenderer(view)
+scene.SetLargestForce(setup.GetLargestForce())
+setup.ShowIn(scene)
+style = palpate.vtkInteractorStyleHaptic()                  # the mouse moves the tool
+style.SetSession(session)
+style.SetScene(scene)
+mouse = vtk.vtkRenderWindowInteractor()
+mouse.SetRenderWindow(window)
+mouse.SetInteractorStyle(style)
+mouse.Initialize()
+panel = palpate.vtkContactPanel()
+panel.SetRenderer(strip)
+panel.SetSetup(setup)
+panel.SetStyle(style)
+panel.On()
+style.HoverAt((30, 0, 40), (0.6, 0, 0.8))
+style.StartSession()
+scene.LookAtBody((1, -0.5, 0.7), (0, 0, 1))
+
+
+def press_and_print(modulus):
+    setup.SetYoungsModulus(modulus)
+    style.SteerTo((29.4, 0, 39.2))                          # 1 mm deep
+    for _ in range(30):
+        time.sleep(0.05)
+        style.ShowFrame()
+    force = [0.0, 0.0, 0.0]
+    session.GetIdealForce(force)
     print("%.4f mm deep: %.4f N" % (session.GetDeflection(), vtk.vtkMath.Norm(force)))
-mouse.Start() if "--demo" not in sys.argv else style.StopSession()
+
+
+if "--demo" in sys.argv:
+    press_and_print(0.05)
+    press_and_print(0.1)
+    style.StopSession()
+else:
+    mouse.Start()
