@@ -19,8 +19,9 @@
  * filled; (3) resampling to Resolution, by a windowed sinc, anti-aliased; (4) contour at
  * ContourValue by flying edges (Schroeder, Maynard, Geveci 2015, Flying Edges: a high-performance
  * scalable isocontouring algorithm, LDAV), largest region; (5) windowed-sinc smoothing (Taubin,
- * Zhang, Golub 1996, Optimal surface smoothing as filter design, ECCV), border points unmoved;
- * (6) point normals.
+ * Zhang, Golub 1996, Optimal surface smoothing as filter design, ECCV; Hamming's window, whatever
+ * VTK's default), border points unmoved: waves of 8 spacings of the scan fall to 3 %, of 10 to a
+ * quarter, of 20 and more stay; (6) point normals.
  *
  * Axes: points are in the image's physical coordinates: origin + direction * (index * spacing).
  * vtkNIFTIImageReader ignores the file's qform and sform and leaves origin 0 and the identity
@@ -32,7 +33,8 @@
  * the lattice) grow with Resolution^-3; the closing grows with the square of ClosingRadius in
  * voxels.
  *
- * The output does not depend on the number of threads and is the same on every run.
+ * The output does not depend on the number of threads and is the same on every run, and with every
+ * version of VTK from 9.1 on.
  *
  * @warning
  * Openings wider than twice the ClosingRadius stay open, and the cavity behind them then belongs
