@@ -17,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVoxelBody.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -42,8 +43,9 @@ std::string checkMemory(vtkPolyData* body, double spacing)
       area += 0.5 * side.cross(mesh.point(corners[2]) - from).norm();
     }
   }
-  const double voxels = mesh.enclosedVolume() / std::pow(spacing, 3);
-  const MemoryForecast forecast = forecastMemory(voxels, area / std::pow(spacing, 2));
+  const double side = std::max(spacing, 1e-9); // of an atom's size all numbers are still finite
+  const double voxels = mesh.enclosedVolume() / std::pow(side, 3);
+  const MemoryForecast forecast = forecastMemory(voxels, area / std::pow(side, 2));
   const double available = availableMemory();
   if (!forecast.exceeds(available))
   {

@@ -98,13 +98,34 @@ class CommandLine(SessionCase):
             with self.subTest(arguments=arguments):
                 self.refuse("--scene", "cylinder", *arguments, words=(word,))
 
-    def test_numbers_must_be_finite(self):
-        for option in NUMBERS:
-            for value in ("nan", "inf", "-nan"):
+    def test_a_refused_number_is_told_in_one_readable_line(self):
+        self.assertEqual(run("--young", "0").stderr.splitlines()[0],
+                         "--young: 0 is not positive; a modulus in MPa, e.g. 0.05")
+        for option in (*NUMBERS, "--site", "--slide-to", "--rounds", "--seed"):
+            trial = ("--trial", "sphere:1,flat:1") if option in ("--rounds", "--seed") else ()
+            three = ",0,1" if option in ("--site", "--slide-to") else ""
+            for value in ("0", "-1", "1e400", "nan", "inf", "soft", "", "7" * 400):
                 with self.subTest(option=option, value=value):
-                    self.refuse("--scene", "cylinder", f"{option}={value}", words=(option,))
-        self.refuse("--scene", "cylinder", "--site", "nan,0,1", words=("--site",))
-        self.refuse("--scene", "cylinder", "--slide-to", "0,0,inf", words=("--slide-to",))
+                    # What is allowed is refused for the word that comes after it.
+                    result = run("--scene", "cylinder", *trial, f"{option}={value}{three}", "--colour")
+                    first = result.stderr.splitlines()[0]
+                    self.assertGreater(result.returncode, 0)
+                    self.assertLess(len(first), 140, first)
+                    if value in ("1e400", "nan", "inf", "soft", "7" * 400):
+                        self.assertTrue(first.startswith(option + ": "), first)
+                    else:
+                        self.assertRegex(first, "^(--[a-z-]+: |The following argument was not expected: --colour)")
+
+    def test_a_number_in_a_trial_is_refused_likewise(self):
+        for setting, words in (("young=0", "0 is not positive; a modulus in MPa"),
+                               ("poisson=0.6", "0.6 does not lie between 0 and 0.5"),
+                               ("layer=-1", "-1 is not positive; a thickness in mm"),
+                               ("friction=soft", "'soft' is not a number"),
+                               ("friction-model=glue", "'glue' is none of dahl"),
+                               ("colour=red", "no such setting: there are contact-surface")):
+            with self.subTest(setting=setting):
+                self.refuse("--scene", "cylinder", "--trial", "friction=0," + setting,
+                            words=(f"--trial: {setting}: {words}",))
 
 
 if __name__ == "__main__":

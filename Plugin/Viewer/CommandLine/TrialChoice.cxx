@@ -4,8 +4,6 @@
 #include "ContactNames.h"
 #include "ToolSpecification.h"
 
-#include <charconv>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -44,54 +42,44 @@ std::vector<std::string> splitChoices(const std::string& text)
   return choices;
 }
 
-bool readNumber(const std::string& text, double& value)
-{
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
-}
-
-bool readName(const ContactNames& names, const std::string& text, int& value)
+std::string readName(const ContactNames& names, const std::string& text, int& value)
 {
   const auto name = names.find(text);
   value = name == names.end() ? value : name->second;
-  return name != names.end();
+  std::string known;
+  for (const auto& entry : names)
+  {
+    known += (known.empty() ? "" : ", ") + entry.first;
+  }
+  return name == names.end() ? "'" + text + "' is none of " + known : std::string();
 }
 
-bool readLayer(const std::string& text, TrialChoice& choice)
+std::string readLayer(const std::string& text, TrialChoice& choice)
 {
   double thickness = 0.0;
-  if (text != "none" && !(readNumber(text, thickness) && thickness > 0.0))
-  {
-    return false;
-  }
+  const std::string fault = text == "none" ? "" : LayerRange.read(text, thickness);
   choice.layer = LayerChoice{ false, thickness };
-  return true;
+  return fault;
 }
 
-bool readInto(std::optional<double>& number, const std::string& text)
+std::string readInto(
+  std::optional<double>& number, const NumberRange& range, const std::string& text)
 {
   double value = 0.0;
-  const bool good = readNumber(text, value);
-  number = good ? std::optional<double>(value) : number;
-  return good;
+  const std::string fault = range.read(text, value);
+  number = value;
+  return fault;
 }
 
-bool readSetting(const std::string& name, const std::string& value, TrialChoice& choice)
+/// What is wrong with it, or "".
+std::string readSetting(const std::string& name, const std::string& value, TrialChoice& choice)
 {
   GivenSettings& contact = choice.contact;
-  const std::map<std::string, std::function<bool()>> readers = {
-    { "young",
-      [&] { return readInto(choice.youngsModulus, value) && *choice.youngsModulus > 0.0; } },
-    { "poisson",
-      [&]
-      {
-        return readInto(choice.poissonsRatio, value) && *choice.poissonsRatio >= 0.0 &&
-          *choice.poissonsRatio <= 0.5;
-      } },
+  const std::map<std::string, std::function<std::string()>> readers = {
+    { "young", [&] { return readInto(choice.youngsModulus, YoungsModulusRange, value); } },
+    { "poisson", [&] { return readInto(choice.poissonsRatio, PoissonsRatioRange, value); } },
     { "layer", [&] { return readLayer(value, choice); } },
-    { "friction",
-      [&] { return readNumber(value, contact.frictionCoefficient) && !contact.fault(); } },
+    { "friction", [&] { return FrictionRange.read(value, contact.frictionCoefficient); } },
     { "friction-model",
       [&] { return readName(FrictionModelNames, value, contact.frictionModel); } },
     { "force-form", [&] { return readName(ForceFormNames, value, contact.forceForm); } },
@@ -99,7 +87,16 @@ bool readSetting(const std::string& name, const std::string& value, TrialChoice&
       [&] { return readName(ContactSurfaceNames, value, contact.contactSurface); } },
   };
   const auto reader = readers.find(name);
-  return reader != readers.end() && reader->second();
+  if (reader != readers.end())
+  {
+    return reader->second();
+  }
+  std::string known;
+  for (const auto& entry : readers)
+  {
+    known += (known.empty() ? "" : ", ") + entry.first;
+  }
+  return "no such setting: there are " + known;
 }
 
 std::string readChoice(const std::string& text, TrialChoice& choice)
@@ -109,9 +106,11 @@ std::string readChoice(const std::string& text, TrialChoice& choice)
     const std::size_t equals = part.find('=');
     if (equals != std::string::npos)
     {
-      if (!readSetting(part.substr(0, equals), part.substr(equals + 1), choice))
+      const std::string fault =
+        readSetting(part.substr(0, equals), part.substr(equals + 1), choice);
+      if (!fault.empty())
       {
-        return "'" + part + "' is no setting of an alternative";
+        return part.substr(0, 40) + ": " + fault;
       }
       continue;
     }

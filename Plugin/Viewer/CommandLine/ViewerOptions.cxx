@@ -7,8 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <map>
 
 namespace palpate
@@ -39,30 +37,54 @@ Examples:
   palpate --scene cylinder --window --trial sphere:6.35,flat:1.6   which is which, by feel
   palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
 
-/// NaN and infinity are numbers to CLI11 and pass its ranges.
-std::string checkFinite(const std::string& text)
+constexpr double LargestDepth = 1000.0; // mm: minutes, at the speed of the path that presses
+
+/// Refuses a number in words; CLI11's own ranges tell their limits in 300 digits, and take NaN.
+CLI::Validator within(const NumberRange& range, const char* kind)
 {
-  return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
-                                                           : text + " is not a finite number";
+  return CLI::Validator(
+    [range](const std::string& text)
+    {
+      double ignored = 0.0;
+      return range.read(text, ignored);
+    },
+    kind);
 }
 
-/// --layer: "scan", "none" or a thickness.
-std::optional<LayerChoice> readLayer(const std::string& text)
+CLI::Validator any(const char* what)
 {
-  if (text == "scan" || text == "none")
+  return within(NumberRange::any(what), "");
+}
+
+CLI::Validator positive(const char* what, double most = NumberRange::Endless)
+{
+  return within(NumberRange::positive(what, most), "POSITIVE");
+}
+
+CLI::Validator notNegative(const char* what)
+{
+  return within(NumberRange::notNegative(what), "NONNEGATIVE");
+}
+
+/// --layer: "scan", "none" or a thickness. Returns what is wrong, or "".
+std::string readLayer(const std::string& text, LayerChoice& layer)
+{
+  layer = { text == "scan", 0.0 };
+  return layer.scanned || text == "none" ? std::string() : LayerRange.read(text, layer.thickness);
+}
+
+/// --length-unit: mm per unit, in CLI11's text.
+std::string readLengthUnit(std::string& text)
+{
+  const std::map<std::string, std::string> units = { { "mm", "1" }, { "cm", "10" },
+    { "m", "1000" } };
+  const auto unit = units.find(text);
+  if (unit == units.end())
   {
-    return LayerChoice{ text == "scan", 0.0 };
+    return "'" + text.substr(0, 40) + "' is not mm, cm or m";
   }
-  char* end = nullptr;
-  const double thickness = std::strtod(text.c_str(), &end);
-  const bool good = !text.empty() && !*end && std::isfinite(thickness) && thickness > 0.0;
-  return good ? std::optional<LayerChoice>({ false, thickness }) : std::nullopt;
-}
-
-std::string checkLayer(const std::string& text)
-{
-  return readLayer(text) ? std::string()
-                         : "'" + text + "' is neither scan nor none nor a thickness in mm, > 0";
+  text = unit->second;
+  return {};
 }
 
 /// As vtkVoxelBody takes them.
@@ -99,7 +121,7 @@ void addContactOptions(CLI::App& app, GivenSettings& contact)
   app
     .add_option(
       "--friction", contact.frictionCoefficient, "Coulomb's coefficient of friction; 0: none")
-    ->check(CLI::NonNegativeNumber)
+    ->check(within(FrictionRange, "NONNEGATIVE"))
     ->capture_default_str();
   add("--friction-model", contact.frictionModel,
     "what a contact does before it slides: elasto-plastic (sticks), dahl (creeps), or what shape "
@@ -109,7 +131,7 @@ void addContactOptions(CLI::App& app, GivenSettings& contact)
   app
     .add_option("--tangential-stiffness", contact.tangentialStiffness,
       "of the stuck contact, N/mm; not for --friction-model shape")
-    ->check(CLI::PositiveNumber)
+    ->check(positive("a stiffness in N/mm, e.g. 1"))
     ->capture_default_str();
   add("--force-form", contact.forceForm,
     "how the curves at a triangle's corners become one force: as the paper prints it, with the "
@@ -131,7 +153,7 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
   app
     .add_option("--scale", options.scale,
       "how many mm of the body a mm of the hand is; stiffness is felt times this")
-    ->check(CLI::PositiveNumber)
+    ->check(positive("a factor, e.g. 1"))
     ->capture_default_str();
   app.add_flag("--list-devices", options.listDevices, "list the devices that are there, and end");
   app.add_option(
@@ -157,13 +179,13 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
   app
     .add_option("--rounds", options.trialRounds,
       "of a trial: in each, every pair is asked about twice, in either order")
-    ->check(CLI::Range(1, 10000))
+    ->check(within(NumberRange::between(1, 10000, "a number of rounds, e.g. 5"), "INT"))
     ->needs("--trial")
     ->capture_default_str();
   app
     .add_option("--seed", options.trialSeed,
       "of the order of a trial, to have the same again (default: another one each time)")
-    ->check(CLI::NonNegativeNumber)
+    ->check(within(NumberRange::notNegative("a whole number, e.g. 1"), "NONNEGATIVE"))
     ->needs("--trial");
   app
     .add_option("--question", options.question,
@@ -234,7 +256,6 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   CLI::App app{ "Press a tool against a body, see and feel the force.", "palpate" };
   app.footer(Footer);
   app.set_version_flag("--version", PALPATE_VERSION);
-  const std::map<std::string, double> units = { { "mm", 1.0 }, { "cm", 10.0 }, { "m", 1000.0 } };
   std::array<double, 3> site{};
   std::array<double, 3> slideTo{};
   std::string layer;
@@ -250,13 +271,13 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "a tool; give several to compare their curves, the first one touches")
     ->check(CLI::Validator(checkToolText, "SHAPE:SIZE"));
   app.add_option("--young", options.youngsModulus, "Young's modulus of the body, MPa")
-    ->check(CLI::PositiveNumber);
+    ->check(within(YoungsModulusRange, "POSITIVE"));
   app.add_option("--poisson", options.poissonsRatio, "Poisson's ratio of the body")
-    ->check(CLI::Range(0.0, 0.5));
+    ->check(within(PoissonsRatioRange, "0 TO 0.5"));
   app.add_option("--depth", options.depth, "depth the tip is pressed to, mm")
-    ->check(CLI::PositiveNumber);
+    ->check(positive("a depth in mm, e.g. 1", LargestDepth));
   app.add_option("--max-deflection", options.maximumDeflection, "depth the responses reach, mm")
-    ->check(CLI::PositiveNumber)
+    ->check(positive("a depth in mm, e.g. 2", Kilometre))
     ->capture_default_str();
   app
     .add_option("--measured", options.measured,
@@ -268,14 +289,14 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "carries the frame of the curves to the body's: a 4x4 matrix, or a .csv of pairs of points")
     ->needs("--measured");
   app.add_option("--reach", options.reach, "how far a measured site speaks for, mm")
-    ->check(CLI::PositiveNumber)
+    ->check(positive("a distance in mm, e.g. 20", Kilometre))
     ->capture_default_str();
   app
     .add_option("--voxel", options.voxel,
       "fill the closed surface with hexahedra of this side, mm: each point then also gives way "
       "with "
       "the body as a whole")
-    ->check(CLI::PositiveNumber)
+    ->check(positive("the side of a voxel in mm, e.g. 2", Kilometre))
     ->excludes("--measured");
   app
     .add_option("--fixed", options.fixedFaces,
@@ -287,31 +308,43 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     .add_option("--layer", layer,
       "soft tissue on a rigid base: scan (as thick as the scan of the body shows; the head's "
       "default), none (a half-space), or its thickness everywhere, mm")
-    ->check(CLI::Validator(checkLayer, "scan|none|MM"))
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        LayerChoice ignored;
+        return readLayer(text, ignored);
+      },
+      "scan|none|MM"))
     ->excludes("--measured")
     ->excludes("--voxel");
   app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
+    ->check(any("a grey level, e.g. 35"))
     ->capture_default_str();
   app.add_option("--length-unit", options.lengthScale, "unit of length of the file: mm, cm or m")
-    ->transform(CLI::CheckedTransformer(units)) // any other number would pass a plain one
+    ->transform(CLI::Validator(readLengthUnit, "mm|cm|m"))
     ->default_str("mm");
   app
     .add_option("--resolution", options.resolution,
       "distance of the vertices taken from a scan, mm; 0: the scan's own")
-    ->check(CLI::NonNegativeNumber)
+    ->check(notNegative("a distance in mm, e.g. 2; 0: the scan's own"))
     ->capture_default_str();
   app.add_option("--contour", options.contourValue, "grey level of the skin in a scan")
+    ->check(any("a grey level, e.g. 30"))
     ->capture_default_str();
   app
     .add_option(
       "--closing", options.closingRadius, "openings of a scan's skin up to twice this are shut, mm")
-    ->check(CLI::NonNegativeNumber)
+    ->check(within(
+      NumberRange::between(0.0, 100.0, "a radius in mm, e.g. 6; 0: none is shut"), "0 TO 100"))
     ->capture_default_str();
   app.add_option("--site", site, "where to press: a direction from the middle of the body, X,Y,Z")
+    ->check(any("three numbers are needed, e.g. 0,0,1"))
     ->delimiter(',');
-  app.add_option("--slide-to", slideTo, "where to slide to, likewise")->delimiter(',');
+  app.add_option("--slide-to", slideTo, "where to slide to, likewise")
+    ->check(any("three numbers are needed, e.g. 0,0,1"))
+    ->delimiter(',');
   app.add_option("--rate", options.rate, "ticks per second")
-    ->check(CLI::Range(1.0, 100000.0))
+    ->check(within(NumberRange::between(1.0, 1e5, "ticks per second, e.g. 1000"), "1 TO 1E5"))
     ->capture_default_str();
   addContactOptions(app, options.contact);
   app.add_option("--output", options.output, "folder for pictures and trajectory")
@@ -328,7 +361,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app
     .add_option("--tolerance", options.tolerance,
       "how much the chosen form may change a force, relative (see vtkResponseChoice)")
-    ->check(CLI::PositiveNumber)
+    ->check(positive("a relative error, e.g. 0.01"))
     ->capture_default_str();
   app.add_flag("--window", options.window,
     "open a window in which the mouse moves the tool, instead of writing pictures");
@@ -338,14 +371,6 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   addDeviceOptions(app, options);
   addTrialOptions(app, options, alternatives);
   addViewOptions(app, options);
-
-  for (const char* option :
-    { "--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
-      "--contour", "--closing", "--base", "--reach", "--voxel", "--site", "--slide-to", "--rate",
-      "--friction", "--tangential-stiffness", "--scale", "--tolerance" })
-  {
-    app.get_option(option)->check(CLI::Validator(checkFinite, ""));
-  }
 
   try
   {
@@ -366,7 +391,8 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   }
   if (app.count("--layer") > 0)
   {
-    options.layer = readLayer(layer);
+    options.layer.emplace();
+    readLayer(layer, *options.layer);
   }
   if (app.count("--slide-to") > 0)
   {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_NumberRange_h
+#define palpate_NumberRange_h
+
+#include <limits>
+#include <string>
+
+namespace palpate
+{
+/// What a number given in words must be: finite, and within bounds.
+struct NumberRange
+{
+  static constexpr double Endless = std::numeric_limits<double>::infinity();
+
+  const char* what; ///< said of a number that is refused: "a modulus in MPa, e.g. 0.05"
+  double least = -Endless;
+  double most = Endless;
+  bool includesLeast = true;
+
+  static constexpr NumberRange any(const char* what) { return { what }; }
+  static constexpr NumberRange positive(const char* what, double most = Endless)
+  {
+    return { what, 0.0, most, false };
+  }
+  static constexpr NumberRange notNegative(const char* what) { return { what, 0.0 }; }
+  static constexpr NumberRange between(double least, double most, const char* what)
+  {
+    return { what, least, most };
+  }
+
+  /// Sets the number, and returns ""; or leaves it, and returns a line that says why the text is
+  /// none: "0 is not positive; a modulus in MPa, e.g. 0.05".
+  std::string read(const std::string& text, double& number) const;
+};
+} // namespace palpate
+
+#endif
