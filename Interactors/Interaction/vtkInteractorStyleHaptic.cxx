@@ -308,16 +308,22 @@ bool vtkInteractorStyleHaptic::TurnWheel(double notches)
   {
     return false;
   }
-  if (this->Steering == ViewPlane)
-  {
-    return this->SteerInView(notches * DepthPerNotch);
-  }
   double point[3];
   double normal[3];
+  if (this->Steering == ViewPlane)
+  {
+    if (!this->SteerInView(notches * DepthPerNotch))
+    {
+      return false;
+    }
+    this->WheelPressed = this->WheelPressed || notches > 0.0;
+    return true;
+  }
   if (!this->Pressing && !this->PickSurface(point, normal))
   {
     return false;
   }
+  this->WheelPressed = this->WheelPressed || notches > 0.0;
   if (this->Pressing)
   {
     this->SetPressDepth(this->PressDepth + notches * DepthPerNotch);

@@ -125,6 +125,10 @@ public:
   /** Whether the left button presses the tool now. */
   bool IsPressing() const { return this->Pressing; }
 
+  /** Whether the wheel has ever pressed the tool, or moved it away from the viewer: a window can
+   * say that it does until then. */
+  bool HasWheelPressed() const { return this->WheelPressed; }
+
   /** Largest magnitude of force among the ticks shown, N. */
   vtkGetMacro(StrongestForce, double);
 
@@ -227,6 +231,7 @@ private:
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
+  bool WheelPressed = false;
   double HoverNormal[3] = { 0.0, 0.0, 0.0 }; ///< of the surface last steered over
   double SteeredTip[3] = { 0.0, 0.0, 0.0 };
   double StrongestForce = 0.0;

@@ -65,11 +65,13 @@ double usualForce(const ResponseSet& responses, double depth)
   return usual > 0.0 ? usual : 1.0;
 }
 
-/// Small and grey, from the top left.
-void styleHelp(vtkTextActor* help)
+const char* const PressHint = "Turn the wheel over the body: the tool presses";
+
+/// Small, from the top left.
+void styleHelp(vtkTextActor* help, double red, double green, double blue)
 {
   help->GetTextProperty()->SetFontSize(15);
-  help->GetTextProperty()->SetColor(0.35, 0.35, 0.38);
+  help->GetTextProperty()->SetColor(red, green, blue);
   help->GetTextProperty()->SetVerticalJustificationToTop();
   help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   help->GetPositionCoordinate()->SetValue(0.0125, 0.985);
@@ -89,7 +91,10 @@ LiveTouch::LiveTouch(
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
   this->Window->AddRenderer(this->Renderer);
   this->Interactor->SetRenderWindow(this->Window);
-  styleHelp(this->Help);
+  styleHelp(this->Help, 0.35, 0.35, 0.38);
+  styleHelp(this->Hint, 0.00, 0.36, 0.58);
+  this->Hint->GetTextProperty()->BoldOn();
+  this->Hint->SetInput(PressHint);
   this->View->SetRenderer(this->Renderer);
   this->View->SetBody(responses.body);
   this->View->SetTool(responses.tools.front());
@@ -110,12 +115,29 @@ LiveTouch::LiveTouch(
   this->Style->SetPressDepth(scene.depth);
   this->Style->SetOutputFolder(options.output);
   this->Interactor->SetInteractorStyle(this->Style);
+  if (options.device == "simulated") // no other follows the mouse
+  {
+    this->Renderer->AddViewProp(this->Hint);
+    this->onFrame([this] { this->placeHelp(); });
+  }
 }
 
 void LiveTouch::showHelp(const std::string& text)
 {
-  this->Help->SetInput(text.c_str());
+  this->HelpText = text;
+  this->placeHelp();
   this->Renderer->AddViewProp(this->Help); // the same is not added twice
+}
+
+/// A line lower while there is a hint, which is gone once it has been followed.
+void LiveTouch::placeHelp()
+{
+  if (this->Style->HasWheelPressed())
+  {
+    this->Renderer->RemoveViewProp(this->Hint);
+  }
+  const bool hinted = this->Renderer->HasViewProp(this->Hint);
+  this->Help->SetInput((hinted ? "\n" + this->HelpText : this->HelpText).c_str());
 }
 
 void LiveTouch::open()

@@ -27,7 +27,8 @@
 namespace palpate
 {
 /// A body in a window under the hand: the window, the session on its servo thread, and the mouse
-/// that steers it; a panel and charts, if it is told to. What is being done with it is its owner's.
+/// that steers it; a panel and charts, if it is told to. Where the mouse is the hand, a line says
+/// that the wheel presses until it has. What is being done with it is its owner's.
 class LiveTouch
 {
 public:
@@ -60,6 +61,7 @@ public:
 
 private:
   void arrange();
+  void placeHelp();
   std::string end();
   void printSummary();
   std::string writeRecords();
@@ -70,6 +72,8 @@ private:
   double LargestForce; ///< that arrows and charts are scaled for, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;
+  std::string HelpText;
+  vtkNew<vtkTextActor> Hint; ///< how to press, above the help
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkContactScene> View;

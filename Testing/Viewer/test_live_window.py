@@ -110,6 +110,24 @@ class LiveWindow(unittest.TestCase):
         flat = 2.0 * 1.6 * 10.0 / (1.0 - 0.25)
         self.assertAlmostEqual(self.strongest_force(self.quit()), flat, delta=0.06 * flat)
 
+    def test_a_line_tells_of_the_wheel_until_it_has_pressed(self):
+        self.quit()
+        folder = os.path.join(FOLDER, "hint-output")
+        shutil.rmtree(folder, ignore_errors=True)
+        self.open("hint", "--output", folder)
+        xdotool("mousemove", 600, 330)
+        time.sleep(FOLLOW)
+        for events in ((), ("mousedown", 1, "mouseup", 1), ("click", 5), ("click", 4)):
+            if events:
+                xdotool(*events)
+                time.sleep(FOLLOW)
+            xdotool("key", "p")
+            time.sleep(FOLLOW)
+        self.quit()
+        told = [self.hint(os.path.join(folder, f"palpate-{i}.png")) for i in (1, 2, 3, 4)]
+        self.assertGreater(told[0], 300, told)  # strokes of some 45 letters
+        self.assertEqual(told, [told[0], told[0], told[0], 0])
+
     def test_a_recorded_session_can_be_replayed(self):
         self.quit()
         record = os.path.join(FOLDER, "record.csv")
@@ -125,6 +143,7 @@ class LiveWindow(unittest.TestCase):
         self.open("replay", "--device", "replay:" + record)
         time.sleep(float(rows[-1].split(",")[0]))
         again = self.strongest_force(self.quit())
+        self.assertEqual(self.hint(self.picture), 0)  # what presses by itself needs none
         felt = max(float(row.split(",")[12]) for row in rows[1:])
         self.assertAlmostEqual(again, felt, delta=1e-3 * felt)  # printed with four digits
 
@@ -199,6 +218,11 @@ class LiveWindow(unittest.TestCase):
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
         width = reader.GetOutput().GetDimensions()[0]
         return pixels.reshape(-1, width, pixels.shape[1])[:, : int(0.8 * width), :3]
+
+    def hint(self, picture):
+        """Pixels of its blue letters, in the corner at the top left."""
+        corner = self.pixels(picture)[-32:, :520]
+        return int(((corner[..., 0] < 60) & (corner[..., 2] > 120)).sum())
 
     def shows_force_and_dent(self):
         """The picture has the red of the force and the violet of a dent."""

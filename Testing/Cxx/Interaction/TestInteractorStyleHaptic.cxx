@@ -135,6 +135,16 @@ struct Window
   }
 };
 
+/// What does not press does not count as pressing: the wheel backward, or beside the body.
+void checkIdleWheel(Window& w)
+{
+  w.pointAt(3.0, 2.0);
+  w.send(vtkCommand::MouseWheelBackwardEvent);
+  w.pointAtPixel(600, 200);
+  w.send(vtkCommand::MouseWheelForwardEvent);
+  PALPATE_CHECK(!w.style->HasWheelPressed() && w.style->GetWheelDepth() == 0.0);
+}
+
 void checkSurface(Window& w)
 {
   const double pixel = 2.0 * 80.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 400.0; // mm
@@ -149,7 +159,9 @@ void checkSurface(Window& w)
   PALPATE_CHECK(w.style->IsPressing() && w.reaches(-1.0));
   PALPATE_CHECK_NEAR(w.session->GetDeflection(), 1.0, 1e-6); // the kernel's points are floats
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 1.0, 1e-5);
+  PALPATE_CHECK(!w.style->HasWheelPressed());
   w.send(vtkCommand::MouseWheelForwardEvent, 5);
+  PALPATE_CHECK(w.style->HasWheelPressed());
   PALPATE_CHECK(w.reaches(-1.5));
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 1.5, 1e-5);
   w.send(vtkCommand::MouseWheelForwardEvent, 10);
@@ -303,6 +315,7 @@ void checkFiles(Window& w, const std::filesystem::path& folder)
 int TestInteractorStyleHaptic(int, char*[])
 {
   Window window;
+  checkIdleWheel(window);
   checkSurface(window);
   checkCamera(window);
   checkViewPlane(window);
