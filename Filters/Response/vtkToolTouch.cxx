@@ -8,6 +8,7 @@
 #include "Ranks.h"
 #include "ReducedModulus.h"
 #include "ResponseTool.h"
+#include "TouchStart.h"
 #include "TouchText.h"
 #include "TouchedBody.h"
 #include "vtkContactDeflection.h"
@@ -111,6 +112,36 @@ int vtkToolTouch::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+void vtkToolTouch::SetTipPosition(double x, double y, double z)
+{
+  const double position[3] = { x, y, z };
+  if (!this->TipIsSet || !std::equal(position, position + 3, this->TipPosition))
+  {
+    std::copy_n(position, 3, this->TipPosition);
+    this->TipIsSet = true;
+    this->Modified();
+  }
+}
+
+void vtkToolTouch::SetTipPosition(const double position[3])
+{
+  this->SetTipPosition(position[0], position[1], position[2]);
+}
+
+bool vtkToolTouch::FindStart(vtkPolyData* body, const std::string& responseName,
+  const double towards[3], const double up[3], double start[3])
+{
+  palpate::Sight sight;
+  sight.towards = Vector3(towards);
+  sight.up = Vector3(up);
+  const palpate::TouchedPlace place = palpate::findTouchStart(body, responseName, sight);
+  if (place.cell >= 0)
+  {
+    std::copy_n(place.point.data(), 3, start);
+  }
+  return place.cell >= 0;
+}
+
 bool vtkToolTouch::PassMessages(palpate::InnerMessages& messages)
 {
   const palpate::InnerMessages heard = messages;
@@ -195,6 +226,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   this->Dent->SetResponseName(this->ResponseName);
   this->Dent->SetTool(this->Tool);
   this->Shape->SetTool(this->Tool);
+  this->StartIsFound = false;
   this->Body = copy;
   this->Source = body;
   this->SourceTime = body->GetMTime();
@@ -204,7 +236,13 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
 
 bool vtkToolTouch::Probe(palpate::Touch& touch)
 {
-  touch.tip = Vector3(this->TipPosition);
+  if (!this->TipIsSet && !this->StartIsFound)
+  {
+    const palpate::TouchedPlace place = palpate::findTouchStart(*this->Touched, this->Tool, {});
+    std::copy_n(place.point.data(), 3, this->Start);
+    this->StartIsFound = true;
+  }
+  touch.tip = Vector3(this->TipIsSet ? this->TipPosition : this->Start);
   touch.nearest = this->Touched->nearest(touch.tip);
   double depth = this->Indentation;
   if (this->Snap && touch.nearest.cell >= 0)
@@ -370,7 +408,7 @@ void vtkToolTouch::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TipPosition: " << this->TipPosition[0] << ", " << this->TipPosition[1] << ", "
-     << this->TipPosition[2] << " mm\n";
+     << this->TipPosition[2] << (this->TipIsSet ? " mm\n" : " (not set)\n");
   os << indent << "Snap: " << this->Snap << "\n";
   os << indent << "Indentation: " << this->Indentation << " mm\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";

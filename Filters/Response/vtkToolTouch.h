@@ -47,6 +47,7 @@
 class vtkContactDeflection;
 class vtkContactTool;
 class vtkContactToolSource;
+class vtkPolyData;
 class vtkTable;
 class vtkToolContactProbe;
 
@@ -74,10 +75,25 @@ public:
   };
 
   ///@{
-  /** Where the tip is, in the body's frame, mm. Default 0, 0, 0. */
-  vtkSetVector3Macro(TipPosition, double);
+  /** Where the tip is, in the body's frame, mm. Until it is set (0, 0, 0 then): on the place that
+   * FindStart finds from +z, y up, anew on every body. */
+  virtual void SetTipPosition(double x, double y, double z);
+  virtual void SetTipPosition(const double position[3]);
   vtkGetVector3Macro(TipPosition, double);
   ///@}
+
+  /**
+   * Where a touch begins well, for whoever looks at the body from the direction `towards` (from the
+   * body to the viewer, not zero) with `up` upward in his picture: into `start`, a point of the
+   * surface, mm. It is seen, flat as far as the contact of half of Range and its surroundings
+   * reach, faces the viewer, its normal leaning upward so that he sees tool and force from their
+   * side, lies near the middle, and is within the response's validity as far as there is such a
+   * place; from a side where nothing has a response the next of +z, +x, +y, -z, -x, -y. Depends on
+   * shape, response and direction alone. Returns false, and leaves `start`, for a body without the
+   * response, or with none that is valid. Some 5000 rays.
+   */
+  static bool FindStart(vtkPolyData* body, const std::string& responseName, const double towards[3],
+    const double up[3], double start[3]);
 
   ///@{
   /** Whether the tip is first put on the nearest point of the surface. Default on. */
@@ -157,6 +173,7 @@ private:
   bool PassMessages(palpate::InnerMessages& messages);
 
   double TipPosition[3] = { 0.0, 0.0, 0.0 };
+  bool TipIsSet = false;
   bool Snap = true;
   double Indentation = 0.0;
   double PoissonRatio = 0.45;
@@ -175,6 +192,8 @@ private:
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkContactTool> Tool;
   double AutomaticScale = 0.0;
+  double Start[3] = { 0.0, 0.0, 0.0 }; ///< where no TipPosition is set
+  bool StartIsFound = false;
   vtkPolyData* Source = nullptr;
   vtkMTimeType SourceTime = 0;
   std::string SourceResponse;

@@ -4,12 +4,14 @@
 #include "BodyConversion.h"
 
 #include "vtkCellArray.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -62,7 +64,8 @@ bool TouchedBody::take(vtkPolyData* body, const std::string& name, std::string& 
   return true;
 }
 
-TouchedPlace TouchedBody::nearest(const Vector3& tip)
+/// False for a body without triangles.
+bool TouchedBody::locate()
 {
   if (!this->Locator)
   {
@@ -73,8 +76,13 @@ TouchedPlace TouchedBody::nearest(const Vector3& tip)
     this->Locator->SetDataSet(this->Triangles);
     this->Locator->BuildLocator();
   }
+  return this->Triangles->GetNumberOfPolys() > 0;
+}
+
+TouchedPlace TouchedBody::nearest(const Vector3& tip)
+{
   TouchedPlace place;
-  if (this->Triangles->GetNumberOfPolys() == 0)
+  if (!this->locate())
   {
     return place;
   }
@@ -90,6 +98,53 @@ TouchedPlace TouchedBody::nearest(const Vector3& tip)
   place = this->placeIn(triangle + firstTriangle(this->Body), point);
   place.distance = std::sqrt(squared);
   return place;
+}
+
+TouchedPlace TouchedBody::hit(const Vector3& from, const Vector3& to)
+{
+  TouchedPlace place;
+  if (!this->locate())
+  {
+    return place;
+  }
+  const double tolerance = 1e-6 * this->Body->GetLength(); // on an edge: either triangle, not none
+  double share = 0.0;
+  Vector3 point;
+  Vector3 coordinates;
+  int part = 0;
+  vtkIdType triangle = -1;
+  vtkNew<vtkGenericCell> cell;
+  const int found = this->Locator->IntersectWithLine(from.data(), to.data(), tolerance, share,
+    point.data(), coordinates.data(), part, triangle, cell);
+  return found != 0 && triangle >= 0 ? this->placeIn(triangle + firstTriangle(this->Body), point)
+                                     : place;
+}
+
+Vector3 TouchedBody::normal(const TouchedPlace& place) const
+{
+  const auto ids = cornersOf(this->Body, place.cell);
+  std::array<Vector3, Corners> x;
+  Vector3 outward = Vector3::Zero();
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    this->Body->GetPoint(ids[k], x[k].data());
+    const float* stored = this->Response.normal + 3 * ids[k];
+    outward += Vector3(stored[0], stored[1], stored[2]);
+  }
+  const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+  return normal.dot(outward) < 0.0 ? Vector3(-normal) : normal;
+}
+
+bool TouchedBody::isValid(const TouchedPlace& place) const
+{
+  const auto ids = cornersOf(this->Body, place.cell);
+  return std::all_of(ids.begin(), ids.end(),
+    [this](vtkIdType id) { return this->Response.isUsable(static_cast<std::size_t>(id)); });
+}
+
+const double* TouchedBody::bounds() const
+{
+  return this->Body->GetBounds();
 }
 
 TouchedPlace TouchedBody::placeIn(vtkIdType cell, const Vector3& point) const

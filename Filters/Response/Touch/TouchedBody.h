@@ -47,8 +47,17 @@ public:
 
   /// The nearest place of the surface; cell -1 for a body without triangles.
   TouchedPlace nearest(const Vector3& tip);
+  /// The first place of the surface on the way from one point to another; cell -1 for none.
+  TouchedPlace hit(const Vector3& from, const Vector3& to);
   /// The place of a point of the surface in a cell of the body.
   TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
+
+  /// Of the facet, outward as the response's normals are; unit.
+  Vector3 normal(const TouchedPlace& place) const;
+  /// Whether all corners have a response.
+  bool isValid(const TouchedPlace& place) const;
+  /// Of the body: the least and largest x, y, z, mm.
+  const double* bounds() const;
 
   /// Depth of the last sample there, mm; 0 without a response.
   double range(const TouchedPlace& place) const;
@@ -60,6 +69,8 @@ public:
   double typicalForce() const;
 
 private:
+  bool locate();
+
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Triangles; ///< those of the body, and no other cells
   vtkSmartPointer<vtkStaticCellLocator> Locator;

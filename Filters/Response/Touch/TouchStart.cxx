@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchStart.h"
+
+#include "ResponseTool.h"
+#include "vtkContactTool.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr int PlacesPerSide = 25; // odd: the middle is one
+constexpr int Around = 8;
+constexpr double Surroundings = 2.0; // contact radii
+constexpr double Lean = 0.8;         // up, per towards: the best direction of the normal
+constexpr double Grazing = 0.5;      // normal to line of sight, cosine: less is seen badly
+constexpr int Flatness = 8;          // power: 10 % of disagreement weigh as much as the far corner
+constexpr double Least = 1e-3;       // where nothing is within validity the rest decides
+
+struct Rectangle
+{
+  double low[2] = { HUGE_VAL, HUGE_VAL };
+  double high[2] = { -HUGE_VAL, -HUGE_VAL };
+
+  bool isEmpty() const { return !(this->low[0] < this->high[0] && this->low[1] < this->high[1]); }
+  double at(int axis, double share) const // -1 to 1
+  {
+    return 0.5 *
+      (this->low[axis] + this->high[axis] + share * (this->high[axis] - this->low[axis]));
+  }
+};
+
+Vector3 rightOf(const Vector3& up, const Vector3& towards)
+{
+  const Vector3 right = up.cross(towards);
+  return right.norm() > 1e-6 * up.norm() ? Vector3(right.normalized()) : towards.unitOrthogonal();
+}
+
+/// Lines of sight through the picture of a body, in the coordinates of `Sight`'s halves.
+class Picture
+{
+public:
+  Picture(const Sight& sight, const std::array<Vector3, 8>& corners)
+    : View(sight)
+    , Towards(sight.towards.normalized())
+    , Right(rightOf(sight.up, Towards))
+    , Up(Towards.cross(Right))
+  {
+    const bool isCut = sight.halfWidth > 0.0 && sight.halfHeight > 0.0;
+    const double half[2] = { sight.halfWidth, sight.halfHeight };
+    bool isWithin = false; // whether the eye is between the corners
+    for (const Vector3& corner : corners)
+    {
+      const Vector3 off = corner - sight.eye;
+      const double depth = -off.dot(this->Towards);
+      this->Nearest = std::min(this->Nearest, depth);
+      this->Farthest = std::max(this->Farthest, depth);
+      isWithin = isWithin || (sight.isNear && depth <= 0.0);
+      const double scale = sight.isNear ? depth : 1.0;
+      const double place[2] = { off.dot(this->Right) / scale, off.dot(this->Up) / scale };
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        this->Body.low[axis] = std::min(this->Body.low[axis], place[axis]);
+        this->Body.high[axis] = std::max(this->Body.high[axis], place[axis]);
+      }
+    }
+    for (int axis = 0; axis < 2 && isCut; ++axis)
+    {
+      this->Body.low[axis] = isWithin ? -half[axis] : std::max(this->Body.low[axis], -half[axis]);
+      this->Body.high[axis] = isWithin ? half[axis] : std::min(this->Body.high[axis], half[axis]);
+    }
+    const double margin = 0.1 * (corners.back() - corners.front()).norm();
+    this->Nearest -= margin;
+    this->Farthest += margin;
+    this->Nearest = sight.isNear ? std::max(this->Nearest, 1e-6 * this->Farthest) : this->Nearest;
+  }
+
+  /// Of the body, as far as it is in the picture.
+  const Rectangle& seen() const { return this->Body; }
+  bool isEmpty() const
+  {
+    return this->Body.isEmpty() || (this->View.isNear && !(this->Farthest > this->Nearest));
+  }
+
+  /// What is seen at a place of the picture.
+  TouchedPlace look(TouchedBody& body, double x, double y) const
+  {
+    const Vector3 aside = x * this->Right + y * this->Up;
+    const auto point = [&](double depth) -> Vector3
+    { return this->View.eye - depth * this->Towards + (this->View.isNear ? depth : 1.0) * aside; };
+    return body.hit(point(this->Nearest), point(this->Farthest));
+  }
+  /// What is seen behind a point beside the body, or on it.
+  TouchedPlace lookAt(TouchedBody& body, const Vector3& point) const
+  {
+    const Vector3 off = point - this->View.eye;
+    const double scale = this->View.isNear ? -off.dot(this->Towards) : 1.0;
+    return this->look(body, off.dot(this->Right) / scale, off.dot(this->Up) / scale);
+  }
+  Vector3 towards(const Vector3& point) const
+  {
+    return this->View.isNear ? Vector3((this->View.eye - point).normalized()) : this->Towards;
+  }
+  const Vector3& up() const { return this->Up; }
+
+private:
+  const Sight View;
+  const Vector3 Towards;
+  const Vector3 Right;
+  const Vector3 Up;
+  Rectangle Body;
+  double Nearest = std::numeric_limits<double>::infinity(); ///< of the eye's plane, mm
+  double Farthest = -std::numeric_limits<double>::infinity();
+};
+
+std::array<Vector3, 8> cornersOf(const double bounds[6])
+{
+  std::array<Vector3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    corners[i] = { bounds[i % 2], bounds[2 + (i / 2) % 2], bounds[4 + i / 4] };
+  }
+  return corners;
+}
+
+/// The mean of the normals at a place and around it: as long as the ground is flat, 1 at most.
+Vector3 groundAt(
+  TouchedBody& body, const Picture& picture, const TouchedPlace& place, double distance)
+{
+  const Vector3 normal = body.normal(place);
+  const Vector3 first = normal.unitOrthogonal();
+  const Vector3 second = normal.cross(first);
+  Vector3 sum = normal;
+  for (int i = 0; i < Around; ++i)
+  {
+    const double angle = 2.0 * EIGEN_PI * i / Around;
+    const Vector3 beside =
+      place.point + distance * (std::cos(angle) * first + std::sin(angle) * second);
+    const TouchedPlace ground = picture.lookAt(body, beside);
+    if (ground.cell >= 0 && std::abs((ground.point - place.point).dot(normal)) < distance)
+    {
+      sum += body.normal(ground);
+    }
+  }
+  return sum / (Around + 1);
+}
+
+/// How well a touch begins there; 0 for not at all.
+double judge(
+  TouchedBody& body, vtkContactTool* tool, const Picture& picture, const TouchedPlace& place)
+{
+  if (place.cell < 0 || !body.isValid(place))
+  {
+    return 0.0;
+  }
+  const double depth = 0.5 * body.range(place);
+  const double radius = tool ? tool->GetContactRadius(depth) : 0.0;
+  if (!(depth > 0.0 && radius >= 0.0 && std::isfinite(radius)))
+  {
+    return 0.0;
+  }
+  const Vector3 towards = picture.towards(place.point);
+  if (!(body.normal(place).dot(towards) > 0.0))
+  {
+    return 0.0;
+  }
+  const Vector3 ground = groundAt(body, picture, place, Surroundings * std::max(radius, depth));
+  const double flatness = std::pow(ground.norm(), Flatness);
+  const Vector3 normal = ground.normalized();
+  const double facing = std::max(0.0, normal.dot((towards + Lean * picture.up()).normalized())) *
+    std::clamp(normal.dot(towards) / Grazing, 0.0, 1.0);
+  const PlaceValidity validity = body.validity(place);
+  const double within = validity.known ? std::clamp(validity.depth / depth, Least, 1.0) : 1.0;
+  return flatness * facing * within;
+}
+
+/// The best of what is seen; cell -1 for nothing.
+TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
+{
+  const Picture picture(sight, cornersOf(body.bounds()));
+  TouchedPlace best;
+  double most = 0.0;
+  const auto share = [](int i) { return (2.0 * i + 1.0) / PlacesPerSide - 1.0; };
+  for (int i = 0; i < PlacesPerSide && !picture.isEmpty(); ++i)
+  {
+    for (int j = 0; j < PlacesPerSide; ++j)
+    {
+      const double x = share(i);
+      const double y = share(j);
+      const TouchedPlace place =
+        picture.look(body, picture.seen().at(0, x), picture.seen().at(1, y));
+      const double middle = 1.0 - 0.25 * (x * x + y * y);
+      const double merit = middle * judge(body, tool, picture, place);
+      if (merit > most)
+      {
+        most = merit;
+        best = place;
+      }
+    }
+  }
+  return best;
+}
+} // namespace
+
+TouchedPlace findTouchStart(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
+{
+  TouchedPlace place = search(body, tool, sight);
+  const std::array<Vector3, 7> sides = { sight.towards, Vector3::UnitZ(), Vector3::UnitX(),
+    Vector3::UnitY(), -Vector3::UnitZ(), -Vector3::UnitX(), -Vector3::UnitY() };
+  for (std::size_t i = 0; i < sides.size() && place.cell < 0; ++i)
+  {
+    Sight whole;
+    whole.towards = sides[i];
+    whole.up = sight.up;
+    place = search(body, tool, whole);
+  }
+  return place;
+}
+
+TouchedPlace findTouchStart(vtkPolyData* body, const std::string& name, const Sight& sight)
+{
+  TouchedBody touched;
+  std::string fault;
+  if (!body || body->GetNumberOfPolys() == 0 || !touched.take(body, name, fault))
+  {
+    return {};
+  }
+  const auto tool = findTool(nullptr, body, name, fault);
+  return findTouchStart(touched, tool, sight);
+}
+} // namespace palpate

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a touch begins: on bodies of which it is known which ground is flat, and what is seen.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+#include "TouchStart.h"
+#include "vtkToolTouch.h"
+
+#include "vtkUnsignedCharArray.h"
+
+#include <Eigen/Geometry>
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+using namespace palpate::testing;
+using palpate::Sight;
+using palpate::Vector3;
+
+constexpr double Range = 2.0;
+const char* const Tool = "sphere:5";
+constexpr double Contact = 2.3; // mm, of the sphere of 5 mm half of Range deep: sqrt(R d), roughly
+
+Vector3 startOf(vtkPolyData* body, const Vector3& towards = Vector3::UnitZ(),
+  const Vector3& up = Vector3::UnitY())
+{
+  Vector3 start(HUGE_VAL, HUGE_VAL, HUGE_VAL);
+  PALPATE_CHECK(vtkToolTouch::FindStart(body, "Response", towards.data(), up.data(), start.data()));
+  return start;
+}
+
+void movePoints(vtkPolyData* body, const std::function<Vector3(const Vector3&)>& to)
+{
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    Vector3 x;
+    body->GetPoint(i, x.data());
+    body->GetPoints()->SetPoint(i, to(x).data());
+  }
+  body->GetPoints()->Modified();
+}
+
+/// A ball of 30 mm with a tail of 60 mm towards `tail`, which is the corner of its bounds.
+Body ballWithTail(const Vector3& tail)
+{
+  const Body body = sphereBody(30.0, 5);
+  movePoints(body,
+    [&](const Vector3& x)
+    {
+      const double along = x.dot(tail.normalized()) / x.norm();
+      return Vector3(x * (1.0 + 2.0 * std::exp((along - 1.0) / 0.01)));
+    });
+  return withResponse(body, Tool, Range);
+}
+
+/// On the ball, not on the tail nor at its root; seen from the viewer, and facing him.
+void checkTail()
+{
+  const Vector3 tail(1.0, 1.0, 1.0);
+  const Body body = ballWithTail(tail);
+  double bounds[6];
+  body->GetBounds(bounds);
+  PALPATE_CHECK(bounds[1] > 50.0 && bounds[3] > 50.0 && bounds[5] > 50.0);
+  for (const Vector3& towards : { Vector3(0, 0, 1), Vector3(1, 0, 0), Vector3(0, 1, 0),
+         Vector3(0, 0, -1), Vector3(1, 1, 1), Vector3(-1, 0.4, 0.3) })
+  {
+    const Vector3 start = startOf(body, towards, Vector3(0.1, 0.2, 1.0));
+    PALPATE_CHECK_NEAR(start.norm(), 30.0, 0.1); // the facets' sag is 0.02 mm, the root's foot less
+    const double off = std::acos(start.normalized().dot(tail.normalized()));
+    PALPATE_CHECK(off > 0.4); // where the tail is lower than 0.1 mm, exp(-8)
+    PALPATE_CHECK(start.normalized().dot(towards.normalized()) > 0.5);
+    PALPATE_CHECK(start.normalized().dot(towards.normalized()) < 0.99); // not from its end
+  }
+}
+
+/// Where all is alike the middle is best.
+void checkPlane()
+{
+  const Body plane = planeBody(20.0, 40, 5.0);
+  movePoints(plane, [](const Vector3& x) { return Vector3(x + Vector3(70.0, -11.0, 0.0)); });
+  const Vector3 start = startOf(withResponse(plane, Tool, Range));
+  PALPATE_CHECK_NEAR((start - Vector3(70.0, -11.0, 5.0)).norm(), 0.0, 1e-9);
+  // From behind, or from its edge, nothing is seen: then from the next side where it is.
+  const Body body = withResponse(plane, Tool, Range);
+  PALPATE_CHECK_NEAR((startOf(body, { 0, 0, -1 }) - start).norm(), 0.0, 1e-9);
+  PALPATE_CHECK_NEAR((startOf(body, { 1, 0, 0 }, { 0, 0, 1 }) - start).norm(), 0.0, 1e-9);
+  PALPATE_CHECK_NEAR((startOf(body, { 0, 0, 1 }, { 0, 0, 1 }) - start).norm(), 0.0, 1e-9);
+}
+
+/// Off the edges of a box, however few triangles it has.
+void checkBox()
+{
+  for (const int cells : { 1, 16 })
+  {
+    const Body box = withResponse(boxBody(30.0, 20.0, 10.0, cells), Tool, Range);
+    const Vector3 start = startOf(box, { 0.2, -0.3, 1.0 });
+    PALPATE_CHECK_NEAR(start.z(), 10.0, 1e-9);
+    PALPATE_CHECK(std::abs(start.x()) < 30.0 - 2.0 * Contact);
+    PALPATE_CHECK(std::abs(start.y()) < 20.0 - 2.0 * Contact);
+  }
+}
+
+/// Rough in the middle: beside it. The shape alone tells, the response says nothing of validity.
+void checkRough()
+{
+  const Body plane = planeBody(30.0, 60);
+  movePoints(plane,
+    [](const Vector3& x)
+    {
+      const double bump = std::sin(1.9 * x.x()) * std::sin(1.7 * x.y());
+      return x.head<2>().norm() < 12.0 ? Vector3(x + Vector3(0, 0, bump)) : x;
+    });
+  const Body body = withResponse(plane, Tool, Range);
+  body->GetPointData()->RemoveArray("ResponseValidity");
+  const Vector3 start = startOf(body);
+  PALPATE_CHECK(start.head<2>().norm() > 12.0 + Contact && start.head<2>().norm() < 25.0);
+}
+
+/// What hides is touched, not what is hidden.
+void checkHidden()
+{
+  const Body far = planeBody(30.0, 30, 0.0);
+  const Body near = planeBody(12.0, 12, 15.0);
+  auto both = Body::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  for (vtkPolyData* part : { far.Get(), near.Get() })
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      points->InsertNextPoint(part->GetPoint(i));
+    }
+    triangles->Append(part->GetPolys(), first);
+  }
+  both->SetPoints(points);
+  both->SetPolys(triangles);
+  const Vector3 start = startOf(withResponse(both, Tool, Range));
+  PALPATE_CHECK_NEAR((start - Vector3(0, 0, 15)).norm(), 0.0, 1e-9);
+}
+
+/// Where the law holds, and where there is a response at all.
+void checkResponse()
+{
+  const Body plane = planeBody(20.0, 40);
+  const Body body = withResponse(plane, Tool, Range);
+  auto* validity = vtkFloatArray::SafeDownCast(body->GetPointData()->GetArray("ResponseValidity"));
+  auto* status =
+    vtkUnsignedCharArray::SafeDownCast(body->GetPointData()->GetArray("ResponseStatus"));
+  const auto isLeft = [&](vtkIdType i) { return body->GetPoint(i)[0] < 4.0; };
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    validity->SetValue(i, isLeft(i) ? 0.1F : 1.0F);
+  }
+  const Vector3 valid = startOf(body);
+  PALPATE_CHECK(valid.x() >= 4.0 && valid.x() < 8.0);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    validity->SetValue(i, 0.0F); // the same everywhere: the middle
+  }
+  PALPATE_CHECK_NEAR(startOf(body).norm(), 0.0, 1e-9);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    status->SetValue(i, isLeft(i) ? 4 : 0); // out of reach
+  }
+  PALPATE_CHECK(startOf(body).x() >= 4.0 && startOf(body).x() < 8.0);
+  status->FillValue(4);
+  double start[3] = { 7.0, 8.0, 9.0 };
+  const double towards[3] = { 0.0, 0.0, 1.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  PALPATE_CHECK(!vtkToolTouch::FindStart(body, "Response", towards, up, start));
+  PALPATE_CHECK(!vtkToolTouch::FindStart(plane, "Response", towards, up, start));
+  PALPATE_CHECK(!vtkToolTouch::FindStart(nullptr, "Response", towards, up, start));
+  PALPATE_CHECK(start[0] == 7.0 && start[1] == 8.0 && start[2] == 9.0);
+}
+
+/// A picture of a part: its middle, also in perspective; a picture of nothing: as if of all.
+void checkSight()
+{
+  const Body body = withResponse(planeBody(40.0, 80), Tool, Range);
+  const auto middleOf = [&](const Sight& sight)
+  { return palpate::findTouchStart(body, "Response", sight).point; };
+  Sight far;
+  far.eye = { 15.0, -8.0, 300.0 };
+  far.halfWidth = far.halfHeight = 6.0;
+  PALPATE_CHECK_NEAR((middleOf(far) - Vector3(15, -8, 0)).norm(), 0.0, 1e-9);
+  Sight near = far;
+  near.isNear = true;
+  near.halfWidth = near.halfHeight = 0.02;
+  PALPATE_CHECK_NEAR((middleOf(near) - Vector3(15, -8, 0)).norm(), 0.0, 1e-9);
+  near.halfWidth = near.halfHeight = 1.0; // all is in it; lines of sight differ, some lean better
+  PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 8.0);
+  near.halfWidth = near.halfHeight = 0.02;
+  near.towards = Vector3(1.0, 0.0, 0.2).normalized(); // looks past it
+  PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 1e-9);
+  near.towards = Vector3::UnitZ();
+  near.eye.z() = -20.0; // has it behind him
+  PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 1e-9);
+}
+
+/// A touch whose position was never set begins there; one that was set stays, also at 0, 0, 0.
+void checkTouch()
+{
+  const Body body = ballWithTail({ 1.0, 1.0, 1.0 });
+  const Vector3 start = startOf(body);
+  vtkNew<vtkToolTouch> touch;
+  touch->SetInputData(body);
+  const auto tip = [&]
+  {
+    touch->Update();
+    double place[3];
+    touch->GetOutput(vtkToolTouch::ArrowPort)
+      ->GetFieldData()
+      ->GetArray("ContactPoint")
+      ->GetTuple(0, place);
+    return Vector3(place);
+  };
+  // Pressed in along the blended normal it projects a little beside, on facets.
+  PALPATE_CHECK_NEAR((tip() - start).norm(), 0.0, 0.02);
+  const Body shifted = ballWithTail({ 1.0, 1.0, 1.0 });
+  movePoints(shifted, [](const Vector3& x) { return Vector3(x + Vector3(500, 0, 0)); });
+  touch->SetInputData(withResponse(shifted, Tool, Range));
+  PALPATE_CHECK_NEAR((tip() - Vector3(500, 0, 0) - start).norm(), 0.0, 0.02); // anew
+  touch->SetInputData(body);
+  touch->SetTipPosition(1.0, 2.0, -50.0);
+  PALPATE_CHECK(tip().z() < -29.0);
+  vtkNew<vtkToolTouch> other;
+  other->SetInputData(withResponse(planeBody(20.0, 40, 5.0), Tool, Range));
+  other->SetTipPosition(0.0, 0.0, 0.0);
+  const vtkMTimeType time = other->GetMTime();
+  other->SetTipPosition(0.0, 0.0, 0.0);
+  PALPATE_CHECK(other->GetMTime() == time);
+}
+} // namespace
+
+int TestTouchStart(int, char*[])
+{
+  checkTail();
+  checkPlane();
+  checkBox();
+  checkRough();
+  checkHidden();
+  checkResponse();
+  checkSight();
+  checkTouch();
+  return result();
+}
