@@ -15,9 +15,11 @@ import sys
 import threading
 import time
 import numpy as np
+import palpate
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 program, events, folder = sys.argv[1:4]
 chosen = sys.argv[4:]
@@ -50,8 +52,11 @@ class Hand(threading.Thread):
 
     def run(self):
         host, begin, sequence = None, None, 0
-        # The view looks along -z, up is y: device and body have the same axes; the handle begins at (z + 0.8 y).
-        inward = -np.array([0, 0.8, 1]) / np.hypot(0.8, 1)
+        # The view looks along -z, up is y: device and body have the same axes. The handle begins where a touch does; in
+        # perspective that is up to 5 degrees elsewhere, which takes 0.05 mm from the depth.
+        start = [0.0, 0.0, 0.0]
+        assert palpate.vtkToolTouch.FindStart(read_body(), "Response", (0, 0, 1), (0, 1, 0), start)
+        inward = -np.array(start) / np.linalg.norm(start)
         due = time.monotonic()
         while not self.ending:
             try:
@@ -94,6 +99,13 @@ def play(name, hand=None, *options):
 def make_body():
     sphere = simple.Sphere(Radius=50, ThetaResolution=120, PhiResolution=120)
     simple.SaveData(folder + "/live_body.vtp", simple.ToolContactResponse(sphere), DataMode="Binary")
+
+
+def read_body():
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(folder + "/live_body.vtp")
+    reader.Update()
+    return reader.GetOutput()
 
 
 def read(name):

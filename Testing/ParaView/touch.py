@@ -3,7 +3,7 @@
 import sys
 import numpy as np
 import palpate
-from paraview import servermanager, simple
+from paraview import servermanager, simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 YOUNG, POISSON, RANGE = 0.05, 0.4, 3.0                      # MPa, -, mm
@@ -47,10 +47,53 @@ def block():
     return response
 
 
+def ball_with_tail(name="Response"):
+    """A ball of 30 mm whose thin tail, 60 mm long, ends in the corner of the bounds that faces the first view."""
+    ball = simple.Sphere(Radius=30, ThetaResolution=120, PhiResolution=120)
+    pulled = simple.Calculator(Input=ball, CoordinateResults=1,
+                               Function="coords * (1 + 2 * exp(((coordsX + coordsY + coordsZ) / (30 * sqrt(3)) - 1) / 0.01))")
+    return simple.ToolContactResponse(Input=pulled, ResponseName=name)
+
+
+def check_start(folder):
+    """On the ball, on the side that the active view looks at; where there is none, on the upper side."""
+    def check(touch, towards):
+        start, towards = np.array(touch.TipPositionmm), np.array(towards) / np.linalg.norm(towards)
+        np.testing.assert_allclose(np.linalg.norm(start), 30, atol=0.1)      # the facets' sag is 0.05 mm
+        way = start / np.linalg.norm(start)
+        assert way @ towards > 0.5 and way @ np.ones(3) / np.sqrt(3) < np.cos(0.4), (start, towards)
+        np.testing.assert_allclose(field(touch, "ContactPoint"), start, atol=0.05)
+        assert "invalid" not in text(touch)
+
+    response = ball_with_tail()
+    first = simple.Touch(Input=response)
+    check(first, (0, 0, 1))
+    check(simple.Touch(Input=ball_with_tail("Soft")), (0, 0, 1))
+    assert list(simple.Touch(Input=response, TipPositionmm=(1, 2, 3)).TipPositionmm) == [1, 2, 3]
+    view = simple.CreateView("RenderView")
+    view.CameraFocalPoint, view.CameraViewUp = (0, 0, 0), (0, 0, 1)
+    smtrace.start_trace()
+    for place in ((-200, 20, 10), (30, -180, 60), (0, 0, -250)):
+        view.CameraPosition = place
+        view.CameraViewUp = (0, 1, 0) if place[2] < -200 else (0, 0, 1)
+        last = simple.Touch(Input=response)
+        check(last, place)
+    trace = smtrace.stop_trace()
+    assert trace.count("TipPositionmm = [") == 3, trace     # not left to the view that the script finds
+    kept = list(last.TipPositionmm)
+    simple.RenameSource("begun", last)
+    view.CameraPosition = (200, 0, 0)                       # the state's own view is not looked through again
+    simple.SaveState(folder + "/touch_start.pvsm")
+    simple.ResetSession()
+    simple.LoadState(folder + "/touch_start.pvsm")
+    assert list(simple.FindSource("begun").TipPositionmm) == kept
+    simple.ResetSession()
+
+
 def check_positions(response):
-    """By default half of Range deep, at the corner of the bounds; then where it is moved."""
+    """By default half of Range deep, in the middle; then where it is moved."""
     touch = simple.Touch(Input=response)
-    assert list(touch.TipPositionmm) == [40, 30, 5], list(touch.TipPositionmm)
+    np.testing.assert_allclose(touch.TipPositionmm, (0, 0, 5), atol=1e-9)
     assert touch.Snap == 1 and touch.Indentationmm == 0 and touch.ResponseName == "Response"
     for tip in ((0.2, 0.1, 5), (-17.3, 12.9, 80), (3, -4, -20)):
         touch.TipPositionmm = tip
@@ -147,6 +190,7 @@ def check_defaults():
 
 
 check_defaults()
+check_start(sys.argv[1])
 pressed = check_positions(block())
 check_dent(pressed)
 check_animation(pressed)

@@ -13,6 +13,8 @@ struct ContactBody;
 struct TouchHandle
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
+  /// There is none yet: the touch is to begin where findTouchStart finds, whatever the position.
+  bool isToBeFound = false;
   /// Whether the tip first goes to the surface point nearest to the handle.
   bool snaps = true;
   /// How far the tip is moved in along the normal there, mm. 0: half of the range of the response

@@ -68,6 +68,10 @@ void makeKernel(PreparedTouch& made)
   made.peak = fit.peakForce();
   made.kernels.peaks[{ name, made.range }] = { fit.peakForce(), fit.peakStiffness() };
   made.kernels.read[name] = kernel;
+  if (made.request.sight)
+  {
+    made.start = findTouchStart(body, name, *made.request.sight).point;
+  }
 }
 } // namespace
 

@@ -4,9 +4,11 @@
 
 #include "BodyKernels.h"
 #include "HapticDevice.h"
+#include "TouchStart.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 class vtkPolyData;
@@ -18,8 +20,9 @@ namespace palpate
 struct TouchRequest
 {
   vtkPolyData* body = nullptr;
-  std::string response; ///< prefix of its arrays
-  std::string device;   ///< as vtkHapticSession::SetDevice; "": none is to be opened
+  std::string response;       ///< prefix of its arrays
+  std::string device;         ///< as vtkHapticSession::SetDevice; "": none is to be opened
+  std::optional<Sight> sight; ///< set: a place to begin at is to be found, seen so
 };
 
 /// What takes a while about that: the search structure of the body, and a device that answers.
@@ -27,7 +30,8 @@ struct PreparedTouch
 {
   TouchRequest request;
   BodyKernels kernels;
-  double range = 0.0;                   ///< largest Range of the response, mm
+  Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< the place to begin at, if it was asked for
+  double range = 0.0;                              ///< largest Range of the response, mm
   double peak = 0.0;                    ///< largest force of the response at that depth, N
   std::unique_ptr<HapticDevice> device; ///< null for one that a session opens in no time
   std::string warning;                  ///< what is not sound about the mesh

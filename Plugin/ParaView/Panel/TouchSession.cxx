@@ -49,14 +49,15 @@ vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
 } // namespace
 
 void TouchSession::start(vtkPolyData* body, const std::string& response, const std::string& device,
-  const TouchHandle& handle, const TouchView& view)
+  const TouchHandle& handle, const Sight& sight)
 {
   this->stop();
   this->Device = device;
   this->Handle = handle;
-  this->View = view;
+  this->View = sight;
   this->Now = State::Preparing;
-  this->request(body, response, device);
+  this->request(
+    body, response, device, handle.isToBeFound ? std::optional<Sight>(sight) : std::nullopt);
 }
 
 void TouchSession::replace(vtkPolyData* body, const std::string& response)
@@ -65,12 +66,12 @@ void TouchSession::replace(vtkPolyData* body, const std::string& response)
   this->request(body, response, this->Now == State::Touching ? std::string() : this->Device);
 }
 
-void TouchSession::request(
-  vtkPolyData* body, const std::string& response, const std::string& device)
+void TouchSession::request(vtkPolyData* body, const std::string& response,
+  const std::string& device, const std::optional<Sight>& sight)
 {
   this->Error.clear();
   this->Held.push_back(sameArrays(body));
-  this->Background.submit({ this->Held.back(), response, device });
+  this->Background.submit({ this->Held.back(), response, device, sight });
 }
 
 void TouchSession::stop()
@@ -139,12 +140,16 @@ bool TouchSession::begin(PreparedTouch& made)
   this->Session->AddObserver(vtkCommand::ErrorEvent, hear);
 
   this->Simulated = this->Device == "simulated";
+  if (made.request.sight)
+  {
+    this->Handle.position = made.start;
+  }
   this->Place = findPlace(*made.kernels.read.begin()->second, this->Handle);
   const bool isOfThisWorld = made.device != nullptr;
   if (isOfThisWorld)
   {
-    const Eigen::Vector3d towards = Eigen::Vector3d(this->View.towards.data()).normalized();
-    const Eigen::Vector3d right = Eigen::Vector3d(this->View.up.data()).cross(towards);
+    const Eigen::Vector3d towards = this->View.towards.normalized();
+    const Eigen::Vector3d right = this->View.up.cross(towards);
     const Eigen::Vector3d up = towards.cross(right);
     const Eigen::Vector3d origin = this->Place.surface + Hover * this->Place.normal;
     this->Session->SetDeviceOrigin(origin.data());
@@ -203,6 +208,10 @@ void TouchSession::putDown()
 
 bool TouchSession::steer(const TouchHandle& handle)
 {
+  if (handle.isToBeFound)
+  {
+    return true;
+  }
   this->Handle = handle;
   if (this->Now != State::Touching || !this->Simulated || !handle.position.allFinite())
   {

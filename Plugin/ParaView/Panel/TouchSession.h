@@ -12,20 +12,11 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <deque>
 #include <string>
 
 namespace palpate
 {
-/// How the device lies in the picture: where the user looks from, and what is up. Need not be unit
-/// vectors, nor at right angles.
-struct TouchView
-{
-  std::array<double, 3> towards{ 0.0, 0.0, 1.0 };
-  std::array<double, 3> up{ 0.0, 1.0, 0.0 };
-};
-
 /**
  * A body with responses under a device, in real time: what the panel shows.
  *
@@ -57,9 +48,10 @@ public:
   TouchSession(const TouchSession&) = delete;
   TouchSession& operator=(const TouchSession&) = delete;
 
-  /// Prepares, then starts. `device` as for vtkHapticSession::SetDevice.
+  /// Prepares, then starts. `device` as for vtkHapticSession::SetDevice; `sight`: how the user
+  /// looks at the body, in whose picture the device lies.
   void start(vtkPolyData* body, const std::string& response, const std::string& device,
-    const TouchHandle& handle, const TouchView& view);
+    const TouchHandle& handle, const Sight& sight);
   /// Another body, or another response of it, for the session that runs.
   void replace(vtkPolyData* body, const std::string& response);
   void stop();
@@ -88,7 +80,8 @@ public:
   const TouchPlace& place() const { return this->Place; }
 
 private:
-  void request(vtkPolyData* body, const std::string& response, const std::string& device);
+  void request(vtkPolyData* body, const std::string& response, const std::string& device,
+    const std::optional<Sight>& sight = {});
   bool take(PreparedTouch& made);
   bool begin(PreparedTouch& made);
   bool change(const PreparedTouch& made);
@@ -102,7 +95,7 @@ private:
   std::string Device;
   bool Simulated = false;
   TouchHandle Handle;
-  TouchView View;
+  Sight View;
   TouchPlace Place;
   double Peak = 0.0;
   vtkSmartPointer<vtkHapticSession> Session;

@@ -5,7 +5,6 @@
 
 #include "pqRenderView.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkPVRenderView.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -161,22 +160,5 @@ void TouchStage::settleHandle(const TouchPlace& place)
     this->Released = false;
     this->ShowsNothing = true;
   }
-}
-
-TouchView viewOf(pqRenderView* view)
-{
-  TouchView seen;
-  vtkRenderer* renderer = rendererOf(view);
-  if (renderer)
-  {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->GetDirectionOfProjection(seen.towards.data());
-    for (double& x : seen.towards)
-    {
-      x = -x;
-    }
-    camera->GetViewUp(seen.up.data());
-  }
-  return seen;
 }
 } // namespace palpate

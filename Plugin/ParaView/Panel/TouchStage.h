@@ -15,7 +15,6 @@ class vtkObject;
 namespace palpate
 {
 class TouchSession;
-struct TouchView;
 
 /**
  * Tool, force arrow and, if it is wanted, a handle in a view of ParaView: drawn by the client, over
@@ -61,9 +60,6 @@ private:
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   Eigen::Vector3d Applied = Eigen::Vector3d::Zero();
 };
-
-/// Where the user of a view looks from.
-TouchView viewOf(pqRenderView* view);
 } // namespace palpate
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqLiveTouchPanel.h"
 
+#include "TouchSight.h"
 #include "TouchSource.h"
 
 #include "pqActiveObjects.h"
@@ -157,15 +158,9 @@ void pqLiveTouchPanel::start()
   QObject::connect(view, &pqView::beginRender, this, &pqLiveTouchPanel::onRenderBegins);
   QObject::connect(view, &pqView::endRender, this, &pqLiveTouchPanel::onRenderEnds);
 
-  // A handle of its own begins on the side of the body that is seen, high up, so that the arrow
-  // does not point at the eye.
-  const palpate::TouchView seen = palpate::viewOf(view);
-  const Eigen::Vector3d side =
-    Eigen::Vector3d(seen.towards.data()) + 0.8 * Eigen::Vector3d(seen.up.data());
-  this->FirstHandle =
-    Eigen::Vector3d(body->GetCenter()) + 0.5 * body->GetLength() * side.normalized();
   this->Touch.start(body, this->Form->chosenResponse().toStdString(),
-    this->Form->chosenDevice().toStdString(), this->readHandle(), seen);
+    this->Form->chosenDevice().toStdString(), this->readHandle(),
+    palpate::sightOf(view->getProxy()));
   this->Shown.start();
   this->RenderTime = 0;
   this->Rest.start();
@@ -206,7 +201,8 @@ palpate::TouchHandle pqLiveTouchPanel::readHandle() const
     return palpate::readTouchHandle(this->Leader);
   }
   palpate::TouchHandle handle;
-  handle.position = this->Stage.hasHandle() ? this->Stage.handle() : this->FirstHandle;
+  handle.isToBeFound = !this->Stage.hasHandle();
+  handle.position = handle.isToBeFound ? handle.position : this->Stage.handle();
   handle.depth = this->Form->depth->value();
   handle.snaps = this->Form->snap->isChecked();
   return handle;

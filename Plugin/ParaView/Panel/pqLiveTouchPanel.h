@@ -66,7 +66,6 @@ private:
   palpate::TouchSession Touch;        ///< after the stage, so that it ends before
   pqOutputPort* Body = nullptr;       ///< touched; null while idle
   pqPipelineSource* Leader = nullptr; ///< whose handle leads the tip, or null
-  Eigen::Vector3d FirstHandle = Eigen::Vector3d::Zero();
   bool CanStart = false;
   QString Fault; ///< why the last start came to nothing
   bool Fetching = false;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVTouchStartInformation
+ * @brief where a touch of a source's output begins, found where the data are
+ *
+ * Gathered from a source: the place that palpate::findTouchStart finds on its output, for the
+ * client's sight and one response. Of several servers' ranks the first that has a place tells it: a
+ * body in pieces is not for Touch.
+ */
+#ifndef vtkPVTouchStartInformation_h
+#define vtkPVTouchStartInformation_h
+
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkPVInformation.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+namespace palpate
+{
+struct Sight;
+}
+
+class PALPATESERVERMANAGER_EXPORT vtkPVTouchStartInformation : public vtkPVInformation
+{
+public:
+  static vtkPVTouchStartInformation* New();
+  vtkTypeMacro(vtkPVTouchStartInformation, vtkPVInformation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What is asked: of which output port, which response, and from where it is looked at. */
+  void Ask(int port, const std::string& responseName, const palpate::Sight& sight);
+
+  /** Whether a place was found, and where, mm. */
+  bool IsFound() const { return this->Found; }
+  const double* GetStart() const { return this->Start; }
+
+  void CopyFromObject(vtkObject* source) override;
+  void AddInformation(vtkPVInformation* other) override;
+  void CopyToStream(vtkClientServerStream* stream) override;
+  void CopyFromStream(const vtkClientServerStream* stream) override;
+  void CopyParametersToStream(vtkMultiProcessStream& stream) override;
+  void CopyParametersFromStream(vtkMultiProcessStream& stream) override;
+
+protected:
+  vtkPVTouchStartInformation();
+  ~vtkPVTouchStartInformation() override;
+
+private:
+  vtkPVTouchStartInformation(const vtkPVTouchStartInformation&) = delete;
+  void operator=(const vtkPVTouchStartInformation&) = delete;
+
+  int Port = 0;
+  std::string ResponseName = "Response";
+  std::unique_ptr<palpate::Sight> View;
+  bool Found = false;
+  double Start[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif
