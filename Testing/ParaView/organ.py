@@ -40,10 +40,10 @@ def organ(level=6, size=1.0):
     return normals.GetOutput()
 
 
-def write(file):
+def write(file, size=1.0):
     writer = vtkXMLPolyDataWriter()
     writer.SetDataModeToBinary()
-    writer.SetInputData(organ())
+    writer.SetInputData(organ(size=size))
     writer.SetFileName(file)
     assert writer.Write(), file
 

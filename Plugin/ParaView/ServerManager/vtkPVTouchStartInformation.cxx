@@ -34,7 +34,7 @@ void vtkPVTouchStartInformation::CopyFromObject(vtkObject* source)
   auto* body = algorithm && this->Port < algorithm->GetNumberOfOutputPorts()
     ? vtkPolyData::SafeDownCast(algorithm->GetOutputDataObject(this->Port))
     : nullptr;
-  const palpate::SurfacePlace place =
+  const palpate::TouchedPlace place =
     palpate::findTouchStart(body, this->ResponseName, *this->View);
   this->Found = place.cell >= 0;
   std::copy_n(place.point.data(), 3, this->Start);
