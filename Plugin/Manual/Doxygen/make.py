@@ -29,7 +29,7 @@ def run_example(script, folder):
     command = [interpreter, str(script), *ARGUMENTS.get(script.name, [])]
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
-    except OSError as error:
+    except (OSError, subprocess.TimeoutExpired) as error:
         print("make.py: %s: %s" % (script.name, error), file=sys.stderr)
         return None
     if done.returncode != 0:
@@ -57,7 +57,7 @@ def run_examples(folder):
 
 
 def example_page(results):
-    """The end of the gallery: of each example its first words, source, output and pictures."""
+    """The end of the gallery: of each example its first words, pictures, command and output."""
     for script, text, pictures in results:
         source = script.read_text(encoding="utf-8")
         first, rest = re.search(r'"""(.*?)\n(.*?)"""', source, re.DOTALL).groups()
