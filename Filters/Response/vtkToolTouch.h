@@ -90,7 +90,7 @@ public:
    * side, lies near the middle, and is within the response's validity as far as there is such a
    * place; from a side where nothing has a response the next of +z, +x, +y, -z, -x, -y. Depends on
    * shape, response and direction alone. Returns false, and leaves `start`, for a body without the
-   * response, or with none that is valid. Some 5000 rays.
+   * response, or with none that is valid. Some 0.2 s.
    */
   static bool FindStart(vtkPolyData* body, const std::string& responseName, const double towards[3],
     const double up[3], double start[3]);

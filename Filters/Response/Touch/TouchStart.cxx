@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace palpate
 {
@@ -183,28 +184,44 @@ double judge(
   return flatness * facing * within;
 }
 
+/// Places of the picture, -1 to 1, from the middle outward.
+std::vector<Eigen::Vector2d> placesOfPicture()
+{
+  std::vector<Eigen::Vector2d> places;
+  const auto share = [](int i) { return (2.0 * i + 1.0) / PlacesPerSide - 1.0; };
+  for (int i = 0; i < PlacesPerSide; ++i)
+  {
+    for (int j = 0; j < PlacesPerSide; ++j)
+    {
+      places.emplace_back(share(i), share(j));
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+    [](const Eigen::Vector2d& one, const Eigen::Vector2d& other)
+    { return one.squaredNorm() < other.squaredNorm(); });
+  return places;
+}
+
 /// The best of what is seen; cell -1 for nothing.
 TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
 {
   const Picture picture(sight, cornersOf(body.bounds()));
   TouchedPlace best;
   double most = 0.0;
-  const auto share = [](int i) { return (2.0 * i + 1.0) / PlacesPerSide - 1.0; };
-  for (int i = 0; i < PlacesPerSide && !picture.isEmpty(); ++i)
+  for (const Eigen::Vector2d& share : placesOfPicture())
   {
-    for (int j = 0; j < PlacesPerSide; ++j)
+    const double middle = 1.0 - 0.25 * share.squaredNorm();
+    if (picture.isEmpty() || middle <= most)
     {
-      const double x = share(i);
-      const double y = share(j);
-      const TouchedPlace place =
-        picture.look(body, picture.seen().at(0, x), picture.seen().at(1, y));
-      const double middle = 1.0 - 0.25 * (x * x + y * y);
-      const double merit = middle * judge(body, tool, picture, place);
-      if (merit > most)
-      {
-        most = merit;
-        best = place;
-      }
+      break; // no other is better: the rest is 1 at most
+    }
+    const TouchedPlace place =
+      picture.look(body, picture.seen().at(0, share.x()), picture.seen().at(1, share.y()));
+    const double merit = middle * judge(body, tool, picture, place);
+    if (merit > most)
+    {
+      most = merit;
+      best = place;
     }
   }
   return best;

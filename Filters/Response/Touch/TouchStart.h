@@ -39,7 +39,7 @@ struct Sight
  * response is in the picture is looked at whole, from the same direction, then along the axes. Cell
  * -1 if it has no response anywhere.
  *
- * Cost: some 5000 rays: 20 ms on a body of 10^5 triangles, and the locator of TouchedBody.
+ * Cost: 0.17 s of one processor on a ball of 28 thousand triangles, locator included.
  */
 TouchedPlace findTouchStart(TouchedBody& body, vtkContactTool* tool, const Sight& sight);
 
