@@ -53,7 +53,7 @@
  * Input that is no vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
  *
  * Cost: building the kernel's copy of the body once per change of the body, O(n log n), with
- * progress; then about half a microsecond per tip, if they are many. Independent tips are felt in
+ * progress; then half a microsecond to one per tip, if they are many. Independent tips are felt in
  * an order in which neighbours follow one another, whatever the order they come in, and threaded
  * by vtkSMPTools; same bits for any order and any number of threads. Meanwhile each thread keeps
  * some 220 bytes for up to 262144 tips.

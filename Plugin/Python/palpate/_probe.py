@@ -72,7 +72,7 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
 
     Raises ValueError with the words of vtkToolContactProbe, TypeError for things of another kind, OSError and
     RuntimeError for files; defects of the mesh give a RuntimeWarning. Tips for themselves run on all threads of
-    vtkSMPTools with the same bits for any number, some 0.5 microseconds each; a path on one. The first call on a
+    vtkSMPTools with the same bits for any number, 0.5 to 1 microsecond each; a path on one. The first call on a
     body builds a search structure (0.3 s for 150 thousand points), which is kept for the next call on the same one.
     """
     body = as_body(body)
