@@ -39,7 +39,7 @@ install(FILES "${palpate_package_dir}/palpate.svg"
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "press a tool against a body, see and feel the force")
 set(CPACK_PACKAGE_NAME palpate)
-set(CPACK_PACKAGE_CONTACT "Palpate maintainers <palpate@users.noreply.github.com>")
+set(CPACK_PACKAGE_CONTACT "Palpate maintainers <maintainers@palpate.example>")
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_SOURCE_DIR}/build/package")
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_STRIP_FILES ON)

@@ -14,7 +14,7 @@
 #   all        ./run test --all
 #
 # Without JOBs: demo again test package install. Each job goes on from where the one before left the system.
-# Logs in build/systems/SYSTEM.log; a table of the times in Testing/Systems/SYSTEM.md, which is kept.
+# Logs in build/systems/SYSTEM.log; the times in Testing/Systems/report.md, which is kept.
 #
 #   MIRROR=ADDRESS   another mirror than debootstrap's own
 #   KEEP=1           goes on in the system that there is
@@ -35,7 +35,7 @@ jobs=("$@")
 systems=$source/build/systems
 root=$systems/$system
 logs=$systems/$system.log
-report=$here/$system.md
+report=$here/report.md
 mkdir -p "$logs" || exit 1
 
 # make_bare ROOT: from a pristine copy, which is made once.
@@ -77,23 +77,26 @@ leave()
 
 version() { enter "$root" dpkg-query -W -f '${Version}' "$1" 2>/dev/null || echo -; }
 
-# write_report: what the system is, and a row a job.
+# write_report: the system's section of the report, in place of an older one.
 write_report()
 {
+  local section=$logs/section
   {
-    echo "# A bare system: Debian $system"
+    echo "## $system"
     echo
     echo "$(enter "$root" sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release);" \
       "ParaView $(version paraview-dev), Python $(version python3), g++ $(version g++)," \
       "CMake $(version cmake), Eigen $(version libeigen3-dev), hidapi $(version libhidapi-dev);" \
       "$(nproc) processors. Commit $(git -C "$source" rev-parse --short HEAD), $(date -u +%Y-%m-%d)."
     echo
-    echo '| job | what | min:s | packages installed since the job before | outcome |'
+    echo '| job | what | min:s | packages it added | outcome |'
     echo '|---|---|---|---|---|'
     printf '%s\n' "${rows[@]}"
     echo
     echo "Written by \`Testing/Systems/bare.sh $system ${jobs[*]}\`."
-  } >"$report"
+  } >"$section"
+  awk -v own="## $system" '/^## /{skip = $0 == own} !skip' "$report" >"$section.others"
+  { cat "$section.others"; [ -z "$(tail -n 1 "$section.others")" ] || echo; cat "$section"; } >"$report"
 }
 
 count_packages() { enter "$root" dpkg-query -W 2>/dev/null | wc -l; }
