@@ -60,7 +60,7 @@ enter()
   shift
   mountpoint -q "$place/proc" || mount -t proc proc "$place/proc"
   mountpoint -q "$place/sys" || mount -t sysfs sysfs "$place/sys"
-  mountpoint -q "$place/dev" || mount --rbind /dev "$place/dev"
+  mountpoint -q "$place/dev" || { mount --rbind /dev "$place/dev" && mount --make-rslave "$place/dev"; }
   cp -L /etc/resolv.conf /etc/hosts "$place/etc/" 2>/dev/null
   env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb \
     http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" \
