@@ -53,7 +53,7 @@ class Symbols(unittest.TestCase):
                 scopes = re.split(r"[(<\[]", name)[0].split(" ")[-1].split("::")
                 owner = scopes[1] if scopes[0] == "palpate" else scopes[0]
                 if scopes[0].startswith("palpate") or f"{owner}.h" in self.sources:
-                    self.assertRegex(self.headers, rf"\b{owner}\b", f"{library} exports {name}")
+                    self.assertTrue(re.search(rf"\b{owner}\b", self.headers), f"{library} exports {name}")
                 else: # inline functions of VTK, templates of the standard library
                     self.assertIn(kind, "WVuw", f"{library} exports {name}")
 

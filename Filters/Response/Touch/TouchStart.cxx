@@ -2,6 +2,7 @@
 #include "TouchStart.h"
 
 #include "ResponseTool.h"
+#include "TouchedBody.h"
 #include "vtkContactTool.h"
 
 #include "vtkPolyData.h"

@@ -2,7 +2,7 @@
 #ifndef TouchStart_h
 #define TouchStart_h
 
-#include "TouchedBody.h" // For palpate::TouchedPlace
+#include "TouchedPlace.h"
 
 #include "palpateResponseModule.h" // For export macro
 
@@ -13,6 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
+class TouchedBody;
+
 /// How a body is looked at, and what of it is in the picture. By default from far away along +z, y
 /// up, all of it.
 struct Sight

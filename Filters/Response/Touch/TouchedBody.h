@@ -2,8 +2,8 @@
 #ifndef TouchedBody_h
 #define TouchedBody_h
 
-#include "ResponseField.h"      // For palpate::ResponseArrays
-#include "TriangleProjection.h" // For palpate::Vector3
+#include "ResponseField.h" // For palpate::ResponseArrays
+#include "TouchedPlace.h"
 
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 #include "vtkType.h"         // For vtkIdType
@@ -15,15 +15,6 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// A place on the surface of a body.
-struct TouchedPlace
-{
-  vtkIdType cell = -1;               ///< of the body; -1: none
-  Vector3 point = Vector3::Zero();   ///< mm
-  Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
-  double distance = 0.0;             ///< of what was projected, mm
-};
-
 /// What the law says of itself at a place: the weakest of the corners.
 struct PlaceValidity
 {

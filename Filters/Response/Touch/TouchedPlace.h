@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * Where a body is touched, or would be.
+ */
+#ifndef TouchedPlace_h
+#define TouchedPlace_h
+
+#include "TriangleProjection.h" // For palpate::Vector3
+
+#include "vtkType.h" // For vtkIdType
+
+namespace palpate
+{
+/// A place on the surface of a body.
+struct TouchedPlace
+{
+  vtkIdType cell = -1;               ///< of the body; -1: none
+  Vector3 point = Vector3::Zero();   ///< mm
+  Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
+  double distance = 0.0;             ///< of what was projected, mm
+};
+} // namespace palpate
+
+#endif
