@@ -112,8 +112,8 @@ function(palpate_add_kernel name)
   palpate_warnings(palpate${name})
   palpate_group_sources(palpate${name})
   target_compile_options(palpate${name} PRIVATE
-    -Wpedantic -Wnull-dereference # VTK's headers fail both
-    -fno-math-errno               # a square root is one instruction
+    -Wpedantic        # which VTK's headers fail
+    -fno-math-errno   # a square root is one instruction
     $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-O2>) # a million inputs each
   palpate_version_library(palpate${name})
   install(TARGETS palpate${name} EXPORT PalpateKernels

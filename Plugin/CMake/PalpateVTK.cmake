@@ -64,7 +64,11 @@ foreach(palpate_module IN LISTS palpate_modules)
 endforeach()
 
 add_custom_target(palpatePython) # the package, as far as this VTK allows
-if(TARGET VTK::WrappingPythonCore)
+set(PALPATE_WITH_PYTHON OFF)
+if(TARGET VTK::WrappingPythonCore AND TARGET Python3::Module)
+  set(PALPATE_WITH_PYTHON ON)
+endif()
+if(PALPATE_WITH_PYTHON)
   block() # the modules in palpate/ find the libraries when installed
   file(RELATIVE_PATH palpate_python_to_lib "/${PALPATE_INSTALL_PYTHONDIR}/palpate" "/${CMAKE_INSTALL_LIBDIR}")
   list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/${palpate_python_to_lib}")
@@ -85,5 +89,5 @@ if(TARGET VTK::WrappingPythonCore)
     target_compile_options(${palpate_target} PRIVATE -O1) # passes arguments on
   endforeach()
 else()
-  message(WARNING "This VTK has no Python wrapping: the package 'palpate' is not built.")
+  message(STATUS "No Python wrapping in this VTK, or no headers of Python: the package 'palpate' is not built")
 endif()

@@ -163,8 +163,8 @@ bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Reduci
   std::vector<float> rows(count * arrays.points, 0.0F);
   const auto store = [&](std::size_t i, const Eigen::VectorXd& coefficients)
   {
-    const Eigen::VectorXf row = coefficients.cast<float>();
-    std::copy_n(row.data(), count, rows.data() + count * curves.point(i));
+    Eigen::Map<Eigen::VectorXf>(rows.data() + count * curves.point(i), laws.cols()) =
+      coefficients.cast<float>();
   };
   const Kept kept = keptOf(curves, settings.tolerance, errorOf, store);
   if (!kept.suffices(curves.count(), settings.share))

@@ -86,8 +86,9 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const Eigen::VectorXf row = Eigen::VectorXd(coefficients(i)).template cast<float>();
-        std::copy_n(row.data(), count, result.coefficient.data() + count * curves.point(i));
+        float* row = result.coefficient.data() + count * curves.point(i);
+        Eigen::Map<Eigen::VectorXf>(row, laws.cols()) =
+          Eigen::VectorXd(coefficients(i)).template cast<float>();
       }
     });
 }

@@ -139,7 +139,7 @@ void checkHeld()
   for (const double corner : { -6.0, 6.0 })
   {
     const double place[3] = { corner, 4.0, 6.0 };
-    const vtkIdType nearest = filter->GetOutput()->FindPoint(corner, 4.0, 6.0);
+    const vtkIdType nearest = filter->GetOutput()->vtkDataSet::FindPoint(corner, 4.0, 6.0);
     PALPATE_CHECK(
       vtkMath::Distance2BetweenPoints(filter->GetOutput()->GetPoint(nearest), place) < 1e-18);
   }

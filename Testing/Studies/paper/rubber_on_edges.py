@@ -63,7 +63,7 @@ def compliant_surface(body, quick):
     elastic.Update()
     surface = vtkPolyData()
     surface.ShallowCopy(elastic.GetOutput())
-    middle = surface.FindPoint(0.0, 0.0, 0.0) if surface.GetNumberOfPoints() else -1
+    middle = surface.FindPoint((0.0, 0.0, 0.0)) if surface.GetNumberOfPoints() else -1
     if middle < 0 or surface.GetPointData().GetArray("ComplianceStatus").GetTuple1(middle) != 0:
         raise RuntimeError("no compliance of the " + body.name)
     return surface, middle
