@@ -64,7 +64,7 @@
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
  * points and both radii, half as much again on two cores, where cells form a regular
  * grid; the half-space terms of irregular meshes, where no two points are alike, take about 8 ms
- * per point and core (`./run bench --benchmark_filter=ElasticCompliance`).
+ * per point and core (`./run bench filters --benchmark_filter=ElasticCompliance`).
  * CHOLMOD with OpenBLAS if Palpate was built with it, Eigen otherwise, some hundred times slower.
  * A body that does not fit MemoryLimit is refused before it is solved: by its numbers of points
  * (palpate::MemoryForecast) before anything is assembled, if that is certain, otherwise by the
