@@ -185,7 +185,7 @@ def check_measured():
     with open(file, "w", encoding="utf-8") as csv:
         csv.write("# tool: paraboloid:6.35\nsite,x_mm,y_mm,z_mm,deflection_mm,force_N\n")
         for site, x, modulus in (("A", -3, 0.05), ("B", 3, 0.1)):
-            csv.writelines(f"{site},{x},0,0,{i / 40!r},{hertz(i / 40, modulus) + 2e-3 * rng.normal()!r}\n"
+            csv.writelines(f"{site},{x},0,0,{i / 40!r},{float(hertz(i / 40, modulus) + 2e-3 * rng.normal())!r}\n"
                            for i in range(-10, 61))
     flat = simple.Triangulate(Input=simple.Plane(
         Origin=(-10, -10, 0), Point1=(10, -10, 0), Point2=(-10, 10, 0), XResolution=10, YResolution=10))

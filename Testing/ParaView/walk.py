@@ -4,8 +4,8 @@
     pvpython walk.py PARAVIEW WALK_THROUGH.XML BASELINES FOLDER [PICTURES]      needs an X server
 
 Open, Apply, Tool Contact Response, Apply, Touch, Apply: then the view shows the dent, the tool, the
-force arrow and the numbers. Its last picture is compared with a baseline, and the state it saves holds
-the numbers of the tool's closed form. With PICTURES, the pictures of manual and help are left there, as paraview_*.png.
+force arrow and the numbers. The state it saves holds the numbers of the tool's closed form, and is drawn
+in a view of one size, whatever the program's window leaves for it: that is compared with a baseline. With PICTURES, the pictures of manual and help are left there, as paraview_*.png.
 """
 import os
 import shutil
@@ -19,6 +19,7 @@ import organ
 from program import play
 
 STEPS = ("body.png", "response.png", "touch.png")
+SIZE = (844, 527)
 SMALL = 200_000                                             # bytes of a picture in the repository
 YOUNG, POISSON, RADIUS, RANGE = 0.1, 0.45, 5.0, 2.0         # what Tool Contact Response has by itself
 
@@ -49,6 +50,8 @@ def check_numbers(state):
     shown = [simple.GetRepresentation(servermanager.OutputPort(touch, port), view) for port in range(4)]
     assert all(proxy.Visibility for proxy in shown)
     assert simple.GetRepresentation(simple.FindSource("ToolContactResponse1"), view).Visibility == 0
+    view.ViewSize = SIZE
+    simple.SaveScreenshot(str(state.with_name("state.png")), view)
     return tail
 
 
@@ -81,7 +84,7 @@ def main(program, events, baselines, folder, pictures=None):
             shutil.copy(folder / step, Path(pictures) / ("paraview_" + step))
     sys.path.insert(0, str(Path(__file__).parent.parent / "Viewer"))
     import compare_pictures # pylint: disable=import-outside-toplevel
-    return compare_pictures.main([str(folder), baselines, "ParaView-", STEPS[-1]])
+    return compare_pictures.main([str(folder), baselines, "ParaView-", "state.png"])
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@
 # Logs in build/systems/SYSTEM.log; the times in Testing/Systems/report.md, which is kept.
 #
 #   MIRROR=ADDRESS   another mirror than debootstrap's own
-#   KEEP=1           goes on in the system that there is
+#   KEEP=1           goes on in the system that there is, and keeps the report's rows of other jobs
 #
 # Needs root and debootstrap. The host's settings of apt (/etc/apt/apt.conf.d/99*, a proxy) come along.
 # Exit code: 0 if all jobs passed, 1 if one failed, 2 for a wrong call.
@@ -80,23 +80,41 @@ version() { enter "$root" dpkg-query -W -f '${Version}' "$1" 2>/dev/null || echo
 # write_report: the system's section of the report, in place of an older one.
 write_report()
 {
-  local section=$logs/section
+  local section=$logs/section job
   {
     echo "## $system"
     echo
     echo "$(enter "$root" sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release);" \
       "ParaView $(version paraview-dev), Python $(version python3), g++ $(version g++)," \
       "CMake $(version cmake), Eigen $(version libeigen3-dev), hidapi $(version libhidapi-dev);" \
-      "$(nproc) processors. Commit $(git -C "$source" rev-parse --short HEAD), $(date -u +%Y-%m-%d)."
+      "$(nproc) processors."
     echo
-    echo '| job | what | min:s | packages it added | outcome |'
-    echo '|---|---|---|---|---|'
-    printf '%s\n' "${rows[@]}"
-    echo
-    echo "Written by \`Testing/Systems/bare.sh $system ${jobs[*]}\`."
+    echo '| job | what | min:s | packages it added | outcome | commit, day |'
+    echo '|---|---|---|---|---|---|'
+    for job in demo again test all package install deprecated; do
+      [ -z "${rows[$job]:-}" ] || echo "${rows[$job]}"
+    done
   } >"$section"
   awk -v own="## $system" '/^## /{skip = $0 == own} !skip' "$report" >"$section.others"
   { cat "$section.others"; [ -z "$(tail -n 1 "$section.others")" ] || echo; cat "$section"; } >"$report"
+}
+
+# add_row JOB WHAT SECONDS PACKAGES OUTCOME
+add_row()
+{
+  rows[$1]="| $1 | \`$2\` | $(($3 / 60)):$(printf %02d $(($3 % 60))) | $4 | $5 | $commit, $(date -u +%Y-%m-%d) |"
+  echo "${rows[$1]}"
+  write_report
+}
+
+# The rows that the report has of this system.
+read_rows()
+{
+  local row job
+  while IFS= read -r row; do
+    IFS=' ' read -r _ job _ <<<"$row"
+    rows[$job]=$row
+  done < <(awk -v own="## $system" '/^## /{ours = $0 == own} ours && /^\| [a-z]+ \| `/' "$report")
 }
 
 count_packages() { enter "$root" dpkg-query -W 2>/dev/null | wc -l; }
@@ -115,9 +133,7 @@ run_job()
     test | all) outcome+=": $(grep -E '^[0-9]+% tests passed' "$logs/$1" | sed 's/^[0-9]*% tests passed, //' | paste -sd ';')" ;;
     package) outcome+=": $(sed -n 's|.*/\(palpate.*\.deb\)$|\1|p' "$logs/$1" | sort -u | paste -sd ' ')" ;;
   esac
-  rows+=("| $1 | \`$2\` | $((seconds / 60)):$(printf %02d $((seconds % 60))) | $(($(count_packages) - before)) | $outcome |")
-  echo "${rows[-1]}"
-  write_report
+  add_row "$1" "$2" $seconds $(($(count_packages) - before)) "$outcome"
 }
 
 # The packages are tried where nothing was ever built.
@@ -133,12 +149,13 @@ try_packages()
   local outcome=passed seconds=$((SECONDS - start))
   [ $status -eq 0 ] || { outcome="**failed** ($status)"; failed=1; }
   outcome+=": $(tail -n 1 "$logs/install")"
-  rows+=("| install | \`check_package.sh\` | $((seconds / 60)):$(printf %02d $((seconds % 60))) | – | $outcome |")
-  echo "${rows[-1]}"
-  write_report
+  add_row install check_package.sh $seconds - "$outcome"
 }
 
-failed=0 rows=()
+failed=0
+declare -A rows=()
+commit=$(git -C "$source" rev-parse --short HEAD)
+[ -z "${KEEP:-}" ] || read_rows
 if [ -z "${KEEP:-}" ] || [ ! -d "$root/root/palpate" ]; then
   make_bare "$root" || exit 1
   mkdir -p "$root/root/palpate"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The live window under real mouse and key events: press, slide, deeper, another tool, quit.
 
-    test_live_window.py PALPATE_EXECUTABLE FOLDER
+    test_live_window.py PALPATE_EXECUTABLE FOLDER [-k WORD]     (the tests with the word in their names)
 
 Needs a display of its own (the pointer is there once) and xdotool; exit code 77 without xdotool. The
 test waits for what the program prints, and gives its window a bounded time to follow the mouse.
@@ -238,4 +238,4 @@ if __name__ == "__main__":
     if not shutil.which("xdotool"):
         print("xdotool is not installed: no real mouse events")
         sys.exit(77)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
