@@ -74,8 +74,8 @@ vec3 palpateLocal(vec3 x, inout vec3 n)
 }
 )";
 
-/// The vertex moves first of all; what VTK does with it afterwards sees it displaced. Its place in the
-/// colours' texture VTK calls tcoord, since 9.3 colorTCoord.
+/// The vertex moves first of all; what VTK does with it afterwards sees it displaced. Its place in
+/// the colours' texture VTK calls tcoord, since 9.3 colorTCoord.
 std::string displacement(int modes)
 {
   return std::string(R"(
