@@ -174,7 +174,7 @@ for frame, time in enumerate(steps):
     found = [float(last[name]) for name in ("Time (s)", "Deflection (mm)", "Normal Force (N)")]
     expected = [times[index], array(all_at_once, "Deflection")[index], array(all_at_once, "NormalForce")[index]]
     np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-6) # five digits are written
-simple.SaveData(FOLDER + "/exported.pvd", proxy=dent, WriteTimeSteps=1)
+simple.SaveData(FOLDER + "/exported.pvd", proxy=dent, WriteTimeSteps=1, DataMode="Binary")
 again = simple.PVDReader(FileName=FOLDER + "/exported.pvd")
 np.testing.assert_allclose(again.TimestepValues, steps, atol=1e-6)
 again.UpdatePipeline(again.TimestepValues[7])
