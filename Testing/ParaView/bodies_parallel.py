@@ -3,10 +3,13 @@
 Under mpiexec. What is compared is known beforehand: areas, numbers of triangles, the force of the one law times the area."""
 import numpy as np
 import palpate
+import raw_xml
 from paraview import servermanager, simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
+if CONTROLLER.GetNumberOfProcesses() > 1:
+    raw_xml.need_raw_xml()
 FIRST = CONTROLLER.GetLocalProcessId() == 0
 SPHERE = dict(ThetaResolution=40, PhiResolution=40)
 SPHERE_TRIANGLES = 2 * 40 * (40 - 2)

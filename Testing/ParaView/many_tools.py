@@ -6,6 +6,7 @@
 import os
 import subprocess
 import sys
+import raw_xml
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLPPolyDataReader
 
@@ -28,6 +29,7 @@ for depth, force in zip((0.5, 1.0, 1.5, 2.0), alone["Flat"][3:]):
     stiffness = 2 * 0.05 / (1 - 0.45 ** 2) * 3
     assert stiffness * (depth - 0.0063) < force < stiffness * depth, (depth, force)
 
+raw_xml.need_raw_xml()
 ball = os.path.join(FOLDER, "many_tools_ball.vtp")
 output = os.path.join(FOLDER, "many_tools.pvtp")
 source = vtkSphereSource()

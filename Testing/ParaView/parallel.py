@@ -10,6 +10,7 @@ import os
 import sys
 import numpy as np
 import ranks
+import raw_xml
 from paraview import servermanager, simple
 from palpate import (vtkContactDeflection, vtkContactRegime, vtkContactTool, vtkToolContactProbe,
                      vtkToolContactResponse)
@@ -23,6 +24,8 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 FOLDER = sys.argv[1]
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 ULP = 2e-7
+if PROCESSES > 1:
+    raw_xml.need_raw_xml()
 
 
 def bumpy_ball(columns=72, rows=48):

@@ -13,6 +13,7 @@ import sys
 import threading
 import traceback
 import numpy as np
+import raw_xml
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -105,6 +106,8 @@ def run():
         os.remove(FILE)
 
 
+if "mpiexec" in SERVER[0]:
+    raw_xml.need_raw_xml()
 try:
     run()
 except BaseException: # noqa: what it was is said; leaving in the ordinary way would talk to a server that has gone

@@ -2,6 +2,7 @@
 """What a body may be given as: see as_body."""
 import os
 
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
@@ -70,6 +71,14 @@ def _reader(name):
     return readers[end]()
 
 
+def _hint(name):
+    """VTK before 9.3.1 does not read its own raw data with expat since 2.6, nor with Debian's patched 2.5."""
+    with open(name, "rb") as file:
+        raw = name.lower().endswith((".vtp", ".vtu", ".vti")) and b'encoding="raw"' in file.read()
+    return ("VTK %s and this system's expat do not agree on raw appended data: save it with the data mode Binary"
+            % vtkVersion.GetVTKVersion()) if raw else ""
+
+
 def _read(name):
     reader = _reader(name)
     with open(name, "rb"):                          # FileNotFoundError, PermissionError
@@ -78,5 +87,6 @@ def _read(name):
         reader.Update()
         data = reader.GetOutputDataObject(0)
     if complaints or data is None or data.GetNumberOfPoints() == 0:
-        raise RuntimeError("'%s' could not be read: %s" % (name, "".join(complaints) or "there are no points in it"))
+        raise RuntimeError("'%s' could not be read: %s%s" % (
+            name, "".join(complaints) or "there are no points in it", _hint(name) if complaints else ""))
     return data
