@@ -209,6 +209,26 @@ class Bodies(unittest.TestCase):
             # An STL file has no normals, so that they are those of the facets: 1e-3.
             np.testing.assert_allclose(self.felt(stl), self.felt(source), atol=2e-3)
 
+    def test_raw_binary_data_is_read_or_refused_with_advice(self):
+        source = ball()
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetDataModeToAppended()
+        writer.EncodeAppendedDataOff()          # as ParaView saves: VTK of Debian 12 may not read it back
+        with tempfile.TemporaryDirectory() as folder:
+            for blanks in range(0, 1000, 97):   # in the head, on whose length it depends
+                name = os.path.join(folder, "ball.vtp")
+                writer.SetFileName(name)
+                writer.Write()
+                written = Path(name).read_bytes()
+                Path(name).write_bytes(written.replace(b"<PolyData>", b"<PolyData>" + blanks * b" ", 1))
+                try:
+                    felt = self.felt(name)
+                except RuntimeError as fault:
+                    self.assertIn("save it with the data mode Binary", str(fault))
+                else:
+                    np.testing.assert_array_equal(felt, self.felt(source))
+
     def test_the_body_is_not_changed(self):
         source = ball()
         source.Update()
