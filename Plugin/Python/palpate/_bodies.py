@@ -75,7 +75,7 @@ def _hint(name):
     """VTK before 9.3.1 does not read its own raw data with expat since 2.6, nor with Debian's patched 2.5."""
     with open(name, "rb") as file:
         raw = name.lower().endswith((".vtp", ".vtu", ".vti")) and b'encoding="raw"' in file.read()
-    return ("VTK %s and this system's expat do not agree on raw appended data: save it with the data mode Binary"
+    return ("; VTK %s and this system's expat do not agree on raw appended data: save it with the data mode Binary"
             % vtkVersion.GetVTKVersion()) if raw else ""
 
 
