@@ -148,7 +148,7 @@ try_packages()
   leave "$place"
   local outcome=passed seconds=$((SECONDS - start))
   [ $status -eq 0 ] || { outcome="**failed** ($status)"; failed=1; }
-  outcome+=": $(tail -n 1 "$logs/install")"
+  outcome+=": $(sed -n 's/^check_package: palpate \(installed in [0-9]* s\).*/\1/p' "$logs/install"); $(tail -n 1 "$logs/install")"
   add_row install check_package.sh $seconds - "$outcome"
 }
 
