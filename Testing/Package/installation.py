@@ -33,6 +33,12 @@ def files_below(folder):
     return sorted(found)
 
 
+def our_headers():
+    """Names of all headers of the project; not of what a build may have unpacked below it."""
+    return {name for room in ("Filters", "Interactors", "Plugin") for _, _, names in os.walk(os.path.join(SOURCE, room))
+            for name in names if name.endswith(".h")}
+
+
 def is_elf(path):
     with open(path, "rb") as file:
         return file.read(4) == b"\x7fELF"
