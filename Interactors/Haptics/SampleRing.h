@@ -18,8 +18,6 @@ namespace palpate
  * are for both. Copying a Value must neither allocate nor throw.
  */
 template <class Value>
-// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): each thread's numbers on a line of its
-// own
 class SampleRing
 {
 public:
