@@ -119,6 +119,8 @@ def check_properties():
     for (group, name), expected in PROPERTIES.items():
         proxy = manager.NewProxy(group, name)
         assert proxy.GetDocumentation().GetDescription(), name
+        if group != "contact_tools":
+            assert proxy.GetHints().FindNestedElementByName("ShowInMenu").GetAttribute("category") == "Palpate", name
         made = proxy.GetClientSideObject()
         # the class itself or, of the plugin's own vtkPV..., the one in the package that it is made of
         assert type(made) is getattr(palpate, made.GetClassName().replace("vtkPV", "vtk")), type(made)
