@@ -33,7 +33,8 @@ class Option:
         self.text = ""
         told, *self.excluded = re.split(r" *\bExcludes: ", told)
         told, *self.needed = re.split(r" *\bNeeds: ", told)
-        told, *default = re.split(r"=| (?=\[[^\]]*\] ?$)(?<!in )", told.strip().removesuffix(" ..."), maxsplit=1) # CLI11 2.1, 2.4
+        # "=1" by CLI11 2.1, " [1]" by 2.4
+        told, *default = re.split(r"=| (?=\[[^\]]*\] ?$)(?<!in )", told.strip().removesuffix(" ..."), maxsplit=1)
         self.type = told
         self.default = default[0].strip("[] ") if default else ""
 

@@ -73,10 +73,13 @@ def _reader(name):
 
 def _hint(name):
     """VTK before 9.3.1 does not read its own raw data with expat since 2.6, nor with Debian's patched 2.5."""
+    version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
+    if version > (9, 3) or not name.lower().endswith((".vtp", ".vtu", ".vti")):
+        return ""
     with open(name, "rb") as file:
-        raw = name.lower().endswith((".vtp", ".vtu", ".vti")) and b'encoding="raw"' in file.read()
-    return ("; VTK %s and this system's expat do not agree on raw appended data: save it with the data mode Binary"
-            % vtkVersion.GetVTKVersion()) if raw else ""
+        raw = b'encoding="raw"' in file.read()
+    return ("; the reason may be that VTK %s and this system's expat do not agree on raw appended data: save it with "
+            "the data mode Binary" % vtkVersion.GetVTKVersion()) if raw else ""
 
 
 def _read(name):
