@@ -12,4 +12,18 @@
 #endif
 #endif
 
+namespace palpate::testing
+{
+/// How many of so many random cases are tried: under a sanitizer, which makes them ten times as
+/// slow, one in ten.
+constexpr int casesOf(int all)
+{
+#ifdef PALPATE_SANITIZED
+  return all / 10;
+#else
+  return all;
+#endif
+}
+} // namespace palpate::testing
+
 #endif

@@ -3,6 +3,7 @@
 // on a circle they do what their differential equations, finely integrated here, say.
 #include "Friction.h"
 #include "FrictionCurves.h"
+#include "Sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -127,7 +128,7 @@ TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
         for (const double length : { 0.1, 0.7, 1.8, 2.4, 5.0, 40.0 })
         {
           Vector2 forces[3];
-          const int ticks[3] = { 1, 10, 1000 };
+          const int ticks[3] = { 1, 10, palpate::testing::casesOf(1000) };
           for (int i = 0; i < 3; ++i)
           {
             Slider slider(settingsOf(model));

@@ -2,6 +2,7 @@
 #include "TriangleSearch.h"
 
 #include "BumpySphere.h"
+#include "Sanitized.h"
 #include "TriangleBound.h"
 
 #include <Eigen/Geometry>
@@ -41,10 +42,10 @@ void compareWithTree(const Surface& body, double size, double grid)
   std::uniform_real_distribution<double> share(-0.5, 0.5);
   const auto anyPoint = [&]() { return body.points[random() % body.points.size()]; };
   Vector3 tip = anyPoint();
-  for (int i = 0; i < 20000; ++i)
+  for (int i = 0; i < casesOf(20000); ++i)
   {
     const Vector3 step(share(random), share(random), share(random));
-    switch (i % 400 == 0 ? 3 : i / 1000 % 3)
+    switch (i % 400 == 0 ? 3 : i / casesOf(1000) % 3)
     {
       case 0: // wanders, in and out
         tip += 0.02 * size * step;
