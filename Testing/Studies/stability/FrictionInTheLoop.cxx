@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part d: what friction models do in a sampled loop: drift under a load that swings within the
 // limit, stick and slip behind a spring, the stiffest stick, and rest.
+#include "Constants.h"
 #include "Friction.h"
 #include "FrictionCurves.h"
 #include "Parts.h"
@@ -19,7 +20,6 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 /// A model, or none of ours: minus the sign of the velocity, by backward differences.
 struct Model

@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Push = 1.0; // N
+constexpr double LightPush = 1.0; // N
 
 /// A mass that rests on the plate under its push, but for a tenth of the depth. The hand, if any,
 /// means to be where it rests.
@@ -27,7 +27,7 @@ VirtualLoop disturbed(const LoopSetting& setting, double stiffness, Rendering& p
 ServoRendering plateOfStiffness(double stiffness)
 {
   // The range is twice the depth of rest; beyond it the tangent goes on.
-  const double range = 2e3 * Push / stiffness;
+  const double range = 2e3 * LightPush / stiffness;
   return { plateOf(linearModel("linear", 1e-3 * stiffness, range)),
     safetyOf(Control::None, LoopSetting()) };
 }
@@ -96,7 +96,7 @@ void stiffnessLimits(bool isQuick)
       {
         LoopSetting setting;
         setting.rate = rate;
-        setting.push = Push;
+        setting.push = LightPush;
         setting.plant.damping = damping;
         setting.plant.forceDelay = delay / rate;
         for (const HandModel& hand : hands)

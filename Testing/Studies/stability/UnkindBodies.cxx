@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnkindBodies.h"
 
+#include "Constants.h"
+
 #include <cmath>
 #include <utility>
 
@@ -8,7 +10,6 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Section = 20.13; // z of the paths, off all points
 
 std::vector<Vector3> inSection(const std::vector<Eigen::Vector2d>& corners)
