@@ -49,7 +49,7 @@ std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene
 /// Returns an error, or "".
 std::string run(const palpate::ViewerOptions& options)
 {
-  const bool draws = options.window || options.trial.empty();
+  const bool draws = options.window || (options.trial.empty() && options.pictures);
   std::string error = palpate::outputProblem(options);
   if (error.empty() && draws)
   {

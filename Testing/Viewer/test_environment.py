@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is missing or in the way around the program: display, scan, folders."""
+import re
 import unittest
 from pathlib import Path
 
 from bodies import sphere, write
-from session import SessionCase, run
+from session import PICTURES, SessionCase, run
 
 SCAN = Path("/usr/share/mricron/templates/ch2.nii.gz")
 
@@ -57,8 +58,24 @@ class Environment(SessionCase):
 
     def test_output_folder_is_made_and_used_again(self):
         self.output = self.folder / "a" / "b"
-        self.succeed(self.body())
-        self.succeed(self.body())
+        self.succeed(self.body(), pictures=PICTURES)
+        self.succeed(self.body(), pictures=PICTURES)
+
+    def test_without_pictures_no_display_is_needed_and_the_rest_is_the_same(self):
+        with_pictures = self.succeed(self.body(), pictures=PICTURES)
+        told = (self.output / "trajectory.csv").read_bytes()
+        self.output = self.folder / "bare"
+        without = self.succeed(self.body(), environment={"DISPLAY": None})
+        self.assertEqual((self.output / "trajectory.csv").read_bytes(), told)
+        for number in ("body", "session", "peak", "validity"):
+            lines = [re.search(rf"^  {number} .*", result.stdout, re.MULTILINE).group()
+                     for result in (with_pictures, without)]
+            self.assertEqual(*lines)
+
+    def test_what_only_draws_cannot_do_without(self):
+        for mode in ("--compare", "--map"):
+            self.refuse(self.body() if mode == "--map" else "--no-pictures", mode, "--no-pictures",
+                        words=(mode, "--pictures"))
 
     def run_into_output(self, *arguments):
         return run(self.body(), *arguments, "--output", self.output)

@@ -9,10 +9,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import bodies
 from run_scene import SCAN
-from session import SessionCase, peak_force
+from session import PICTURES, SessionCase, peak_force
 
 RADIUS, THICKNESS = 16.3, 6.0  # mm
-PICTURES = ("overview", "deflection", "curves")
 
 
 def scanned_ball():
@@ -57,10 +56,9 @@ class Layer(SessionCase):
         self.assertRegex(layered.stdout, r"times the force on a half-space: sphere:3 1\.[1-9]\d at")
         # The same in centimetres, and where nothing is dark enough to be bone.
         self.succeed(path, *usual, "--layer", "scan", "--length-unit", "cm", "--closing", "0",
-                     "--depth", "0.5", pictures=(*PICTURES, "thickness"))
+                     "--depth", "0.5")
         self.assertAlmostEqual(array(read(saved), "LayerThickness").max(), 0.0)  # 60 mm is too deep
-        none = self.succeed(path, *usual, "--layer", "scan", "--base", "-1",
-                            pictures=(*PICTURES, "thickness"))
+        none = self.succeed(path, *usual, "--layer", "scan", "--base", "-1")
         self.assertIn("the scan shows no bone", none.stdout)
         self.assertEqual(peak_force(none), peak_force(plain))
 

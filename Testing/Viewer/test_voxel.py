@@ -5,7 +5,7 @@ import unittest
 
 import bodies
 import numpy
-from session import SessionCase, peak_force
+from session import PICTURES, SessionCase, peak_force
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 class Voxel(SessionCase):
     def test_solid_on_its_lowest_side_is_softer_than_a_half_space(self):
         half_space = self.press(bodies.sphere(), "ball.vtp")
-        solid = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4", "--fixed", "z-")
+        solid = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4", "--fixed", "z-", pictures=PICTURES)
         self.assertRegex(solid.stderr, r"filled with \d+ hexahedra of 4 mm, held at z-")
         lowest, highest = map(float, re.search(
             r"gives way by (\S+) to (\S+) mm/N", solid.stderr).groups())

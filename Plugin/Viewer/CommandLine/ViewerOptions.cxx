@@ -228,16 +228,17 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
   CLI::Option* compare = app.add_flag("--compare", options.compare,
     "two bodies of rubber side by side under the same tools and motion: a strip on rollers, which "
     "bends, and a block on a plate, which only dents; curves and verdict under each");
-  for (const char* option :
-    { "BODY", "--scene", "--scan", "--measured", "--voxel", "--layer", "--site", "--slide-to",
-      "--length-unit", "--resolution", "--save", "--export", "--device", "--record", "--trial" })
+  for (const char* option : { "BODY", "--scene", "--scan", "--measured", "--voxel", "--layer",
+         "--site", "--slide-to", "--length-unit", "--resolution", "--save", "--export", "--device",
+         "--record", "--trial", "--pictures" })
   {
     compare->excludes(app.get_option(option));
   }
   CLI::Option* map = app.add_flag("--map", options.map,
     "where on the body the shape of the first tool matters at --depth: regime index, sensitivity "
     "and verdict as colour, with --window to be turned");
-  for (const char* option : { "--measured", "--device", "--record", "--trial", "--compare" })
+  for (const char* option :
+    { "--measured", "--device", "--record", "--trial", "--compare", "--pictures" })
   {
     map->excludes(app.get_option(option));
   }
@@ -363,6 +364,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "how much the chosen form may change a force, relative (see vtkResponseChoice)")
     ->check(positive("a relative error, e.g. 0.01"))
     ->capture_default_str();
+  app
+    .add_flag("--pictures,!--no-pictures", options.pictures,
+      "draw what happens (default; --no-pictures: only trajectory and summary, without a display)")
+    ->disable_flag_override();
   app.add_flag("--window", options.window,
     "open a window in which the mouse moves the tool, instead of writing pictures");
   app.add_option("--screenshot", options.screenshot,

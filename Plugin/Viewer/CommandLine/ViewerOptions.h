@@ -44,6 +44,7 @@ struct ViewerOptions
   std::string output = "palpate-output";
   std::string save;
   std::string exportTo;
+  bool pictures = true; ///< of a session off screen
   bool window = false;
   bool compare = false; ///< two bodies of its own, side by side
   bool map = false;     ///< where the shape of the first tool matters, instead of a session
