@@ -103,7 +103,7 @@ bool isInSeries(vtkPolyData* body, const std::string& name)
   return responseText(body, name, "Model").find("compliance") != std::string::npos;
 }
 
-std::vector<vtkDataArray*> globalModes(vtkPolyData* body, const std::string& name)
+std::vector<vtkDataArray*> globalModeArrays(vtkPolyData* body, const std::string& name)
 {
   std::vector<vtkDataArray*> modes;
   vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
@@ -172,7 +172,7 @@ ContactField::ContactField(vtkPolyData* body, const AxisymmetricTool& tool,
 void ContactField::bend(
   vtkPolyData* body, const FieldContact& contact, const std::string& responseName)
 {
-  const std::vector<vtkDataArray*> modes = globalModes(body, responseName);
+  const std::vector<vtkDataArray*> modes = globalModeArrays(body, responseName);
   if (modes.empty())
   {
     return;

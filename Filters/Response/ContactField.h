@@ -76,7 +76,7 @@ public:
   SurfaceDisplacement local(double r) const;
   /// `cosine`: of the angle between the point's normal and the contact's.
   double fade(double r, double cosine) const;
-  /// One per mode of globalModes(); none without a global part.
+  /// One per mode of globalModeArrays(); none without a global part.
   const std::vector<double>& modeWeights() const { return this->Weights; }
 
   bool isEmpty() const { return !this->Law; }
@@ -103,7 +103,7 @@ private:
 };
 
 /// The modes that bend with the response `name` of a body: none unless it has a global compliance.
-PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModes(
+PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
   vtkPolyData* body, const std::string& name);
 
 /// Which of the point arrays that bend a body or tell the layer under it has not a value per point,

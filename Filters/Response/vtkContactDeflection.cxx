@@ -81,7 +81,7 @@ vtkSmartPointer<vtkPolyData> contactTriangle(
   vtkNew<vtkCellArray> polys;
   polys->InsertNextCell({ 0, 1, 2 });
   part->SetPolys(polys);
-  std::vector<vtkDataArray*> read = palpate::globalModes(body, name);
+  std::vector<vtkDataArray*> read = palpate::globalModeArrays(body, name);
   if (vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str()))
   {
     read.push_back(layers);
@@ -306,7 +306,8 @@ int vtkContactDeflection::RequestData(
     if (hasPiece)
     {
       field = this->MakeField(under, *tool->GetKernel(), onIt);
-      isBent = addGlobalPart(palpate::globalModes(body, this->ResponseName), field, displacement);
+      isBent =
+        addGlobalPart(palpate::globalModeArrays(body, this->ResponseName), field, displacement);
     }
     fault = ranks.firstFault(isBent
         ? std::string()

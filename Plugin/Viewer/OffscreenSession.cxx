@@ -4,6 +4,7 @@
 #include "LayerModel.h"
 #include "ModelChoice.h"
 #include "Pictures.h"
+#include "ResponseLimit.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "ServoStep.h"
@@ -19,7 +20,6 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -60,16 +60,6 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// Of the contract's codes (the manual's Response arrays).
-const char* nameOfLimit(double code)
-{
-  static const std::array<const char*, 7> names = { "none", "strain", "curvature", "thickness",
-    "the opposite wall", "an edge", "the end of the data" };
-  return code >= 0.0 && code < static_cast<double>(names.size())
-    ? names[static_cast<std::size_t>(code)]
-    : "unknown";
-}
-
 /// Share of the ticks in contact that stay within Validity at all three vertices, and the first
 /// assumption that breaks elsewhere.
 struct Trust
@@ -104,7 +94,7 @@ Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
     }
     else if (trust.broken.empty())
     {
-      trust.broken = nameOfLimit(limit->GetTuple1(weakest));
+      trust.broken = limitInWords(static_cast<int>(limit->GetTuple1(weakest)));
     }
   }
   trust.share = touching > 0.0 ? trusted / touching : 1.0;
@@ -246,7 +236,6 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
     return error;
   }
 
-  progress("drawing");
   vtkNew<vtkPolyData> recording;
   session->GetRecording(recording);
   PicturedMoment moment;
@@ -257,7 +246,11 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }
-  error = drawPictures(scene, responses, moment, options.output);
+  if (options.pictures)
+  {
+    progress("drawing");
+    error = drawPictures(scene, responses, moment, options.output);
+  }
   if (error.empty())
   {
     const std::string stiffening = describeStiffening(scene, responses,

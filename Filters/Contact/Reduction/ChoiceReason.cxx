@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChoiceReason.h"
 
-#include <array>
+#include "ResponseLimit.h"
+
 #include <cmath>
 #include <sstream>
 
@@ -96,18 +97,14 @@ std::string noPointForce(const ResponseChoice& choice, const ChoiceSettings& set
 
 std::string beyondValidity(const ResponseChoice& choice)
 {
-  // As the data contract numbers them.
-  static const std::array<const char*, 7> limits = { "no assumption", "small strain",
-    "a flat surface", "the thickness", "the opposite wall", "an edge", "the end of the data" };
   if (!choice.validityKnown || choice.beyondShare == 0.0)
   {
     return {};
   }
-  const bool isKnown = choice.firstLimit > 0 && choice.firstLimit < static_cast<int>(limits.size());
+  const std::string assumption = assumptionInWords(choice.firstLimit);
   return "; " + text(choice.depth) + " mm is beyond the validity of the law at " +
     percentOfPoints(choice.beyondShare) +
-    (isKnown ? std::string(" (mostly ") + limits[static_cast<std::size_t>(choice.firstLimit)] + ")"
-             : std::string()) +
+    (assumption.empty() ? assumption : " (mostly " + assumption + ")") +
     ": there its numbers are kept, not the body's";
 }
 } // namespace

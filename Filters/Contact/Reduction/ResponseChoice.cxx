@@ -4,6 +4,7 @@
 #include "ContactRegime.h"
 #include "LawChoice.h"
 #include "ReducibleCurves.h"
+#include "ResponseLimit.h"
 #include "SpringChoice.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t LimitCount = 7; // of the data contract
 
 /// Regime, validity, depths and ranges of the points that have a response.
 void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
@@ -21,7 +21,7 @@ void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
 {
   std::size_t shapeless = 0;
   std::size_t beyond = 0;
-  std::array<std::size_t, LimitCount> limits{};
+  std::array<std::size_t, ResponseLimitCount> limits{};
   for (std::size_t i = 0; i < curves.count(); ++i)
   {
     const std::size_t p = curves.point(i);
@@ -36,7 +36,8 @@ void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
     if (evidence.validity && depth > static_cast<double>(evidence.validity[p]))
     {
       ++beyond;
-      ++limits[evidence.limit ? std::min<std::size_t>(evidence.limit[p], LimitCount - 1) : 0];
+      ++limits[evidence.limit ? std::min<std::size_t>(evidence.limit[p], ResponseLimitCount - 1)
+                              : 0];
     }
   }
   const auto all = static_cast<double>(curves.count());

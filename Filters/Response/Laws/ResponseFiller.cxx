@@ -3,6 +3,7 @@
 
 #include "AxisymmetricTool.h"
 #include "ResponseField.h"
+#include "ResponseLimit.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -22,15 +23,7 @@ constexpr double NormalTurn = 0.2;  // rad the body's normal may turn under the 
 // 4 % above the linear layer there, 10 % at 0.4.
 constexpr double Compression = 0.2;
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
-
-enum Limit : unsigned char
-{
-  NoLimit,
-  StrainLimit,
-  CurvatureLimit,
-  ThicknessLimit,
-  EdgeLimit = 5
-};
+constexpr auto NoLimit = static_cast<unsigned char>(ResponseLimit::None);
 
 void allocate(vtkDataArray* array, const std::string& name, int components, vtkIdType tuples)
 {
@@ -119,8 +112,8 @@ void ResponseFiller::fillValidity(vtkIdType i, double curvature, const ContactSp
     return;
   }
   double depth = std::numeric_limits<double>::infinity();
-  unsigned char limit = NoLimit;
-  const auto consider = [&](double other, unsigned char because)
+  ResponseLimit limit = ResponseLimit::None;
+  const auto consider = [&](double other, ResponseLimit because)
   {
     if (other < depth)
     {
@@ -133,23 +126,25 @@ void ResponseFiller::fillValidity(vtkIdType i, double curvature, const ContactSp
   const bool widens = this->StrainRadius > this->Tool.smallestContactRadius();
   consider(layer && widens ? this->Law.deflectionAtContactRadius(spot, this->StrainRadius)
                            : this->Law.totalDeflection(spot, this->StrainDepth),
-    StrainLimit);
+    ResponseLimit::Strain);
   if (curvature > 0.0)
   {
-    consider(this->Law.deflectionAtContactRadius(spot, NormalTurn / curvature), CurvatureLimit);
+    consider(
+      this->Law.deflectionAtContactRadius(spot, NormalTurn / curvature), ResponseLimit::Curvature);
   }
   if (!(widens && this->StrainRadius < this->HalfWidth))
   {
     consider(layer ? this->Law.deflectionAtContactRadius(spot, this->HalfWidth)
                    : this->Law.totalDeflection(spot, this->WidthDepth),
-      EdgeLimit);
+      ResponseLimit::Edge);
   }
   if (layer)
   {
-    consider(this->Law.totalDeflection(spot, Compression * spot.thickness), ThicknessLimit);
+    consider(
+      this->Law.totalDeflection(spot, Compression * spot.thickness), ResponseLimit::Thickness);
   }
   const bool within = depth < static_cast<double>(this->Range);
   this->Validity[i] = within ? static_cast<float>(depth) : this->Range;
-  this->LimitReached[i] = within ? limit : static_cast<unsigned char>(NoLimit);
+  this->LimitReached[i] = within ? static_cast<unsigned char>(limit) : NoLimit;
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 
 #include "BodyConversion.h"
 #include "DataEnd.h"
+#include "ResponseLimit.h"
 #include "ResponseSampling.h"
 
 #include "vtkDoubleArray.h"
@@ -21,7 +22,7 @@ namespace palpate
 namespace
 {
 constexpr unsigned char OutOfReach = 4;
-constexpr unsigned char DataEndLimit = 6;
+constexpr auto DataEndLimit = static_cast<unsigned char>(ResponseLimit::DataEnd);
 constexpr double PlaceholderModulus = 1.0; // MPa, of points that get no response
 
 vtkSmartPointer<vtkDoubleArray> addPointArray(vtkPolyData* body, const char* name)

@@ -2,6 +2,7 @@
 #include "TouchedBody.h"
 
 #include "BodyConversion.h"
+#include "ResponseLimit.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
@@ -21,10 +22,6 @@ namespace palpate
 {
 namespace
 {
-// The contract's codes of the array Limit.
-constexpr std::array<const char*, 7> Limits = { "", "strain", "curvature of the body",
-  "layer thickness", "the opposite wall", "an edge", "end of the measured data" };
-
 constexpr int Corners = 3;
 
 vtkIdType firstTriangle(vtkPolyData* body)
@@ -239,7 +236,7 @@ PlaceValidity TouchedBody::validity(const TouchedPlace& place) const
     if (depth < weakest.depth)
     {
       weakest.depth = depth;
-      weakest.limit = limit[id] < Limits.size() ? Limits[limit[id]] : "";
+      weakest.limit = limitInWords(limit[id]);
     }
   }
   return weakest;

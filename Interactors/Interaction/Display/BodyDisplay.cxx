@@ -236,7 +236,7 @@ void BodyDisplay::takeBody()
 {
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;
-  const auto modes = globalModes(this->Body, this->Deflection->GetResponseName());
+  const auto modes = globalModeArrays(this->Body, this->Deflection->GetResponseName());
   const auto times = timesOf(this->Body, modes);
   if (this->HasField && this->DrawnTimes == times)
   {

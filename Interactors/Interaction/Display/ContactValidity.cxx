@@ -7,8 +7,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <array>
-
 namespace palpate
 {
 void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact)
@@ -36,13 +34,5 @@ void findValidity(vtkPolyData* body, const std::string& responseName, ShownConta
       contact.limit = static_cast<int>(limit->GetTuple1(corner));
     }
   }
-}
-
-std::string describeLimit(int code)
-{
-  static constexpr std::array<const char*, 7> names = { "", "strain", "curvature of the body",
-    "layer thickness", "the opposite wall", "an edge", "end of the measured data" };
-  return code >= 0 && code < static_cast<int>(names.size()) ? names[static_cast<std::size_t>(code)]
-                                                            : "";
 }
 } // namespace palpate

@@ -14,9 +14,6 @@ namespace palpate
 /// of the three corners of its cell the weakest. Without those arrays, or without a contact,
 /// nothing is known to break: infinite.
 void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
-
-/// The assumption with the contract's code, in words: "strain", "layer thickness"; "" for none.
-std::string describeLimit(int code);
 } // namespace palpate
 
 #endif

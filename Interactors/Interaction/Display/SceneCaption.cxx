@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneCaption.h"
 
-#include "ContactValidity.h"
 #include "DisplayColors.h"
+#include "ResponseLimit.h"
 #include "ShownContact.h"
 
 #include "vtkTextActor.h"
@@ -114,7 +114,7 @@ void SceneCaption::describe(
   }
   if (!contact.isValid())
   {
-    const std::string limit = describeLimit(contact.limit);
+    const std::string limit = limitInWords(contact.limit);
     text += contact.validity > 0.0 ? "\nDashed: beyond validity, " + millimetres(contact.validity)
                                    : "\nDashed: not valid at any depth";
     text += limit.empty() ? "" : " (" + limit + ")";
