@@ -6,7 +6,6 @@
 #include "BodyMaterial.h"
 #include "BodySeam.h"
 #include "CurvatureBound.h"
-#include "FilterStage.h"
 #include "OwnPiece.h"
 #include "PointNormals.h"
 #include "Ranks.h"
@@ -166,7 +165,7 @@ int vtkToolContactResponse::RequestData(
     vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks,
       [&filler](vtkIdType first, vtkIdType last) { filler.fill(first, last); });
     this->UpdateProgress(static_cast<double>(block + 1) / ProgressBlocks);
-    if (palpate::isAborted(this))
+    if (this->GetAbortExecute())
     {
       output->Initialize();
       return 1;
