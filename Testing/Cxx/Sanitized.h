@@ -14,8 +14,8 @@
 
 namespace palpate::testing
 {
-/// How many of so many random cases are tried: under a sanitizer, which makes them ten times as
-/// slow, one in ten.
+/// How often something is repeated that is so many times elsewhere: under a sanitizer, which makes
+/// it ten times as slow, a tenth.
 constexpr int casesOf(int all)
 {
 #ifdef PALPATE_SANITIZED
