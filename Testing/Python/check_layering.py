@@ -224,21 +224,22 @@ def self_test():
     return 1 if failures else 0
 
 
-def main(arguments):
+def main(arguments, usage, what, checked, tested):
+    """The command line of a check of the tree, `checked`(root) -> complaints, and of its self-test."""
     if arguments == ["--self-test"]:
-        return self_test()
+        return tested()
     if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
-        print(__doc__)
+        print(usage)
         return 2
     root = Path(arguments[0] if arguments else Path(__file__).parents[2]).resolve()
     if not (root / "Filters").is_dir():
         print(f"{root} is not the source folder of Palpate: it has no folder Filters")
         return 2
-    complaints = check(root)
+    complaints = checked(root)
     print(*complaints, sep="\n", end="\n" if complaints else "")
-    print(f"layering: {sum(1 for _ in code_files(root))} files, {len(complaints)} complaints")
+    print(f"{what}: {sum(1 for _ in code_files(root))} files, {len(complaints)} complaints")
     return 1 if complaints else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main(sys.argv[1:], __doc__, "layering", check, self_test))

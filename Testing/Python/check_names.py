@@ -16,7 +16,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-from check_layering import HEADERS, code_files, room_of
+from check_layering import HEADERS, code_files, main, room_of
 
 SAME_THING = {"palpate::makeContactBody"}    # of a file's body, of a vtkPolyData
 
@@ -105,22 +105,10 @@ def self_test():
     return 1 if failures else 0
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
-        print(__doc__)
-        return 2
-    root = Path(arguments[0] if arguments else Path(__file__).parents[2]).resolve()
+def check_tree(root):
     files = [path for path in code_files(root) if path.suffix != ".c"]
-    if not files:
-        print(f"names: there is no code in {root}")
-        return 2
-    complaints = check(files, lambda path: (root / path).read_text(encoding="utf-8", errors="replace"))
-    print(*complaints, sep="\n", end="\n" if complaints else "")
-    print(f"names: {len(files)} files, {len(complaints)} complaints")
-    return 1 if complaints else 0
+    return check(files, lambda path: (root / path).read_text(encoding="utf-8", errors="replace"))
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main(sys.argv[1:], __doc__, "names", check_tree, self_test))
