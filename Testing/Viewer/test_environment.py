@@ -74,8 +74,7 @@ class Environment(SessionCase):
 
     def test_what_only_draws_cannot_do_without(self):
         for mode in ("--compare", "--map"):
-            self.refuse(self.body() if mode == "--map" else "--no-pictures", mode, "--no-pictures",
-                        words=(mode, "--pictures"))
+            self.refuse(mode, "--no-pictures", words=(mode, "--pictures"))
 
     def run_into_output(self, *arguments):
         return run(self.body(), *arguments, "--output", self.output)

@@ -56,9 +56,10 @@ class Layer(SessionCase):
         self.assertRegex(layered.stdout, r"times the force on a half-space: sphere:3 1\.[1-9]\d at")
         # The same in centimetres, and where nothing is dark enough to be bone.
         self.succeed(path, *usual, "--layer", "scan", "--length-unit", "cm", "--closing", "0",
-                     "--depth", "0.5")
+                     "--depth", "0.5", pictures=(*PICTURES, "thickness"))
         self.assertAlmostEqual(array(read(saved), "LayerThickness").max(), 0.0)  # 60 mm is too deep
-        none = self.succeed(path, *usual, "--layer", "scan", "--base", "-1")
+        none = self.succeed(path, *usual, "--layer", "scan", "--base", "-1",
+                            pictures=(*PICTURES, "thickness"))
         self.assertIn("the scan shows no bone", none.stdout)
         self.assertEqual(peak_force(none), peak_force(plain))
 
