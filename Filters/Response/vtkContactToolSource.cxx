@@ -2,6 +2,7 @@
 #include "vtkContactToolSource.h"
 
 #include "AxisymmetricTool.h"
+#include "Constants.h"
 #include "vtkContactTool.h"
 
 #include "vtkCellArray.h"
@@ -23,7 +24,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int ProfilePoints = 48; // and one more for each kink, at most
 
 /// Radius where the drawn profile ends: its outer wall, however wide, or `maximum` if it widens for
@@ -70,7 +70,7 @@ std::vector<double> drawnRadii(const palpate::AxisymmetricTool& tool, double out
       std::max(1, static_cast<int>(std::ceil(ProfilePoints * (end - begin) / outer)));
     for (int i = 1; i < count; ++i)
     {
-      radii.push_back(begin + (end - begin) * std::sin(0.5 * Pi * i / count));
+      radii.push_back(begin + (end - begin) * std::sin(0.5 * palpate::Pi * i / count));
     }
     radii.push_back(end);
   }

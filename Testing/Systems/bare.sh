@@ -119,7 +119,7 @@ read_rows()
 
 count_packages() { enter "$root" dpkg-query -W 2>/dev/null | wc -l; }
 
-# run_job NAME COMMAND: in /root/palpate.
+# run_job NAME COMMAND: in the sources, which lie in /root/palpate of the system that was made.
 run_job()
 {
   local before start=$SECONDS status

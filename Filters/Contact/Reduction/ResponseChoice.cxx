@@ -14,7 +14,6 @@ namespace palpate
 {
 namespace
 {
-
 /// Regime, validity, depths and ranges of the points that have a response.
 void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
   const ChoiceEvidence& evidence, const ChoiceSettings& settings)

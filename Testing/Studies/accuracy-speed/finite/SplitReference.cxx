@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplitReference.h"
 
+#include "Constants.h"
 #include "LoveSquare.h"
 #include "SeriesCompliance.h"
 
@@ -9,14 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace palpate::testing
 {
 namespace
 {
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double Pi = 3.14159265358979323846;
 /// Squares are laid out to this many expected contact radii, then further if the contact gets
 /// there.
 constexpr double Margin = 1.25;
