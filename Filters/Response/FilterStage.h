@@ -5,9 +5,21 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkVersionMacros.h"
 
 namespace palpate
 {
+/// Whether a filter is to stop: it was told so itself or, since VTK 9.3, one that comes before it
+/// in the pipeline was.
+inline bool isAborted(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
 /// A share of a filter's work: reports progress within [from, to] and tells whether to go on.
 struct FilterStage
 {
@@ -18,7 +30,7 @@ struct FilterStage
   bool operator()(double done) const
   {
     this->filter->UpdateProgress(this->from + done * (this->to - this->from));
-    return !this->filter->GetAbortExecute();
+    return !isAborted(this->filter);
   }
 };
 

@@ -286,7 +286,7 @@ bool vtkMeasuredContactResponse::IdentifySites(Measurement& measurement)
         }
       });
     this->UpdateProgress(IdentifiedShare * static_cast<double>(first) / static_cast<double>(count));
-    if (this->GetAbortExecute())
+    if (palpate::isAborted(this))
     {
       return false;
     }

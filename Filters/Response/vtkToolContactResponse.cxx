@@ -6,6 +6,7 @@
 #include "BodyMaterial.h"
 #include "BodySeam.h"
 #include "CurvatureBound.h"
+#include "FilterStage.h"
 #include "OwnPiece.h"
 #include "PointNormals.h"
 #include "Ranks.h"
@@ -165,7 +166,7 @@ int vtkToolContactResponse::RequestData(
     vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks,
       [&filler](vtkIdType first, vtkIdType last) { filler.fill(first, last); });
     this->UpdateProgress(static_cast<double>(block + 1) / ProgressBlocks);
-    if (this->GetAbortExecute())
+    if (palpate::isAborted(this))
     {
       output->Initialize();
       return 1;
