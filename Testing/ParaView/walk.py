@@ -22,6 +22,7 @@ from program import play
 
 STEPS = ("body.png", "response.png", "touch.png")
 SIZE = (844, 527)
+BACKGROUND = (0.32, 0.34, 0.43)                             # ParaView's until 5.13; 6 has another
 SMALL = 200_000                                             # bytes of a picture in the repository
 YOUNG, POISSON, RADIUS, RANGE = 0.1, 0.45, 5.0, 2.0         # what Tool Contact Response has by itself
 
@@ -53,6 +54,8 @@ def check_numbers(state):
     assert all(proxy.Visibility for proxy in shown)
     assert simple.GetRepresentation(simple.FindSource("ToolContactResponse1"), view).Visibility == 0
     view.ViewSize = SIZE
+    view.UseColorPaletteForBackground = 0
+    view.Background = BACKGROUND
     simple.SaveScreenshot(str(state.with_name("state.png")), view)
     return tail
 

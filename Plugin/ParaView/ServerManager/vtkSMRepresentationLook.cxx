@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMRepresentationLook.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
@@ -31,6 +32,7 @@ void setNumbers(vtkSMProxy* proxy, const char* property, const std::vector<doubl
 {
   vtkSMPropertyHelper helper(proxy, property);
   const bool isInteger = vtkSMIntVectorProperty::SafeDownCast(proxy->GetProperty(property));
+  helper.SetNumberOfElements(static_cast<unsigned int>(numbers.size()));
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     const auto index = static_cast<unsigned int>(i);
@@ -50,6 +52,7 @@ void setColors(vtkSMProxy* representation, vtkPVXMLElement* element)
     return; // there was one
   }
   setNumbers(map, "RGBPoints", numbersOf(element, "points"));
+  vtkSMPropertyHelper(map, "ColorSpace").Set(VTK_CTF_LAB); // each ParaView has another by itself
   map->UpdateVTKObjects();
 }
 } // namespace
