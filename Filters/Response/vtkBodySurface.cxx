@@ -296,7 +296,7 @@ void vtkBodySurface::Measure(vtkPolyData* body, const palpate::Ranks& ranks)
   for (int i = 0; i < 6; i += 2)
   {
     const double side = ranks.largest(box[i + 1]) - ranks.smallest(box[i]);
-    this->LongestSide = std::max(this->LongestSide, side); // less than 0 of nothing
+    this->LongestSide = std::max(this->LongestSide, side); // negative without a point
   }
   if (this->AskAboutSize && ranks.own() == 0 && vtkBodySurface::IsSizeDoubtful(this->LongestSide))
   {

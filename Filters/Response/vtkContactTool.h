@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// clang-format off
 /**
  * @class vtkContactTool
  * @brief a rigid tool of revolution, and what it feels on an elastic half-space
@@ -6,22 +7,20 @@
  * The tool is pressed `deflection` mm deep, along its axis, without friction, into a half-space of
  * reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
  *
- * By shape: its parameters; profile f(r); contact radius a or depth δ; force F.
- * - Flat: Radius a; 0, wall at a; a; 2 a E* δ.
- * - Paraboloid: Radius R; r²/2R; a = √(Rδ); 4/3 E* √R δ^1.5.
- * - Sphere, exact: Radius R; R - √(R²-r²), wall at R; δ = (a/2) ln((R+a)/(R-a));
- *   E* [(a²+R²)/2 ln((R+a)/(R-a)) - aR].
- * - Cone: HalfAngle α; r cot α; a = (2/π) tan α δ; (2/π) E* tan α δ².
- * - TruncatedCone: Radius b of the flat, HalfAngle α; (r-b) cot α beyond b; δ = a A cot α;
- *   E* cot α [a²A + bq].
- * - BluntedCone: Radius R of the spherical tip, HalfAngle α; sphere to b = R cos α, its tangent
- *   beyond; δ = a [L + A cot α] beyond b; 2E* (aδ - ½ [(a²-R²) L + Ra - qR/sin α + a²A cot α]).
- * - RoundedFlat: Radius b of the flat, EdgeRadius R_e; (r-b)²/2R_e beyond b;
- *   δ = (a/R_e) (q - bA); E* [(4a²-b²) q - 3a²bA]/(3R_e).
- * - PowerLaw: Exponent n, Coefficient B; B r^n; δ = κ B a^n; 2n/(n+1) E* a δ.
- * - Profile: SetProfile, points (r, f); straight between them, wall at the last;
- *   δ = Σ m_i a A_i; 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i]).
+ * | Shape         | parameters    | profile f(r)            | radius a or depth δ       | force F                                              |
+ * |---------------|---------------|-------------------------|---------------------------|------------------------------------------------------|
+ * | Flat          | Radius a      | 0, wall at a            | a                         | 2 a E* δ                                             |
+ * | Paraboloid    | Radius R      | r²/2R                   | a = √(Rδ)                 | 4/3 E* √R δ^1.5                                      |
+ * | Sphere, exact | Radius R      | R - √(R²-r²), wall at R | δ = (a/2) ln((R+a)/(R-a)) | E* [(a²+R²)/2 ln((R+a)/(R-a)) - aR]                  |
+ * | Cone          | HalfAngle α   | r cot α                 | a = (2/π) tan α δ         | (2/π) E* tan α δ²                                    |
+ * | TruncatedCone | Radius b, α   | (r-b) cot α beyond b    | δ = a A cot α             | E* cot α [a²A + bq]                                  |
+ * | BluntedCone   | Radius R, α   | sphere to b = R cos α   | δ = a [L + A cot α]       | 2E* (aδ - ½ [(a²-R²) L + Ra - qR/sin α + a²A cot α]) |
+ * | RoundedFlat   | Radius b, R_e | (r-b)²/2R_e beyond b    | δ = (a/R_e) (q - bA)      | E* [(4a²-b²) q - 3a²bA]/(3R_e)                       |
+ * | PowerLaw      | Exponent n, B | B r^n                   | δ = κ B a^n               | 2n/(n+1) E* a δ                                      |
+ * | Profile       | points (r, f) | straight, then a wall   | δ = Σ m_i a A_i           | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i])                 |
  *
+ * Radius is that of the flat end (a, b), of the tip or of the sphere (R); R_e is EdgeRadius, B the
+ * Coefficient, α the HalfAngle. BluntedCone goes on along the sphere's tangent beyond b.
  * A = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
  * the change of slope at r_i.
  * (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape dF/dδ = 2 E* a. The strain is
@@ -49,6 +48,7 @@
  * Paraboloid and Cone) integrate with about 100 points (3 µs; Profile: for each point). Get...
  * functions of one object must not run concurrently with Set...
  */
+// clang-format on
 #ifndef vtkContactTool_h
 #define vtkContactTool_h
 

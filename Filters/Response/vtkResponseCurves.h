@@ -15,7 +15,7 @@
  * A given point without response, or an id out of range, is an error naming it. Selected points
  * without response are left out, with one warning that counts them; if none is left, that is an
  * error. Of more than MaximumNumberOfPoints selected points, so many are taken, evenly among their
- * ids, and a warning says so. A selection of nothing, like no PointIds, gives an empty table.
+ * ids, and a warning says so. An empty selection, like no PointIds, gives an empty table.
  */
 #ifndef vtkResponseCurves_h
 #define vtkResponseCurves_h

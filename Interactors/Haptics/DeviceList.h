@@ -45,7 +45,7 @@ struct PALPATE_EXPORT DeviceList
 /// Nothing is opened for it.
 PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
-/// Opens the device at `path` ("/dev/hidraw0") as what it is: a HidDevice or a SpaceMouseDevice (in
+/// Opens the device at `path` ("/dev/hidraw0") by its kind: a HidDevice or a SpaceMouseDevice (in
 /// rate mode). Null, and why in words, if it is neither or cannot be opened.
 PALPATE_EXPORT std::unique_ptr<HapticDevice> openHidDevice(
   const std::string& path, std::string& error, HidBus& bus = systemHidBus());

@@ -16,7 +16,7 @@ double EntryGate::share(double time, bool outside) noexcept
   {
     if (outside)
     {
-      return 1.0; // of nothing
+      return 1.0; // there is no force to scale
     }
     this->HasTouched = true;
     this->TouchTime = time;

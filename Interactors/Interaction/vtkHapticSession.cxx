@@ -96,7 +96,7 @@ double vtkHapticSession::GetDeviceForceLimit()
   return std::min(this->ForceLimit, limits.maximumForce);
 }
 
-bool vtkHapticSession::IsDeviceOfThisWorld()
+bool vtkHapticSession::IsDevicePhysical()
 {
   return this->Chosen->kind == palpate::SessionDevice::Opened;
 }

@@ -144,7 +144,7 @@ public:
   /** The largest force it is given, N: what it is good for, and no more than ForceLimit. */
   double GetDeviceForceLimit();
   /** Whether it is plugged in or bridged, rather than simulated, replayed or given by C++. */
-  bool IsDeviceOfThisWorld();
+  bool IsDevicePhysical();
   /** The devices that are plugged in, a line each, or why there is none. */
   static std::string ListDevices();
 

@@ -14,13 +14,13 @@ namespace palpate
 {
 namespace
 {
-std::function<std::string()> Will;
+std::function<std::string()> LastAction;
 
 #ifdef PALPATE_X11
 int onLoss(Display* display)
 {
-  const std::function<std::string()> will = std::exchange(Will, nullptr);
-  const std::string error = will ? will() : std::string(); // first of all: the hand
+  const std::function<std::string()> action = std::exchange(LastAction, nullptr);
+  const std::string error = action ? action() : std::string(); // first of all: the hand
   if (!error.empty())
   {
     std::fprintf(stderr, "palpate: error: %s\n", error.c_str());
@@ -40,13 +40,13 @@ void endWithDisplay()
 #endif
 }
 
-DisplayWill::DisplayWill(std::function<std::string()> action)
+AtDisplayLoss::AtDisplayLoss(std::function<std::string()> action)
 {
-  Will = std::move(action);
+  LastAction = std::move(action);
 }
 
-DisplayWill::~DisplayWill()
+AtDisplayLoss::~AtDisplayLoss()
 {
-  Will = nullptr;
+  LastAction = nullptr;
 }
 } // namespace palpate

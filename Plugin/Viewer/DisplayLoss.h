@@ -8,18 +8,19 @@
 namespace palpate
 {
 /// From now on the process ends with a message and exit code 1 when its X server goes away. Xlib
-/// lets nobody return from there: no destructor runs, and what must still be done is a DisplayWill.
+/// lets nobody return from there: no destructor runs, and what must still be done is given to
+/// AtDisplayLoss.
 void endWithDisplay();
 
 /// What is still done then, as long as this lives: let go of the hand, save what was recorded. It
 /// runs within a call to Xlib and must not draw. Returns an error, or "". One at a time.
-class DisplayWill
+class AtDisplayLoss
 {
 public:
-  explicit DisplayWill(std::function<std::string()> action);
-  ~DisplayWill();
-  DisplayWill(const DisplayWill&) = delete;
-  DisplayWill& operator=(const DisplayWill&) = delete;
+  explicit AtDisplayLoss(std::function<std::string()> action);
+  ~AtDisplayLoss();
+  AtDisplayLoss(const AtDisplayLoss&) = delete;
+  AtDisplayLoss& operator=(const AtDisplayLoss&) = delete;
 };
 } // namespace palpate
 

@@ -86,7 +86,7 @@ private:
   bool HasPanel = false;
   EventActions Actions;
   EndSignals Signals;
-  DisplayWill Will{ [this] { return this->end(); } };
+  AtDisplayLoss LetGo{ [this] { return this->end(); } };
 };
 } // namespace palpate
 

@@ -105,7 +105,7 @@ std::string readHeader(std::istream& file, PlyHeader& header)
     }
     else if (word == "property")
     {
-      problem = header.elements.empty() ? "a property of nothing"
+      problem = header.elements.empty() ? "a property before any element"
                                         : readProperty(words, header.elements.back());
       faces = faces ||
         (problem.empty() &&

@@ -212,7 +212,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   session->SetRate(options.rate);
   chooseContact(options, scene, session);
   error = openDevice(options, session);
-  if (error.empty() && session->IsDeviceOfThisWorld())
+  if (error.empty() && session->IsDevicePhysical())
   {
     error = "--device " + options.device + ": in virtual time nobody can hold it; give --window";
   }

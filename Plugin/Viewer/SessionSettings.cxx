@@ -50,7 +50,7 @@ std::string chooseDevice(
 
 void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session)
 {
-  if (!session->IsDeviceOfThisWorld())
+  if (!session->IsDevicePhysical())
   {
     return;
   }

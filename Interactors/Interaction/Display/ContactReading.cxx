@@ -72,7 +72,7 @@ ShownContact readSession(vtkHapticSession* session)
   {
     contact.cell = body->GetNumberOfVerts() + body->GetNumberOfLines() + tick.contact.triangle;
   }
-  const bool inputOnly = session->IsDeviceOfThisWorld() && !session->GetDeviceOutputsForce();
+  const bool inputOnly = session->IsDevicePhysical() && !session->GetDeviceOutputsForce();
   const int state = session->GetState();
   if (state != vtkHapticSession::Stopped && !inputOnly)
   {

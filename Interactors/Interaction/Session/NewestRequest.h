@@ -33,7 +33,7 @@ public:
   using Work = std::function<Result(const Request&, const Stale&)>;
 
   explicit NewestRequest(Work work)
-    : Does(std::move(work))
+    : Compute(std::move(work))
   {
   }
   ~NewestRequest()
@@ -109,7 +109,7 @@ private:
       const std::uint64_t mine = this->Newest;
       this->UnderWay = mine;
       lock.unlock();
-      Result result = this->Does(request, [this, mine] { return this->Newest != mine; });
+      Result result = this->Compute(request, [this, mine] { return this->Newest != mine; });
       lock.lock();
       this->UnderWay = None;
       if (this->Newest == mine)
@@ -121,7 +121,7 @@ private:
 
   static constexpr std::uint64_t None = ~std::uint64_t{ 0 };
 
-  Work Does;
+  Work Compute;
   mutable std::mutex Mutex;
   std::condition_variable Wake;
   std::optional<Request> Waiting;
