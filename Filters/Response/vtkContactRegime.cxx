@@ -4,13 +4,12 @@
 #include "AxisymmetricTool.h"
 #include "BodyConversion.h"
 #include "BodyMaterial.h"
-#include "ContactRegime.h"
+#include "MaterialArrays.h"
 #include "OwnPiece.h"
 #include "Ranks.h"
+#include "RegimeLaw.h"
 #include "ResponseField.h"
-#include "ResponseLaw.h"
 #include "ResponseTool.h"
-#include "ToolSpecification.h"
 #include "vtkContactTool.h"
 
 #include "vtkDoubleArray.h"
@@ -28,16 +27,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <sstream>
 
 namespace
 {
-// Of the logarithm of the size: the central difference errs by step²/6, about 2e-5.
-constexpr double SizeStep = 0.01;
 constexpr double ResponseAgreement = 0.02;
-constexpr int Samples = 8; // of laws that are never stored
 
 struct PointArrays
 {
@@ -56,49 +50,6 @@ struct PointArrays
     allocate(this->sensitivity, "ToolSensitivity");
     allocate(this->verdict, "RegimeVerdict");
   }
-};
-
-/// The laws of one tool, and of it a little smaller and larger.
-class NeighbouringLaws
-{
-public:
-  NeighbouringLaws(
-    const palpate::AxisymmetricTool& tool, const palpate::BodyMaterial& material, double deepest)
-    : Smaller(palpate::scaledTool(tool, std::exp(-SizeStep)))
-    , Larger(palpate::scaledTool(tool, std::exp(SizeStep)))
-  {
-    if (!this->Smaller || !this->Larger)
-    {
-      return;
-    }
-    this->Laws.emplace_back(tool, deepest, Samples);
-    this->Laws.emplace_back(*this->Smaller, deepest, Samples);
-    this->Laws.emplace_back(*this->Larger, deepest, Samples);
-    for (palpate::ResponseLaw& law : this->Laws)
-    {
-      if (material.hasLayers())
-      {
-        law.prepareLayers(material.layers(), material.stiffens());
-      }
-    }
-  }
-
-  bool complete() const { return !this->Laws.empty(); }
-  double force(const palpate::ContactSpot& spot, double depth) const
-  {
-    return this->Laws[0].evaluate(spot, depth).force;
-  }
-  double sensitivity(const palpate::ContactSpot& spot, double depth) const
-  {
-    const double smaller = this->Laws[1].evaluate(spot, depth).force;
-    const double larger = this->Laws[2].evaluate(spot, depth).force;
-    return std::log(larger / smaller) / (2.0 * SizeStep);
-  }
-
-private:
-  std::unique_ptr<palpate::AxisymmetricTool> Smaller;
-  std::unique_ptr<palpate::AxisymmetricTool> Larger;
-  std::vector<palpate::ResponseLaw> Laws;
 };
 
 /// Where the stored response is not of the material that gives `forces` at `depths`, or "".
@@ -244,7 +195,7 @@ int vtkContactRegime::RequestData(
     fault = fault.empty() ? this->FindDepths(body, depths) : fault;
     const auto find = [this, &body](int index)
     { return this->GetInputArrayToProcess(index, body); };
-    fault = fault.empty() ? material.read(this, body, find) : fault;
+    fault = fault.empty() ? palpate::readMaterial(this, body, find, material) : fault;
   }
   double deepest = depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
   deepest = ranks.largest(deepest);
@@ -258,18 +209,18 @@ int vtkContactRegime::RequestData(
     vtkErrorMacro(<< fault << ".");
     return 0;
   }
-  material.agree(ranks, hasPiece);
+  palpate::agreeOnRange(ranks, hasPiece, material);
   if (!hasPiece)
   {
     ranks.firstFault({}); // of the comparison below
     return 1;
   }
   const palpate::AxisymmetricTool* kernel = tool->GetKernel();
-  const NeighbouringLaws laws(*kernel, material, deepest);
-  const palpate::ResponseMaterial spots = material.view();
+  const palpate::RegimeLaw law(*kernel, material.range(), deepest);
+  const palpate::ContactSpots spots = material.spots();
   const vtkIdType points = body->GetNumberOfPoints();
   std::vector<double> forces(depths.size());
-  if (laws.complete())
+  if (law.complete())
   {
     vtkSMPTools::For(0, points,
       [&](vtkIdType first, vtkIdType last)
@@ -277,7 +228,7 @@ int vtkContactRegime::RequestData(
         for (vtkIdType i = first; i < last; ++i)
         {
           const auto k = static_cast<std::size_t>(i);
-          forces[k] = laws.force(spots.at(i), depths[k]);
+          forces[k] = law.force(spots.at(k), depths[k]);
         }
       });
     fault = this->Compare(body, *kernel, depths, forces);
@@ -300,14 +251,10 @@ int vtkContactRegime::RequestData(
       for (vtkIdType i = first; i < last; ++i)
       {
         const auto k = static_cast<std::size_t>(i);
-        const double depth = depths[k];
-        const palpate::ContactSpot spot = spots.at(i);
-        const double sensitivity = laws.sensitivity(spot, depth);
-        const double index = palpate::regimeIndex(*kernel, spot.reducedModulus, forces[k], depth);
-        arrays.index->SetValue(i, static_cast<float>(index));
-        arrays.sensitivity->SetValue(i, static_cast<float>(sensitivity));
-        arrays.verdict->SetValue(i,
-          std::isnan(index) ? 0 : static_cast<unsigned char>(palpate::regimeVerdict(sensitivity)));
+        const palpate::SpotRegime found = law.regime(spots.at(k), depths[k], forces[k]);
+        arrays.index->SetValue(i, static_cast<float>(found.index));
+        arrays.sensitivity->SetValue(i, static_cast<float>(found.sensitivity));
+        arrays.verdict->SetValue(i, static_cast<unsigned char>(found.verdict));
       }
     });
 

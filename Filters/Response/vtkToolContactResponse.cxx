@@ -7,11 +7,13 @@
 #include "BodySeam.h"
 #include "CurvatureBound.h"
 #include "FilterStage.h"
+#include "MaterialArrays.h"
 #include "OwnPiece.h"
 #include "PointNormals.h"
 #include "Ranks.h"
 #include "ResponseFiller.h"
 #include "ResponseLaw.h"
+#include "ResponseStorage.h"
 #include "vtkContactTool.h"
 
 #include "vtkFloatArray.h"
@@ -122,13 +124,13 @@ int vtkToolContactResponse::RequestData(
     static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer });
   const auto find = [this, &body](int index) { return this->GetInputArrayToProcess(index, body); };
   const std::string wrongMaterial =
-    ranks.firstFault(hasPiece ? material.read(this, body, find) : std::string());
+    ranks.firstFault(hasPiece ? palpate::readMaterial(this, body, find, material) : std::string());
   if (!wrongMaterial.empty())
   {
     vtkErrorMacro(<< wrongMaterial << ".");
     return 0;
   }
-  material.agree(ranks, hasPiece);
+  palpate::agreeOnRange(ranks, hasPiece, material);
 
   const vtkIdType count = body->GetNumberOfPoints();
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
@@ -139,9 +141,9 @@ int vtkToolContactResponse::RequestData(
     return 0;
   }
   palpate::ResponseLaw law(tool, this->MaximumDeflection, this->NumberOfSamples);
-  if (material.hasLayers())
+  if (material.range().hasLayers())
   {
-    law.prepareLayers(material.layers(), material.stiffens());
+    law.prepareLayers(material.range().layers, material.range().stiffens);
   }
   palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples);
   const palpate::BodySeam seam(ranks, body);
@@ -159,12 +161,19 @@ int vtkToolContactResponse::RequestData(
     return 1;
   }
 
-  const palpate::ResponseFiller filler(
-    tool, law, curvature, material.view(), this->MaximumDeflection, width, storage);
+  const palpate::ContactSpots spots = material.spots();
+  const palpate::ResponseFiller filler(tool, law, this->MaximumDeflection, width, storage.spans());
+  const auto fill = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const auto point = static_cast<std::size_t>(i);
+      filler.fill(point, spots.at(point), static_cast<double>(curvature.at(i)));
+    }
+  };
   for (vtkIdType block = 0; block < ProgressBlocks; ++block)
   {
-    vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks,
-      [&filler](vtkIdType first, vtkIdType last) { filler.fill(first, last); });
+    vtkSMPTools::For(count * block / ProgressBlocks, count * (block + 1) / ProgressBlocks, fill);
     this->UpdateProgress(static_cast<double>(block + 1) / ProgressBlocks);
     if (palpate::isAborted(this))
     {
@@ -186,7 +195,7 @@ int vtkToolContactResponse::RequestData(
   palpate::describeResponse(output, this->ResponseName,
     { material.bestExponent(tool, law), this->NumberOfSamples, tool.specification(),
       material.describe() });
-  material.attachLayers(output, this->ResponseName);
+  palpate::attachLayers(material, this->ResponseName, output);
   return 1;
 }
 

@@ -2,19 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Who may include whom: the drawing of the house, kept true.
 
-    Mechanics --> Contact --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
-                      '-----> Haptics (devices, servo) ------'
+    Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
+                      '--------------> Haptics (devices, servo) ------'
 
 A room may include any room to its left along the arrows, never one to its right or beside it:
 
     Filters/Mechanics         nothing of ours
     Filters/Contact           Mechanics
-    Filters/Response          Mechanics, Contact
+    Filters/Laws              Mechanics, Contact
+    Filters/Response          Mechanics, Contact, Laws
     Interactors/Haptics       Mechanics, Contact
-    Interactors/Interaction   Mechanics, Contact, Response, Haptics
+    Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
     Plugin/NAME               all of the above, no other Plugin room
 
-Mechanics, Contact and Haptics include no header of VTK, ParaView or Qt: they build without them.
+Mechanics, Contact, Laws and Haptics include no header of VTK, ParaView or Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
 An include is traced to its room by the file name, so no two rooms may have a header of the same name.
@@ -32,12 +33,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-KERNELS = {"Filters/Mechanics", "Filters/Contact", "Interactors/Haptics"}
+KERNELS = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
 
 MAY_INCLUDE = {
     "Filters/Mechanics": set(),
     "Filters/Contact": {"Filters/Mechanics"},
-    "Filters/Response": {"Filters/Mechanics", "Filters/Contact"},
+    "Filters/Laws": {"Filters/Mechanics", "Filters/Contact"},
+    "Filters/Response": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
     "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
     "Interactors/Interaction": KERNELS | {"Filters/Response"},
 }
@@ -165,6 +167,7 @@ SOUND_TREE = {
     "CMakeLists.txt": "",
     "Filters/Mechanics/Hertz.h": "#include <Eigen/Core>\n#include <cmath>\n",
     "Filters/Contact/Tick.h": '#include "Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
+    "Filters/Laws/Law.h": '#include "Hertz.h"\n#include "Tick.h"\n',
     "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Tick.h"\n',
     "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Hertz.h"\n',
     "Interactors/Haptics/Device.h": '#include "Tick.h"\n#include "Hertz.h"\n#include <thread>\n',
@@ -181,6 +184,10 @@ BREAKS = [
     ("Filters/Contact/Wrong.h", '#include "Device.h"\n'),
     ("Filters/Contact/Wrong.h", "#include <vtk/vtkMath.h>\n"),
     ("Filters/Contact/Wrong.h", "#include <QString>\n"),
+    ("Filters/Contact/Wrong.h", '#include "Law.h"\n'),
+    ("Filters/Laws/Wrong.h", '#include "vtkTool.h"\n'),
+    ("Filters/Laws/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Interactors/Haptics/Wrong.h", '#include "Law.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
     ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),
     ("Interactors/Haptics/Wrong.h", '#include "vtkSession.h"\n'),

@@ -3,7 +3,7 @@
 
 #include "DisplayColors.h"
 #include "InnerMessages.h"
-#include "PointCopies.h"
+#include "PointCopy.h"
 #include "vtkContactTool.h"
 #include "vtkResponseChart.h"
 #include "vtkResponseCurves.h"

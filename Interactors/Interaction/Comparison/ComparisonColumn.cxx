@@ -13,6 +13,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -294,7 +295,15 @@ std::string ComparisonColumn::makeMap()
   regime->SetTool(this->Tools[this->ShownTool].tool);
   regime->SetResponseName(this->Tools[this->ShownTool].responseName);
   regime->SetDeflection(this->Deflection);
-  chooseMaterial(regime, this->Body, this->Material);
+  regime->SetYoungsModulus(this->Material.youngsModulus);
+  regime->SetPoissonRatio(this->Material.poissonRatio);
+  const std::array<const char*, 2> arrays = { "LayerThickness", "GlobalCompliance" };
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    const bool there = this->Body->GetPointData()->HasArray(arrays[i]) != 0;
+    regime->SetInputArrayToProcess(static_cast<int>(i) + 1, 0, 0,
+      vtkDataObject::FIELD_ASSOCIATION_POINTS, there ? arrays[i] : "");
+  }
   regime->Update();
   this->MapIsMade = messages.error.empty() && this->Map->SetBody(regime->GetOutput());
   return messages.error;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegimeStatement.h"
 
+#include "AxisymmetricTool.h"
 #include "BodyConversion.h"
-#include "InnerMessages.h"
-#include "PointCopies.h"
+#include "BodyMaterial.h"
+#include "PointCopy.h"
+#include "RegimeLaw.h"
 #include "ResponseField.h"
-#include "vtkContactRegime.h"
 #include "vtkContactTool.h"
 
-#include "vtkDataObject.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
+#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -18,14 +17,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
 constexpr int Depths = 160; // between 0 and the range, denser where it is shallow
-const std::string DepthName = "Depth";
-constexpr int PointForceSuffices = 2; // of vtkContactRegime
+constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
 /// At which depths a point is judged, and the most cautious verdict there so far.
 struct DepthVerdicts
@@ -51,46 +50,60 @@ DepthVerdicts makeDepths(double range, double asked)
   return all;
 }
 
-/// One point, once per depth, which is half of its range: so the regime filter judges them all in
-/// one run.
-vtkSmartPointer<vtkPolyData> pointAtDepths(
-  vtkPolyData* body, vtkIdType point, const std::vector<double>& depths)
+/// What the body is made of at its only point, or what is wrong with it.
+std::string readPoint(vtkPolyData* one, BodyMaterial& material)
 {
-  auto copies = copyPoint(body, point, static_cast<vtkIdType>(depths.size()));
-  vtkNew<vtkFloatArray> ranges;
-  ranges->SetName((DepthName + "Range").c_str());
-  for (const double depth : depths)
+  BodyMaterial::Values values;
+  values.thickness.name = "LayerThickness";
+  values.compliance.name = "GlobalCompliance";
+  for (PointValues* given : { &values.thickness, &values.compliance })
   {
-    ranges->InsertNextValue(static_cast<float>(2.0 * depth));
+    if (!one->GetPointData()->HasArray(given->name.c_str()))
+    {
+      continue;
+    }
+    vtkDataArray* array = one->GetPointData()->GetArray(given->name.c_str());
+    if (!array || array->GetNumberOfComponents() != 1)
+    {
+      return "Array '" + given->name + "' must have 1 number per point";
+    }
+    given->values = { array->GetComponent(0, 0) };
   }
-  copies->GetPointData()->AddArray(ranges);
-  return copies;
+  const std::string wrong = material.checkConstants();
+  return wrong.empty() ? material.take(std::move(values), 1) : wrong;
 }
 
-std::string judgeTool(vtkPolyData* atDepths, vtkContactTool* tool, const ComparedMaterial& material,
-  DepthVerdicts& all, ToolRegime& judged)
+std::string judgeTool(
+  vtkContactTool* tool, const BodyMaterial& material, DepthVerdicts& all, ToolRegime& judged)
 {
-  vtkNew<vtkContactRegime> regime;
-  InnerMessages messages;
-  listen(regime, messages);
-  regime->SetInputData(atDepths);
-  regime->SetTool(tool);
-  regime->SetResponseName(DepthName);
-  chooseMaterial(regime, atDepths, material);
-  regime->Update();
-  if (!messages.error.empty())
+  const AxisymmetricTool* kernel = tool ? tool->GetKernel() : nullptr;
+  if (!kernel)
   {
-    return messages.error;
+    return "The Tool is invalid";
   }
-  vtkPointData* found = regime->GetOutput()->GetPointData();
-  const auto value = [found](const char* array, std::size_t i)
-  { return found->GetArray(array)->GetTuple1(static_cast<vtkIdType>(i)); };
-  judged.index = value("RegimeIndex", all.asked);
-  judged.sensitivity = value("ToolSensitivity", all.asked);
-  judged.verdict = static_cast<int>(value("RegimeVerdict", all.asked));
-  for (std::size_t i = 0; i < all.verdicts.size(); ++i)
+  const double deepest = all.depths.back();
+  const std::string tooDeep = kernel->checkDepth(deepest);
+  if (!tooDeep.empty())
   {
-    all.verdicts[i] = std::min(all.verdicts[i], static_cast<int>(value("RegimeVerdict", i)));
+    return tooDeep;
+  }
+  const RegimeLaw law(*kernel, material.range(), deepest);
+  if (!law.complete())
+  {
+    return "Tool '" + kernel->specification() + "' cannot be scaled";
+  }
+  const ContactSpot spot = material.spots().at(0);
+  for (std::size_t i = 0; i < all.depths.size(); ++i)
+  {
+    const double depth = all.depths[i];
+    const SpotRegime found = law.regime(spot, depth, law.force(spot, depth));
+    all.verdicts[i] = std::min(all.verdicts[i], static_cast<int>(found.verdict));
+    if (i == all.asked)
+    {
+      judged.index = found.index;
+      judged.sensitivity = found.sensitivity;
+      judged.verdict = static_cast<int>(found.verdict);
+    }
   }
   return {};
 }
@@ -155,28 +168,25 @@ std::string rangeInWords(const std::vector<ToolRegime>& tools, const Value& valu
 }
 } // namespace
 
-void chooseMaterial(vtkContactRegime* regime, vtkPolyData* body, const ComparedMaterial& material)
-{
-  regime->SetYoungsModulus(material.youngsModulus);
-  regime->SetPoissonRatio(material.poissonRatio);
-  const std::array<const char*, 2> arrays = { "LayerThickness", "GlobalCompliance" };
-  for (int i = 0; i < 2; ++i)
-  {
-    const char* name = arrays[static_cast<std::size_t>(i)];
-    const bool there = body->GetPointData()->HasArray(name) != 0;
-    regime->SetInputArrayToProcess(
-      i + 1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, there ? name : "");
-  }
-}
-
 std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
   const ComparedMaterial& material, double deflection, RegimeStatement& statement)
 {
   statement = {};
+  if (!(deflection > 0.0 && std::isfinite(deflection)))
+  {
+    return "The deflection must be positive and finite (mm), but is " + std::to_string(deflection);
+  }
+  BodyMaterial made(
+    { material.youngsModulus, material.poissonRatio, 0.0, LayerBase::Bonded, false });
+  const vtkSmartPointer<vtkPolyData> one = copyPoint(body, point);
+  const std::string wrong = readPoint(one, made);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
   DepthVerdicts all;
   for (const ComparedTool& compared : tools)
   {
-    const vtkSmartPointer<vtkPolyData> one = copyPoint(body, point);
     ResponseArrays arrays;
     const float* validity = nullptr;
     const unsigned char* limit = nullptr;
@@ -199,7 +209,7 @@ std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<Com
     ToolRegime judged;
     judged.force = response.evaluate(0, statement.deflection).force;
     judged.validity = validity[0];
-    error = judgeTool(pointAtDepths(body, point, all.depths), compared.tool, material, all, judged);
+    error = judgeTool(compared.tool, made, all, judged);
     if (!error.empty())
     {
       return error;

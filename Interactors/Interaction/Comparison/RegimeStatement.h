@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-class vtkContactRegime;
 class vtkContactTool;
 class vtkPolyData;
 
@@ -29,7 +28,7 @@ struct ComparedMaterial
   double poissonRatio = 0.45;
 };
 
-/// One tool pressed at one point: see vtkContactRegime. NaN where there is no stable contact.
+/// One tool pressed at one point: see RegimeLaw.h. NaN where there is no stable contact.
 struct ToolRegime
 {
   double force = 0.0; ///< N, of the stored response
@@ -50,9 +49,6 @@ struct RegimeStatement
   double spread = 0.0;           ///< (largest - smallest force)/mean
   double validity = 0.0;         ///< mm: the responses of all tools hold down to here
 };
-
-/// The regime filter with this material, and with the arrays that the body has.
-void chooseMaterial(vtkContactRegime* regime, vtkPolyData* body, const ComparedMaterial& material);
 
 /// Judges a point of a body; an error in words, or "". A `deflection` (mm) beyond the range of the
 /// responses is taken as that range. Some milliseconds.

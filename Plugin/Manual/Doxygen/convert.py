@@ -9,8 +9,8 @@ from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, pag
 
 # Pages whose links make the tree of contents: what they name stands below them.
 CONTENTS = {"manual", "house"}
-ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Response", "Interactors/Haptics",
-                                 "Interactors/Interaction")]
+ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Response",
+                                 "Interactors/Haptics", "Interactors/Interaction")]
 
 
 def private_headers():

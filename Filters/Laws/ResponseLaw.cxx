@@ -41,6 +41,7 @@ bool fitsFloat(double value)
 std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
 {
   std::vector<double> depths;
+  depths.reserve(static_cast<std::size_t>(sampling.samples()));
   for (int i = 0; i < sampling.samples(); ++i)
   {
     depths.push_back(sampling.depth(i, range));

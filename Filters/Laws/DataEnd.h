@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef DataEnd_h
-#define DataEnd_h
+#ifndef palpate_DataEnd_h
+#define palpate_DataEnd_h
 
+#include "PalpateExport.h"
 #include "ResponseSampling.h"
 
 namespace palpate
@@ -25,8 +26,8 @@ struct DataEnd
  * `force` and `stiffness` are the n samples of the curve; a part in a thousand is given for
  * storage.
  */
-double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,
-  const float* stiffness, const DataEnd& end);
+PALPATE_EXPORT double depthOfDataEnd(const ResponseSampling& sampling, double range,
+  const float* force, const float* stiffness, const DataEnd& end);
 } // namespace palpate
 
 #endif

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ResponseLaw_h
-#define ResponseLaw_h
+#ifndef palpate_ResponseLaw_h
+#define palpate_ResponseLaw_h
 
 #include "AxisymmetricTool.h"
+#include "ContactSpot.h"
 #include "LayerTable.h"
+#include "PalpateExport.h"
 #include "ResponseField.h"
 
 #include <memory>
@@ -11,15 +13,6 @@
 
 namespace palpate
 {
-/// The body under one point of its surface.
-struct ContactSpot
-{
-  double reducedModulus = 0.0; ///< E*, MPa
-  double poissonsRatio = 0.0;  ///< of the layer; the half-space knows E* alone
-  double compliance = 0.0;     ///< in series, mm/N
-  double thickness = 0.0;      ///< of the layer, mm; 0 for a half-space
-};
-
 /**
  * The law of one tool, sampled for storage.
  *
@@ -27,7 +20,7 @@ struct ContactSpot
  * (LayerTable.h) and scaled. Points of finite global compliance are solved one by one
  * (SeriesCompliance.h). Safe to use from any number of threads.
  */
-class ResponseLaw
+class PALPATE_EXPORT ResponseLaw
 {
 public:
   /// `tool` must outlive the law. Range (mm) is the depth of the last sample.

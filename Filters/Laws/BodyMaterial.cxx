@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BodyMaterial.h"
+
+#include "AxisymmetricTool.h"
+#include "ReducedModulus.h"
+#include "ResponseLaw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+template <class... Parts>
+std::string text(const Parts&... parts)
+{
+  std::ostringstream stream;
+  (stream << ... << parts);
+  return stream.str();
+}
+
+/// Which value does not pass `check`, and what it must be; or "".
+template <class Check>
+std::string checkEach(
+  const PointValues& given, const char* quantity, const char* must, Check&& check)
+{
+  const auto wrong = std::find_if_not(given.values.begin(), given.values.end(), check);
+  return wrong == given.values.end()
+    ? std::string()
+    : text("Array '", given.name, "': ", quantity, " of point ", wrong - given.values.begin(),
+        " must ", must, ", but is ", *wrong);
+}
+
+bool isThickness(double value)
+{
+  return std::isfinite(value) && value >= 0.0;
+}
+} // namespace
+
+BodyMaterial::BodyMaterial(const Constants& constants)
+  : Given(constants)
+  , Range(constants.base)
+{
+}
+
+std::string BodyMaterial::checkConstants() const
+{
+  if (!isYoungsModulus(this->Given.youngsModulus))
+  {
+    return text(
+      "YoungsModulus must be positive and finite (MPa), but is ", this->Given.youngsModulus);
+  }
+  if (!isPoissonsRatio(this->Given.poissonsRatio))
+  {
+    return text("PoissonRatio must lie between 0 and 0.5, but is ", this->Given.poissonsRatio);
+  }
+  if (!isThickness(this->Given.thickness))
+  {
+    return text("LayerThickness must be finite and not negative (mm, 0 for a half-space), but is ",
+      this->Given.thickness);
+  }
+  return {};
+}
+
+std::string BodyMaterial::take(Values values, std::size_t points)
+{
+  std::string wrong = this->takeModulus(values, points);
+  if (wrong.empty())
+  {
+    wrong = checkEach(
+      values.thickness, "layer thickness", "be finite and not negative (mm)", isThickness);
+  }
+  if (wrong.empty())
+  {
+    wrong = checkEach(values.compliance, "global compliance", "be finite (mm/N)",
+      [](double value) { return std::isfinite(value); });
+  }
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  this->PoissonsRatio = std::move(values.poissonsRatio.values);
+  this->Thickness = std::move(values.thickness.values);
+  this->Compliance = std::move(values.compliance.values);
+
+  const std::size_t distinct =
+    std::max({ this->PoissonsRatio.size(), this->Thickness.size(), this->Compliance.size() });
+  const ContactSpots spots = this->spots();
+  this->Range = MaterialRange(this->Given.base);
+  for (std::size_t i = 0; i < std::max<std::size_t>(distinct, 1); ++i)
+  {
+    this->Range.add(spots.at(i));
+  }
+  if (this->Range.hasLayers() && !this->Compliance.empty() && !this->Given.complianceExcludesLayer)
+  {
+    return text("The body has layers on a rigid base (",
+      this->Thickness.empty() ? text("LayerThickness ", this->Given.thickness, " mm")
+                              : text("array '", values.thickness.name, "'"),
+      ") and a global compliance ('", values.compliance.name,
+      "'), which contains the base already if it was found on the body as it stands; if not, "
+      "declare it by ComplianceExcludesLayer");
+  }
+  return {};
+}
+
+std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
+{
+  const std::vector<double>& young = values.youngsModulus.values;
+  const std::vector<double>& poisson = values.poissonsRatio.values;
+  if (young.empty() && poisson.empty())
+  {
+    return {};
+  }
+  const auto youngAt = [&](std::size_t i)
+  { return young.empty() ? this->Given.youngsModulus : young[i]; };
+  const auto poissonAt = [&](std::size_t i)
+  { return poisson.empty() ? this->Given.poissonsRatio : poisson[i]; };
+  this->ReducedModulus.resize(points);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    this->ReducedModulus[i] = reducedModulus(youngAt(i), poissonAt(i)); // NaN if one is wrong
+  }
+  const auto wrong =
+    static_cast<std::size_t>(std::find_if(this->ReducedModulus.begin(), this->ReducedModulus.end(),
+                               [](double modulus) { return std::isnan(modulus); }) -
+      this->ReducedModulus.begin());
+  if (wrong < points && !isYoungsModulus(youngAt(wrong)))
+  {
+    return text("Array '", values.youngsModulus.name, "': Young's modulus of point ", wrong,
+      " must be positive and finite (MPa), but is ", youngAt(wrong));
+  }
+  if (wrong < points)
+  {
+    return text("Array '", values.poissonsRatio.name, "': Poisson's ratio of point ", wrong,
+      " must lie between 0 and 0.5, but is ", poissonAt(wrong));
+  }
+  return {};
+}
+
+ContactSpots BodyMaterial::spots() const
+{
+  const auto data = [](const std::vector<double>& values)
+  { return values.empty() ? nullptr : values.data(); };
+  return { { reducedModulus(this->Given.youngsModulus, this->Given.poissonsRatio),
+             this->Given.poissonsRatio, 0.0, this->Given.thickness },
+    data(this->ReducedModulus), data(this->PoissonsRatio), data(this->Compliance),
+    data(this->Thickness) };
+}
+
+double BodyMaterial::bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const
+{
+  const double tip = tool.forceExponent();
+  if ((this->Compliance.empty() && !this->Range.hasLayers()) || tip == 1.0)
+  {
+    return tip;
+  }
+  const auto worst = [&](double exponent)
+  {
+    double largest = 0.0;
+    for (const ContactSpot& spot : this->Range.extremes)
+    {
+      const double error = law.storageError(exponent, spot);
+      largest = std::isfinite(error) ? std::max(largest, error) : largest;
+    }
+    return largest;
+  };
+  return worst(1.0) < worst(tip) ? 1.0 : tip;
+}
+
+std::string BodyMaterial::describe() const
+{
+  std::string model = "half-space";
+  if (this->Range.hasLayers())
+  {
+    model = this->Given.base == LayerBase::Slip ? "layer slipping on a rigid base"
+                                                : "layer bonded to a rigid base";
+    model += this->Thickness.empty() ? text(", ", this->Given.thickness, " mm thick")
+                                     : std::string(" of varying thickness");
+  }
+  return this->Compliance.empty() ? model : model + " in series with global compliance";
+}
+} // namespace palpate

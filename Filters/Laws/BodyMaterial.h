@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BodyMaterial_h
+#define palpate_BodyMaterial_h
+
+#include "ContactSpot.h"
+#include "MaterialRange.h"
+#include "PalpateExport.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+class AxisymmetricTool;
+class ResponseLaw;
+
+/// Values of a body's points, and what they are called where an error names them. No values: the
+/// constant holds.
+struct PointValues
+{
+  std::string name;
+  std::vector<double> values;
+};
+
+/// What a body is made of, point by point: constants, and values that override them.
+class PALPATE_EXPORT BodyMaterial
+{
+public:
+  /// What holds at every point without a value of its own.
+  struct Constants
+  {
+    double youngsModulus; ///< MPa
+    double poissonsRatio;
+    double thickness; ///< mm, 0 for a half-space
+    LayerBase base;
+    bool complianceExcludesLayer;
+  };
+  /// What overrides the constants, each point by point or not at all.
+  struct Values
+  {
+    PointValues youngsModulus; ///< MPa
+    PointValues thickness;     ///< mm, 0 for a half-space
+    PointValues compliance;    ///< in series, mm/N
+    PointValues poissonsRatio;
+  };
+  explicit BodyMaterial(const Constants& constants);
+
+  /// What is wrong with the constants, or "".
+  std::string checkConstants() const;
+  /// Takes the values of `points` points, none or one for each. Returns what is wrong with them,
+  /// naming point and value, or "".
+  std::string take(Values values, std::size_t points);
+
+  ContactSpots spots() const;
+  const MaterialRange& range() const noexcept { return this->Range; }
+  /// Of a body whose other pieces are elsewhere: the range of all of them.
+  void setRange(const MaterialRange& range) { this->Range = range; }
+
+  /// The exponent with the smaller storage error where the body is softest, stiffest, thinnest and
+  /// thickest: the tip's, or 1.
+  double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
+
+  /// The model in words.
+  std::string describe() const;
+
+private:
+  std::string takeModulus(const Values& values, std::size_t points);
+
+  Constants Given;
+  std::vector<double> ReducedModulus; ///< empty vectors: the constant holds
+  std::vector<double> PoissonsRatio;
+  std::vector<double> Compliance;
+  std::vector<double> Thickness;
+  MaterialRange Range;
+};
+} // namespace palpate
+
+#endif

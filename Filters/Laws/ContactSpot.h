@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ContactSpot_h
+#define palpate_ContactSpot_h
+
+#include <cstddef>
+
+namespace palpate
+{
+/// The body under one point of its surface.
+struct ContactSpot
+{
+  double reducedModulus = 0.0; ///< E*, MPa
+  double poissonsRatio = 0.0;  ///< of the layer; the half-space knows E* alone
+  double compliance = 0.0;     ///< in series, mm/N
+  double thickness = 0.0;      ///< of the layer, mm; 0 for a half-space
+};
+
+/// The body under each point: constants, and arrays that override them where they are not null.
+struct ContactSpots
+{
+  ContactSpot constant;
+  const double* reducedModulus = nullptr;
+  const double* poissonsRatio = nullptr;
+  const double* compliance = nullptr;
+  const double* thickness = nullptr;
+
+  ContactSpot at(std::size_t i) const
+  {
+    const auto pick = [i](const double* array, double otherwise)
+    { return array ? array[i] : otherwise; };
+    return { pick(this->reducedModulus, this->constant.reducedModulus),
+      pick(this->poissonsRatio, this->constant.poissonsRatio),
+      pick(this->compliance, this->constant.compliance),
+      pick(this->thickness, this->constant.thickness) };
+  }
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialRange.h"
+
+#include "Constants.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+MaterialRange::MaterialRange(LayerBase base)
+  : layers{ base, Infinity, 0.0, {} }
+{
+}
+
+void MaterialRange::add(const ContactSpot& spot)
+{
+  if (spot.thickness > 0.0)
+  {
+    this->layers.thinnest = std::min(this->layers.thinnest, spot.thickness);
+    this->layers.thickest = std::max(this->layers.thickest, spot.thickness);
+    this->addRatio(spot.poissonsRatio);
+  }
+  this->stiffens = this->stiffens || spot.compliance < 0.0;
+  this->widen(spot);
+}
+
+void MaterialRange::join(const MaterialRange& other)
+{
+  this->layers.thinnest = std::min(this->layers.thinnest, other.layers.thinnest);
+  this->layers.thickest = std::max(this->layers.thickest, other.layers.thickest);
+  for (const double ratio : other.layers.poissonsRatios)
+  {
+    this->addRatio(ratio);
+  }
+  this->stiffens = this->stiffens || other.stiffens;
+  if (this->extremes.empty())
+  {
+    this->extremes = other.extremes;
+  }
+  for (const ContactSpot& spot : other.extremes)
+  {
+    this->widen(spot);
+  }
+}
+
+void MaterialRange::addRatio(double poissonsRatio)
+{
+  std::vector<double>& ratios = this->layers.poissonsRatios;
+  if (!ratios.empty() && ratios.back() == poissonsRatio)
+  {
+    return;
+  }
+  const auto place = std::lower_bound(ratios.begin(), ratios.end(), poissonsRatio);
+  const bool known = place != ratios.end() && *place == poissonsRatio;
+  if (!known && static_cast<int>(ratios.size()) <= LayerTable::DistinctRatios)
+  {
+    ratios.insert(place, poissonsRatio);
+  }
+  else if (!known) // too many to be listed: their range is what counts
+  {
+    ratios.front() = std::min(ratios.front(), poissonsRatio);
+    ratios.back() = std::max(ratios.back(), poissonsRatio);
+  }
+}
+
+void MaterialRange::widen(const ContactSpot& spot)
+{
+  if (this->extremes.empty())
+  {
+    this->extremes.assign(4, spot);
+  }
+  const auto softness = [](const ContactSpot& at) { return at.reducedModulus * at.compliance; };
+  const auto thinness = [](const ContactSpot& at) // 0 for a half-space
+  { return at.thickness > 0.0 ? 1.0 / at.thickness : 0.0; };
+  std::vector<ContactSpot>& extreme = this->extremes;
+  extreme[0] = softness(spot) < softness(extreme[0]) ? spot : extreme[0];
+  extreme[1] = softness(spot) > softness(extreme[1]) ? spot : extreme[1];
+  extreme[2] = thinness(spot) > thinness(extreme[2]) ? spot : extreme[2];
+  extreme[3] = thinness(spot) < thinness(extreme[3]) ? spot : extreme[3];
+}
+} // namespace palpate

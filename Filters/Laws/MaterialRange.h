@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MaterialRange_h
+#define palpate_MaterialRange_h
+
+#include "ContactSpot.h"
+#include "LayerTable.h"
+#include "PalpateExport.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Between what the points of a body lie: all that a law has to be prepared for.
+class PALPATE_EXPORT MaterialRange
+{
+public:
+  explicit MaterialRange(LayerBase base);
+
+  void add(const ContactSpot& spot);
+  /// With the points of another piece of the body.
+  void join(const MaterialRange& other);
+
+  bool hasLayers() const noexcept { return this->layers.thickest > 0.0; }
+
+  LayerTable::Layers layers; ///< thinnest infinite and thickest 0 as long as there are none
+  bool stiffens = false;     ///< a compliance is negative somewhere
+  /// The spots that are softest, stiffest, thinnest and thickest; none without a point.
+  std::vector<ContactSpot> extremes;
+
+private:
+  void addRatio(double poissonsRatio);
+  void widen(const ContactSpot& spot);
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RegimeLaw_h
+#define palpate_RegimeLaw_h
+
+#include "AxisymmetricTool.h"
+#include "ContactRegime.h"
+#include "ContactSpot.h"
+#include "MaterialRange.h"
+#include "PalpateExport.h"
+#include "ResponseLaw.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). NaN where there
+/// is no stable contact; the verdict is ShapeMatters there.
+struct SpotRegime
+{
+  double index = 0.0;       ///< λ
+  double sensitivity = 0.0; ///< dlnF/dln(size) at fixed deflection
+  RegimeVerdict verdict = RegimeVerdict::ShapeMatters;
+};
+
+/**
+ * The laws of one tool, and of it a little smaller and larger, which tell its regime. Safe to use
+ * from any number of threads.
+ */
+class PALPATE_EXPORT RegimeLaw
+{
+public:
+  /// `tool` must outlive this; it is asked for depths up to `deepest` (mm) at spots within `range`.
+  RegimeLaw(const AxisymmetricTool& tool, const MaterialRange& range, double deepest);
+
+  /// Whether the tool can be made smaller and larger; if not, nothing below may be called.
+  bool complete() const noexcept { return !this->Laws.empty(); }
+
+  /// F, N.
+  double force(const ContactSpot& spot, double depth) const;
+  /// `force` is that at `depth`.
+  SpotRegime regime(const ContactSpot& spot, double depth, double force) const;
+
+private:
+  double sensitivity(const ContactSpot& spot, double depth) const;
+
+  const AxisymmetricTool& Tool;
+  std::unique_ptr<AxisymmetricTool> Smaller;
+  std::unique_ptr<AxisymmetricTool> Larger;
+  std::vector<ResponseLaw> Laws;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ValidityRule.h"
+
+#include "AxisymmetricTool.h"
+#include "Constants.h"
+#include "ResponseLaw.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
+constexpr double NormalTurn = 0.2;  // rad the body's normal may turn under the contact radius
+// Of a layer's thickness: finite elements with finite strain (Data/Studies/calculix, nu = 0.45) lie
+// 4 % above the linear layer there, 10 % at 0.4.
+constexpr double Compression = 0.2;
+} // namespace
+
+ValidityRule::ValidityRule(
+  const AxisymmetricTool& tool, const ResponseLaw& law, double range, double bodyWidth)
+  : Tool(tool)
+  , Law(law)
+  , Range(range)
+  , StrainDepth(tool.depthAtStrain(StrainRatio))
+  , StrainRadius(std::isfinite(this->StrainDepth) ? tool.contactRadius(this->StrainDepth) : 0.0)
+  , HalfWidth(0.5 * bodyWidth)
+  , WidthDepth(tool.depthAtContactRadius(this->HalfWidth))
+{
+}
+
+ValidityRule::Answer ValidityRule::at(const ContactSpot& spot, double curvature) const
+{
+  Answer first{ Infinity, ResponseLimit::None };
+  const auto consider = [&first](double depth, ResponseLimit limit)
+  {
+    if (depth < first.depth)
+    {
+      first = { depth, limit };
+    }
+  };
+  const bool layer = spot.thickness > 0.0;
+  // A flat end has its full contact radius from the start: only its depth says how far it strains.
+  const bool widens = this->StrainRadius > this->Tool.smallestContactRadius();
+  consider(layer && widens ? this->Law.deflectionAtContactRadius(spot, this->StrainRadius)
+                           : this->Law.totalDeflection(spot, this->StrainDepth),
+    ResponseLimit::Strain);
+  if (curvature > 0.0)
+  {
+    consider(
+      this->Law.deflectionAtContactRadius(spot, NormalTurn / curvature), ResponseLimit::Curvature);
+  }
+  if (!(widens && this->StrainRadius < this->HalfWidth))
+  {
+    consider(layer ? this->Law.deflectionAtContactRadius(spot, this->HalfWidth)
+                   : this->Law.totalDeflection(spot, this->WidthDepth),
+      ResponseLimit::Edge);
+  }
+  if (layer)
+  {
+    consider(
+      this->Law.totalDeflection(spot, Compression * spot.thickness), ResponseLimit::Thickness);
+  }
+  return first.depth < this->Range ? first : Answer{ this->Range, ResponseLimit::None };
+}
+} // namespace palpate

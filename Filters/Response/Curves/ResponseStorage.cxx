@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ResponseStorage.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <initializer_list>
+
+namespace palpate
+{
+namespace
+{
+void allocate(vtkDataArray* array, const std::string& name, int components, vtkIdType tuples)
+{
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+}
+} // namespace
+
+ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int samples)
+{
+  allocate(this->Force.Get(), name + "Force", samples, points);
+  allocate(this->Stiffness.Get(), name + "Stiffness", samples, points);
+  allocate(this->Normal.Get(), name + "Normal", 3, points);
+  allocate(this->Range.Get(), name + "Range", 1, points);
+  allocate(this->Validity.Get(), name + "Validity", 1, points);
+  allocate(this->Status.Get(), name + "Status", 1, points);
+  allocate(this->LimitReached.Get(), name + "Limit", 1, points);
+}
+
+ResponseSpans ResponseStorage::spans()
+{
+  return { this->Force->GetNumberOfComponents(), this->Force->GetPointer(0),
+    this->Stiffness->GetPointer(0), this->Range->GetPointer(0), this->Validity->GetPointer(0),
+    this->Status->GetPointer(0), this->LimitReached->GetPointer(0) };
+}
+
+void ResponseStorage::attach(vtkPolyData* output)
+{
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ this->Force, this->Stiffness,
+         this->Normal, this->Range, this->Validity, this->Status, this->LimitReached })
+  {
+    output->GetPointData()->AddArray(array);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ResponseStorage_h
+#define ResponseStorage_h
+
+#include "ResponseFiller.h"
+
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// The point arrays of one response, allocated together, attached together.
+struct ResponseStorage
+{
+  vtkNew<vtkFloatArray> Force;
+  vtkNew<vtkFloatArray> Stiffness;
+  vtkNew<vtkFloatArray> Normal;
+  vtkNew<vtkFloatArray> Range;
+  vtkNew<vtkFloatArray> Validity;
+  vtkNew<vtkUnsignedCharArray> Status;
+  vtkNew<vtkUnsignedCharArray> LimitReached;
+
+  ResponseStorage(const std::string& name, vtkIdType points, int samples);
+  ResponseSpans spans();
+  void attach(vtkPolyData* output);
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PointCopy_h
+#define PointCopy_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// A body of nothing but one point, with all that the point and the body carry: what filters say of
+/// the point they then say without looking at the rest. No cells.
+vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
+} // namespace palpate
+
+#endif

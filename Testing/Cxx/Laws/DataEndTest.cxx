@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a stored curve leaves what was measured.
+#include "DataEnd.h"
+
+#include "Paraboloid.h"
+#include "ResponseLaw.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+using namespace palpate;
+using palpate::testing::Paraboloid;
+
+namespace
+{
+constexpr double Range = 2.0;
+// A part in a thousand is given for storage: of the depth 2/3 of it by force, 2 by stiffness.
+constexpr double Given = 2.01e-3;
+
+double endOf(const DataEnd& end)
+{
+  const auto tool = Paraboloid{}.make();
+  std::array<float, 8> force{};
+  std::array<float, 8> stiffness{};
+  ResponseLaw(*tool, Range, 8).sample({ 0.06, 0.45, 0.0, 0.0 }, force.data(), stiffness.data());
+  return depthOfDataEnd(ResponseSampling(8, 1.5), Range, force.data(), stiffness.data(), end);
+}
+} // namespace
+
+TEST(DataEnd, AtTheMeasuredForce)
+{
+  EXPECT_NEAR(endOf({ Paraboloid{}.force(0.7, 0.06), 1e9 }), 0.7, Given * 0.7);
+}
+
+TEST(DataEnd, OrAtTheMeasuredStiffness)
+{
+  const double stiffness = 1.5 * Paraboloid{}.force(0.7, 0.06) / 0.7;
+  EXPECT_NEAR(endOf({ 1e9, stiffness }), 0.7, Given * 0.7);
+}
+
+TEST(DataEnd, NowhereIfMoreWasMeasured)
+{
+  EXPECT_TRUE(std::isinf(endOf({ 1e9, 1e9 })));
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a law is prepared for: all points of a body, whole or in pieces.
+#include "MaterialRange.h"
+
+#include "LayerTable.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace palpate;
+
+namespace
+{
+void expectSame(const MaterialRange& one, const MaterialRange& other)
+{
+  EXPECT_EQ(one.layers.thinnest, other.layers.thinnest);
+  EXPECT_EQ(one.layers.thickest, other.layers.thickest);
+  EXPECT_EQ(one.layers.poissonsRatios, other.layers.poissonsRatios);
+  EXPECT_EQ(one.stiffens, other.stiffens);
+  ASSERT_EQ(one.extremes.size(), other.extremes.size());
+  for (std::size_t i = 0; i < one.extremes.size(); ++i)
+  {
+    EXPECT_EQ(one.extremes[i].compliance, other.extremes[i].compliance);
+    EXPECT_EQ(one.extremes[i].thickness, other.extremes[i].thickness);
+  }
+}
+} // namespace
+
+TEST(MaterialRange, NoPointHasNoLayer)
+{
+  const MaterialRange none(LayerBase::Slip);
+  EXPECT_FALSE(none.hasLayers());
+  EXPECT_TRUE(none.extremes.empty());
+  EXPECT_EQ(none.layers.base, LayerBase::Slip);
+}
+
+TEST(MaterialRange, FindsTheExtremes)
+{
+  MaterialRange range(LayerBase::Bonded);
+  range.add({ 0.1, 0.45, 1.0, 0.0 });
+  range.add({ 0.1, 0.30, -2.0, 3.0 });
+  range.add({ 0.2, 0.45, 4.0, 7.0 });
+  EXPECT_TRUE(range.hasLayers());
+  EXPECT_EQ(range.layers.thinnest, 3.0);
+  EXPECT_EQ(range.layers.thickest, 7.0);
+  EXPECT_EQ(range.layers.poissonsRatios, (std::vector<double>{ 0.30, 0.45 }));
+  EXPECT_TRUE(range.stiffens);
+  EXPECT_EQ(range.extremes[0].compliance, -2.0); // E* C smallest
+  EXPECT_EQ(range.extremes[1].compliance, 4.0);
+  EXPECT_EQ(range.extremes[2].thickness, 3.0);
+  EXPECT_EQ(range.extremes[3].thickness, 0.0); // a half-space is thicker than any layer
+}
+
+TEST(MaterialRange, PiecesJoinToTheWhole)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  MaterialRange whole(LayerBase::Bonded);
+  MaterialRange joined(LayerBase::Bonded);
+  for (int piece = 0; piece < 5; ++piece)
+  {
+    MaterialRange own(LayerBase::Bonded);
+    for (int i = 0; i < 6; ++i)
+    {
+      const ContactSpot spot{ 0.1, 0.25 + 0.2 * any(random), any(random), 2.0 + any(random) };
+      whole.add(spot);
+      own.add(spot);
+    }
+    joined.join(own);
+  }
+  expectSame(joined, whole);
+  joined.join(MaterialRange(LayerBase::Bonded)); // a rank without a piece
+  expectSame(joined, whole);
+}
+
+TEST(MaterialRange, OfManyRatiosTheRangeIsKept)
+{
+  MaterialRange range(LayerBase::Bonded);
+  const int many = 3 * LayerTable::DistinctRatios;
+  for (int i = 0; i <= many; ++i)
+  {
+    range.add({ 0.1, 0.5 * ((7 * i) % (many + 1)) / many, 0.0, 1.0 });
+  }
+  EXPECT_EQ(range.layers.poissonsRatios.front(), 0.0);
+  EXPECT_EQ(range.layers.poissonsRatios.back(), 0.5);
+  EXPECT_GT(static_cast<int>(range.layers.poissonsRatios.size()), LayerTable::DistinctRatios);
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tool's law as it is stored: against Hertz's closed form, alone and in series.
+#include "ResponseLaw.h"
+
+#include "Paraboloid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+using namespace palpate;
+using palpate::testing::Paraboloid;
+
+namespace
+{
+constexpr double Range = 2.0; // mm
+constexpr int Samples = 8;
+constexpr double FloatStep = 1.2e-7; // what a float keeps of a number
+
+struct Sampled
+{
+  ResponseStatus status;
+  std::array<float, Samples> force;
+  std::array<float, Samples> stiffness;
+};
+
+Sampled sample(const ResponseLaw& law, const ContactSpot& spot)
+{
+  Sampled curve{};
+  curve.status = law.sample(spot, curve.force.data(), curve.stiffness.data());
+  return curve;
+}
+
+double depthOf(int sample)
+{
+  return Range * std::pow((sample + 1.0) / Samples, 2); // the data contract's
+}
+} // namespace
+
+TEST(ResponseLaw, SamplesHertzOnAHalfSpace)
+{
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  const Sampled curve = sample(ResponseLaw(*tool, Range, Samples), { 0.06, 0.45, 0.0, 0.0 });
+  ASSERT_EQ(curve.status, ResponseStatus::Valid);
+  for (int i = 0; i < Samples; ++i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    const double force = paraboloid.force(depthOf(i), 0.06);
+    EXPECT_NEAR(static_cast<double>(curve.force[k]), force, FloatStep * force);
+    const double stiffness = 1.5 * force / depthOf(i);
+    EXPECT_NEAR(static_cast<double>(curve.stiffness[k]), stiffness, FloatStep * stiffness);
+  }
+}
+
+TEST(ResponseLaw, InSeriesTheDepthsAdd)
+{
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  const double compliance = 3.0; // mm/N
+  const Sampled curve = sample(ResponseLaw(*tool, Range, Samples), { 0.06, 0.45, compliance, 0.0 });
+  ASSERT_EQ(curve.status, ResponseStatus::Valid);
+  for (int i = 0; i < Samples; ++i)
+  {
+    const auto force = static_cast<double>(curve.force[static_cast<std::size_t>(i)]);
+    const double local = depthOf(i) - compliance * force;
+    EXPECT_NEAR(paraboloid.force(local, 0.06), force, 3.0 * FloatStep * force); // 1.5 by the power
+  }
+}
+
+TEST(ResponseLaw, AFoldIsAStatusAndZeros)
+{
+  const auto tool = Paraboloid{}.make();
+  const Sampled curve = sample(ResponseLaw(*tool, Range, Samples), { 0.06, 0.45, -20.0, 0.0 });
+  EXPECT_EQ(curve.status, ResponseStatus::Folded);
+  EXPECT_EQ(curve.force.back(), 0.0F);
+  EXPECT_EQ(curve.stiffness.front(), 0.0F);
+}
+
+TEST(ResponseLaw, WhatAFloatDoesNotHoldIsNotFinite)
+{
+  const auto tool = Paraboloid{}.make();
+  const ResponseLaw law(*tool, Range, Samples);
+  EXPECT_EQ(sample(law, { 1e-39, 0.45, 0.0, 0.0 }).status, ResponseStatus::NotFinite);
+  EXPECT_EQ(sample(law, { 1e39, 0.45, 0.0, 0.0 }).status, ResponseStatus::NotFinite);
+}
+
+TEST(ResponseLaw, AThickLayerIsAHalfSpaceAndAThinOneIsOutOfReach)
+{
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  ResponseLaw law(*tool, Range, Samples);
+  law.prepareLayers({ LayerBase::Bonded, 0.01, 1e5, { 0.45 } }, false);
+  const Sampled thick = sample(law, { 0.06, 0.45, 0.0, 1e5 });
+  ASSERT_EQ(thick.status, ResponseStatus::Valid);
+  const double force = paraboloid.force(Range, 0.06);
+  // a/h is 3e-5, and the first term of the layer's series of that order.
+  EXPECT_NEAR(static_cast<double>(thick.force.back()), force, 1e-4 * force);
+  EXPECT_EQ(sample(law, { 0.06, 0.45, 0.0, 0.01 }).status, ResponseStatus::OutOfReach);
+}
+
+TEST(ResponseLaw, ContactRadiusAndTotalDeflection)
+{
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  const ResponseLaw law(*tool, Range, Samples);
+  const ContactSpot soft{ 0.06, 0.45, 3.0, 0.0 };
+  const double local = paraboloid.depthAt(1.5);
+  const double total = local + 3.0 * paraboloid.force(local, 0.06);
+  EXPECT_NEAR(law.deflectionAtContactRadius(soft, 1.5), total, 1e-12);
+  EXPECT_NEAR(law.totalDeflection(soft, local), total, 1e-12);
+  EXPECT_NEAR(law.evaluate(soft, total).force, paraboloid.force(local, 0.06), 1e-10);
+}
+
+TEST(ResponseLaw, APowerOfTheDepthIsStoredToRounding)
+{
+  const auto tool = Paraboloid{}.make();
+  const ResponseLaw law(*tool, Range, Samples);
+  const ContactSpot spot{ 0.06, 0.45, 0.0, 0.0 };
+  EXPECT_LT(law.storageError(1.5, spot), FloatStep); // r(s) is constant
+  EXPECT_LT(law.storageError(1.0, spot), FloatStep); // and proportional to s
+  EXPECT_GT(law.storageError(1.2, spot), FloatStep);
+}
