@@ -2,26 +2,18 @@
 #include "BodyMaterial.h"
 
 #include "AxisymmetricTool.h"
+#include "JoinedText.h"
 #include "ReducedModulus.h"
 #include "ResponseLaw.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-template <class... Parts>
-std::string text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  (stream << ... << parts);
-  return stream.str();
-}
-
 /// Which value does not pass `check`, and what it must be; or "".
 template <class Check>
 std::string checkEach(
@@ -30,7 +22,7 @@ std::string checkEach(
   const auto wrong = std::find_if_not(given.values.begin(), given.values.end(), check);
   return wrong == given.values.end()
     ? std::string()
-    : text("Array '", given.name, "': ", quantity, " of point ", wrong - given.values.begin(),
+    : joined("Array '", given.name, "': ", quantity, " of point ", wrong - given.values.begin(),
         " must ", must, ", but is ", *wrong);
 }
 
@@ -50,16 +42,17 @@ std::string BodyMaterial::checkConstants() const
 {
   if (!isYoungsModulus(this->Given.youngsModulus))
   {
-    return text(
+    return joined(
       "YoungsModulus must be positive and finite (MPa), but is ", this->Given.youngsModulus);
   }
   if (!isPoissonsRatio(this->Given.poissonsRatio))
   {
-    return text("PoissonRatio must lie between 0 and 0.5, but is ", this->Given.poissonsRatio);
+    return joined("PoissonRatio must lie between 0 and 0.5, but is ", this->Given.poissonsRatio);
   }
   if (!isThickness(this->Given.thickness))
   {
-    return text("LayerThickness must be finite and not negative (mm, 0 for a half-space), but is ",
+    return joined(
+      "LayerThickness must be finite and not negative (mm, 0 for a half-space), but is ",
       this->Given.thickness);
   }
   return {};
@@ -96,9 +89,9 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   }
   if (this->Range.hasLayers() && !this->Compliance.empty() && !this->Given.complianceExcludesLayer)
   {
-    return text("The body has layers on a rigid base (",
-      this->Thickness.empty() ? text("LayerThickness ", this->Given.thickness, " mm")
-                              : text("array '", values.thickness.name, "'"),
+    return joined("The body has layers on a rigid base (",
+      this->Thickness.empty() ? joined("LayerThickness ", this->Given.thickness, " mm")
+                              : joined("array '", values.thickness.name, "'"),
       ") and a global compliance ('", values.compliance.name,
       "'), which contains the base already if it was found on the body as it stands; if not, "
       "declare it by ComplianceExcludesLayer");
@@ -129,12 +122,12 @@ std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
       this->ReducedModulus.begin());
   if (wrong < points && !isYoungsModulus(youngAt(wrong)))
   {
-    return text("Array '", values.youngsModulus.name, "': Young's modulus of point ", wrong,
+    return joined("Array '", values.youngsModulus.name, "': Young's modulus of point ", wrong,
       " must be positive and finite (MPa), but is ", youngAt(wrong));
   }
   if (wrong < points)
   {
-    return text("Array '", values.poissonsRatio.name, "': Poisson's ratio of point ", wrong,
+    return joined("Array '", values.poissonsRatio.name, "': Poisson's ratio of point ", wrong,
       " must lie between 0 and 0.5, but is ", poissonAt(wrong));
   }
   return {};
@@ -177,7 +170,7 @@ std::string BodyMaterial::describe() const
   {
     model = this->Given.base == LayerBase::Slip ? "layer slipping on a rigid base"
                                                 : "layer bonded to a rigid base";
-    model += this->Thickness.empty() ? text(", ", this->Given.thickness, " mm thick")
+    model += this->Thickness.empty() ? joined(", ", this->Given.thickness, " mm thick")
                                      : std::string(" of varying thickness");
   }
   return this->Compliance.empty() ? model : model + " in series with global compliance";

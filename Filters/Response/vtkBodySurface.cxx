@@ -5,6 +5,7 @@
 #include "BodyConversion.h"
 #include "BodySeam.h"
 #include "InnerWalls.h"
+#include "JoinedText.h"
 #include "Ranks.h"
 #include "SeamNormals.h"
 #include "SurfaceTriangles.h"
@@ -26,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace
 {
@@ -52,13 +52,6 @@ std::vector<std::string> names(const std::vector<palpate::BodyBlock>& blocks)
   return all;
 }
 
-template <class... Parts>
-std::string join(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 } // namespace
 
 vtkStandardNewMacro(vtkBodySurface);
@@ -195,7 +188,7 @@ std::string vtkBodySurface::Gather(
   {
     parts.push_back(
       palpate::extractSurface(block.pieces, blocks.size() == 1 ? wholeExtent : nullptr));
-    places.push_back(blocks.size() > 1 ? join("block ", block.name, ": ") : "");
+    places.push_back(blocks.size() > 1 ? palpate::joined("block ", block.name, ": ") : "");
     if (fault.empty() && !parts.back().fault.empty())
     {
       fault = places.back() + parts.back().fault;
@@ -227,7 +220,7 @@ std::string vtkBodySurface::Gather(
       continue;
     }
     missing = missing.empty() ? where + made.fault : missing;
-    this->Notes.push_back(join("left out: ", where, made.fault));
+    this->Notes.push_back(palpate::joined("left out: ", where, made.fault));
   }
   const std::string lost = palpate::arraysNotShared(all);
   if (!lost.empty() && ranks.own() == 0)
@@ -260,7 +253,7 @@ std::string vtkBodySurface::Gather(
     }
     append->Update();
     output->ShallowCopy(append->GetOutput());
-    this->Notes.push_back(join(surfaces.size(), " blocks appended"));
+    this->Notes.push_back(palpate::joined(surfaces.size(), " blocks appended"));
   }
   return "";
 }
@@ -324,7 +317,7 @@ void vtkBodySurface::Scale(vtkPolyData* body)
       i, this->LengthScale * p[0], this->LengthScale * p[1], this->LengthScale * p[2]);
   }
   body->SetPoints(scaled);
-  this->Notes.push_back(join("scaled by ", this->LengthScale, " to millimetres"));
+  this->Notes.push_back(palpate::joined("scaled by ", this->LengthScale, " to millimetres"));
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 #include "SurfaceTriangles.h"
 
 #include "BodyConversion.h"
+#include "JoinedText.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
@@ -22,20 +23,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace palpate
 {
 namespace
 {
-template <class... Parts>
-std::string join(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
-
 /** Cells that name points which are not there would crash the filters; "" if there are none. */
 std::string cellFault(vtkDataSet* data)
 {
@@ -58,7 +50,7 @@ std::string cellFault(vtkDataSet* data)
       const double wrong = ids[0] < 0 ? ids[0] : ids[1];
       if (!cells->IsValid() || wrong < 0 || wrong >= static_cast<double>(data->GetNumberOfPoints()))
       {
-        return join("its cells are damaged: one names point ", static_cast<vtkIdType>(wrong),
+        return joined("its cells are damaged: one names point ", static_cast<vtkIdType>(wrong),
           ", there are ", data->GetNumberOfPoints(), " points");
       }
     }
@@ -86,7 +78,7 @@ std::string coordinateFault(vtkDataSet* data)
   }
   return count == 0
     ? ""
-    : join(count, " of ", data->GetNumberOfPoints(),
+    : joined(count, " of ", data->GetNumberOfPoints(),
         " points have a coordinate that is not a finite number, the first is point ", first);
 }
 
@@ -97,7 +89,7 @@ bool isStructured(vtkDataSet* data)
 }
 
 /** Exactly coincident points become one. */
-vtkSmartPointer<vtkPolyData> joined(vtkPolyData* surface)
+vtkSmartPointer<vtkPolyData> mergedPoints(vtkPolyData* surface)
 {
   vtkNew<vtkStaticCleanPolyData> clean;
   clean->SetInputData(surface);
@@ -124,7 +116,7 @@ vtkSmartPointer<vtkPolyData> outerSurface(vtkDataSet* data, const int* wholeExte
   // The six sides of a structured grid have their own points along the edges where they meet.
   if (isStructured(data))
   {
-    return joined(surface->GetOutput());
+    return mergedPoints(surface->GetOutput());
   }
   return surface->GetOutput();
 }
@@ -147,12 +139,12 @@ vtkSmartPointer<vtkPolyData> cut(vtkPolyData* surface, std::vector<std::string>&
   triangles->Update();
   if (polygons || strips > 0)
   {
-    notes.push_back(join(surface->GetNumberOfPolys(), " polygons and ", strips, " strips cut into ",
-      triangles->GetOutput()->GetNumberOfPolys(), " triangles"));
+    notes.push_back(joined(surface->GetNumberOfPolys(), " polygons and ", strips,
+      " strips cut into ", triangles->GetOutput()->GetNumberOfPolys(), " triangles"));
   }
   if (others > 0)
   {
-    notes.push_back(join(others, " vertices and lines left out"));
+    notes.push_back(joined(others, " vertices and lines left out"));
   }
   return triangles->GetOutput();
 }
@@ -169,7 +161,7 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
     all->AddInputData(own);
   }
   all->Update();
-  return joined(all->GetOutput());
+  return mergedPoints(all->GetOutput());
 }
 
 /** Several volumes as one, without ghost cells: their surfaces would have walls at the seams. */
@@ -206,10 +198,10 @@ std::string withoutTriangles(const std::vector<vtkDataSet*>& pieces)
     }
   }
   return lines
-    ? join("it holds no triangles, only lines (", points,
+    ? joined("it holds no triangles, only lines (", points,
         " points): make a surface of them first, with Tube (vtkTubeFilter) or Ribbon "
         "(vtkRibbonFilter)")
-    : join("it holds no triangles, only ", points,
+    : joined("it holds no triangles, only ", points,
         " points: make a surface of them first, with Delaunay 3D (vtkDelaunay3D) or, of a height "
         "field, Delaunay 2D (vtkDelaunay2D)");
 }
@@ -233,7 +225,7 @@ SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const in
   }
   if (pieces.size() > 1)
   {
-    result.notes.push_back(join(pieces.size(), " partitions joined"));
+    result.notes.push_back(joined(pieces.size(), " partitions joined"));
   }
 
   result.isOfVolume = !std::all_of(pieces.begin(), pieces.end(),
@@ -254,7 +246,7 @@ SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const in
     wholeExtent = nullptr;
   }
   result.surface = outerSurface(volume, wholeExtent);
-  result.notes.push_back(join("surface extracted from ", volume->GetNumberOfCells(), " cells"));
+  result.notes.push_back(joined("surface extracted from ", volume->GetNumberOfCells(), " cells"));
   return result;
 }
 

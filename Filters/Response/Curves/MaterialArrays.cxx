@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialArrays.h"
 
+#include "JoinedText.h"
 #include "Ranks.h"
 
 #include "vtkAlgorithm.h"
@@ -15,7 +16,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -23,14 +23,6 @@ namespace palpate
 {
 namespace
 {
-template <class... Parts>
-std::string text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  (stream << ... << parts);
-  return stream.str();
-}
-
 /// The values of array to process `index`, none if it was never set; an error if it is not there or
 /// misshapen.
 std::string fetch(vtkAlgorithm* filter, vtkPolyData* body,
@@ -54,12 +46,12 @@ std::string fetch(vtkAlgorithm* filter, vtkPolyData* body,
   vtkDataArray* array = find(index);
   if (!array)
   {
-    return text("Array to process ", index, " ('", name, "') is not on the input's points");
+    return joined("Array to process ", index, " ('", name, "') is not on the input's points");
   }
   if (array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfTuples() != body->GetNumberOfPoints())
   {
-    return text("Array '", array->GetName(), "' must have 1 component and ",
+    return joined("Array '", array->GetName(), "' must have 1 component and ",
       body->GetNumberOfPoints(), " tuples, but has ", array->GetNumberOfComponents(), " and ",
       array->GetNumberOfTuples());
   }
