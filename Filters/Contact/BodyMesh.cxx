@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyMesh.h"
+#include "Contact/BodyMesh.h"
 
 #include <Eigen/Geometry>
 

@@ -2,9 +2,9 @@
 #ifndef palpate_BodyMesh_h
 #define palpate_BodyMesh_h
 
-#include "PalpateExport.h"
-#include "TriangleLinks.h"
-#include "TriangleProjection.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/TriangleLinks.h"
+#include "Contact/TriangleProjection.h"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BorderFade.h"
+#include "Contact/BorderFade.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_BorderFade_h
 #define palpate_BorderFade_h
 
-#include "PackedMesh.h"
+#include "Contact/PackedMesh.h"
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CappedResponse.h"
+#include "Contact/CappedResponse.h"
 
 #include <algorithm>
 #include <cmath>

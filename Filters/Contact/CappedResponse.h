@@ -2,8 +2,8 @@
 #ifndef palpate_CappedResponse_h
 #define palpate_CappedResponse_h
 
-#include "PalpateExport.h"
-#include "ResponseField.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseField.h"
 
 namespace palpate
 {

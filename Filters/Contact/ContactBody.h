@@ -2,9 +2,9 @@
 #ifndef palpate_ContactBody_h
 #define palpate_ContactBody_h
 
-#include "PackedMesh.h"
-#include "ResponseField.h"
-#include "TriangleTree.h"
+#include "Contact/PackedMesh.h"
+#include "Contact/ResponseField.h"
+#include "Contact/TriangleTree.h"
 
 #include <cstddef>
 #include <cstdint>

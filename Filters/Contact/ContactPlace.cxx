@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactPlace.h"
+#include "Contact/ContactPlace.h"
 
-#include "EnergyGradient.h"
+#include "Contact/EnergyGradient.h"
 
 namespace palpate
 {

@@ -2,8 +2,8 @@
 #ifndef palpate_ContactPlace_h
 #define palpate_ContactPlace_h
 
-#include "PackedMesh.h"
-#include "PalpateExport.h"
+#include "Contact/PackedMesh.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 

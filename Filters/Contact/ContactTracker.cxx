@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactTracker.h"
+#include "Contact/ContactTracker.h"
 
-#include "BorderFade.h"
+#include "Contact/BorderFade.h"
 
 #include <cmath>
 

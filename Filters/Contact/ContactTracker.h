@@ -2,10 +2,10 @@
 #ifndef palpate_ContactTracker_h
 #define palpate_ContactTracker_h
 
-#include "PackedMesh.h"
-#include "PalpateExport.h"
-#include "TriangleSearch.h"
-#include "TriangleTree.h"
+#include "Contact/PackedMesh.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/TriangleSearch.h"
+#include "Contact/TriangleTree.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DahlFriction.h"
+#include "Contact/DahlFriction.h"
 
-#include "StraightStep.h"
+#include "Contact/StraightStep.h"
 
 #include <cmath>
 

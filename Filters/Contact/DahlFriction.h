@@ -2,9 +2,9 @@
 #ifndef palpate_DahlFriction_h
 #define palpate_DahlFriction_h
 
-#include "ContactSettings.h"
-#include "FrictionFrame.h"
-#include "PalpateExport.h"
+#include "Contact/ContactSettings.h"
+#include "Contact/FrictionFrame.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

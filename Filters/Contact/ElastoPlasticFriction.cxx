@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ElastoPlasticFriction.h"
+#include "Contact/ElastoPlasticFriction.h"
 
-#include "StraightStep.h"
+#include "Contact/StraightStep.h"
 
 #include <algorithm>
 #include <cmath>

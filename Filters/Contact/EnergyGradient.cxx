@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EnergyGradient.h"
+#include "Contact/EnergyGradient.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_EnergyGradient_h
 #define palpate_EnergyGradient_h
 
-#include "TriangleProjection.h"
+#include "Contact/TriangleProjection.h"
 
 namespace palpate
 {

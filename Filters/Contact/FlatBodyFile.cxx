@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlatBodyFile.h"
+#include "Contact/FlatBodyFile.h"
 
-#include "WholeFile.h"
+#include "Contact/WholeFile.h"
 
 #include <array>
 #include <cerrno>

@@ -2,9 +2,9 @@
 #ifndef palpate_FlatBodyFile_h
 #define palpate_FlatBodyFile_h
 
-#include "ContactBody.h"
-#include "PalpateExport.h"
-#include "ResponseField.h"
+#include "Contact/ContactBody.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseField.h"
 
 #include <cstddef>
 #include <cstdint>

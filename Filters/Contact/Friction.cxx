@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Friction.h"
+#include "Contact/Friction.h"
 
 #include <cmath>
 

@@ -2,12 +2,12 @@
 #ifndef palpate_Friction_h
 #define palpate_Friction_h
 
-#include "ContactSettings.h"
-#include "DahlFriction.h"
-#include "ElastoPlasticFriction.h"
-#include "FrictionFrame.h"
-#include "PalpateExport.h"
-#include "ShapeFriction.h"
+#include "Contact/ContactSettings.h"
+#include "Contact/DahlFriction.h"
+#include "Contact/ElastoPlasticFriction.h"
+#include "Contact/FrictionFrame.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ShapeFriction.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FrictionFrame.h"
+#include "Contact/FrictionFrame.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #ifndef palpate_FrictionFrame_h
 #define palpate_FrictionFrame_h
 
-#include "PalpateExport.h"
-#include "StraightStep.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/StraightStep.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

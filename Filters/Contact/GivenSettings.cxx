@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GivenSettings.h"
+#include "Contact/GivenSettings.h"
 
 #include <cmath>
 #include <sstream>

@@ -2,8 +2,8 @@
 #ifndef palpate_GivenSettings_h
 #define palpate_GivenSettings_h
 
-#include "ContactSettings.h"
-#include "PalpateExport.h"
+#include "Contact/ContactSettings.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HilbertCurve.h"
+#include "Contact/HilbertCurve.h"
 
-#include "ParallelRanges.h"
+#include "Contact/ParallelRanges.h"
 
 #include <Eigen/Geometry>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshRepair.h"
+#include "Contact/MeshRepair.h"
 
 #include <algorithm>
 #include <array>

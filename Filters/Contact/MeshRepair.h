@@ -2,7 +2,7 @@
 #ifndef palpate_MeshRepair_h
 #define palpate_MeshRepair_h
 
-#include "TriangleLinks.h"
+#include "Contact/TriangleLinks.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 #ifndef palpate_NearestTriangle_h
 #define palpate_NearestTriangle_h
 
-#include "TriangleBound.h"
-#include "TriangleProjection.h"
+#include "Contact/TriangleBound.h"
+#include "Contact/TriangleProjection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PackedMesh.h"
+#include "Contact/PackedMesh.h"
 
-#include "PackedMeshBuilder.h"
+#include "Contact/PackedMeshBuilder.h"
 
 #include <algorithm>
 #include <cmath>

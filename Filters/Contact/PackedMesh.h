@@ -2,10 +2,10 @@
 #ifndef palpate_PackedMesh_h
 #define palpate_PackedMesh_h
 
-#include "LargePages.h"
-#include "PalpateExport.h"
-#include "TriangleLinks.h"
-#include "TriangleProjection.h"
+#include "Contact/LargePages.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/TriangleLinks.h"
+#include "Contact/TriangleProjection.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

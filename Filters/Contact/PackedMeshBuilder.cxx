@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PackedMeshBuilder.h"
+#include "Contact/PackedMeshBuilder.h"
 
-#include "HilbertCurve.h"
-#include "MeshRepair.h"
-#include "ParallelRanges.h"
-#include "TrianglePlane.h"
+#include "Contact/HilbertCurve.h"
+#include "Contact/MeshRepair.h"
+#include "Contact/ParallelRanges.h"
+#include "Contact/TrianglePlane.h"
 
 #include <Eigen/Geometry>
 

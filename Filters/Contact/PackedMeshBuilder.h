@@ -2,7 +2,7 @@
 #ifndef palpate_PackedMeshBuilder_h
 #define palpate_PackedMeshBuilder_h
 
-#include "PackedMesh.h"
+#include "Contact/PackedMesh.h"
 
 #include <memory>
 

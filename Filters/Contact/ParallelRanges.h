@@ -2,7 +2,7 @@
 #ifndef palpate_ParallelRanges_h
 #define palpate_ParallelRanges_h
 
-#include "ThreadCount.h"
+#include "Mechanics/ThreadCount.h"
 
 #include <algorithm>
 #include <cstddef>

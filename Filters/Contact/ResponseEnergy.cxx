@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseEnergy.h"
+#include "Contact/ResponseEnergy.h"
 
 namespace palpate
 {

@@ -2,8 +2,8 @@
 #ifndef palpate_ResponseEnergy_h
 #define palpate_ResponseEnergy_h
 
-#include "PalpateExport.h"
-#include "ResponseSampling.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseSampling.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseField.h"
+#include "Contact/ResponseField.h"
 
-#include "ParallelRanges.h"
+#include "Contact/ParallelRanges.h"
 
 #include <algorithm>
 

@@ -2,11 +2,11 @@
 #ifndef palpate_ResponseField_h
 #define palpate_ResponseField_h
 
-#include "LargePages.h"
-#include "PackedMesh.h"
-#include "PalpateExport.h"
-#include "ResponseEnergy.h"
-#include "ResponseSampling.h"
+#include "Contact/LargePages.h"
+#include "Contact/PackedMesh.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseEnergy.h"
+#include "Contact/ResponseSampling.h"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseLimit.h"
+#include "Contact/ResponseLimit.h"
 
 #include <array>
 

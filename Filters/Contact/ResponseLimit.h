@@ -2,7 +2,7 @@
 #ifndef palpate_ResponseLimit_h
 #define palpate_ResponseLimit_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 #include <cstdint>

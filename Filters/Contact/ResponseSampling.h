@@ -2,7 +2,7 @@
 #ifndef palpate_ResponseSampling_h
 #define palpate_ResponseSampling_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShapeFriction.h"
+#include "Contact/ShapeFriction.h"
 
-#include "StraightStep.h"
+#include "Contact/StraightStep.h"
 
 namespace palpate
 {

@@ -2,10 +2,10 @@
 #ifndef palpate_ShapeFriction_h
 #define palpate_ShapeFriction_h
 
-#include "ContactSettings.h"
-#include "FrictionFrame.h"
-#include "PalpateExport.h"
-#include "ResponseSampling.h"
+#include "Contact/ContactSettings.h"
+#include "Contact/FrictionFrame.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseSampling.h"
 
 #include <algorithm>
 #include <array>

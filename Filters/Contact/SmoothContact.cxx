@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmoothContact.h"
+#include "Contact/SmoothContact.h"
 
 #include <Eigen/Geometry>
 

@@ -2,11 +2,11 @@
 #ifndef palpate_SmoothContact_h
 #define palpate_SmoothContact_h
 
-#include "ContactPlace.h"
-#include "PackedMesh.h"
-#include "PalpateExport.h"
-#include "ResponseField.h"
-#include "SmoothTriangle.h"
+#include "Contact/ContactPlace.h"
+#include "Contact/PackedMesh.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseField.h"
+#include "Contact/SmoothTriangle.h"
 
 #include <cstdint>
 

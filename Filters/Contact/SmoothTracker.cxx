@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmoothTracker.h"
+#include "Contact/SmoothTracker.h"
 
-#include "BorderFade.h"
+#include "Contact/BorderFade.h"
 
 #include <algorithm>
 

@@ -2,11 +2,11 @@
 #ifndef palpate_SmoothTracker_h
 #define palpate_SmoothTracker_h
 
-#include "ContactTracker.h"
-#include "PalpateExport.h"
-#include "SmoothContact.h"
-#include "TriangleSearch.h"
-#include "TriangleTree.h"
+#include "Contact/ContactTracker.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/SmoothContact.h"
+#include "Contact/TriangleSearch.h"
+#include "Contact/TriangleTree.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmoothTriangle.h"
+#include "Contact/SmoothTriangle.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #ifndef palpate_SmoothTriangle_h
 #define palpate_SmoothTriangle_h
 
-#include "PalpateExport.h"
-#include "TriangleProjection.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/TriangleProjection.h"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
-#include "BorderFade.h"
-#include "EnergyGradient.h"
+#include "Contact/BorderFade.h"
+#include "Contact/EnergyGradient.h"
 
 #include <cmath>
 

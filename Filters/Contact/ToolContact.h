@@ -2,13 +2,13 @@
 #ifndef palpate_ToolContact_h
 #define palpate_ToolContact_h
 
-#include "ContactBody.h"
-#include "ContactPlace.h"
-#include "ContactSettings.h"
-#include "ContactTracker.h"
-#include "Friction.h"
-#include "PalpateExport.h"
-#include "SmoothTracker.h"
+#include "Contact/ContactBody.h"
+#include "Contact/ContactPlace.h"
+#include "Contact/ContactSettings.h"
+#include "Contact/ContactTracker.h"
+#include "Contact/Friction.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/SmoothTracker.h"
 
 #include <cstdint>
 

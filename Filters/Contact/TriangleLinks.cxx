@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleLinks.h"
+#include "Contact/TriangleLinks.h"
 
-#include "ParallelRanges.h"
+#include "Contact/ParallelRanges.h"
 
 #include <atomic>
 

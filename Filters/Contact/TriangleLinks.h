@@ -2,7 +2,7 @@
 #ifndef palpate_TriangleLinks_h
 #define palpate_TriangleLinks_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TrianglePlane.h"
+#include "Contact/TrianglePlane.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_TrianglePlane_h
 #define palpate_TrianglePlane_h
 
-#include "TriangleProjection.h"
+#include "Contact/TriangleProjection.h"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleProjection.h"
+#include "Contact/TriangleProjection.h"
 
 #include <Eigen/Geometry>
 

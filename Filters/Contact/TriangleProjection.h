@@ -2,7 +2,7 @@
 #ifndef palpate_TriangleProjection_h
 #define palpate_TriangleProjection_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleSearch.h"
+#include "Contact/TriangleSearch.h"
 
-#include "NearestTriangle.h"
+#include "Contact/NearestTriangle.h"
 
 #include <cmath>
 #ifdef __SSE2__

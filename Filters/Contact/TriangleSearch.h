@@ -2,8 +2,8 @@
 #ifndef palpate_TriangleSearch_h
 #define palpate_TriangleSearch_h
 
-#include "PalpateExport.h"
-#include "TriangleTree.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/TriangleTree.h"
 
 #include <array>
 #include <cstddef>

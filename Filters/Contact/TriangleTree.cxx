@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
-#include "NearestTriangle.h"
-#include "ParallelRanges.h"
+#include "Contact/NearestTriangle.h"
+#include "Contact/ParallelRanges.h"
 
 #include <algorithm>
 #include <array>

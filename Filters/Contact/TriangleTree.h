@@ -2,9 +2,9 @@
 #ifndef palpate_TriangleTree_h
 #define palpate_TriangleTree_h
 
-#include "LargePages.h"
-#include "PackedMesh.h"
-#include "PalpateExport.h"
+#include "Contact/LargePages.h"
+#include "Contact/PackedMesh.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 

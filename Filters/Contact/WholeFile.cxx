@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WholeFile.h"
+#include "Contact/WholeFile.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef palpate_WholeFile_h
 #define palpate_WholeFile_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 #include <string>

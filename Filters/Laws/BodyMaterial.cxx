@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyMaterial.h"
+#include "Laws/BodyMaterial.h"
 
-#include "AxisymmetricTool.h"
-#include "JoinedText.h"
-#include "ReducedModulus.h"
-#include "ResponseLaw.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Laws/ResponseLaw.h"
 
 #include <algorithm>
 #include <cmath>

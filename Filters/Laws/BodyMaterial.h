@@ -2,9 +2,9 @@
 #ifndef palpate_BodyMaterial_h
 #define palpate_BodyMaterial_h
 
-#include "ContactSpot.h"
-#include "MaterialRange.h"
-#include "PalpateExport.h"
+#include "Laws/ContactSpot.h"
+#include "Laws/MaterialRange.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DataEnd.h"
+#include "Laws/DataEnd.h"
 
 #include <limits>
 

@@ -2,8 +2,8 @@
 #ifndef palpate_DataEnd_h
 #define palpate_DataEnd_h
 
-#include "PalpateExport.h"
-#include "ResponseSampling.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseSampling.h"
 
 namespace palpate
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MaterialRange.h"
+#include "Laws/MaterialRange.h"
 
-#include "Constants.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 

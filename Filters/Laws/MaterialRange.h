@@ -2,9 +2,9 @@
 #ifndef palpate_MaterialRange_h
 #define palpate_MaterialRange_h
 
-#include "ContactSpot.h"
-#include "LayerTable.h"
-#include "PalpateExport.h"
+#include "Laws/ContactSpot.h"
+#include "Mechanics/Layers/LayerTable.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <vector>
 

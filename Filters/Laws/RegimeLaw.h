@@ -2,12 +2,12 @@
 #ifndef palpate_RegimeLaw_h
 #define palpate_RegimeLaw_h
 
-#include "AxisymmetricTool.h"
-#include "ContactRegime.h"
-#include "ContactSpot.h"
-#include "MaterialRange.h"
-#include "PalpateExport.h"
-#include "ResponseLaw.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/ContactRegime.h"
+#include "Laws/ContactSpot.h"
+#include "Laws/MaterialRange.h"
+#include "Mechanics/PalpateExport.h"
+#include "Laws/ResponseLaw.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseFiller.h"
+#include "Laws/ResponseFiller.h"
 
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
 #include <algorithm>
 

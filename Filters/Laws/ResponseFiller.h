@@ -2,9 +2,9 @@
 #ifndef palpate_ResponseFiller_h
 #define palpate_ResponseFiller_h
 
-#include "ContactSpot.h"
-#include "PalpateExport.h"
-#include "ValidityRule.h"
+#include "Laws/ContactSpot.h"
+#include "Mechanics/PalpateExport.h"
+#include "Laws/ValidityRule.h"
 
 #include <cstddef>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
-#include "Constants.h"
-#include "SeriesCompliance.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <algorithm>
 #include <cmath>

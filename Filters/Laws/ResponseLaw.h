@@ -2,11 +2,11 @@
 #ifndef palpate_ResponseLaw_h
 #define palpate_ResponseLaw_h
 
-#include "AxisymmetricTool.h"
-#include "ContactSpot.h"
-#include "LayerTable.h"
-#include "PalpateExport.h"
-#include "ResponseField.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Laws/ContactSpot.h"
+#include "Mechanics/Layers/LayerTable.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseField.h"
 
 #include <memory>
 #include <vector>

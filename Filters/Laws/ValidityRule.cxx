@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ValidityRule.h"
+#include "Laws/ValidityRule.h"
 
-#include "AxisymmetricTool.h"
-#include "Constants.h"
-#include "ResponseLaw.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Laws/ResponseLaw.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 #ifndef palpate_ValidityRule_h
 #define palpate_ValidityRule_h
 
-#include "ContactSpot.h"
-#include "PalpateExport.h"
-#include "ResponseLimit.h"
+#include "Laws/ContactSpot.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseLimit.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactRegime.h"
+#include "Mechanics/ContactRegime.h"
 
 #include <cmath>
 #include <limits>

@@ -2,8 +2,8 @@
 #ifndef palpate_ContactRegime_h
 #define palpate_ContactRegime_h
 
-#include "IndentationLaw.h"
-#include "PalpateExport.h"
+#include "Mechanics/IndentationLaw.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

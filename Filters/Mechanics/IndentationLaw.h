@@ -2,7 +2,7 @@
 #ifndef palpate_IndentationLaw_h
 #define palpate_IndentationLaw_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

@@ -2,7 +2,7 @@
 #ifndef palpate_ReducedModulus_h
 #define palpate_ReducedModulus_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SeriesCompliance.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ThreadCount.h"
+#include "Mechanics/ThreadCount.h"
 
 #include <algorithm>
 #include <cstdlib>

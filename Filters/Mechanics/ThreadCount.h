@@ -9,7 +9,7 @@
 #ifndef palpate_ThreadCount_h
 #define palpate_ThreadCount_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 
-#include "FilterThreads.h"
+#include "Response/FilterThreads.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

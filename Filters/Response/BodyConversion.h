@@ -10,8 +10,8 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "BodyMesh.h"    // For palpate::BodyMesh
-#include "ContactBody.h" // For palpate::ContactBody
+#include "Contact/BodyMesh.h"    // For palpate::BodyMesh
+#include "Contact/ContactBody.h" // For palpate::ContactBody
 
 #include <cstdint> // For std::int32_t
 #include <memory>  // For std::shared_ptr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactArrays.h"
+#include "Response/ContactArrays.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"

@@ -9,7 +9,7 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "ToolContact.h" // For palpate::ToolContactForce
+#include "Contact/ToolContact.h" // For palpate::ToolContactForce
 
 #include "vtkDoubleArray.h"       // For vtkDoubleArray
 #include "vtkIdTypeArray.h"       // For vtkIdTypeArray

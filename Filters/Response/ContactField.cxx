@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactField.h"
+#include "Response/ContactField.h"
 
-#include "BodyConversion.h"
-#include "LayerContact.h"
-#include "LayerSurface.h"
+#include "Response/BodyConversion.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/LayerSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

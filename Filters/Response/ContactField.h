@@ -4,9 +4,9 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "AxisymmetricTool.h"   // For palpate::SurfaceDisplacement
-#include "TriangleProjection.h" // For palpate::Vector3
-#include "vtkType.h"            // For vtkIdType
+#include "Mechanics/Tools/AxisymmetricTool.h" // For palpate::SurfaceDisplacement
+#include "Contact/TriangleProjection.h"       // For palpate::Vector3
+#include "vtkType.h"                          // For vtkIdType
 
 #include <functional> // For std::function
 #include <memory>     // For std::shared_ptr

@@ -2,7 +2,7 @@
 #ifndef palpate_FilterThreads_h
 #define palpate_FilterThreads_h
 
-#include "ThreadCount.h"
+#include "Mechanics/ThreadCount.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlatBodyConversion.h"
+#include "Response/FlatBodyConversion.h"
 
-#include "BodyConversion.h"
-#include "FlatBodyFile.h"
+#include "Response/BodyConversion.h"
+#include "Contact/FlatBodyFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReplacedCurves.h"
+#include "Response/ReplacedCurves.h"
 
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"

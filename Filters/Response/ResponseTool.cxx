@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseTool.h"
+#include "Response/ResponseTool.h"
 
-#include "BodyConversion.h"
-#include "ToolSpecification.h"
+#include "Response/BodyConversion.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 #include "vtkContactTool.h"
 
 namespace palpate

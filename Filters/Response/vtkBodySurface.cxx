@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBodySurface.h"
 
-#include "BodyBlocks.h"
-#include "BodyConversion.h"
-#include "BodySeam.h"
-#include "InnerWalls.h"
-#include "JoinedText.h"
-#include "Ranks.h"
-#include "SeamNormals.h"
-#include "SurfaceTriangles.h"
+#include "Response/Bodies/BodyBlocks.h"
+#include "Response/BodyConversion.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Response/Bodies/InnerWalls.h"
+#include "Mechanics/JoinedText.h"
+#include "Response/Pieces/Ranks.h"
+#include "Response/Pieces/SeamNormals.h"
+#include "Response/Bodies/SurfaceTriangles.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkInformation.h"

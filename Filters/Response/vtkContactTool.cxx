@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactTool.h"
 
-#include "AxisymmetricTool.h"
-#include "ReducedModulus.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

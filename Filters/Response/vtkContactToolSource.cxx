@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactToolSource.h"
 
-#include "AxisymmetricTool.h"
-#include "Constants.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Numerics/Constants.h"
 #include "vtkContactTool.h"
 
 #include "vtkCellArray.h"

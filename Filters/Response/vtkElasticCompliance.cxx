@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticCompliance.h"
 
-#include "AvailableMemory.h"
-#include "FilterStage.h"
-#include "FilterThreads.h"
-#include "GlobalModes.h"
-#include "PatchCompliance.h"
-#include "ReducedModulus.h"
-#include "VolumeConversion.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
+#include "Response/FilterStage.h"
+#include "Response/FilterThreads.h"
+#include "Mechanics/FiniteElements/GlobalModes.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Response/Bodies/VolumeConversion.h"
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"

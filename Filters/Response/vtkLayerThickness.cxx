@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLayerThickness.h"
 
-#include "BaseDepth.h"
-#include "BodyConversion.h"
-#include "FilterStage.h"
-#include "PointNormals.h"
+#include "Response/Bodies/BaseDepth.h"
+#include "Response/BodyConversion.h"
+#include "Response/FilterStage.h"
+#include "Response/Curves/PointNormals.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkFloatArray.h"

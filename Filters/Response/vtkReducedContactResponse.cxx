@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReducedContactResponse.h"
 
-#include "BodyConversion.h"
-#include "FilterThreads.h"
-#include "ReplacedCurves.h"
-#include "ResponseReduction.h"
+#include "Response/BodyConversion.h"
+#include "Response/FilterThreads.h"
+#include "Response/ReplacedCurves.h"
+#include "Contact/Reduction/ResponseReduction.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

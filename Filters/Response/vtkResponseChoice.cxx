@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkResponseChoice.h"
 
-#include "BodyConversion.h"
-#include "ChoiceReason.h"
-#include "FilterThreads.h"
-#include "ReplacedCurves.h"
-#include "ResponseChoice.h"
+#include "Response/BodyConversion.h"
+#include "Contact/Reduction/ChoiceReason.h"
+#include "Response/FilterThreads.h"
+#include "Response/ReplacedCurves.h"
+#include "Contact/Reduction/ResponseChoice.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

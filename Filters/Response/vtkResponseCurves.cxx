@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkResponseCurves.h"
 
-#include "BodyConversion.h"
-#include "ResponseField.h"
+#include "Response/BodyConversion.h"
+#include "Contact/ResponseField.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkinSurface.h"
 
-#include "FilterStage.h"
-#include "SkinScan.h"
+#include "Response/FilterStage.h"
+#include "Response/Bodies/SkinScan.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelBody.h"
 
-#include "AvailableMemory.h"
-#include "BodyConversion.h"
-#include "FilterStage.h"
-#include "VoxelGrid.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
+#include "Response/BodyConversion.h"
+#include "Response/FilterStage.h"
+#include "Response/Bodies/VoxelGrid.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"

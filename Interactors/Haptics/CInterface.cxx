@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CInterface.h"
+#include "Haptics/CInterface.h"
 
-#include "FlatBodyFile.h"
+#include "Contact/FlatBodyFile.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,10 +3,10 @@
 #ifndef palpate_CInterface_h
 #define palpate_CInterface_h
 
-#include "palpate.h"
+#include "Haptics/palpate.h"
 
-#include "GivenSettings.h"
-#include "ServoStep.h"
+#include "Contact/GivenSettings.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <algorithm>
 #include <cstddef>

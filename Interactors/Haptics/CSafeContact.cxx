@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of palpate.h with a mapping and a safety of its own.
-#include "CInterface.h"
+#include "Haptics/CInterface.h"
 
-#include "SafetyFault.h"
+#include "Haptics/Safety/SafetyFault.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBodyComparison.h"
 
-#include "ComparisonColumn.h"
+#include "Interaction/Comparison/ComparisonColumn.h"
 #include "vtkContactScene.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"

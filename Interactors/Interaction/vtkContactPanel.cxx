@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactPanel.h"
 
-#include "PanelLook.h"
-#include "PanelSheet.h"
+#include "Interaction/Panel/PanelLook.h"
+#include "Interaction/Panel/PanelSheet.h"
 #include "vtkContactScene.h"
 #include "vtkContactSetup.h"
 #include "vtkContactTool.h"

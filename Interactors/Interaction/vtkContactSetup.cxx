@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactSetup.h"
 
-#include "NewestRequest.h"
-#include "ResponseMaker.h"
+#include "Interaction/Session/NewestRequest.h"
+#include "Interaction/Session/ResponseMaker.h"
 #include "vtkContactScene.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"

@@ -2,11 +2,11 @@
 // What is set, and what is read; vtkHapticSessionStart.cxx is what happens in between.
 #include "vtkHapticSession.h"
 
-#include "DeviceList.h"
-#include "HapticSessionState.h"
-#include "SafetyText.h"
-#include "SessionDevice.h"
-#include "TickRecording.h"
+#include "Haptics/Devices/DeviceList.h"
+#include "Interaction/Session/HapticSessionState.h"
+#include "Haptics/Safety/SafetyText.h"
+#include "Interaction/Session/SessionDevice.h"
+#include "Interaction/Session/TickRecording.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

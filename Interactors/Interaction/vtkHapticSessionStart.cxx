@@ -2,14 +2,14 @@
 // From what a session was told to what runs: body, settings, mapping, safety, device.
 #include "vtkHapticSession.h"
 
-#include "BodyConversion.h"
-#include "DeviceFit.h"
-#include "GivenSettings.h"
-#include "HapticSessionState.h"
-#include "ReplayDevice.h"
-#include "SafetyFault.h"
-#include "SessionDevice.h"
-#include "SimulatedDevice.h"
+#include "Response/BodyConversion.h"
+#include "Haptics/Devices/DeviceFit.h"
+#include "Contact/GivenSettings.h"
+#include "Interaction/Session/HapticSessionState.h"
+#include "Haptics/Devices/ReplayDevice.h"
+#include "Haptics/Safety/SafetyFault.h"
+#include "Interaction/Session/SessionDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

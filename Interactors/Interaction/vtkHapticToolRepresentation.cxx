@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticToolRepresentation.h"
 
-#include "DisplayColors.h"
-#include "ForceArrow.h"
-#include "LabelLayout.h"
-#include "RigidFrame.h"
-#include "ShownContact.h"
+#include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/ForceArrow.h"
+#include "Interaction/Display/LabelLayout.h"
+#include "Interaction/Display/RigidFrame.h"
+#include "Interaction/Display/ShownContact.h"
 #include "vtkContactTool.h"
 #include "vtkContactToolSource.h"
 

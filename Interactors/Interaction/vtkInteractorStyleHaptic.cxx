@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInteractorStyleHaptic.h"
 
-#include "KeyHelp.h"
-#include "SurfacePicker.h"
-#include "TickTape.h"
-#include "TrajectoryFile.h"
-#include "WindowPicture.h"
+#include "Interaction/Panel/KeyHelp.h"
+#include "Interaction/Panel/SurfacePicker.h"
+#include "Interaction/Session/TickTape.h"
+#include "Haptics/Devices/TrajectoryFile.h"
+#include "Interaction/Display/WindowPicture.h"
 #include "vtkContactScene.h"
 #include "vtkHapticSession.h"
 

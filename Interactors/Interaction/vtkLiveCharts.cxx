@@ -2,8 +2,8 @@
 // What is set, and what is shown when; LiveChartsState.cxx is how.
 #include "vtkLiveCharts.h"
 
-#include "LiveChartsState.h"
-#include "TickHistory.h"
+#include "Interaction/Charts/LiveChartsState.h"
+#include "Haptics/Servo/TickHistory.h"
 
 #include "vtkChartXY.h"
 #include "vtkContextScene.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRegimeMap.h"
 
-#include "RegimeColors.h"
+#include "Interaction/Comparison/RegimeColors.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkResponseChart.h"
 
-#include "ChartStyle.h"
-#include "DisplayColors.h"
+#include "Interaction/Charts/ChartStyle.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"

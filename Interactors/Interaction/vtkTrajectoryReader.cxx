@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTrajectoryReader.h"
 
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

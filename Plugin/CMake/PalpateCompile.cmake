@@ -78,9 +78,20 @@ function(palpate_version_library target)
   set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${soversion})
 endfunction()
 
+# Where the rooms stand, in each of which a header is found by its room and folder.
+set(PALPATE_ROOMS "${PROJECT_SOURCE_DIR}/Filters;${PROJECT_SOURCE_DIR}/Interactors")
+
+# Installs headers of a room as they are included: include/palpate/ROOM/FOLDER/NAME.h.
+function(palpate_install_headers room)
+  foreach(header IN LISTS ARGN)
+    get_filename_component(folder "${room}/${header}" DIRECTORY)
+    install(FILES ${header} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate/${folder}" COMPONENT development)
+  endforeach()
+endfunction()
+
 # A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
-# CLASSES and PRIVATE_CLASSES, and what is named besides. A name may lie in a subfolder; headers are included
-# without it, as they are installed. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
+# CLASSES and PRIVATE_CLASSES, and what is named besides. A header is included by its room and folder,
+# "Contact/PackedMesh.h", and installed so. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
 # what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
 function(palpate_add_kernel name)
   cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;LINK" ${ARGN})
@@ -95,17 +106,18 @@ function(palpate_add_kernel name)
     list(APPEND private_headers ${class}.h)
     list(APPEND sources ${class}.cxx)
   endforeach()
-  set(folders "")
-  foreach(header IN LISTS headers private_headers)
-    get_filename_component(folder "${header}" DIRECTORY)
-    list(APPEND folders "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+  set(folders "") # programs of before include an installed header by its name alone
+  foreach(header IN LISTS headers)
+    get_filename_component(folder "${name}/${header}" DIRECTORY)
+    list(APPEND folders "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate/${folder}>")
   endforeach()
   list(REMOVE_DUPLICATES folders)
   add_library(palpate${name} ${sources} ${headers} ${private_headers})
   add_library(Palpate::${name} ALIAS palpate${name})
   target_include_directories(palpate${name} PUBLIC
-    ${folders}
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
+    "$<BUILD_INTERFACE:${PALPATE_ROOMS}>"
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>
+    ${folders})
   target_link_libraries(palpate${name} PUBLIC Eigen3::Eigen ${arg_LINK})
   target_compile_features(palpate${name} PUBLIC cxx_std_17)
   set_target_properties(palpate${name} PROPERTIES EXPORT_NAME ${name} WINDOWS_EXPORT_ALL_SYMBOLS ON
@@ -123,7 +135,7 @@ function(palpate_add_kernel name)
     RUNTIME COMPONENT runtime
     LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
-  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate" COMPONENT development)
+  palpate_install_headers(${name} ${headers})
 
   list(TRANSFORM arg_LINK REPLACE "^Palpate::(.+)$" "palpate\\1Inside" OUTPUT_VARIABLE link)
   add_library(palpate${name}Inside STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:palpate${name}>)

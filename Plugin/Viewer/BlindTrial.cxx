@@ -2,7 +2,7 @@
 #include "BlindTrial.h"
 
 #include "ScenePath.h"
-#include "TrialScore.h"
+#include "Haptics/Trials/TrialScore.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkHapticSession.h"

@@ -4,8 +4,8 @@
 
 #include "ResponseSet.h"
 #include "TouchScene.h"
-#include "TrialLog.h"
-#include "TrialPlan.h"
+#include "Haptics/Trials/TrialLog.h"
+#include "Haptics/Trials/TrialPlan.h"
 #include "ViewerOptions.h"
 
 #include <chrono>

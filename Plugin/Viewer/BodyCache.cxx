@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyCache.h"
 
-#include "FlatBodyConversion.h"
+#include "Response/FlatBodyConversion.h"
 #include "ResponseSet.h"
 
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 #include "BodyFile.h"
 
 #include "CollectingWindow.h"
-#include "FlatBodyConversion.h"
-#include "JoinedText.h"
+#include "Response/FlatBodyConversion.h"
+#include "Mechanics/JoinedText.h"
 #include "MeshFileCheck.h"
 #include "PromptReader.h"
 

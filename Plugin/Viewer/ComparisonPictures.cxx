@@ -7,9 +7,9 @@
 #include "Pictures.h"
 #include "MapStage.h"
 #include "ScenePath.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "SessionSettings.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include "vtkContactScene.h"
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FacingPoints.h"
 
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 
 #include "vtkIdList.h"
 #include "vtkMath.h"

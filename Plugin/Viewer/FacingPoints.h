@@ -2,7 +2,7 @@
 #ifndef palpate_FacingPoints_h
 #define palpate_FacingPoints_h
 
-#include "TriangleProjection.h" // For palpate::Vector3
+#include "Contact/TriangleProjection.h" // For palpate::Vector3
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

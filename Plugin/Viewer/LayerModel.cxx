@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerModel.h"
 
-#include "JoinedText.h"
-#include "LayerContact.h"
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include "vtkDataArray.h"
 #include "vtkLayerThickness.h"

@@ -6,7 +6,7 @@
 #include "Pictures.h"
 #include "ScenePath.h"
 #include "SessionSettings.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -3,7 +3,7 @@
 
 #include "PictureSize.h"
 #include "ResponseSet.h"
-#include "SceneLight.h"
+#include "Interaction/Display/SceneLight.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredBody.h"
 
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 #include "ResponseSet.h"
 
 #include "vtkContactTool.h"

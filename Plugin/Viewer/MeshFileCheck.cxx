@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFileCheck.h"
 
-#include "JoinedText.h"
+#include "Mechanics/JoinedText.h"
 
 #include <cstdint>
 #include <cstdlib>

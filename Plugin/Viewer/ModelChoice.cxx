@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ModelChoice.h"
 
-#include "LeastForm.h"
+#include "Interaction/Session/LeastForm.h"
 
 #include <chrono>
 

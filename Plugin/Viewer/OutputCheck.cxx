@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputCheck.h"
 
-#include "WholeFile.h"
+#include "Contact/WholeFile.h"
 
 namespace palpate
 {

@@ -4,7 +4,7 @@
 #include "LayerModel.h"
 #include "MeasuredBody.h"
 #include "PictureSize.h"
-#include "WindowPicture.h"
+#include "Interaction/Display/WindowPicture.h"
 
 #include "vtkChartXY.h"
 #include "vtkContactScene.h"

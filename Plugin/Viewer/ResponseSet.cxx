@@ -2,8 +2,8 @@
 #include "ResponseSet.h"
 
 #include "CollectingWindow.h"
-#include "FlatBodyConversion.h"
-#include "WholeFile.h"
+#include "Response/FlatBodyConversion.h"
+#include "Contact/WholeFile.h"
 
 #include "vtkDataObject.h"
 #include "vtkNew.h"

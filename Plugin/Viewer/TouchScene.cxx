@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchScene.h"
 
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 #include "BodyFile.h"
 #include "LayerModel.h"
 #include "MeasuredBody.h"

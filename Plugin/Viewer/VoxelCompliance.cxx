@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelCompliance.h"
 
-#include "AvailableMemory.h"
-#include "BodyConversion.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
+#include "Response/BodyConversion.h"
 #include "FacingPoints.h"
-#include "MemoryForecast.h"
+#include "Mechanics/FiniteElements/MemoryForecast.h"
 #include "ResponseSet.h"
 
 #include "vtkDoubleArray.h"

@@ -2,8 +2,8 @@
 // What a bridge adds: from a force written to the first state that acknowledges it, at 1 kHz, by
 // BridgeDevice and a program that answers at once, over a Unix and a UDP socket; beside 64 bytes
 // sent and returned over the same kind of bare socket, in the same run. See README.md.
-#include "BridgeDevice.h"
-#include "RealTimeGrant.h"
+#include "Haptics/Devices/BridgeDevice.h"
+#include "Haptics/Servo/RealTimeGrant.h"
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,7 @@
 #include "TimedMethod.h"
 
 #ifdef PALPATE_WITH_EMBREE
-#include "TriangleProjection.h"
+#include "Contact/TriangleProjection.h"
 
 #include <embree3/rtcore.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Palpate's own rows of the benchmark: the only file of it that knows the kernel's classes.
 #include "BumpySphere.h"
-#include "ContactBody.h"
-#include "ForceLimit.h"
-#include "ServoStep.h"
+#include "Contact/ContactBody.h"
+#include "Haptics/Safety/ForceLimit.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "TimedMethod.h"
 
 #include <algorithm>

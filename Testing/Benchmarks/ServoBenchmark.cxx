@@ -4,9 +4,9 @@
 // slides about 1 mm deep along a bumpy sphere. See README.md.
 #include "BackgroundLoad.h"
 #include "BumpySphere.h"
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 #include "SampleResponses.h"
-#include "ServoLoop.h"
+#include "Haptics/Servo/ServoLoop.h"
 #include "ServoReport.h"
 
 #include <CLI/CLI.hpp>

@@ -2,9 +2,9 @@
 // How much is lost by storing a curve in 8 samples: through the filter's arrays and the evaluation
 // that the servo tick uses, against the law itself (E* = 3.45 MPa, range 2 mm). The time is that of
 // one evaluation.
-#include "BodyConversion.h"
-#include "SeriesCompliance.h"
-#include "ToolSpecification.h"
+#include "Response/BodyConversion.h"
+#include "Mechanics/SeriesCompliance.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 #include "vtkCellArray.h"
 #include "vtkContactTool.h"
 #include "vtkDataObject.h"

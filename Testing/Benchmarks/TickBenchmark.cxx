@@ -4,7 +4,7 @@
 // with cold caches. Answers are compared first; methods that disagree are not timed. See README.md.
 #include "BumpySphere.h"
 #include "ColdRead.h"
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 #include "ProcessMemory.h"
 #include "TickReport.h"
 #include "vtkSMPTools.h"

@@ -2,9 +2,9 @@
 #ifndef palpate_testing_PressingServo_h
 #define palpate_testing_PressingServo_h
 
-#include "ContactBody.h"
-#include "HidDevice.h"
-#include "ServoStep.h"
+#include "Contact/ContactBody.h"
+#include "Haptics/Hid/HidDevice.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_testing_PulledPlug_h
 #define palpate_testing_PulledPlug_h
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 
 #include <chrono>
 #include <memory>

@@ -2,9 +2,9 @@
 #ifndef palpate_testing_AnyTips_h
 #define palpate_testing_AnyTips_h
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 #include "Require.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <fuzzer/FuzzedDataProvider.h>
 

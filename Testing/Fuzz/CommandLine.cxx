@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any words as the viewer's command line: the program ends and says why, or goes on with options
 // that it can use. Input: the words, a line each. Files and devices are named, not opened.
-#include "BridgeSocket.h"
+#include "Haptics/Devices/BridgeSocket.h"
 #include "Require.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 #include "ViewerOptions.h"
 
 #include <algorithm>

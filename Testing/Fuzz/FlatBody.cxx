@@ -3,7 +3,7 @@
 // that a tick can be run on. Input: a choice (bit 0: mend the checksum), the file, and from its end
 // on tips.
 #include "AnyTips.h"
-#include "FlatBodyFile.h"
+#include "Contact/FlatBodyFile.h"
 #include "MemoryFile.h"
 
 #include <cstring>

@@ -2,9 +2,9 @@
 // Whatever 64 bytes a device sends: refused, or whole and finite.
 // Input: a choice (bit 0: mend mark, version and check sum, so that the content is reached), a
 // report.
-#include "HapticReport.h"
+#include "Haptics/Hid/HapticReport.h"
 #include "Require.h"
-#include "SpaceMouseReport.h"
+#include "Haptics/Hid/SpaceMouseReport.h"
 
 #include <limits>
 #include <vector>

@@ -3,10 +3,10 @@
 // that writes itself down and is read again as the same. Input: the first byte: 0 a specification,
 // else a profile file; then the text.
 #include "MemoryFile.h"
-#include "ProfileFile.h"
+#include "Mechanics/Tools/ProfileFile.h"
 #include "Require.h"
-#include "AxisymmetricTool.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <cmath>
 #include <memory>

@@ -2,10 +2,10 @@
 // Any text as a trajectory or recording: an error that names a line, or rows that are finite and in
 // the order of time, that are written and read again to the same bits, and that can be replayed.
 #include "MemoryFile.h"
-#include "ReplayDevice.h"
+#include "Haptics/Devices/ReplayDevice.h"
 #include "Require.h"
-#include "TrajectoryFile.h"
-#include "TrajectoryTable.h"
+#include "Haptics/Devices/TrajectoryFile.h"
+#include "Haptics/Devices/TrajectoryTable.h"
 
 #include <cmath>
 #include <cstring>

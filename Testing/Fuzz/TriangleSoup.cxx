@@ -5,7 +5,7 @@
 #include "AnyTips.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ChoiceReason.h"
+#include "Contact/Reduction/ChoiceReason.h"
 
-#include "ResponseLimit.h"
+#include "Contact/ResponseLimit.h"
 
 #include <cmath>
 #include <sstream>

@@ -2,8 +2,8 @@
 #ifndef palpate_ChoiceReason_h
 #define palpate_ChoiceReason_h
 
-#include "PalpateExport.h"
-#include "ResponseChoice.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/Reduction/ResponseChoice.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveError.h"
+#include "Contact/Reduction/CurveError.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef palpate_CurveError_h
 #define palpate_CurveError_h
 
-#include "ResponseSampling.h"
+#include "Contact/ResponseSampling.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LawChoice.h"
+#include "Contact/Reduction/LawChoice.h"
 
-#include "CurveError.h"
-#include "LeadingLaws.h"
+#include "Contact/Reduction/CurveError.h"
+#include "Contact/Reduction/LeadingLaws.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,8 +2,8 @@
 #ifndef palpate_LawChoice_h
 #define palpate_LawChoice_h
 
-#include "ReducibleCurves.h"
-#include "ResponseChoice.h"
+#include "Contact/Reduction/ReducibleCurves.h"
+#include "Contact/Reduction/ResponseChoice.h"
 
 namespace palpate
 {

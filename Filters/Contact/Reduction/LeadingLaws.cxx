@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LeadingLaws.h"
+#include "Contact/Reduction/LeadingLaws.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

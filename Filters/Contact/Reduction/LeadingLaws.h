@@ -2,7 +2,7 @@
 #ifndef palpate_LeadingLaws_h
 #define palpate_LeadingLaws_h
 
-#include "ReducibleCurves.h"
+#include "Contact/Reduction/ReducibleCurves.h"
 
 namespace palpate
 {

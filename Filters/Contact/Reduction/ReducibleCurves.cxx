@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReducibleCurves.h"
+#include "Contact/Reduction/ReducibleCurves.h"
 
 namespace palpate
 {

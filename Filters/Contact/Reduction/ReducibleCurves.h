@@ -2,8 +2,8 @@
 #ifndef palpate_ReducibleCurves_h
 #define palpate_ReducibleCurves_h
 
-#include "ParallelRanges.h"
-#include "ResponseField.h"
+#include "Contact/ParallelRanges.h"
+#include "Contact/ResponseField.h"
 
 #include <Eigen/Core>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseChoice.h"
+#include "Contact/Reduction/ResponseChoice.h"
 
-#include "ContactRegime.h"
-#include "LawChoice.h"
-#include "ReducibleCurves.h"
-#include "ResponseLimit.h"
-#include "SpringChoice.h"
+#include "Mechanics/ContactRegime.h"
+#include "Contact/Reduction/LawChoice.h"
+#include "Contact/Reduction/ReducibleCurves.h"
+#include "Contact/ResponseLimit.h"
+#include "Contact/Reduction/SpringChoice.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseReduction.h"
+#include "Contact/Reduction/ResponseReduction.h"
 
-#include "CurveError.h"
-#include "LeadingLaws.h"
-#include "ReducibleCurves.h"
+#include "Contact/Reduction/CurveError.h"
+#include "Contact/Reduction/LeadingLaws.h"
+#include "Contact/Reduction/ReducibleCurves.h"
 
 #include <algorithm>
 

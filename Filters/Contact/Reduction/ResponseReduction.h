@@ -2,8 +2,8 @@
 #ifndef palpate_ResponseReduction_h
 #define palpate_ResponseReduction_h
 
-#include "PalpateExport.h"
-#include "ResponseField.h"
+#include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseField.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SpringChoice.h"
+#include "Contact/Reduction/SpringChoice.h"
 
-#include "CurveError.h"
+#include "Contact/Reduction/CurveError.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #ifndef palpate_SpringChoice_h
 #define palpate_SpringChoice_h
 
-#include "ReducibleCurves.h"
-#include "ResponseChoice.h"
+#include "Contact/Reduction/ReducibleCurves.h"
+#include "Contact/Reduction/ResponseChoice.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodySurface.h"
+#include "Mechanics/FiniteElements/BodySurface.h"
 
 #include <Eigen/Geometry>
 

@@ -10,8 +10,8 @@
 #ifndef palpate_BodySurface_h
 #define palpate_BodySurface_h
 
-#include "PalpateExport.h"
-#include "VolumeMesh.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/FiniteElements/VolumeMesh.h"
 
 namespace palpate
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ElasticBody.h"
+#include "Mechanics/FiniteElements/ElasticBody.h"
 
-#include "ReducedModulus.h"
+#include "Mechanics/ReducedModulus.h"
 
 #include <sstream>
 #include <utility>

@@ -2,10 +2,10 @@
 #ifndef palpate_ElasticBody_h
 #define palpate_ElasticBody_h
 
-#include "BodySurface.h"
-#include "MemoryForecast.h"
-#include "PalpateExport.h"
-#include "StiffnessFactor.h"
+#include "Mechanics/FiniteElements/BodySurface.h"
+#include "Mechanics/FiniteElements/MemoryForecast.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/FiniteElements/StiffnessFactor.h"
 
 namespace palpate
 {

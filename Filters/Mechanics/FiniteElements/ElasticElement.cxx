@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ElasticElement.h"
+#include "Mechanics/FiniteElements/ElasticElement.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

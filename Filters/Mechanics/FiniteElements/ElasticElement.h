@@ -12,8 +12,8 @@
 #ifndef palpate_ElasticElement_h
 #define palpate_ElasticElement_h
 
-#include "PalpateExport.h"
-#include "VolumeMesh.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/FiniteElements/VolumeMesh.h"
 
 namespace palpate
 {

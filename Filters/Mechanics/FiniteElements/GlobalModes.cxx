@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GlobalModes.h"
+#include "Mechanics/FiniteElements/GlobalModes.h"
 
-#include "RegularField.h"
+#include "Mechanics/FiniteElements/RegularField.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -17,8 +17,8 @@
 #ifndef palpate_GlobalModes_h
 #define palpate_GlobalModes_h
 
-#include "PalpateExport.h"
-#include "PatchCompliance.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
 
 namespace palpate
 {

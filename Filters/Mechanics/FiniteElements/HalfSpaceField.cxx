@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HalfSpaceField.h"
+#include "Mechanics/FiniteElements/HalfSpaceField.h"
 
 #include <algorithm>
 #include <cmath>

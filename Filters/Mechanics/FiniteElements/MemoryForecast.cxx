@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MemoryForecast.h"
+#include "Mechanics/FiniteElements/MemoryForecast.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_MemoryForecast_h
 #define palpate_MemoryForecast_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

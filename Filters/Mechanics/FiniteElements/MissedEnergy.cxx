@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MissedEnergy.h"
+#include "Mechanics/FiniteElements/MissedEnergy.h"
 
-#include "ElasticElement.h"
+#include "Mechanics/FiniteElements/ElasticElement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef palpate_MissedEnergy_h
 #define palpate_MissedEnergy_h
 
-#include "PatchCut.h"
+#include "Mechanics/FiniteElements/PatchCut.h"
 
 namespace palpate
 {

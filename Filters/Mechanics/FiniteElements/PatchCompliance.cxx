@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatchCompliance.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
 
-#include "Constants.h"
-#include "MissedEnergy.h"
-#include "PatchSelfTerm.h"
-#include "PatchSite.h"
-#include "ThreadCount.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/FiniteElements/MissedEnergy.h"
+#include "Mechanics/FiniteElements/PatchSelfTerm.h"
+#include "Mechanics/FiniteElements/PatchSite.h"
+#include "Mechanics/ThreadCount.h"
 
 #include <algorithm>
 #include <atomic>

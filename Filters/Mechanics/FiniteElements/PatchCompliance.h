@@ -14,8 +14,8 @@
 #ifndef palpate_PatchCompliance_h
 #define palpate_PatchCompliance_h
 
-#include "ElasticBody.h"
-#include "PalpateExport.h"
+#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

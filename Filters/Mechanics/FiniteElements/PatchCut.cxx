@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatchCut.h"
+#include "Mechanics/FiniteElements/PatchCut.h"
 
 #include <Eigen/QR>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_PatchCut_h
 #define palpate_PatchCut_h
 
-#include "PatchLoad.h"
+#include "Mechanics/FiniteElements/PatchLoad.h"
 
 #include <cstdint>
 

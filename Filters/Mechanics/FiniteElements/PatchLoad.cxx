@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatchLoad.h"
-#include "Constants.h"
+#include "Mechanics/FiniteElements/PatchLoad.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 

@@ -11,7 +11,7 @@
 #ifndef palpate_PatchLoad_h
 #define palpate_PatchLoad_h
 
-#include "BodySurface.h"
+#include "Mechanics/FiniteElements/BodySurface.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatchSelfTerm.h"
+#include "Mechanics/FiniteElements/PatchSelfTerm.h"
 
-#include "Constants.h"
-#include "HalfSpaceField.h"
-#include "StiffnessAssembly.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/FiniteElements/HalfSpaceField.h"
+#include "Mechanics/FiniteElements/StiffnessAssembly.h"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>

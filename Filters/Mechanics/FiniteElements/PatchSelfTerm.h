@@ -20,8 +20,8 @@
 #ifndef palpate_PatchSelfTerm_h
 #define palpate_PatchSelfTerm_h
 
-#include "ElasticElement.h"
-#include "PatchCut.h"
+#include "Mechanics/FiniteElements/ElasticElement.h"
+#include "Mechanics/FiniteElements/PatchCut.h"
 
 namespace palpate
 {

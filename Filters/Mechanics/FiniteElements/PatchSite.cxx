@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatchSite.h"
+#include "Mechanics/FiniteElements/PatchSite.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #ifndef palpate_PatchSite_h
 #define palpate_PatchSite_h
 
-#include "ElasticBody.h"
-#include "PatchCut.h"
+#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/FiniteElements/PatchCut.h"
 
 namespace palpate
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RegularField.h"
+#include "Mechanics/FiniteElements/RegularField.h"
 
-#include "HalfSpaceField.h"
-#include "PatchSelfTerm.h"
-#include "PatchSite.h"
+#include "Mechanics/FiniteElements/HalfSpaceField.h"
+#include "Mechanics/FiniteElements/PatchSelfTerm.h"
+#include "Mechanics/FiniteElements/PatchSite.h"
 
 #include <algorithm>
 

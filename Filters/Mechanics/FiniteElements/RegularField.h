@@ -2,7 +2,7 @@
 #ifndef palpate_RegularField_h
 #define palpate_RegularField_h
 
-#include "ElasticBody.h"
+#include "Mechanics/FiniteElements/ElasticBody.h"
 
 namespace palpate
 {

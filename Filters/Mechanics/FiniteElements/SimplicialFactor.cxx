@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SimplicialFactor.h"
+#include "Mechanics/FiniteElements/SimplicialFactor.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_SimplicialFactor_h
 #define palpate_SimplicialFactor_h
 
-#include "StiffnessFactor.h"
+#include "Mechanics/FiniteElements/StiffnessFactor.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StiffnessAssembly.h"
+#include "Mechanics/FiniteElements/StiffnessAssembly.h"
 
 #include <Eigen/Eigenvalues>
 

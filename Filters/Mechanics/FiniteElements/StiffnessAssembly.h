@@ -2,8 +2,8 @@
 #ifndef palpate_StiffnessAssembly_h
 #define palpate_StiffnessAssembly_h
 
-#include "ElasticElement.h"
-#include "PalpateExport.h"
+#include "Mechanics/FiniteElements/ElasticElement.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/SparseCore>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StiffnessFactor.h"
+#include "Mechanics/FiniteElements/StiffnessFactor.h"
 
-#include "SimplicialFactor.h"
-#include "SupernodalFactor.h"
+#include "Mechanics/FiniteElements/SimplicialFactor.h"
+#include "Mechanics/FiniteElements/SupernodalFactor.h"
 
 #include <algorithm>
 #include <limits>

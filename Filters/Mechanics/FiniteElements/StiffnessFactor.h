@@ -15,8 +15,8 @@
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h
 
-#include "PalpateExport.h"
-#include "StiffnessAssembly.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/FiniteElements/StiffnessAssembly.h"
 
 #include <functional>
 #include <memory>

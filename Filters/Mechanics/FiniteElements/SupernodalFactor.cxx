@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SupernodalFactor.h"
+#include "Mechanics/FiniteElements/SupernodalFactor.h"
 
 #ifndef PALPATE_WITH_CHOLMOD
 
@@ -13,7 +13,7 @@ std::unique_ptr<StiffnessFactor> makeSupernodalFactor()
 
 #else
 
-#include "ThreadCount.h"
+#include "Mechanics/ThreadCount.h"
 
 #include <cholmod.h>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_SupernodalFactor_h
 #define palpate_SupernodalFactor_h
 
-#include "StiffnessFactor.h"
+#include "Mechanics/FiniteElements/StiffnessFactor.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VolumeMesh.h"
+#include "Mechanics/FiniteElements/VolumeMesh.h"
 
 #include <algorithm>
 #include <numeric>

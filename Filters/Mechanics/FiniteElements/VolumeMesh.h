@@ -2,7 +2,7 @@
 #ifndef palpate_VolumeMesh_h
 #define palpate_VolumeMesh_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 

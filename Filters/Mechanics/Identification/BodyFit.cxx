@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyFit.h"
+#include "Mechanics/Identification/BodyFit.h"
 
-#include "FitResiduals.h"
-#include "LayerContact.h"
+#include "Mechanics/Identification/FitResiduals.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include <Eigen/QR>
 #include <unsupported/Eigen/NonLinearOptimization>

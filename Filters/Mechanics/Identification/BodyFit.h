@@ -2,10 +2,10 @@
 #ifndef palpate_BodyFit_h
 #define palpate_BodyFit_h
 
-#include "AxisymmetricTool.h"
-#include "LayerKernel.h"
-#include "PalpateExport.h"
-#include "SeriesCompliance.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <Eigen/Core>
 

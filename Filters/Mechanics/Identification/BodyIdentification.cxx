@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyIdentification.h"
+#include "Mechanics/Identification/BodyIdentification.h"
 
-#include "StrainWindow.h"
+#include "Mechanics/Identification/StrainWindow.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 #ifndef palpate_BodyIdentification_h
 #define palpate_BodyIdentification_h
 
-#include "BodyFit.h"
-#include "ForceNoise.h"
-#include "PalpateExport.h"
+#include "Mechanics/Identification/BodyFit.h"
+#include "Mechanics/Identification/ForceNoise.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <limits>
 #include <memory>

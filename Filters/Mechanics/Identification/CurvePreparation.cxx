@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvePreparation.h"
+#include "Mechanics/Identification/CurvePreparation.h"
 
 #include <algorithm>
 #include <cmath>

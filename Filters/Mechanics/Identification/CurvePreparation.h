@@ -2,8 +2,8 @@
 #ifndef palpate_CurvePreparation_h
 #define palpate_CurvePreparation_h
 
-#include "MeasuredCurve.h"
-#include "PalpateExport.h"
+#include "Mechanics/Identification/MeasuredCurve.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <limits>
 #include <string>

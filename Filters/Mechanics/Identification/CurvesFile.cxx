@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvesFile.h"
+#include "Mechanics/Identification/CurvesFile.h"
 
-#include "NumberedLines.h"
+#include "Mechanics/Identification/NumberedLines.h"
 
 #include <algorithm>
 #include <array>

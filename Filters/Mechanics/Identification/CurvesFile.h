@@ -2,8 +2,8 @@
 #ifndef palpate_CurvesFile_h
 #define palpate_CurvesFile_h
 
-#include "MeasuredCurve.h"
-#include "PalpateExport.h"
+#include "Mechanics/Identification/MeasuredCurve.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 #include <functional>

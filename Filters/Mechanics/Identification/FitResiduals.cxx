@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FitResiduals.h"
+#include "Mechanics/Identification/FitResiduals.h"
 
-#include "LayerContact.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_FitResiduals_h
 #define palpate_FitResiduals_h
 
-#include "BodyFit.h"
+#include "Mechanics/Identification/BodyFit.h"
 
 #include <Eigen/Core>
 

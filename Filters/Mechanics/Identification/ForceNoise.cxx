@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ForceNoise.h"
+#include "Mechanics/Identification/ForceNoise.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef palpate_ForceNoise_h
 #define palpate_ForceNoise_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <limits>
 #include <vector>

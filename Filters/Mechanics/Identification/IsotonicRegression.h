@@ -2,7 +2,7 @@
 #ifndef palpate_IsotonicRegression_h
 #define palpate_IsotonicRegression_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <vector>
 

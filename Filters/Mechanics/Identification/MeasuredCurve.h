@@ -2,7 +2,7 @@
 #ifndef palpate_MeasuredCurve_h
 #define palpate_MeasuredCurve_h
 
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <Eigen/Core>
 

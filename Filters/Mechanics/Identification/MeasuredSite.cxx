@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeasuredSite.h"
+#include "Mechanics/Identification/MeasuredSite.h"
 
 #include <algorithm>
 #include <cstddef>

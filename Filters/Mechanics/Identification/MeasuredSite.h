@@ -2,10 +2,10 @@
 #ifndef palpate_MeasuredSite_h
 #define palpate_MeasuredSite_h
 
-#include "BodyIdentification.h"
-#include "CurvePreparation.h"
-#include "MeasuredCurve.h"
-#include "PalpateExport.h"
+#include "Mechanics/Identification/BodyIdentification.h"
+#include "Mechanics/Identification/CurvePreparation.h"
+#include "Mechanics/Identification/MeasuredCurve.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <memory>
 #include <string>

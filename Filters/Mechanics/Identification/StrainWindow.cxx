@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StrainWindow.h"
+#include "Mechanics/Identification/StrainWindow.h"
 
-#include "LayerContact.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef palpate_StrainWindow_h
 #define palpate_StrainWindow_h
 
-#include "BodyFit.h"
+#include "Mechanics/Identification/BodyFit.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LayerContact.h"
-#include "Constants.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>

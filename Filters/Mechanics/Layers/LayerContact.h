@@ -2,11 +2,11 @@
 #ifndef palpate_LayerContact_h
 #define palpate_LayerContact_h
 
-#include "AxisymmetricTool.h"
-#include "IndentationLaw.h"
-#include "LayerKernel.h"
-#include "PalpateExport.h"
-#include "ProfileQuadrature.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/IndentationLaw.h"
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Layers/ProfileQuadrature.h"
 
 #include <memory>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LayerKernel.h"
+#include "Mechanics/Layers/LayerKernel.h"
 
-#include "ChebyshevRule.h"
-#include "Constants.h"
-#include "GaussLegendre.h"
+#include "Mechanics/Numerics/ChebyshevRule.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
 
 #include <Eigen/Cholesky>
 

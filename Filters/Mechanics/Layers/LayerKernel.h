@@ -2,8 +2,8 @@
 #ifndef palpate_LayerKernel_h
 #define palpate_LayerKernel_h
 
-#include "PalpateExport.h"
-#include "PiecewiseChebyshev.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Numerics/PiecewiseChebyshev.h"
 
 #include <Eigen/Core>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LayerSurface.h"
+#include "Mechanics/Layers/LayerSurface.h"
 
-#include "Constants.h"
-#include "DimensionalityReduction.h"
-#include "GaussLegendre.h"
-#include "LayerContact.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/DimensionalityReduction.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include <algorithm>
 #include <cmath>

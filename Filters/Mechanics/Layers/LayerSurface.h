@@ -2,10 +2,10 @@
 #ifndef palpate_LayerSurface_h
 #define palpate_LayerSurface_h
 
-#include "AxisymmetricTool.h"
-#include "LayerKernel.h"
-#include "PalpateExport.h"
-#include "PiecewiseChebyshev.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Numerics/PiecewiseChebyshev.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LayerTable.h"
+#include "Mechanics/Layers/LayerTable.h"
 
-#include "ChebyshevRule.h"
-#include "LayerContact.h"
+#include "Mechanics/Numerics/ChebyshevRule.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #ifndef palpate_LayerTable_h
 #define palpate_LayerTable_h
 
-#include "AxisymmetricTool.h"
-#include "ChebyshevRule.h"
-#include "LayerKernel.h"
-#include "PalpateExport.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Numerics/ChebyshevRule.h"
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 

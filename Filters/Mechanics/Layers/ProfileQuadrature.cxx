@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ProfileQuadrature.h"
+#include "Mechanics/Layers/ProfileQuadrature.h"
 
 namespace palpate
 {

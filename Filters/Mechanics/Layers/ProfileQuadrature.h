@@ -2,9 +2,9 @@
 #ifndef palpate_ProfileQuadrature_h
 #define palpate_ProfileQuadrature_h
 
-#include "AxisymmetricTool.h"
-#include "GaussLegendre.h"
-#include "PalpateExport.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 #include <vector>

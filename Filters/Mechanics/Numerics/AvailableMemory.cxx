@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AvailableMemory.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
 
 #include <unistd.h>
 

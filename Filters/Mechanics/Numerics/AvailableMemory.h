@@ -2,7 +2,7 @@
 #ifndef palpate_AvailableMemory_h
 #define palpate_AvailableMemory_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <string>
 

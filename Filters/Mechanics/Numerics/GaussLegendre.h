@@ -2,7 +2,7 @@
 #ifndef palpate_GaussLegendre_h
 #define palpate_GaussLegendre_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 

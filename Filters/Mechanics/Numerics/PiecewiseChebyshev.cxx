@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PiecewiseChebyshev.h"
-#include "Constants.h"
+#include "Mechanics/Numerics/PiecewiseChebyshev.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef palpate_PiecewiseChebyshev_h
 #define palpate_PiecewiseChebyshev_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <functional>
 #include <vector>

@@ -2,9 +2,9 @@
 #ifndef palpate_AxisymmetricTool_h
 #define palpate_AxisymmetricTool_h
 
-#include "DepthLimit.h"
-#include "IndentationLaw.h"
-#include "PalpateExport.h"
+#include "Mechanics/Tools/DepthLimit.h"
+#include "Mechanics/IndentationLaw.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BluntedConeTool.h"
+#include "Mechanics/Tools/BluntedConeTool.h"
 
-#include "Constants.h"
-#include "GaussLegendre.h"
-#include "IncreasingRoot.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
+#include "Mechanics/Numerics/IncreasingRoot.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 #ifndef palpate_BluntedConeTool_h
 #define palpate_BluntedConeTool_h
 
-#include "AxisymmetricTool.h"
-#include "SphereTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Tools/SphereTool.h"
 
 #include <limits>
 

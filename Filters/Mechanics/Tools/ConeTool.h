@@ -2,7 +2,7 @@
 #ifndef palpate_ConeTool_h
 #define palpate_ConeTool_h
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DepthLimit.h"
-#include "Constants.h"
+#include "Mechanics/Tools/DepthLimit.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>

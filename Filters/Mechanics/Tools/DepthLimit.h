@@ -2,7 +2,7 @@
 #ifndef palpate_DepthLimit_h
 #define palpate_DepthLimit_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <functional>
 #include <limits>

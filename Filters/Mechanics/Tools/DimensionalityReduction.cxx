@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DimensionalityReduction.h"
+#include "Mechanics/Tools/DimensionalityReduction.h"
 
-#include "Constants.h"
-#include "GaussLegendre.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
 
 #include <algorithm>
 #include <cmath>

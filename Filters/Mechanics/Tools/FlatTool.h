@@ -2,7 +2,7 @@
 #ifndef palpate_FlatTool_h
 #define palpate_FlatTool_h
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 namespace palpate
 {

@@ -2,7 +2,7 @@
 #ifndef palpate_ParaboloidTool_h
 #define palpate_ParaboloidTool_h
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <limits>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PowerLawTool.h"
+#include "Mechanics/Tools/PowerLawTool.h"
 
-#include "Constants.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <cmath>
 

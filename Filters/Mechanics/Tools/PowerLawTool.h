@@ -2,7 +2,7 @@
 #ifndef palpate_PowerLawTool_h
 #define palpate_PowerLawTool_h
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ProfileFile.h"
+#include "Mechanics/Tools/ProfileFile.h"
 
 #include <charconv>
 #include <fstream>

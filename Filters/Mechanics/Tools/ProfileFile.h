@@ -2,7 +2,7 @@
 #ifndef palpate_ProfileFile_h
 #define palpate_ProfileFile_h
 
-#include "ProfileTool.h"
+#include "Mechanics/Tools/ProfileTool.h"
 
 #include <string>
 #include <vector>

@@ -2,10 +2,10 @@
 #ifndef palpate_ProfileTool_h
 #define palpate_ProfileTool_h
 
-#include "AxisymmetricTool.h"
-#include "IncreasingRoot.h"
-#include "PalpateExport.h"
-#include "SlopeStep.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Numerics/IncreasingRoot.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tools/SlopeStep.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RoundedFlatTool.h"
+#include "Mechanics/Tools/RoundedFlatTool.h"
 
-#include "IncreasingRoot.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Numerics/IncreasingRoot.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <algorithm>
 #include <cmath>

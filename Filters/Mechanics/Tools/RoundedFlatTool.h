@@ -2,7 +2,7 @@
 #ifndef palpate_RoundedFlatTool_h
 #define palpate_RoundedFlatTool_h
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <limits>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SlopeStep.h"
+#include "Mechanics/Tools/SlopeStep.h"
 
-#include "Constants.h"
-#include "DimensionalityReduction.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/DimensionalityReduction.h"
 
 #include <cmath>
 

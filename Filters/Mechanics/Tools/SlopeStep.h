@@ -2,7 +2,7 @@
 #ifndef palpate_SlopeStep_h
 #define palpate_SlopeStep_h
 
-#include "PalpateExport.h"
+#include "Mechanics/PalpateExport.h"
 
 namespace palpate
 {

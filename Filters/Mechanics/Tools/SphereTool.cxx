@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SphereTool.h"
+#include "Mechanics/Tools/SphereTool.h"
 
-#include "Constants.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef palpate_SphereTool_h
 #define palpate_SphereTool_h
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 namespace palpate
 {

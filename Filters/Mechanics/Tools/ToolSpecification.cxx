@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
-#include "BluntedConeTool.h"
-#include "ConeTool.h"
-#include "Constants.h"
-#include "FlatTool.h"
-#include "ParaboloidTool.h"
-#include "PowerLawTool.h"
-#include "ProfileFile.h"
-#include "RoundedFlatTool.h"
-#include "SphereTool.h"
-#include "TruncatedConeTool.h"
+#include "Mechanics/Tools/BluntedConeTool.h"
+#include "Mechanics/Tools/ConeTool.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/FlatTool.h"
+#include "Mechanics/Tools/ParaboloidTool.h"
+#include "Mechanics/Tools/PowerLawTool.h"
+#include "Mechanics/Tools/ProfileFile.h"
+#include "Mechanics/Tools/RoundedFlatTool.h"
+#include "Mechanics/Tools/SphereTool.h"
+#include "Mechanics/Tools/TruncatedConeTool.h"
 
 #include <array>
 #include <charconv>

@@ -2,9 +2,9 @@
 #ifndef palpate_ToolSpecification_h
 #define palpate_ToolSpecification_h
 
-#include "AxisymmetricTool.h"
-#include "PalpateExport.h"
-#include "ProfileTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tools/ProfileTool.h"
 
 #include <initializer_list>
 #include <memory>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TruncatedConeTool.h"
+#include "Mechanics/Tools/TruncatedConeTool.h"
 
-#include "Constants.h"
-#include "IncreasingRoot.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/IncreasingRoot.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <algorithm>
 #include <cmath>

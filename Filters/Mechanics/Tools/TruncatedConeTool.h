@@ -2,8 +2,8 @@
 #ifndef palpate_TruncatedConeTool_h
 #define palpate_TruncatedConeTool_h
 
-#include "AxisymmetricTool.h"
-#include "SlopeStep.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Tools/SlopeStep.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BaseDepth.h"
+#include "Response/Bodies/BaseDepth.h"
 
 #include <algorithm>
 #include <cmath>

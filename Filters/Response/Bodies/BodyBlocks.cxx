@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyBlocks.h"
+#include "Response/Bodies/BodyBlocks.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InnerWalls.h"
+#include "Response/Bodies/InnerWalls.h"
 
-#include "Ranks.h"
+#include "Response/Pieces/Ranks.h"
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"

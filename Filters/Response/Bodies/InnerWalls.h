@@ -2,7 +2,7 @@
 #ifndef InnerWalls_h
 #define InnerWalls_h
 
-#include "SurfaceTriangles.h"
+#include "Response/Bodies/SurfaceTriangles.h"
 
 #include <string>
 #include <vector>

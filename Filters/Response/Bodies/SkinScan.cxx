@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SkinScan.h"
+#include "Response/Bodies/SkinScan.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceTriangles.h"
+#include "Response/Bodies/SurfaceTriangles.h"
 
-#include "BodyConversion.h"
-#include "JoinedText.h"
+#include "Response/BodyConversion.h"
+#include "Mechanics/JoinedText.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"

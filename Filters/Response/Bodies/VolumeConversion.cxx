@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VolumeConversion.h"
+#include "Response/Bodies/VolumeConversion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

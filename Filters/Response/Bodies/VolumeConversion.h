@@ -2,7 +2,7 @@
 #ifndef VolumeConversion_h
 #define VolumeConversion_h
 
-#include "ElasticBody.h"
+#include "Mechanics/FiniteElements/ElasticBody.h"
 
 #include "vtkType.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VoxelGrid.h"
+#include "Response/Bodies/VoxelGrid.h"
 
-#include "ElasticElement.h"
+#include "Mechanics/FiniteElements/ElasticElement.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #ifndef VoxelGrid_h
 #define VoxelGrid_h
 
-#include "VolumeMesh.h"
+#include "Mechanics/FiniteElements/VolumeMesh.h"
 
 #include <array>
 #include <functional>

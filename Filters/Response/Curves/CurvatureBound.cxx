@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvatureBound.h"
+#include "Response/Curves/CurvatureBound.h"
 
-#include "BodySeam.h"
+#include "Response/Pieces/BodySeam.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MaterialArrays.h"
+#include "Response/Curves/MaterialArrays.h"
 
-#include "JoinedText.h"
-#include "Ranks.h"
+#include "Mechanics/JoinedText.h"
+#include "Response/Pieces/Ranks.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

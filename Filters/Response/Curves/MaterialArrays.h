@@ -2,7 +2,7 @@
 #ifndef MaterialArrays_h
 #define MaterialArrays_h
 
-#include "BodyMaterial.h"
+#include "Laws/BodyMaterial.h"
 
 #include <functional>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PointNormals.h"
+#include "Response/Curves/PointNormals.h"
 
-#include "BodyConversion.h"
-#include "BodySeam.h"
-#include "SeamNormals.h"
+#include "Response/BodyConversion.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/SeamNormals.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseStorage.h"
+#include "Response/Curves/ResponseStorage.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"

@@ -2,7 +2,7 @@
 #ifndef ResponseStorage_h
 #define ResponseStorage_h
 
-#include "ResponseFiller.h"
+#include "Laws/ResponseFiller.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"

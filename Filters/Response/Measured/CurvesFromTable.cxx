@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvesFromTable.h"
+#include "Response/Measured/CurvesFromTable.h"
 
-#include "CurvesFile.h"
+#include "Mechanics/Identification/CurvesFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkTable.h"

@@ -2,7 +2,7 @@
 #ifndef CurvesFromTable_h
 #define CurvesFromTable_h
 
-#include "MeasuredCurve.h"
+#include "Mechanics/Identification/MeasuredCurve.h"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeasuredMaterial.h"
+#include "Response/Measured/MeasuredMaterial.h"
 
-#include "BodyConversion.h"
-#include "DataEnd.h"
-#include "ResponseLimit.h"
-#include "ResponseSampling.h"
+#include "Response/BodyConversion.h"
+#include "Laws/DataEnd.h"
+#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseSampling.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

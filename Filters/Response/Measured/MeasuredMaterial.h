@@ -2,7 +2,7 @@
 #ifndef MeasuredMaterial_h
 #define MeasuredMaterial_h
 
-#include "SiteMeasurement.h"
+#include "Response/Measured/SiteMeasurement.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SiteMeasurement.h"
+#include "Response/Measured/SiteMeasurement.h"
 
-#include "FilterThreads.h"
-#include "TriangleTree.h"
+#include "Response/FilterThreads.h"
+#include "Contact/TriangleTree.h"
 
 #include <cmath>
 #include <limits>

@@ -2,11 +2,11 @@
 #ifndef SiteMeasurement_h
 #define SiteMeasurement_h
 
-#include "BodyIdentification.h"
-#include "BodyMesh.h"
-#include "MeasuredCurve.h"
-#include "SiteSpread.h"
-#include "SiteTables.h"
+#include "Mechanics/Identification/BodyIdentification.h"
+#include "Contact/BodyMesh.h"
+#include "Mechanics/Identification/MeasuredCurve.h"
+#include "Response/Measured/SiteSpread.h"
+#include "Response/Measured/SiteTables.h"
 
 #include <memory>
 #include <string>

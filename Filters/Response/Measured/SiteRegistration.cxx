@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SiteRegistration.h"
+#include "Response/Measured/SiteRegistration.h"
 
 #include "vtkLandmarkTransform.h"
 #include "vtkMatrix4x4.h"

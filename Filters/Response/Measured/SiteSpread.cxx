@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SiteSpread.h"
+#include "Response/Measured/SiteSpread.h"
 
-#include "SurfacePatch.h"
+#include "Response/Touch/SurfacePatch.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"

@@ -2,7 +2,7 @@
 #ifndef SiteSpread_h
 #define SiteSpread_h
 
-#include "BodyMesh.h"
+#include "Contact/BodyMesh.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SiteTables.h"
+#include "Response/Measured/SiteTables.h"
 
-#include "Constants.h"
-#include "IsotonicRegression.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Identification/IsotonicRegression.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"

@@ -2,7 +2,7 @@
 #ifndef SiteTables_h
 #define SiteTables_h
 
-#include "MeasuredSite.h"
+#include "Mechanics/Identification/MeasuredSite.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #ifndef BodyPiece_h
 #define BodyPiece_h
 
-#include "BodySeam.h"
-#include "TriangleProjection.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Contact/TriangleProjection.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodySeam.h"
+#include "Response/Pieces/BodySeam.h"
 
-#include "BodyConversion.h"
-#include "TriangleLinks.h"
-#include "TriangleProjection.h"
+#include "Response/BodyConversion.h"
+#include "Contact/TriangleLinks.h"
+#include "Contact/TriangleProjection.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

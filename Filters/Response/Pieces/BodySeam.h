@@ -2,7 +2,7 @@
 #ifndef BodySeam_h
 #define BodySeam_h
 
-#include "Ranks.h"
+#include "Response/Pieces/Ranks.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ChosenTip.h"
+#include "Response/Pieces/ChosenTip.h"
 
-#include "Ranks.h"
+#include "Response/Pieces/Ranks.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

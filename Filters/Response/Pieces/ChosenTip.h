@@ -2,7 +2,7 @@
 #ifndef ChosenTip_h
 #define ChosenTip_h
 
-#include "ContactField.h"
+#include "Response/ContactField.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GatheredBody.h"
+#include "Response/Pieces/GatheredBody.h"
 
-#include "BodyPiece.h"
+#include "Response/Pieces/BodyPiece.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OwnPiece.h"
+#include "Response/Pieces/OwnPiece.h"
 
-#include "Ranks.h"
+#include "Response/Pieces/Ranks.h"
 
 #include "vtkCleanPolyData.h"
 #include "vtkDataObject.h"

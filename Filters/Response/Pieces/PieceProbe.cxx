@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PieceProbe.h"
+#include "Response/Pieces/PieceProbe.h"
 
-#include "BodyConversion.h"
-#include "ContactBody.h"
-#include "GatheredBody.h"
-#include "TipContacts.h"
+#include "Response/BodyConversion.h"
+#include "Contact/ContactBody.h"
+#include "Response/Pieces/GatheredBody.h"
+#include "Response/Touch/TipContacts.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"

@@ -2,10 +2,10 @@
 #ifndef PieceProbe_h
 #define PieceProbe_h
 
-#include "BodyPiece.h"
-#include "ContactSettings.h"
-#include "Ranks.h"
-#include "ToolContact.h"
+#include "Response/Pieces/BodyPiece.h"
+#include "Contact/ContactSettings.h"
+#include "Response/Pieces/Ranks.h"
+#include "Contact/ToolContact.h"
 
 #include <memory>
 #include <string>

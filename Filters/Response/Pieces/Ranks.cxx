@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Ranks.h"
+#include "Response/Pieces/Ranks.h"
 
 #include "vtkDataObject.h"
 #include "vtkMultiProcessController.h"

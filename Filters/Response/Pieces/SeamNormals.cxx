@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SeamNormals.h"
+#include "Response/Pieces/SeamNormals.h"
 
-#include "BodySeam.h"
+#include "Response/Pieces/BodySeam.h"
 
 #include <Eigen/Geometry>
 

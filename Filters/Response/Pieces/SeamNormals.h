@@ -2,7 +2,7 @@
 #ifndef SeamNormals_h
 #define SeamNormals_h
 
-#include "BodyMesh.h"
+#include "Contact/BodyMesh.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactArrow.h"
+#include "Response/Touch/ContactArrow.h"
 
-#include "Constants.h"
+#include "Mechanics/Numerics/Constants.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"

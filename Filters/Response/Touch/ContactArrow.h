@@ -2,7 +2,7 @@
 #ifndef ContactArrow_h
 #define ContactArrow_h
 
-#include "TriangleProjection.h" // For palpate::Vector3
+#include "Contact/TriangleProjection.h" // For palpate::Vector3
 
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 

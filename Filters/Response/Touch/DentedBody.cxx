@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DentedBody.h"
+#include "Response/Touch/DentedBody.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

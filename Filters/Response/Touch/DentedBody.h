@@ -2,7 +2,7 @@
 #ifndef DentedBody_h
 #define DentedBody_h
 
-#include "TriangleProjection.h" // For palpate::Vector3
+#include "Contact/TriangleProjection.h" // For palpate::Vector3
 
 class vtkFloatArray;
 class vtkPolyData;

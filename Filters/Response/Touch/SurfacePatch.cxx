@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfacePatch.h"
+#include "Response/Touch/SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>

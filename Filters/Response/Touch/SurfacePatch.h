@@ -2,7 +2,7 @@
 #ifndef SurfacePatch_h
 #define SurfacePatch_h
 
-#include "BodyMesh.h"
+#include "Contact/BodyMesh.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TipContacts.h"
+#include "Response/Touch/TipContacts.h"
 
-#include "TipOrder.h"
-#include "TriangleSearch.h"
+#include "Response/Touch/TipOrder.h"
+#include "Contact/TriangleSearch.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

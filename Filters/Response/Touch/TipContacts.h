@@ -2,7 +2,7 @@
 #ifndef TipContacts_h
 #define TipContacts_h
 
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include "vtkType.h"
 

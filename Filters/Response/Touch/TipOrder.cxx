@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TipOrder.h"
+#include "Response/Touch/TipOrder.h"
 
 #include "vtkPolyData.h"
 

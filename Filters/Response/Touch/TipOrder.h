@@ -2,7 +2,7 @@
 #ifndef TipOrder_h
 #define TipOrder_h
 
-#include "TriangleProjection.h" // For palpate::Vector3
+#include "Contact/TriangleProjection.h" // For palpate::Vector3
 
 #include "vtkType.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TipTimes.h"
+#include "Response/Touch/TipTimes.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchStart.h"
+#include "Response/Touch/TouchStart.h"
 
-#include "ResponseTool.h"
-#include "TouchedBody.h"
+#include "Response/ResponseTool.h"
+#include "Response/Touch/TouchedBody.h"
 #include "vtkContactTool.h"
 
 #include "vtkPolyData.h"

@@ -2,7 +2,7 @@
 #ifndef TouchStart_h
 #define TouchStart_h
 
-#include "TouchedPlace.h"
+#include "Response/Touch/TouchedPlace.h"
 
 #include "palpateResponseModule.h" // For export macro
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchText.h"
+#include "Response/Touch/TouchText.h"
 
 #include <array>
 #include <cmath>

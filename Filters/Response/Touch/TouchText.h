@@ -2,7 +2,7 @@
 #ifndef TouchText_h
 #define TouchText_h
 
-#include "TouchedBody.h"
+#include "Response/Touch/TouchedBody.h"
 
 #include <string>
 

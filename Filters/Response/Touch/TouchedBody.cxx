@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchedBody.h"
+#include "Response/Touch/TouchedBody.h"
 
-#include "BodyConversion.h"
-#include "ResponseLimit.h"
+#include "Response/BodyConversion.h"
+#include "Contact/ResponseLimit.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"

@@ -2,8 +2,8 @@
 #ifndef TouchedBody_h
 #define TouchedBody_h
 
-#include "ResponseField.h" // For palpate::ResponseArrays
-#include "TouchedPlace.h"
+#include "Contact/ResponseField.h" // For palpate::ResponseArrays
+#include "Response/Touch/TouchedPlace.h"
 
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 #include "vtkType.h"         // For vtkIdType

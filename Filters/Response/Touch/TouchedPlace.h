@@ -5,7 +5,7 @@
 #ifndef TouchedPlace_h
 #define TouchedPlace_h
 
-#include "TriangleProjection.h" // For palpate::Vector3
+#include "Contact/TriangleProjection.h" // For palpate::Vector3
 
 #include "vtkType.h" // For vtkIdType
 

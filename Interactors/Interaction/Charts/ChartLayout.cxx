@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ChartLayout.h"
+#include "Interaction/Charts/ChartLayout.h"
 
 #include "vtkChartXY.h"
 #include "vtkRect.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ChartStyle.h"
+#include "Interaction/Charts/ChartStyle.h"
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkAxis.h"
 #include "vtkChart.h"

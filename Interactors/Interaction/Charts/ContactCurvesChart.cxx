@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactCurvesChart.h"
+#include "Interaction/Charts/ContactCurvesChart.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #ifndef ContactCurvesChart_h
 #define ContactCurvesChart_h
 
-#include "LiveChart.h"
-#include "PlotTable.h"
+#include "Interaction/Charts/LiveChart.h"
+#include "Interaction/Charts/PlotTable.h"
 
 #include <functional>
 #include <memory>

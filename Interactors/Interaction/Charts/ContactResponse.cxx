@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactResponse.h"
+#include "Interaction/Charts/ContactResponse.h"
 
-#include "BodyConversion.h"
-#include "SmoothTriangle.h"
-#include "TriangleProjection.h"
+#include "Response/BodyConversion.h"
+#include "Contact/SmoothTriangle.h"
+#include "Contact/TriangleProjection.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

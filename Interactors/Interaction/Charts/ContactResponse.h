@@ -2,7 +2,7 @@
 #ifndef ContactResponse_h
 #define ContactResponse_h
 
-#include "ResponseField.h"
+#include "Contact/ResponseField.h"
 
 #include "vtkType.h"
 

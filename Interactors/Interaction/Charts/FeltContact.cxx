@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FeltContact.h"
+#include "Interaction/Charts/FeltContact.h"
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"

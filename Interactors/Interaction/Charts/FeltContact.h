@@ -2,7 +2,7 @@
 #ifndef FeltContact_h
 #define FeltContact_h
 
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkType.h"
 

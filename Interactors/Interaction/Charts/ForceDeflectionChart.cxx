@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ForceDeflectionChart.h"
+#include "Interaction/Charts/ForceDeflectionChart.h"
 
 #include <algorithm>
 #include <cmath>

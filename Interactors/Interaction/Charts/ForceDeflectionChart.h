@@ -2,8 +2,8 @@
 #ifndef ForceDeflectionChart_h
 #define ForceDeflectionChart_h
 
-#include "LiveChart.h"
-#include "PlotTable.h"
+#include "Interaction/Charts/LiveChart.h"
+#include "Interaction/Charts/PlotTable.h"
 
 #include <deque>
 

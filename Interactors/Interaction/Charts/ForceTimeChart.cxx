@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ForceTimeChart.h"
+#include "Interaction/Charts/ForceTimeChart.h"
 
-#include "ChartStyle.h"
+#include "Interaction/Charts/ChartStyle.h"
 
 #include "vtkAxis.h"
 

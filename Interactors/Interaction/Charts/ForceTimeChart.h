@@ -2,9 +2,9 @@
 #ifndef ForceTimeChart_h
 #define ForceTimeChart_h
 
-#include "LiveChart.h"
-#include "PlotTable.h"
-#include "SignalEnvelope.h"
+#include "Interaction/Charts/LiveChart.h"
+#include "Interaction/Charts/PlotTable.h"
+#include "Interaction/Charts/SignalEnvelope.h"
 
 namespace palpate
 {

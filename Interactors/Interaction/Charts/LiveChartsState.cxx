@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From what is felt to what is plotted; vtkLiveCharts.cxx is what is set, and when.
-#include "LiveChartsState.h"
+#include "Interaction/Charts/LiveChartsState.h"
 
-#include "BodyConversion.h"
-#include "ChartLayout.h"
-#include "ResponseReach.h"
+#include "Response/BodyConversion.h"
+#include "Interaction/Charts/ChartLayout.h"
+#include "Interaction/Charts/ResponseReach.h"
 
 #include "vtkChartXY.h"
 

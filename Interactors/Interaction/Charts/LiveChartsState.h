@@ -3,12 +3,12 @@
 #ifndef LiveChartsState_h
 #define LiveChartsState_h
 
-#include "ContactCurvesChart.h"
-#include "ContactResponse.h"
-#include "FeltContact.h"
-#include "ForceDeflectionChart.h"
-#include "ForceTimeChart.h"
-#include "TickHistogramChart.h"
+#include "Interaction/Charts/ContactCurvesChart.h"
+#include "Interaction/Charts/ContactResponse.h"
+#include "Interaction/Charts/FeltContact.h"
+#include "Interaction/Charts/ForceDeflectionChart.h"
+#include "Interaction/Charts/ForceTimeChart.h"
+#include "Interaction/Charts/TickHistogramChart.h"
 #include "vtkHapticSession.h"
 #include "vtkLiveCharts.h"
 

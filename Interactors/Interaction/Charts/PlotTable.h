@@ -2,7 +2,7 @@
 #ifndef PlotTable_h
 #define PlotTable_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkChartXY.h"
 #include "vtkDoubleArray.h"

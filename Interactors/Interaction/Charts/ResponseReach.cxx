@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseReach.h"
+#include "Interaction/Charts/ResponseReach.h"
 
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TickHistogramChart.h"
+#include "Interaction/Charts/TickHistogramChart.h"
 
-#include "ChartStyle.h"
+#include "Interaction/Charts/ChartStyle.h"
 
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"

@@ -2,8 +2,8 @@
 #ifndef TickHistogramChart_h
 #define TickHistogramChart_h
 
-#include "LiveChart.h"
-#include "PlotTable.h"
+#include "Interaction/Charts/LiveChart.h"
+#include "Interaction/Charts/PlotTable.h"
 
 #include <array>
 

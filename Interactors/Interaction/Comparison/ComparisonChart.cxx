@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ComparisonChart.h"
+#include "Interaction/Comparison/ComparisonChart.h"
 
-#include "DisplayColors.h"
-#include "InnerMessages.h"
-#include "PointCopy.h"
+#include "Interaction/Display/DisplayColors.h"
+#include "Response/InnerMessages.h"
+#include "Interaction/Comparison/PointCopy.h"
 #include "vtkContactTool.h"
 #include "vtkResponseChart.h"
 #include "vtkResponseCurves.h"

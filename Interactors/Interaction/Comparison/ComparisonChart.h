@@ -2,7 +2,7 @@
 #ifndef ComparisonChart_h
 #define ComparisonChart_h
 
-#include "RegimeStatement.h"
+#include "Interaction/Comparison/RegimeStatement.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ComparisonColumn.h"
+#include "Interaction/Comparison/ComparisonColumn.h"
 
-#include "DisplayColors.h"
-#include "InnerMessages.h"
+#include "Interaction/Display/DisplayColors.h"
+#include "Response/InnerMessages.h"
 #include "vtkContactRegime.h"
 #include "vtkContactScene.h"
 #include "vtkContactTool.h"

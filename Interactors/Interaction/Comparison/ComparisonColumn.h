@@ -2,9 +2,9 @@
 #ifndef ComparisonColumn_h
 #define ComparisonColumn_h
 
-#include "ComparisonChart.h"
-#include "RegimeStatement.h"
-#include "VerdictPanel.h"
+#include "Interaction/Comparison/ComparisonChart.h"
+#include "Interaction/Comparison/RegimeStatement.h"
+#include "Interaction/Comparison/VerdictPanel.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PointCopy.h"
+#include "Interaction/Comparison/PointCopy.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"

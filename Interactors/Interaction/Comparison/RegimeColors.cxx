@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RegimeColors.h"
+#include "Interaction/Comparison/RegimeColors.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkLookupTable.h"

@@ -2,7 +2,7 @@
 #ifndef RegimeColors_h
 #define RegimeColors_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkSmartPointer.h"
 

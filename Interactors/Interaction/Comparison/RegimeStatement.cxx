@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RegimeStatement.h"
+#include "Interaction/Comparison/RegimeStatement.h"
 
-#include "AxisymmetricTool.h"
-#include "BodyConversion.h"
-#include "BodyMaterial.h"
-#include "PointCopy.h"
-#include "RegimeLaw.h"
-#include "ResponseField.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/BodyConversion.h"
+#include "Laws/BodyMaterial.h"
+#include "Interaction/Comparison/PointCopy.h"
+#include "Laws/RegimeLaw.h"
+#include "Contact/ResponseField.h"
 #include "vtkContactTool.h"
 
 #include "vtkDataArray.h"

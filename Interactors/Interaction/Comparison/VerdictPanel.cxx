@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VerdictPanel.h"
+#include "Interaction/Comparison/VerdictPanel.h"
 
-#include "RegimeColors.h"
+#include "Interaction/Comparison/RegimeColors.h"
 #include "vtkContactTool.h"
 
 #include "vtkRenderWindow.h"

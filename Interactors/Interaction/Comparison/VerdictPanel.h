@@ -2,7 +2,7 @@
 #ifndef VerdictPanel_h
 #define VerdictPanel_h
 
-#include "RegimeStatement.h"
+#include "Interaction/Comparison/RegimeStatement.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BodyDisplay.h"
+#include "Interaction/Display/BodyDisplay.h"
 
-#include "BodyConversion.h"
-#include "DentMapper.h"
-#include "ModeAttributes.h"
-#include "ReducedModulus.h"
-#include "ResponseTool.h"
+#include "Response/BodyConversion.h"
+#include "Interaction/Display/DentMapper.h"
+#include "Interaction/Display/ModeAttributes.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Response/ResponseTool.h"
 #include "vtkContactDeflection.h"
 #include "vtkContactTool.h"
 

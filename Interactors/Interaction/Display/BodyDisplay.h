@@ -2,8 +2,8 @@
 #ifndef BodyDisplay_h
 #define BodyDisplay_h
 
-#include "DeflectionShader.h"
-#include "ShownContact.h"
+#include "Interaction/Display/DeflectionShader.h"
+#include "Interaction/Display/ShownContact.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ColorLegend.h"
+#include "Interaction/Display/ColorLegend.h"
 
 #include "vtkLookupTable.h"
 #include "vtkScalarBarActor.h"

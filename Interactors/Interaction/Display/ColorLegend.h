@@ -2,7 +2,7 @@
 #ifndef ColorLegend_h
 #define ColorLegend_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include <array>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactCircle.h"
+#include "Interaction/Display/ContactCircle.h"
 
-#include "DashedLine.h"
-#include "DisplayColors.h"
-#include "RigidFrame.h"
+#include "Interaction/Display/DashedLine.h"
+#include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/RigidFrame.h"
 
 #include "vtkActor.h"
 #include "vtkMath.h"

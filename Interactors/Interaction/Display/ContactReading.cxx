@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactReading.h"
+#include "Interaction/Display/ContactReading.h"
 
-#include "SafetyText.h"
-#include "ServoStep.h"
+#include "Haptics/Safety/SafetyText.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "vtkHapticSession.h"
 
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 #ifndef ContactReading_h
 #define ContactReading_h
 
-#include "ShownContact.h"
+#include "Interaction/Display/ShownContact.h"
 
 class vtkHapticSession;
 class vtkPolyData;

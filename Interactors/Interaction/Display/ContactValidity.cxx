@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactValidity.h"
+#include "Interaction/Display/ContactValidity.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"

@@ -2,7 +2,7 @@
 #ifndef ContactValidity_h
 #define ContactValidity_h
 
-#include "ShownContact.h"
+#include "Interaction/Display/ShownContact.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DashedLine.h"
+#include "Interaction/Display/DashedLine.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DeflectionShader.h"
+#include "Interaction/Display/DeflectionShader.h"
 
-#include "DeflectionTable.h"
-#include "ModeAttributes.h"
+#include "Interaction/Display/DeflectionTable.h"
+#include "Interaction/Display/ModeAttributes.h"
 
 #include "vtkActor.h"
 #include "vtkShaderProperty.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DeflectionTable.h"
+#include "Interaction/Display/DeflectionTable.h"
 
-#include "ContactField.h"
+#include "Response/ContactField.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DentMapper.h"
+#include "Interaction/Display/DentMapper.h"
 
-#include "DeflectionShader.h"
+#include "Interaction/Display/DeflectionShader.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"

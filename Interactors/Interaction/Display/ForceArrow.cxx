@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ForceArrow.h"
+#include "Interaction/Display/ForceArrow.h"
 
-#include "DashedLine.h"
-#include "RigidFrame.h"
+#include "Interaction/Display/DashedLine.h"
+#include "Interaction/Display/RigidFrame.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"

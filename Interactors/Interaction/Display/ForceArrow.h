@@ -2,7 +2,7 @@
 #ifndef ForceArrow_h
 #define ForceArrow_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkSmartPointer.h"
 

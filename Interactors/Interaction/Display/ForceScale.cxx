@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ForceScale.h"
+#include "Interaction/Display/ForceScale.h"
 
-#include "DisplayColors.h"
-#include "RoundNumber.h"
+#include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/RoundNumber.h"
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"

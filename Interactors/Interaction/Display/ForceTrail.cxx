@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ForceTrail.h"
+#include "Interaction/Display/ForceTrail.h"
 
-#include "DashedLine.h"
+#include "Interaction/Display/DashedLine.h"
 
 #include "vtkActor.h"
 #include "vtkLookupTable.h"

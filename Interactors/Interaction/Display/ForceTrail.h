@@ -2,7 +2,7 @@
 #ifndef ForceTrail_h
 #define ForceTrail_h
 
-#include "ShownContact.h"
+#include "Interaction/Display/ShownContact.h"
 
 #include "vtkSmartPointer.h"
 

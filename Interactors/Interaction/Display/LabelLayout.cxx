@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LabelLayout.h"
+#include "Interaction/Display/LabelLayout.h"
 
 #include "vtkCoordinate.h"
 #include "vtkTextActor.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ModeAttributes.h"
+#include "Interaction/Display/ModeAttributes.h"
 
-#include "BodyMesh.h"
+#include "Contact/BodyMesh.h"
 
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"

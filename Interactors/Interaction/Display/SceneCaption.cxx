@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SceneCaption.h"
+#include "Interaction/Display/SceneCaption.h"
 
-#include "DisplayColors.h"
-#include "ResponseLimit.h"
-#include "ShownContact.h"
+#include "Interaction/Display/DisplayColors.h"
+#include "Contact/ResponseLimit.h"
+#include "Interaction/Display/ShownContact.h"
 
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"

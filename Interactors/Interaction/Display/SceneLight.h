@@ -2,7 +2,7 @@
 #ifndef SceneLight_h
 #define SceneLight_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkLightKit.h"
 #include "vtkNew.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WindowPicture.h"
+#include "Interaction/Display/WindowPicture.h"
 
-#include "WholeFile.h"
+#include "Contact/WholeFile.h"
 
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"

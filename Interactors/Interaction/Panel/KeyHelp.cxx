@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "KeyHelp.h"
+#include "Interaction/Panel/KeyHelp.h"
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkActor2D.h"
 #include "vtkRenderer.h"

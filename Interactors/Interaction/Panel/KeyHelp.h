@@ -2,7 +2,7 @@
 #ifndef KeyHelp_h
 #define KeyHelp_h
 
-#include "PixelBox.h"
+#include "Interaction/Panel/PixelBox.h"
 
 #include "vtkSmartPointer.h"
 

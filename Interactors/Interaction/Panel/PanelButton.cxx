@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PanelButton.h"
+#include "Interaction/Panel/PanelButton.h"
 
-#include "PanelLook.h"
+#include "Interaction/Panel/PanelLook.h"
 
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"

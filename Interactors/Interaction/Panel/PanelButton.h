@@ -2,7 +2,7 @@
 #ifndef PanelButton_h
 #define PanelButton_h
 
-#include "PixelBox.h"
+#include "Interaction/Panel/PixelBox.h"
 
 #include "vtkButtonRepresentation.h"
 #include "vtkNew.h"

@@ -2,7 +2,7 @@
 #ifndef PanelLook_h
 #define PanelLook_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"

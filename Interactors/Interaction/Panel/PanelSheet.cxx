@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PanelSheet.h"
+#include "Interaction/Panel/PanelSheet.h"
 
-#include "PanelLook.h"
+#include "Interaction/Panel/PanelLook.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkRenderWindowInteractor.h"

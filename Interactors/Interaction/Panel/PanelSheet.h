@@ -2,8 +2,8 @@
 #ifndef PanelSheet_h
 #define PanelSheet_h
 
-#include "PanelButton.h"
-#include "PanelSlider.h"
+#include "Interaction/Panel/PanelButton.h"
+#include "Interaction/Panel/PanelSlider.h"
 
 #include "vtkButtonWidget.h"
 #include "vtkNew.h"

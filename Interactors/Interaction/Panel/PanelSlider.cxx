@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PanelSlider.h"
+#include "Interaction/Panel/PanelSlider.h"
 
-#include "PanelLook.h"
+#include "Interaction/Panel/PanelLook.h"
 
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"

@@ -2,8 +2,8 @@
 #ifndef PanelSlider_h
 #define PanelSlider_h
 
-#include "PanelScale.h"
-#include "PixelBox.h"
+#include "Interaction/Panel/PanelScale.h"
+#include "Interaction/Panel/PixelBox.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PixelBox.h"
+#include "Interaction/Panel/PixelBox.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyDataMapper2D.h"

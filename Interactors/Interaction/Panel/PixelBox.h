@@ -2,7 +2,7 @@
 #ifndef PixelBox_h
 #define PixelBox_h
 
-#include "DisplayColors.h"
+#include "Interaction/Display/DisplayColors.h"
 
 #include "vtkActor2D.h"
 #include "vtkNew.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfacePicker.h"
+#include "Interaction/Panel/SurfacePicker.h"
 
 #include "vtkCellLocator.h"
 #include "vtkDataArray.h"

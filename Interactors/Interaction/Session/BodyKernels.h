@@ -2,7 +2,7 @@
 #ifndef BodyKernels_h
 #define BodyKernels_h
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 
 #include <map>
 #include <memory>

@@ -3,9 +3,9 @@
 #ifndef HapticSessionState_h
 #define HapticSessionState_h
 
-#include "BodyKernels.h"
-#include "SessionRun.h"
-#include "SteeredDevice.h"
+#include "Interaction/Session/BodyKernels.h"
+#include "Interaction/Session/SessionRun.h"
+#include "Haptics/Devices/SteeredDevice.h"
 #include "vtkHapticSession.h"
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LeastForm.h"
+#include "Interaction/Session/LeastForm.h"
 
 #include "vtkContactRegime.h"
 #include "vtkDataObject.h"

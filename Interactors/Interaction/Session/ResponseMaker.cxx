@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseMaker.h"
+#include "Interaction/Session/ResponseMaker.h"
 
-#include "BodyConversion.h"
-#include "DeviceFit.h"
-#include "LeastForm.h"
+#include "Response/BodyConversion.h"
+#include "Haptics/Devices/DeviceFit.h"
+#include "Interaction/Session/LeastForm.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 #ifndef ResponseMaker_h
 #define ResponseMaker_h
 
-#include "BodyKernels.h"
+#include "Interaction/Session/BodyKernels.h"
 
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"

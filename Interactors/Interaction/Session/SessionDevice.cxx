@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SessionDevice.h"
+#include "Interaction/Session/SessionDevice.h"
 
-#include "BridgeDevice.h"
-#include "DeviceList.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/BridgeDevice.h"
+#include "Haptics/Devices/DeviceList.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include <limits>
 #include <utility>

@@ -2,8 +2,8 @@
 #ifndef SessionDevice_h
 #define SessionDevice_h
 
-#include "HapticDevice.h"
-#include "Trajectory.h"
+#include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Devices/Trajectory.h"
 
 #include <memory>
 #include <string>

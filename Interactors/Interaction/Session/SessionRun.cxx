@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SessionRun.h"
+#include "Interaction/Session/SessionRun.h"
 
 #include <chrono>
 #include <utility>

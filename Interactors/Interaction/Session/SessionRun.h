@@ -2,10 +2,10 @@
 #ifndef SessionRun_h
 #define SessionRun_h
 
-#include "ServoLoop.h"
-#include "ServoStep.h"
-#include "TickHistory.h"
-#include "TickSummary.h"
+#include "Haptics/Servo/ServoLoop.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Servo/TickHistory.h"
+#include "Interaction/Session/TickSummary.h"
 
 #include <memory>
 #include <string>

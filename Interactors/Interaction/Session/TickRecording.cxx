@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TickRecording.h"
+#include "Interaction/Session/TickRecording.h"
 
-#include "ContactArrays.h"
+#include "Response/ContactArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

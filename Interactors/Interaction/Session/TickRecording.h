@@ -2,9 +2,9 @@
 #ifndef TickRecording_h
 #define TickRecording_h
 
-#include "ServoStatistics.h"
-#include "TickHistory.h"
-#include "TickSummary.h"
+#include "Haptics/Servo/ServoStatistics.h"
+#include "Haptics/Servo/TickHistory.h"
+#include "Interaction/Session/TickSummary.h"
 
 #include "vtkType.h"
 

@@ -2,7 +2,7 @@
 #ifndef TickSummary_h
 #define TickSummary_h
 
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #ifndef TickTape_h
 #define TickTape_h
 
-#include "TickHistory.h"
+#include "Haptics/Servo/TickHistory.h"
 
 #include <algorithm>
 #include <cstdint>

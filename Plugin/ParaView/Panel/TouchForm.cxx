@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchForm.h"
 
-#include "DeviceList.h"
+#include "Haptics/Devices/DeviceList.h"
 #include "TouchSession.h"
 #include "TouchSource.h"
 #include "pqForceBar.h"

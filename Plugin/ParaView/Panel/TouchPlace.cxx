@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchPlace.h"
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 
 namespace palpate
 {

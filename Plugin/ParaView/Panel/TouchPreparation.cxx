@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchPreparation.h"
 
-#include "BodyConversion.h"
-#include "BridgeDevice.h"
-#include "DeviceFit.h"
-#include "DeviceList.h"
+#include "Response/BodyConversion.h"
+#include "Haptics/Devices/BridgeDevice.h"
+#include "Haptics/Devices/DeviceFit.h"
+#include "Haptics/Devices/DeviceList.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"

@@ -2,9 +2,9 @@
 #ifndef palpate_TouchPreparation_h
 #define palpate_TouchPreparation_h
 
-#include "BodyKernels.h"
-#include "HapticDevice.h"
-#include "TouchStart.h"
+#include "Interaction/Session/BodyKernels.h"
+#include "Haptics/Devices/HapticDevice.h"
+#include "Response/Touch/TouchStart.h"
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchSession.h"
 
-#include "ContactBody.h"
-#include "ResponseTool.h"
+#include "Contact/ContactBody.h"
+#include "Response/ResponseTool.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkFieldData.h"

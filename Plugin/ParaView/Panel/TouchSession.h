@@ -2,7 +2,7 @@
 #ifndef palpate_TouchSession_h
 #define palpate_TouchSession_h
 
-#include "NewestRequest.h"
+#include "Interaction/Session/NewestRequest.h"
 #include "TouchPlace.h"
 #include "TouchPreparation.h"
 

@@ -2,7 +2,7 @@
 #ifndef TouchSight_h
 #define TouchSight_h
 
-#include "TouchStart.h" // For palpate::Sight
+#include "Response/Touch/TouchStart.h" // For palpate::Sight
 
 #include "palpateServerManagerModule.h" // For export macro
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVTouchStartInformation.h"
 
-#include "TouchStart.h"
+#include "Response/Touch/TouchStart.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkClientServerStream.h"

@@ -2,7 +2,7 @@
 #include "TrialChoice.h"
 
 #include "ContactNames.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <functional>
 #include <map>

@@ -2,7 +2,7 @@
 #ifndef palpate_TrialChoice_h
 #define palpate_TrialChoice_h
 
-#include "GivenSettings.h"
+#include "Contact/GivenSettings.h"
 #include "LayerChoice.h"
 
 #include <optional>

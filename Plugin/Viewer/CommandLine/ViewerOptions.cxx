@@ -2,7 +2,7 @@
 #include "ViewerOptions.h"
 
 #include "ContactNames.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <CLI/CLI.hpp>
 

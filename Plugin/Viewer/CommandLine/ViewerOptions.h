@@ -2,7 +2,7 @@
 #ifndef palpate_ViewerOptions_h
 #define palpate_ViewerOptions_h
 
-#include "GivenSettings.h"
+#include "Contact/GivenSettings.h"
 #include "LayerChoice.h"
 #include "TrialChoice.h"
 

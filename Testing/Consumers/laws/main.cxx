@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A body of somebody else's making, without VTK and without a file: its response, then a tick.
-#include <BodyMaterial.h>
-#include <ContactBody.h>
-#include <ResponseFiller.h>
-#include <ResponseLaw.h>
-#include <ToolContact.h>
-#include <ToolSpecification.h>
+#include <Laws/BodyMaterial.h>
+#include <Contact/ContactBody.h>
+#include <Laws/ResponseFiller.h>
+#include <Laws/ResponseLaw.h>
+#include <Contact/ToolContact.h>
+#include <Mechanics/Tools/ToolSpecification.h>
 
 #include <cmath>
 #include <cstdint>

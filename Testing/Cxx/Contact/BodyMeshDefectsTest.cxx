@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with a mesh is counted and left out; borders and volume.
 #include "BruteForce.h"
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
 #include <gtest/gtest.h>
 

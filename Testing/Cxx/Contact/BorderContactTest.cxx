@@ -2,7 +2,7 @@
 // A tip slides off an open border: contact is lost, the force fades with the place of the tip, and
 // nothing pulls it back; whatever the form, the surface and friction.
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

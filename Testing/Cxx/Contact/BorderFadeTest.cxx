@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BorderFade.h"
+#include "Contact/BorderFade.h"
 
 #include "SampleBodies.h"
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
 #include <gtest/gtest.h>
 

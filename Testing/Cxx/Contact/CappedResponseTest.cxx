@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A curve with its stiffness capped, against fine quadrature of the data contract (ContractCurve),
 // and against what the paper's three tools become.
-#include "CappedResponse.h"
+#include "Contact/CappedResponse.h"
 
 #include "SampleResponses.h"
 

@@ -2,7 +2,7 @@
 // A tip presses and slides; in every tick the contact is the nearest point of the triangles within
 // two rings of the last contact, found here by plain loops.
 #include "BruteForce.h"
-#include "ContactTracker.h"
+#include "Contact/ContactTracker.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactTracker.h"
+#include "Contact/ContactTracker.h"
 
 #include "SampleBodies.h"
 

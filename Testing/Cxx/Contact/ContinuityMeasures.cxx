@@ -3,7 +3,7 @@
 
 #include "BumpySphere.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <Eigen/Geometry>
 

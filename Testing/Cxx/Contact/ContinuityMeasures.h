@@ -2,8 +2,8 @@
 #ifndef palpate_testing_ContinuityMeasures_h
 #define palpate_testing_ContinuityMeasures_h
 
-#include "ContactBody.h"
-#include "ContactSettings.h"
+#include "Contact/ContactBody.h"
+#include "Contact/ContactSettings.h"
 #include "SampleBodies.h"
 
 #include <functional>

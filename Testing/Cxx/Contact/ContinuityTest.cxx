@@ -4,7 +4,7 @@
 #include "ContinuityMeasures.h"
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -2,14 +2,14 @@
 // A body built, reduced and felt with 1, 2 and 8 threads: the same bits. It has so many points that
 // each of eight threads gets a share.
 #include "BumpySphere.h"
-#include "LeadingLaws.h"
-#include "ParallelRanges.h"
-#include "ReducibleCurves.h"
-#include "ResponseChoice.h"
-#include "ResponseReduction.h"
+#include "Contact/Reduction/LeadingLaws.h"
+#include "Contact/ParallelRanges.h"
+#include "Contact/Reduction/ReducibleCurves.h"
+#include "Contact/Reduction/ResponseChoice.h"
+#include "Contact/Reduction/ResponseReduction.h"
 #include "SampleResponses.h"
 #include "Sanitized.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // The whole tick's EnergyConsistent force, against differences of the energy Σ n_i e_i, on facets
 // and on the smooth surface, with responses that differ from point to point.
 #include "SampleResponses.h"
-#include "SmoothContact.h"
-#include "ToolContact.h"
+#include "Contact/SmoothContact.h"
+#include "Contact/ToolContact.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

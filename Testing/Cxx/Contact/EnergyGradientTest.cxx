@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The force as the gradient of an energy: the closest point's area coordinates and the energy are
 // differentiated by differences of their own values.
-#include "EnergyGradient.h"
+#include "Contact/EnergyGradient.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // not.
 #include "BruteForce.h"
 #include "BumpySphere.h"
-#include "ContactTracker.h"
+#include "Contact/ContactTracker.h"
 
 #include <gtest/gtest.h>
 

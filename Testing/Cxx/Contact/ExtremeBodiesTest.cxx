@@ -2,9 +2,9 @@
 // Contact on bodies at the ends of what there is: one triangle, a hundred thousand pieces, a place
 // a kilometre from the origin.
 #include "BruteForce.h"
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A body goes through its file unchanged; a file that is not whole and ours is refused, with a
 // reason.
-#include "FlatBodyFile.h"
+#include "Contact/FlatBodyFile.h"
 
 #include "FileSizeLimit.h"
 #include "SampleResponses.h"
 #include "ScratchFile.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

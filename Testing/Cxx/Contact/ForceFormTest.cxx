@@ -3,7 +3,7 @@
 // magnitude and direction apart does not lose what that loses.
 #include "BruteForce.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

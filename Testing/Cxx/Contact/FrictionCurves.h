@@ -2,7 +2,7 @@
 #ifndef palpate_testing_FrictionCurves_h
 #define palpate_testing_FrictionCurves_h
 
-#include "ResponseSampling.h"
+#include "Contact/ResponseSampling.h"
 
 #include <cmath>
 #include <cstddef>

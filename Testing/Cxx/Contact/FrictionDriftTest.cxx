@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Friction in the loop: a mass on a plane, held by friction against a force that swings within the
 // limit, and the stiffness a sampled loop can hold.
-#include "Friction.h"
+#include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
 #include "Agreement.h"

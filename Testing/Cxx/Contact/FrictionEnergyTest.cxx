@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From first touch on, friction never gives back more energy than it took, however point and depth
 // move and responses differ: the work of the tool against friction is >= 0 at all times.
-#include "Friction.h"
+#include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
 #include <gtest/gtest.h>

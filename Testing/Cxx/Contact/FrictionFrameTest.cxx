@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parallel transport against the geometry of the sphere.
-#include "FrictionFrame.h"
+#include "Contact/FrictionFrame.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

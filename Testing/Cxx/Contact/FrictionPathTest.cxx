@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The three friction models along given paths on a plane: the number of ticks does not matter, and
 // on a circle they do what their differential equations, finely integrated here, say.
-#include "Friction.h"
+#include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Sanitized.h"
 

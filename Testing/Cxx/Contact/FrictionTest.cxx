@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The interface of Friction: what goes in and out, limits, bad input, curved bodies.
-#include "Friction.h"
+#include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Settings from outside: every range has both its ends, and a fault names what is wrong.
-#include "GivenSettings.h"
+#include "Contact/GivenSettings.h"
 
 #include <gtest/gtest.h>
 

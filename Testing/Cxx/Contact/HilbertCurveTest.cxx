@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HilbertCurve.h"
+#include "Contact/HilbertCurve.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // counted; what is left gives the closest points, sides and normals of the sound body.
 #include "BruteForce.h"
 #include "BumpySphere.h"
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
 #include <gtest/gtest.h>
 

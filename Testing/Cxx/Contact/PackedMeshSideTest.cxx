@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inside or outside, by the pseudonormal of the closest feature, against tests that know better.
 #include "BruteForce.h"
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ParallelRanges.h"
+#include "Contact/ParallelRanges.h"
 
-#include "LargePages.h"
+#include "Contact/LargePages.h"
 
 #include <gtest/gtest.h>
 

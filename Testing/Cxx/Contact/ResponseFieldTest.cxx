@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseField.h"
+#include "Contact/ResponseField.h"
 
 #include "SampleResponses.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The codes of the array Limit, as the data contract numbers them, and their words.
-#include "ResponseLimit.h"
+#include "Contact/ResponseLimit.h"
 
 #include <gtest/gtest.h>
 

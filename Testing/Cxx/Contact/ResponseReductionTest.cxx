@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Responses whose fewest numbers are known, reduced; errors against the contract's own evaluation.
-#include "ResponseReduction.h"
+#include "Contact/Reduction/ResponseReduction.h"
 
 #include "SampleResponses.h"
 

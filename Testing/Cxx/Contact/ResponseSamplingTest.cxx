@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResponseSampling.h"
+#include "Contact/ResponseSampling.h"
 
 #include "Agreement.h"
 #include "ContractCurve.h"

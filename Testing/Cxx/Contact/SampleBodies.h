@@ -2,8 +2,8 @@
 #ifndef palpate_testing_SampleBodies_h
 #define palpate_testing_SampleBodies_h
 
-#include "BodyMesh.h"
-#include "PackedMesh.h"
+#include "Contact/BodyMesh.h"
+#include "Contact/PackedMesh.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleResponses.h"
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 
 #include <cmath>
 #include <random>

@@ -3,7 +3,7 @@
 #define palpate_testing_SampleResponses_h
 
 #include "ContractCurve.h"
-#include "ResponseField.h"
+#include "Contact/ResponseField.h"
 #include "SampleBodies.h"
 
 #include <cstddef>

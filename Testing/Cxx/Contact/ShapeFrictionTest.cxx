@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Friction from the stored response, against the closed form of similar normal and tangential
 // contact, Masing's rule, and thousands of springs.
-#include "Friction.h"
+#include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
 #include "Agreement.h"

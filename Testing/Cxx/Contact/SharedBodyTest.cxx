@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One body, many threads: each ToolContact gives the bits it gives alone.
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The closest point of the smooth surface: found, followed, continuous, differentiated, refused.
-#include "ContactBody.h"
-#include "ContactTracker.h"
-#include "SmoothContact.h"
+#include "Contact/ContactBody.h"
+#include "Contact/ContactTracker.h"
+#include "Contact/SmoothContact.h"
 
 #include "SampleResponses.h"
 #include "Sanitized.h"

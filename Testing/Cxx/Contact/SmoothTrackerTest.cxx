@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The smooth contact from tick to tick: where it begins, what it stays with, when the facets step
 // in.
-#include "ContactBody.h"
-#include "SmoothTracker.h"
+#include "Contact/ContactBody.h"
+#include "Contact/SmoothTracker.h"
 
 #include "SampleResponses.h"
 

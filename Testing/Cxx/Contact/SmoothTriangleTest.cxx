@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One patch by itself: what it interpolates, what it shares with its neighbour, and how close it
 // comes to a sphere.
-#include "SmoothTriangle.h"
+#include "Contact/SmoothTriangle.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How well 8 float32 samples hold a response: the closed forms of the reference sheet in series
 // with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
-#include "ResponseField.h"
+#include "Contact/ResponseField.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A first contact anywhere, against the same tick written again: closest point over all triangles,
 // weights by areas (Mahvash and Hayward 2002, eq. 4), curves by the words of the contract.
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include "BruteForce.h"
 #include "SampleResponses.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleLinks.h"
+#include "Contact/TriangleLinks.h"
 
 #include "BumpySphere.h"
 

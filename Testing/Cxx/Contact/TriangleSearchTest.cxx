@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleSearch.h"
+#include "Contact/TriangleSearch.h"
 
 #include "BumpySphere.h"
 #include "Sanitized.h"
-#include "TriangleBound.h"
+#include "Contact/TriangleBound.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleTree.h"
+#include "Contact/TriangleTree.h"
 
 #include "BruteForce.h"
 

@@ -3,7 +3,7 @@
 // turned over, edges of four triangles, bodies within bodies. The force is F = 10 δ^1.5 N.
 #include "BruteForce.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

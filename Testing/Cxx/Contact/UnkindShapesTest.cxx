@@ -3,7 +3,7 @@
 // moved by hand, the force is F = 10 δ^1.5 N of the deflection up to 2 mm.
 #include "BruteForce.h"
 #include "SampleResponses.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // read and write of a bridge touch no heap: alive, silent, greeting again, and flooded.
 #include "AllocationCount.h"
-#include "BridgeDevice.h"
+#include "Haptics/Devices/BridgeDevice.h"
 #include "BridgePeer.h"
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bridge, with a device's program on the other end that does what the test says, in virtual
 // time: what is lost, late, damaged or of somebody else, and a program that dies and returns.
-#include "BridgeDevice.h"
-#include "ServoStep.h"
+#include "Haptics/Devices/BridgeDevice.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "BridgePeer.h"
 #include "SampleResponses.h"

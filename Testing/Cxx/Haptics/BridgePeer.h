@@ -2,7 +2,7 @@
 #ifndef palpate_testing_BridgePeer_h
 #define palpate_testing_BridgePeer_h
 
-#include "HapticReport.h"
+#include "Haptics/Hid/HapticReport.h"
 
 #include <gtest/gtest.h>
 

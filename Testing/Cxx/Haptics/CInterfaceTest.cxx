@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C interface gives the numbers of ServoStep, and reasons instead of crashes.
-#include "palpate.h"
+#include "Haptics/palpate.h"
 
-#include "FlatBodyFile.h"
-#include "GivenSettings.h"
+#include "Contact/FlatBodyFile.h"
+#include "Contact/GivenSettings.h"
 #include "SampleResponses.h"
 #include "ScratchFile.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <gtest/gtest.h>
 

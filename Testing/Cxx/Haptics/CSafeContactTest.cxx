@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of the C interface with mapping, safety, clutch and scenes gives the numbers of
 // ServoStep.
-#include "palpate.h"
+#include "Haptics/palpate.h"
 
-#include "FlatBodyFile.h"
+#include "Contact/FlatBodyFile.h"
 #include "SampleResponses.h"
 #include "ScratchFile.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

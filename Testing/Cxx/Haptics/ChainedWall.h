@@ -2,7 +2,7 @@
 #ifndef palpate_testing_ChainedWall_h
 #define palpate_testing_ChainedWall_h
 
-#include "SafetyChain.h"
+#include "Haptics/Safety/SafetyChain.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Clutch.h"
+#include "Haptics/Devices/Clutch.h"
 
 #include <gtest/gtest.h>
 

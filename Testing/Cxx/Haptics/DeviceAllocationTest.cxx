@@ -3,8 +3,8 @@
 #include "AllocationCount.h"
 #include "FaultyDevice.h"
 #include "RecordingDevice.h"
-#include "ReplayDevice.h"
-#include "SimulatedDevice.h"
+#include "Haptics/Devices/ReplayDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <gtest/gtest.h>
 

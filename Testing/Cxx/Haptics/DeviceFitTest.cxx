@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One factor for all tools: the paper's three keep their ratios, which a cap alone takes from them.
-#include "DeviceFit.h"
+#include "Haptics/Devices/DeviceFit.h"
 
-#include "CappedResponse.h"
+#include "Contact/CappedResponse.h"
 #include "SampleResponses.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What `palpate --list-devices` knows and says.
-#include "DeviceList.h"
+#include "Haptics/Devices/DeviceList.h"
 
 #include "FakeHidBus.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The device's side in C against the host's in C++: each reads what the other writes. And what a
 // device must do by itself: obey the watchdog, the enable flag and its own limit.
-#include "HapticReport.h"
+#include "Haptics/Hid/HapticReport.h"
 #include "KnownReports.h"
-#include "ReportSequence.h"
+#include "Haptics/Hid/ReportSequence.h"
 
 #include "palpate_hid.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EntryGate.h"
+#include "Haptics/Safety/EntryGate.h"
 
 #include <gtest/gtest.h>
 

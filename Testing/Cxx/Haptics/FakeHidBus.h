@@ -2,8 +2,8 @@
 #ifndef palpate_testing_FakeHidBus_h
 #define palpate_testing_FakeHidBus_h
 
-#include "HapticReport.h"
-#include "HidBus.h"
+#include "Haptics/Hid/HapticReport.h"
+#include "Haptics/Hid/HidBus.h"
 
 #include <chrono>
 #include <condition_variable>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each fault does what it says, on time and for as long; random ones come as often as asked for.
 #include "FaultyDevice.h"
-#include "SimulatedDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <gtest/gtest.h>
 

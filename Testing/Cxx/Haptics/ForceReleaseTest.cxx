@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A process that dies of an exception lets go of the hand, if it was told to: of a device that
 // throws in a tick, of an exception in another thread. What is written is seen on the error stream.
-#include "ForceRelease.h"
+#include "Haptics/Safety/ForceRelease.h"
 #include "SampleResponses.h"
-#include "ServoLoop.h"
+#include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
 
 #include <gtest/gtest.h>

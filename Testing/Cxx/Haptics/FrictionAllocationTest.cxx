@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Friction touches no heap: stuck, sliding, turning, deeper, out of range, flipped, NaN.
 #include "AllocationCount.h"
-#include "Friction.h"
+#include "Contact/Friction.h"
 
 #include <gtest/gtest.h>
 

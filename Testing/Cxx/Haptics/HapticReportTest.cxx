@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 64-byte reports, byte by byte, and that nothing damaged passes for one.
-#include "HapticReport.h"
+#include "Haptics/Hid/HapticReport.h"
 
 #include "KnownReports.h"
 

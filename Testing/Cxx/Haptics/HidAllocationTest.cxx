@@ -2,9 +2,9 @@
 // read and write of the HID devices touch no heap, connected or not.
 #include "AllocationCount.h"
 #include "FakeHidBus.h"
-#include "HidDevice.h"
+#include "Haptics/Hid/HidDevice.h"
 #include "KnownReports.h"
-#include "SpaceMouseDevice.h"
+#include "Haptics/Hid/SpaceMouseDevice.h"
 
 #include <gtest/gtest.h>
 

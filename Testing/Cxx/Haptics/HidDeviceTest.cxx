@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // HidDevice between a tick and a device that may do anything; a made-up bus, so that the sanitizers
 // see its threads. The same on the real hidapi: Testing/Devices.
-#include "HidDevice.h"
+#include "Haptics/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
 #include "KnownReports.h"

@@ -2,7 +2,7 @@
 #ifndef palpate_testing_KnownReports_h
 #define palpate_testing_KnownReports_h
 
-#include "HapticReport.h"
+#include "Haptics/Hid/HapticReport.h"
 
 /// One report of each kind, made by Python's struct ('<BBBBIQ6fII' for a state) and zlib.crc32, and
 /// what stands in it.

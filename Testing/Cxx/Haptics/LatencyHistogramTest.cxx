@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Quantiles against the sorted durations themselves; readings from another thread only ever grow.
-#include "LatencyHistogram.h"
+#include "Haptics/Servo/LatencyHistogram.h"
 
 #include <gtest/gtest.h>
 

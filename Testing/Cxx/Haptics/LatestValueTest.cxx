@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The newest value, never a torn one, and nobody waits. The thread sanitizer runs this too.
-#include "LatestValue.h"
+#include "Haptics/Servo/LatestValue.h"
 
 #include <gtest/gtest.h>
 

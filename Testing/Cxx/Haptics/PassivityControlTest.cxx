@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No motion gets more energy out of the forces sent than went in and the device's own damping
 // takes, whatever the scene; and a passive scene is not touched.
-#include "PassivityControl.h"
+#include "Haptics/Safety/PassivityControl.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One axis of the simulated device against closed forms of mechanics, and against brute force.
-#include "PlantAxis.h"
+#include "Haptics/Simulation/PlantAxis.h"
 
 #include "Agreement.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Proportion.h"
+#include "Haptics/Trials/Proportion.h"
 
 #include <gtest/gtest.h>
 

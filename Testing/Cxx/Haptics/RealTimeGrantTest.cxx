@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is reported as granted is what the system says, granted or refused. Capabilities belong to a
 // thread, so that a test can give up its own.
-#include "RealTimeGrant.h"
+#include "Haptics/Servo/RealTimeGrant.h"
 
 #include "ProcessMemory.h"
 #include "Sanitized.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A recording, written and read, plays the same bits; a session's file gives the same ticks again.
-#include "ReplayDevice.h"
+#include "Haptics/Devices/ReplayDevice.h"
 
 #include "FaultyDevice.h"
 #include "RecordingDevice.h"
 #include "SampleResponses.h"
 #include "ScratchFile.h"
-#include "ServoStep.h"
-#include "SimulatedDevice.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include <gtest/gtest.h>
 

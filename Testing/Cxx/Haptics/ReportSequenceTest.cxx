@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which reports are news: gaps, old ones, the wrap-around of the number, a device that starts anew.
-#include "ReportSequence.h"
+#include "Haptics/Hid/ReportSequence.h"
 
 #include <gtest/gtest.h>
 

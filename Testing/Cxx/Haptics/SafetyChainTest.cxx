@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The links together: their order, and what each of them leaves of the force.
-#include "SafetyChain.h"
+#include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What ends the force, when, and what begins anew after that.
-#include "SafetyChain.h"
+#include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
 

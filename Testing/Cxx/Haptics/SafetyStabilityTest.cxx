@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sampled spring stiffer than 2b/T on a mass that nobody holds: growing without the passivity
 // control, dying with it; and one that is as stiff as allowed, untouched.
-#include "PlantAxis.h"
-#include "SafetyChain.h"
+#include "Haptics/Simulation/PlantAxis.h"
+#include "Haptics/Safety/SafetyChain.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SafetyText.h"
+#include "Haptics/Safety/SafetyText.h"
 
-#include "SafetyChain.h"
+#include "Haptics/Safety/SafetyChain.h"
 
 #include <gtest/gtest.h>
 

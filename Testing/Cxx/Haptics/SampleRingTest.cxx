@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every value, in order, or its loss is counted. The thread sanitizer runs this too.
-#include "SampleRing.h"
+#include "Haptics/Servo/SampleRing.h"
 
 #include <gtest/gtest.h>
 

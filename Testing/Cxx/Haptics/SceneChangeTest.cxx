@@ -2,7 +2,7 @@
 // A running servo loop is given other scenes: the newest is rendered, all are freed, by the owner.
 // The sanitizers run this too.
 #include "SampleResponses.h"
-#include "ServoLoop.h"
+#include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes go to another thread and come back to be freed by the one that made them: none leaks, none
 // is freed while in use or by the user. The sanitizers run this too.
-#include "SceneExchange.h"
+#include "Haptics/Servo/SceneExchange.h"
 
 #include <gtest/gtest.h>
 

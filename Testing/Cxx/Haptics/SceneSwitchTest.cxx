@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Another body, tool or material under the tip: within 50 ms, and never a step.
-#include "SceneSwitch.h"
+#include "Haptics/Servo/SceneSwitch.h"
 
-#include "CappedResponse.h"
+#include "Contact/CappedResponse.h"
 #include "SampleResponses.h"
 #include "StiffenedBody.h"
 

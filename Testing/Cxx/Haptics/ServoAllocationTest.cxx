@@ -3,7 +3,7 @@
 // overruns, with changes of scene, late ticks, and a device that fails.
 #include "AllocationCount.h"
 #include "SampleResponses.h"
-#include "ServoLoop.h"
+#include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The servo thread: it ticks, publishes, and leaves zero force. No time is asserted.
-#include "ServoLoop.h"
+#include "Haptics/Servo/ServoLoop.h"
 
 #include "SampleResponses.h"
 #include "StandingDevice.h"
-#include "SteeredDevice.h"
+#include "Haptics/Devices/SteeredDevice.h"
 
 #include <gtest/gtest.h>
 

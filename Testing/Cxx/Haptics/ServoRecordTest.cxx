@@ -2,7 +2,7 @@
 // What a servo loop leaves behind: every tick, and statistics that account for every period. No
 // time is asserted but what a device spends on purpose.
 #include "SampleResponses.h"
-#include "ServoLoop.h"
+#include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
 
 #include <gtest/gtest.h>

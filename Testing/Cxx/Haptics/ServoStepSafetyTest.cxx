@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The step with its chain, clutch and switch joined: what reaches the device, and when nothing
 // does.
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "SampleResponses.h"
 #include "StiffenedBody.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "SampleResponses.h"
-#include "SimulatedDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SimulatedDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The simulated device with a mass in a hand: timing of forces and readings, encoders, targets,
 // determinism, wrong settings. Its mechanics: PlantAxisTest, StabilityLimitTest.
-#include "SimulatedDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "Agreement.h"
 

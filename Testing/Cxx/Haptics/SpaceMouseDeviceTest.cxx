@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A SpaceMouse as a tick sees it: two modes, rest, limits, loss and return.
-#include "SpaceMouseDevice.h"
+#include "Haptics/Hid/SpaceMouseDevice.h"
 
 #include "FakeHidBus.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The layouts of the SpaceMouse's reports.
-#include "SpaceMouseReport.h"
+#include "Haptics/Hid/SpaceMouseReport.h"
 
 #include <gtest/gtest.h>
 

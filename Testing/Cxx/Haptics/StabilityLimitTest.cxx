@@ -2,7 +2,7 @@
 // A virtual spring closed over the simulated device becomes unstable where the exact theory of the
 // zero-order hold says (Data/Reference/stability_K_limits.csv; device of 0.1 kg, no hand), and the
 // hold leaks the energy it must.
-#include "SimulatedDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "Agreement.h"
 #include "ReferenceTable.h"

@@ -2,8 +2,8 @@
 #ifndef palpate_testing_StandingDevice_h
 #define palpate_testing_StandingDevice_h
 
-#include "HapticDevice.h"
-#include "ServoLoop.h"
+#include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Servo/ServoLoop.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #ifndef palpate_testing_StiffenedBody_h
 #define palpate_testing_StiffenedBody_h
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 #include "SampleResponses.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // Switching scenes and clutching touch no heap either: nothing is made and nothing is freed.
 #include "AllocationCount.h"
 #include "SampleResponses.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // The tick touches no heap: not on onset, sliding, leaving, at borders, beyond range, on NaN.
 #include "AllocationCount.h"
 #include "SampleResponses.h"
-#include "ServoStep.h"
-#include "SimulatedDevice.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <gtest/gtest.h>
 

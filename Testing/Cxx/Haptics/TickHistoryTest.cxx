@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ticks of the last seconds, against a list that is searched from its beginning.
-#include "TickHistory.h"
+#include "Haptics/Servo/TickHistory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is written is read to the same bits; files of others are read; broken ones name their line.
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include "FileSizeLimit.h"
 #include "ScratchFile.h"

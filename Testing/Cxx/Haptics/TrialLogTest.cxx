@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TrialLog.h"
+#include "Haptics/Trials/TrialLog.h"
 
 #include "FileSizeLimit.h"
 #include "ScratchFile.h"

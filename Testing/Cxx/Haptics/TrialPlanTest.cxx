@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TrialPlan.h"
+#include "Haptics/Trials/TrialPlan.h"
 
 #include <gtest/gtest.h>
 

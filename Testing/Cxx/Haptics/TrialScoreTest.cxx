@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TrialScore.h"
+#include "Haptics/Trials/TrialScore.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

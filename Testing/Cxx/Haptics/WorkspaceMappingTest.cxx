@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WorkspaceMapping.h"
+#include "Haptics/Devices/WorkspaceMapping.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 #define palpate_testing_EventfulPath_h
 
 #include "Response/TestBodies.h"
-#include "SimulatedDevice.h"
-#include "TriangleProjection.h"
-#include "WorkspaceMapping.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
+#include "Contact/TriangleProjection.h"
+#include "Haptics/Devices/WorkspaceMapping.h"
 
 #include <cmath>
 #include <vector>

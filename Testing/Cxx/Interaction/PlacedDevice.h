@@ -2,7 +2,7 @@
 #ifndef palpate_testing_PlacedDevice_h
 #define palpate_testing_PlacedDevice_h
 
-#include "HapticDevice.h"
+#include "Haptics/Devices/HapticDevice.h"
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 

@@ -3,7 +3,7 @@
 // the device's force is limited, a path that ends is rested on.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkHapticSession.h"
 

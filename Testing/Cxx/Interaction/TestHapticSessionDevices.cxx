@@ -2,8 +2,8 @@
 // Devices of a session: turned and scaled, lost in contact and back, played back, and on the servo
 // thread, where every tick is recorded.
 #include "PlacedDevice.h"
-#include "ServoStep.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include "vtkTable.h"
 #include "vtkVariant.h"

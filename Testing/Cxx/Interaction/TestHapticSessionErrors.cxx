@@ -2,7 +2,7 @@
 // What keeps a session from starting is named, and nothing is half-started.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkHapticSession.h"
 

@@ -2,7 +2,7 @@
 // The ticks of the last seconds without a recording: which they are in virtual time, that on the
 // servo thread each is there or counted as lost, and how long they took.
 #include "PlacedDevice.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkTable.h"
 #include "vtkVariant.h"

@@ -2,10 +2,10 @@
 // A session that is given what somebody has made of its body beforehand: Start does not make it
 // again, but does where the body has changed since, or at the Start after; and what force a device
 // is good for.
-#include "BodyConversion.h"
-#include "BodyKernels.h"
+#include "Response/BodyConversion.h"
+#include "Interaction/Session/BodyKernels.h"
 #include "PlacedDevice.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"

@@ -2,7 +2,7 @@
 // What a session records is what vtkToolContactProbe says of the same tips, to the bit.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkHapticSession.h"
 #include "vtkTable.h"

@@ -2,7 +2,7 @@
 // What lies between the ideal force and the hand: devices weaker than the tool, limits, the gate,
 // and tools changed in contact.
 #include "PlacedDevice.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 namespace
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a session is told of forces, surface and friction: refused by name if wrong, felt in virtual
 // and in real time if right.
-#include "GivenSettings.h"
+#include "Contact/GivenSettings.h"
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "vtkHapticSession.h"
 #include "vtkTable.h"

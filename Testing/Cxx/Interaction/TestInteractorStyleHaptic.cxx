@@ -4,8 +4,8 @@
 #include "Picture.h"
 #include "SceneBodies.h"
 
-#include "Trajectory.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/Trajectory.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 #include "vtkContactScene.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"

@@ -3,13 +3,13 @@
 // in virtual time and the C interface, for every force form, surface and friction model. It presses
 // and slides to and fro over many facets of a bumpy, open body of many materials, beyond the range
 // of the responses, over the border, out and in again; and with samples that are not finite.
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 #include "EventfulPath.h"
-#include "FlatBodyConversion.h"
+#include "Response/FlatBodyConversion.h"
 #include "Response/FilterChecks.h"
-#include "ServoStep.h"
-#include "SimulatedDevice.h"
-#include "palpate.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
+#include "Haptics/palpate.h"
 
 #include "vtkHapticSession.h"
 #include "vtkToolContactProbe.h"

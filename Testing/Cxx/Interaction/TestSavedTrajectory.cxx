@@ -6,10 +6,10 @@
 //   palpateInteractionTests TestSavedTrajectory DATA           compares
 //   palpateInteractionTests TestSavedTrajectory FOLDER --write makes the body and the files anew
 #include "EventfulPath.h"
-#include "FlatBodyConversion.h"
+#include "Response/FlatBodyConversion.h"
 #include "Response/FilterChecks.h"
-#include "ServoStep.h"
-#include "TrajectoryFile.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 
 #include "vtkHapticSession.h"
 #include "vtkXMLPolyDataReader.h"

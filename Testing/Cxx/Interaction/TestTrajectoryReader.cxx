@@ -3,7 +3,7 @@
 #include "EventfulPath.h"
 #include "Response/FilterChecks.h"
 
-#include "TrajectoryFile.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 #include "vtkHapticSession.h"
 #include "vtkTrajectoryReader.h"
 

@@ -6,7 +6,7 @@
 
 #include "Picture.h"
 #include "SceneBodies.h"
-#include "TriangleProjection.h"
+#include "Contact/TriangleProjection.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

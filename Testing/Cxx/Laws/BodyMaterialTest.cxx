@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a body is made of: constants and values, and which of them make no sense.
-#include "BodyMaterial.h"
+#include "Laws/BodyMaterial.h"
 
 #include "Paraboloid.h"
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a stored curve leaves what was measured.
-#include "DataEnd.h"
+#include "Laws/DataEnd.h"
 
 #include "Paraboloid.h"
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a law is prepared for: all points of a body, whole or in pieces.
-#include "MaterialRange.h"
+#include "Laws/MaterialRange.h"
 
-#include "LayerTable.h"
+#include "Mechanics/Layers/LayerTable.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #ifndef Paraboloid_h
 #define Paraboloid_h
 
-#include "AxisymmetricTool.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <cmath>
 #include <memory>

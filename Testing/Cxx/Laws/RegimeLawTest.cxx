@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How local a contact is and what the tool's size does, where both are known by heart.
-#include "RegimeLaw.h"
+#include "Laws/RegimeLaw.h"
 
 #include "Paraboloid.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of a response, point by point: neighbours are left alone.
-#include "ResponseFiller.h"
+#include "Laws/ResponseFiller.h"
 
 #include "Paraboloid.h"
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
 #include <gtest/gtest.h>
 

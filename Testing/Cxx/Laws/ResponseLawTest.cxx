@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tool's law as it is stored: against Hertz's closed form, alone and in series.
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
 #include "Paraboloid.h"
 

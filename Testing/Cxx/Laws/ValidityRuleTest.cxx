@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How deep a law is trusted, and what ends it: by Hertz's contact radius.
-#include "ValidityRule.h"
+#include "Laws/ValidityRule.h"
 
 #include "Paraboloid.h"
-#include "ResponseLaw.h"
+#include "Laws/ResponseLaw.h"
 
 #include <gtest/gtest.h>
 

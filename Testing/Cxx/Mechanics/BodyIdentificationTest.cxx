@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies found again from curves of independent formulas, and what is refused.
-#include "BodyIdentification.h"
+#include "Mechanics/Identification/BodyIdentification.h"
 
-#include "ForceNoise.h"
-#include "LayerContact.h"
+#include "Mechanics/Identification/ForceNoise.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
 #include "SyntheticCurves.h"

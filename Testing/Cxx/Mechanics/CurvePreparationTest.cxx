@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves whose energies are known in closed form: F = k δ loading, so that W = k δ²/2.
-#include "CurvePreparation.h"
+#include "Mechanics/Identification/CurvePreparation.h"
 
 #include "Agreement.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves files: what is read, and that whatever is wrong is named with file and line, with nothing
 // half-loaded.
-#include "CurvesFile.h"
+#include "Mechanics/Identification/CurvesFile.h"
 
 #include <gtest/gtest.h>
 

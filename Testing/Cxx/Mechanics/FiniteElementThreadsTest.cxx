@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The number of threads, of the kernels or of OpenBLAS, changes no bit of a finite-element result.
 #include "ElasticBlocks.h"
-#include "PatchCompliance.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
 #include "Sanitized.h"
-#include "ThreadCount.h"
+#include "Mechanics/ThreadCount.h"
 
 #include <gtest/gtest.h>
 

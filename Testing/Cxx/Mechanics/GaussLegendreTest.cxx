@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GaussLegendre.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
 
 #include "Agreement.h"
 

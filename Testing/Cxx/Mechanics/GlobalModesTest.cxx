@@ -4,8 +4,8 @@
 // parts, held along all of one side. Plate and filter: TestElasticComplianceModes.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
-#include "GlobalModes.h"
-#include "RegularField.h"
+#include "Mechanics/FiniteElements/GlobalModes.h"
+#include "Mechanics/FiniteElements/RegularField.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // code that knows nothing of our laws (Data/Studies/calculix): one sphere identifies, the tools
 // that were held out are predicted. To the identifying curve noise is added, and an offset it does
 // not know. Testing/Studies/measured/run.py makes the whole table, where it fails included.
-#include "BodyIdentification.h"
-#include "CurvesFile.h"
+#include "Mechanics/Identification/BodyIdentification.h"
+#include "Mechanics/Identification/CurvesFile.h"
 
 #include "Agreement.h"
 #include "TestTools.h"

@@ -2,9 +2,9 @@
 // Do 95 % confidence intervals hold the truth 95 times in 100? Repeated experiments with noise of 1
 // % of the largest force and an unknown contact point, fixed seeds. Also: how often the right model
 // is chosen.
-#include "BodyIdentification.h"
+#include "Mechanics/Identification/BodyIdentification.h"
 
-#include "LayerContact.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include "SyntheticCurves.h"
 #include "TestTools.h"

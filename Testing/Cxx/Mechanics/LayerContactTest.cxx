@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds for any tool on a layer: against a dense solution of the integral equation by another
 // rule, and by invariants.
-#include "LayerContact.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
 #include "Quadrature.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the surface of a layer goes: against the Hankel integrals themselves, and against the
 // moments of the displacement, which follow from the transforms at small wave number.
-#include "LayerContact.h"
-#include "GaussLegendre.h"
-#include "LayerSurface.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Numerics/GaussLegendre.h"
+#include "Mechanics/Layers/LayerSurface.h"
 
 #include "Agreement.h"
 #include "Quadrature.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves interpolated over thickness and Poisson's ratio, against the exact layer at each.
-#include "LayerContact.h"
-#include "LayerTable.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/LayerTable.h"
 
 #include "Agreement.h"
 #include "TestTools.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The layer on a rigid base, against the reference tables (Nyström solutions of another code, given
 // to 12 digits). The tables' spheres are paraboloids.
-#include "LayerContact.h"
+#include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
 #include "Quadrature.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What finite elements will take: told from counts of nodes, against the symbolic analysis, and
 // that against what the factorisation then takes.
-#include "AvailableMemory.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
 #include "ElasticBlocks.h"
-#include "MemoryForecast.h"
+#include "Mechanics/FiniteElements/MemoryForecast.h"
 #include "ProcessMemory.h"
 #include "Sanitized.h"
 #include "ScratchFile.h"

@@ -3,8 +3,8 @@
 // sanitizers. Accuracy on real meshes: TestElasticComplianceLayer and TestElasticCompliancePlate.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
-#include "PatchCompliance.h"
-#include "PatchSelfTerm.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Mechanics/FiniteElements/PatchSelfTerm.h"
 
 #include <cmath>
 

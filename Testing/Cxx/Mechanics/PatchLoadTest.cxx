@@ -2,8 +2,8 @@
 // A patch of pressure on the surface of a mesh, and the half-space it is compared with.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
-#include "HalfSpaceField.h"
-#include "PatchLoad.h"
+#include "Mechanics/FiniteElements/HalfSpaceField.h"
+#include "Mechanics/FiniteElements/PatchLoad.h"
 
 #include <cmath>
 

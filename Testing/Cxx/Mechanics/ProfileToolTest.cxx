@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sampled tools: the same law as the shape they are sampled from, with an error of second order.
-#include "ProfileTool.h"
+#include "Mechanics/Tools/ProfileTool.h"
 
 #include "Agreement.h"
 #include "ScratchFile.h"

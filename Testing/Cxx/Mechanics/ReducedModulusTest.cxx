@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReducedModulus.h"
+#include "Mechanics/ReducedModulus.h"
 
 #include "Agreement.h"
 

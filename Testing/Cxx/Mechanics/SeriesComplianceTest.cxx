@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Local and global deformation in series, against series_model.csv and against a bisection.
-#include "SeriesCompliance.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include "Agreement.h"
 #include "Quadrature.h"

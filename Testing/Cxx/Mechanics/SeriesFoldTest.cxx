@@ -4,7 +4,7 @@
 //   paraboloid  x = 1/(4k²R),         δ = x/3
 //   cone        x = π/(4k tan α),     δ = x/2
 //   flat        at every depth if 2ak >= 1, else nowhere.
-#include "SeriesCompliance.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include "Agreement.h"
 #include "Quadrature.h"

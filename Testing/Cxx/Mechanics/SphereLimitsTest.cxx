@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exact sphere between its limits: Hertz's paraboloid at a << R, a wall at a → R.
-#include "ParaboloidTool.h"
-#include "SphereTool.h"
+#include "Mechanics/Tools/ParaboloidTool.h"
+#include "Mechanics/Tools/SphereTool.h"
 
 #include "Agreement.h"
 

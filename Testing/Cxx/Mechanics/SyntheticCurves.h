@@ -2,7 +2,7 @@
 #ifndef palpate_testing_SyntheticCurves_h
 #define palpate_testing_SyntheticCurves_h
 
-#include "BodyFit.h"
+#include "Mechanics/Identification/BodyFit.h"
 
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 #ifndef palpate_testing_TestTools_h
 #define palpate_testing_TestTools_h
 
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <memory>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How many threads loops take: what the environment says, and a limit in the thread that set it.
 // Run once more with PALPATE_THREADS=3.
-#include "ThreadCount.h"
+#include "Mechanics/ThreadCount.h"
 
 #include <gtest/gtest.h>
 

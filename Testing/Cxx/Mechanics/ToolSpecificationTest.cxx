@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <gtest/gtest.h>
 

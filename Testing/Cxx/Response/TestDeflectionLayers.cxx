@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The displacement field of a body with layers: that of a layer as thick as at the contact.
 #include "FilterChecks.h"
-#include "LayerContact.h"
-#include "LayerSurface.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/LayerSurface.h"
 #include "ProbedTips.h"
 
 #include "vtkDataObject.h"

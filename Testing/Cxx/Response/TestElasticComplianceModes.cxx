@@ -4,7 +4,7 @@
 // abort. The kernel: GlobalModesTest.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
-#include "GlobalModes.h"
+#include "Mechanics/FiniteElements/GlobalModes.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellType.h"

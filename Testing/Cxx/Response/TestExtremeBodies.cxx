@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies at the ends of what there is, through the filters: one triangle; a tool larger than the
 // body; a body of many pieces; a kilometre from the origin; solids that do not fit the memory.
-#include "AvailableMemory.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
 #include "FilterChecks.h"
-#include "FlatBodyConversion.h"
+#include "Response/FlatBodyConversion.h"
 #include "TestBodies.h"
 
 #include "vtkContactDeflection.h"

@@ -2,7 +2,7 @@
 // The probe's settings: defaults of the kernel, errors that name property, range and value; the
 // times of trajectories.
 #include "FilterChecks.h"
-#include "GivenSettings.h"
+#include "Contact/GivenSettings.h"
 #include "TestBodies.h"
 
 #include "vtkStringArray.h"

@@ -3,7 +3,7 @@
 // the kernel tests compare with the reference tables), and against those tables themselves.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
-#include "LayerContact.h"
+#include "Mechanics/Layers/LayerContact.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
 

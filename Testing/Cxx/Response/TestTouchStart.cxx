@@ -2,7 +2,7 @@
 // Where a touch begins: on bodies of which it is known which ground is flat, and what is seen.
 #include "FilterChecks.h"
 #include "TestBodies.h"
-#include "TouchStart.h"
+#include "Response/Touch/TouchStart.h"
 #include "vtkToolTouch.h"
 
 #include "vtkUnsignedCharArray.h"

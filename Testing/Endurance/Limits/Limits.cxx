@@ -2,13 +2,13 @@
 // A body of many points through everything that precedes a tick: its response against the closed
 // form, the flat file and back to the bit, the kernel, ticks against a search of all triangles, and
 // the memory it took. The body is the bumpy sphere of the benchmarks.
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"
-#include "FlatBodyConversion.h"
+#include "Response/FlatBodyConversion.h"
 #include "PlainSearch.h"
 #include "ProcessMemory.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include "vtkContactTool.h"
 #include "vtkDataArray.h"

@@ -3,7 +3,7 @@
 #define palpate_endurance_PlainSearch_h
 
 #include "BruteForce.h"
-#include "PackedMesh.h"
+#include "Contact/PackedMesh.h"
 
 #include <Eigen/Core>
 

@@ -2,8 +2,8 @@
 #include "DeviceSupply.h"
 
 #include "FaultyDevice.h"
-#include "ReplayDevice.h"
-#include "SimulatedDevice.h"
+#include "Haptics/Devices/ReplayDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <Eigen/Geometry>
 

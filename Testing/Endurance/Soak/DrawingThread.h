@@ -2,7 +2,7 @@
 #ifndef palpate_endurance_DrawingThread_h
 #define palpate_endurance_DrawingThread_h
 
-#include "LatestValue.h"
+#include "Haptics/Servo/LatestValue.h"
 #include "RoundBody.h"
 
 #include "vtkPolyData.h"

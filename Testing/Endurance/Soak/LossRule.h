@@ -2,7 +2,7 @@
 #ifndef palpate_endurance_LossRule_h
 #define palpate_endurance_LossRule_h
 
-#include "HapticDevice.h"
+#include "Haptics/Devices/HapticDevice.h"
 
 namespace palpate::endurance
 {

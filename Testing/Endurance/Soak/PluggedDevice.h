@@ -2,7 +2,7 @@
 #ifndef palpate_endurance_PluggedDevice_h
 #define palpate_endurance_PluggedDevice_h
 
-#include "HapticDevice.h"
+#include "Haptics/Devices/HapticDevice.h"
 
 #include <limits>
 #include <memory>

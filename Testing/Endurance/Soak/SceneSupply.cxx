@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneSupply.h"
 
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 
 #include "vtkCellArray.h"
 #include "vtkContactTool.h"

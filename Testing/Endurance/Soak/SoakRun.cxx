@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SoakRun.h"
 
-#include "BodyKernels.h"
-#include "ServoStep.h"
-#include "TickHistory.h"
+#include "Interaction/Session/BodyKernels.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Servo/TickHistory.h"
 
 #include "vtkNew.h"
 #include "vtkTable.h"

@@ -3,7 +3,7 @@
 // and finds what is done to them afterwards.
 #include "TickSeries.h"
 
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TickFacts.h"
 
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 namespace palpate::endurance
 {

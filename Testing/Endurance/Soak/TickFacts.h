@@ -2,7 +2,7 @@
 #ifndef palpate_endurance_TickFacts_h
 #define palpate_endurance_TickFacts_h
 
-#include "HapticDevice.h"
+#include "Haptics/Devices/HapticDevice.h"
 #include "RoundBody.h"
 #include "ToolLaw.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TickSeries.h"
 
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include <Eigen/Geometry>
 

@@ -5,7 +5,7 @@
 #include "SceneSupply.h"
 #include "TickChecker.h"
 
-#include "SafetySettings.h"
+#include "Haptics/Safety/SafetySettings.h"
 
 #include <cstddef>
 #include <string>

@@ -2,10 +2,10 @@
 #ifndef palpate_endurance_UnsteadyDevice_h
 #define palpate_endurance_UnsteadyDevice_h
 
-#include "HapticDevice.h"
+#include "Haptics/Devices/HapticDevice.h"
 #include "PluggedDevice.h"
-#include "SampleRing.h"
-#include "SceneExchange.h"
+#include "Haptics/Servo/SampleRing.h"
+#include "Haptics/Servo/SceneExchange.h"
 
 #include <atomic>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "TriangleProjection.h"
+#include "Contact/TriangleProjection.h"
 
 #include <cstddef>
 #include <string>

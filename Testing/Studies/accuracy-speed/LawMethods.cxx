@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LawMethods.h"
 
-#include "ConeTool.h"
-#include "FlatTool.h"
-#include "SmoothTracker.h"
-#include "SphereTool.h"
+#include "Mechanics/Tools/ConeTool.h"
+#include "Mechanics/Tools/FlatTool.h"
+#include "Contact/SmoothTracker.h"
+#include "Mechanics/Tools/SphereTool.h"
 #include "TrackedMethod.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MethodErrors.h"
 
-#include "CurvesFile.h"
-#include "ReducedModulus.h"
+#include "Mechanics/Identification/CurvesFile.h"
+#include "Mechanics/ReducedModulus.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpringMethods.h"
 
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 #include "TrackedMethod.h"
 
 #include <numeric>

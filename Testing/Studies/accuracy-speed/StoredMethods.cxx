@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StoredMethods.h"
 
-#include "ResponseSampling.h"
-#include "ToolContact.h"
+#include "Contact/ResponseSampling.h"
+#include "Contact/ToolContact.h"
 #include "TrackedMethod.h"
 
 #include <Eigen/Core>

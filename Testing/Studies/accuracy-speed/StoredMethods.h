@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ContactMethod.h"
-#include "ContactSettings.h"
+#include "Contact/ContactSettings.h"
 #include "StudyBody.h"
 #include "StudyLaw.h"
 

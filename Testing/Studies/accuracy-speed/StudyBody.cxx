@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StudyBody.h"
 
-#include "ResponseReduction.h"
+#include "Contact/Reduction/ResponseReduction.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ContactBody.h"
+#include "Contact/ContactBody.h"
 #include "SampleBodies.h"
 #include "StudyLaw.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StudyLaw.h"
 
-#include "LayerTable.h"
-#include "ResponseSampling.h"
-#include "SeriesCompliance.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Layers/LayerTable.h"
+#include "Contact/ResponseSampling.h"
+#include "Mechanics/SeriesCompliance.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "AxisymmetricTool.h"
-#include "LayerContact.h"
-#include "LayerKernel.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/LayerKernel.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StudyTips.h"
 
-#include "ContactTracker.h"
+#include "Contact/ContactTracker.h"
 
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ContactMethod.h"
-#include "ContactTracker.h"
+#include "Contact/ContactTracker.h"
 #include "StudyBody.h"
 
 #include <memory>

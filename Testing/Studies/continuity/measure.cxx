@@ -2,7 +2,7 @@
 // palpateContinuity: the rows of the continuity study as CSV, on the standard output. One row per
 // body, mesh, force form and surface; columns in README.md. --quick: one mesh of each, short paths.
 #include "ContinuityMeasures.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include <Eigen/Geometry>
 

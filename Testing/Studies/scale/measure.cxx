@@ -2,15 +2,15 @@
 // What a body of a given size costs, from its pre-computation to a tick and a frame: a line
 // "name value" per quantity on the output stream. One size per process, so that memory is its own.
 // The body is the bumpy sphere of the benchmarks; see README.md for what is timed.
-#include "BodyConversion.h"
+#include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"
-#include "FlatBodyConversion.h"
-#include "FlatBodyFile.h"
+#include "Response/FlatBodyConversion.h"
+#include "Contact/FlatBodyFile.h"
 #include "FrameScenes.h"
 #include "ProcessMemory.h"
 #include "TickTimes.h"
-#include "ToolContact.h"
+#include "Contact/ToolContact.h"
 
 #include "vtkContactTool.h"
 #include "vtkDataObject.h"

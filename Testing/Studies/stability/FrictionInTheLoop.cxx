@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part d: what friction models do in a sampled loop: drift under a load that swings within the
 // limit, stick and slip behind a spring, the stiffest stick, and rest.
-#include "Constants.h"
-#include "Friction.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Parts.h"
-#include "PlantAxis.h"
+#include "Haptics/Simulation/PlantAxis.h"
 #include "VirtualLoop.h"
 
 #include <algorithm>

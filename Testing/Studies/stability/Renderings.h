@@ -2,7 +2,7 @@
 #ifndef palpate_testing_Renderings_h
 #define palpate_testing_Renderings_h
 
-#include "ServoStep.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "VirtualLoop.h"
 
 #include <functional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseModels.h"
 
-#include "LayerContact.h"
-#include "SeriesCompliance.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/SeriesCompliance.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,8 +2,8 @@
 #ifndef palpate_testing_ResponseModels_h
 #define palpate_testing_ResponseModels_h
 
-#include "ContactBody.h"
-#include "IndentationLaw.h"
+#include "Contact/ContactBody.h"
+#include "Mechanics/IndentationLaw.h"
 #include "SampleResponses.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnkindBodies.h"
 
-#include "Constants.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <cmath>
 #include <utility>

@@ -2,10 +2,10 @@
 #ifndef palpate_testing_VirtualLoop_h
 #define palpate_testing_VirtualLoop_h
 
-#include "DeviceFaults.h"
+#include "Haptics/Simulation/DeviceFaults.h"
 #include "EnergyAudit.h"
-#include "HapticDevice.h"
-#include "SimulatedDevice.h"
+#include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <Eigen/Core>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FiniteBody.h"
 
-#include "GlobalModes.h"
+#include "Mechanics/FiniteElements/GlobalModes.h"
 #include "GradedBlock.h"
-#include "PatchCompliance.h"
-#include "RegularField.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Mechanics/FiniteElements/RegularField.h"
 
 #include <algorithm>
 #include <cmath>

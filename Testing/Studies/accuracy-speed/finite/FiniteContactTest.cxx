@@ -6,7 +6,7 @@
 #include "CondensedContact.h"
 #include "FullSolve.h"
 #include "LoveSquare.h"
-#include "ToolSpecification.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 #include "UnilateralContact.h"
 
 #include <Eigen/Cholesky>

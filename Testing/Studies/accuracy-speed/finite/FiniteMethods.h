@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "AxisymmetricTool.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 #include "ContactMethod.h"
 #include "FiniteBody.h"
 

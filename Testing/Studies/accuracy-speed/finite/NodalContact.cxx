@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodalContact.h"
 
-#include "SeriesCompliance.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <algorithm>
 #include <cmath>

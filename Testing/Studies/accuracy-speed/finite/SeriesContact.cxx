@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeriesContact.h"
 
-#include "SeriesCompliance.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <limits>
 

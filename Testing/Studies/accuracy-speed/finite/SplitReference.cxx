@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplitReference.h"
 
-#include "Constants.h"
+#include "Mechanics/Numerics/Constants.h"
 #include "LoveSquare.h"
-#include "SeriesCompliance.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BridgeSocket_h
+#define palpate_BridgeSocket_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/**
+ * The host's end of a local datagram socket to one device's program, which is never waited for.
+ *
+ * Addresses: "unix:/PATH", where the program has bound a Unix datagram socket by this very path;
+ * "udp:PORT", where it has bound 127.0.0.1:PORT. Nothing leaves this machine, nothing from outside
+ * comes in. The socket has a name of its own, to which the program answers, and is connected to
+ * none, so that a program that ends and returns is reached again.
+ */
+class PALPATE_EXPORT BridgeSocket
+{
+public:
+  /// Null, and why in words, for a wrong address or if the system refuses.
+  static std::unique_ptr<BridgeSocket> open(const std::string& address, std::string& error);
+  ~BridgeSocket();
+  BridgeSocket(const BridgeSocket&) = delete;
+  BridgeSocket& operator=(const BridgeSocket&) = delete;
+
+  /// Returns at once. False: nobody is there, or it has no room.
+  bool send(const std::uint8_t* bytes, std::size_t size) noexcept;
+
+  enum class Arrival : std::uint8_t
+  {
+    None,
+    Datagram,
+    Foreign ///< of another sender; its bytes are not to be used
+  };
+  /// Returns at once. `size`: in, the room; out, the datagram's own length, which may be larger.
+  Arrival receive(std::uint8_t* bytes, std::size_t& size) noexcept;
+
+  /// Waits up to so many milliseconds for a datagram. Not for the tick.
+  void wait(int milliseconds) noexcept;
+
+private:
+  union Address
+  {
+    sockaddr any;
+    sockaddr_un local;
+    sockaddr_in internet;
+    sockaddr_storage space;
+  };
+  struct Name
+  {
+    Address address{};
+    socklen_t size = 0;
+  };
+  static std::string parse(const std::string& text, Name& peer, Name& own);
+  BridgeSocket(int file, const Name& peer);
+  bool isPeer(const Address& sender, socklen_t size) const noexcept;
+
+  int File;
+  Name Peer;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Devices/DeviceFit.h"
+
+#include "Contact/ParallelRanges.h"
+#include "Contact/ResponseField.h"
+#include "Haptics/Devices/WorkspaceMapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace palpate
+{
+namespace
+{
+/// NaN counts as infinite.
+double larger(double peak, double value) noexcept
+{
+  return std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(peak, value);
+}
+} // namespace
+
+DeviceFit::DeviceFit(const DeviceSpecification& device, double scale) noexcept
+  : MaximumForce(device.maximumForce)
+  , MaximumStiffness(device.maximumStiffness / (MillimetresPerMetre * scale))
+{
+}
+
+void DeviceFit::include(double force, double stiffness) noexcept
+{
+  this->PeakForce = larger(this->PeakForce, force);
+  this->PeakStiffness = larger(this->PeakStiffness, stiffness);
+}
+
+void DeviceFit::include(const ResponseField& response, double depth)
+{
+  const int halves = 2 * response.sampling().samples();
+  std::mutex mutex;
+  forRanges(response.pointCount(),
+    [&](std::size_t first, std::size_t last)
+    {
+      double force = 0.0;
+      double stiffness = 0.0;
+      const auto visit = [&](std::int32_t point, double deflection)
+      {
+        const ResponseValue value = response.evaluate(point, deflection);
+        force = larger(force, value.force);
+        stiffness = larger(stiffness, value.stiffness);
+      };
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const auto point = static_cast<std::int32_t>(i);
+        if (!response.isValid(point))
+        {
+          continue;
+        }
+        const double range = response.range(point);
+        for (int j = 2; j <= halves; ++j)
+        {
+          const double root = static_cast<double>(j) / halves;
+          const double deflection = range * (root * root);
+          if (deflection >= depth)
+          {
+            break;
+          }
+          visit(point, deflection);
+        }
+        visit(point, std::max(depth, response.sampling().depth(0, range)));
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      this->include(force, stiffness);
+    });
+}
+
+double DeviceFit::factor() const noexcept
+{
+  const auto share = [](double most, double peak)
+  { return peak > 0.0 ? std::max(0.0, most / peak) : 1.0; };
+  const double factor = std::min({ 1.0, share(this->MaximumForce, this->PeakForce),
+    share(this->MaximumStiffness, this->PeakStiffness) });
+  return std::isnan(factor) ? 0.0 : factor;
+}
+} // namespace palpate

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_HapticDevice_h
+#define palpate_HapticDevice_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace palpate
+{
+/// What a maker states about a device. SI units, the device's frame.
+struct DeviceSpecification
+{
+  double maximumForce = 10.0;       ///< N
+  double maximumStiffness = 3000.0; ///< N/m, that a sampled spring may have at the given rate
+  double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
+  double maximumDamping = 10.0; ///< N s/m, that a sampled damper may have at the given rate
+  Eigen::Vector3d workspace = Eigen::Vector3d::Constant(0.1); ///< half extents about 0, m
+  double rate = 1000.0;                                       ///< Hz
+  /// Without a new reading for longer than this (s) the device counts as lost; infinite for one
+  /// that is silent at rest.
+  double sampleTimeOut = 0.02;
+  bool outputsForce = true;
+};
+
+/// One reading of a device, in its own frame. SI units.
+struct DeviceSample
+{
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s; zero if the device does not tell
+  std::uint32_t buttons = 0;                          ///< bit i: button i is down
+  /// False when the device had nothing to report yet, is gone, or failed: the force is then zero.
+  bool valid = false;
+  /// False when nothing new has come since the last reading, which is repeated.
+  bool fresh = true;
+};
+
+/// What went wrong on the way to and from a device, since it was opened.
+struct DeviceErrors
+{
+  std::uint64_t malformed = 0; ///< reports of wrong size, version, check sum or content
+  std::uint64_t stale = 0;     ///< reports older than, or the same as, one that had come before
+  std::uint64_t lost = 0;      ///< reports that never came, by their numbers
+  std::uint64_t unsent = 0;    ///< forces that could not be handed over
+  std::uint64_t disconnections = 0;
+};
+
+/**
+ * A haptic device: read the hand, write the force. SI units, the device's own frame.
+ *
+ * read and write are called from the servo tick: they return at once, and neither allocate, lock
+ * nor throw. `time` (s) is passed in, so that a session can run in virtual time. status and errors
+ * may be called from any one other thread at the same time.
+ */
+class PALPATE_EXPORT HapticDevice
+{
+public:
+  virtual ~HapticDevice() = default;
+  /// Does not change while a servo loop runs.
+  virtual const DeviceSpecification& specification() const noexcept = 0;
+  virtual DeviceSample read(double time) noexcept = 0;
+  /// Force on the hand, N. Returns false when the device did not take it.
+  virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
+
+  /// In words, for a person: "connected", "unplugged, waiting for it to return".
+  virtual std::string status() const { return "connected"; }
+  virtual DeviceErrors errors() const noexcept { return {}; }
+};
+} // namespace palpate
+
+#endif

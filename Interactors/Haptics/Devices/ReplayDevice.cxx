@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Devices/ReplayDevice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+/// `value` and so many representable numbers further.
+double further(double value, int steps)
+{
+  const double towards = std::copysign(std::numeric_limits<double>::infinity(), steps);
+  for (int i = 0; i < std::abs(steps); ++i)
+  {
+    value = std::nextafter(value, towards);
+  }
+  return value;
+}
+
+/// The position whose image is `tip` to the bit, if there is one beside its image back.
+Eigen::Vector3d positionOf(const Eigen::Vector3d& tip, const WorkspaceMapping& mapping)
+{
+  // Two multiplications there and two back are off by less than this many digits of the last place.
+  constexpr int Reach = 3;
+  Eigen::Vector3d guess = mapping.toDevice(tip);
+  if (mapping.toBody(guess) == tip)
+  {
+    return guess;
+  }
+  Eigen::Vector3d position = guess;
+  for (int i = -Reach; i <= Reach; ++i)
+  {
+    position.x() = further(guess.x(), i);
+    for (int j = -Reach; j <= Reach; ++j)
+    {
+      position.y() = further(guess.y(), j);
+      for (int k = -Reach; k <= Reach; ++k)
+      {
+        position.z() = further(guess.z(), k);
+        if (mapping.toBody(position) == tip)
+        {
+          return position;
+        }
+      }
+    }
+  }
+  return guess;
+}
+} // namespace
+
+ReplayDevice::ReplayDevice(const Trajectory& trajectory, const WorkspaceMapping& mapping,
+  const DeviceSpecification& specification)
+  : Limits(specification)
+{
+  this->Rows.reserve(trajectory.rows.size());
+  for (const TrajectoryRow& row : trajectory.rows)
+  {
+    Row played{ row.time, row.sample };
+    if (!trajectory.hasDevice)
+    {
+      played.sample = {};
+      played.sample.valid = row.hasTip();
+      played.sample.position =
+        row.hasTip() ? positionOf(row.tip, mapping) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    }
+    this->Rows.push_back(played);
+  }
+}
+
+DeviceSample ReplayDevice::read(double time) noexcept
+{
+  if (this->Rows.empty() || !std::isfinite(time))
+  {
+    return {};
+  }
+  const auto to = std::upper_bound(this->Rows.begin(), this->Rows.end(), time,
+    [](double t, const Row& row) { return t < row.time; });
+  if (to == this->Rows.begin())
+  {
+    return this->Rows.front().sample;
+  }
+  const Row& from = *(to - 1);
+  if (to == this->Rows.end() || from.time == time)
+  {
+    return from.sample;
+  }
+  DeviceSample sample = from.sample;
+  sample.fresh = to->sample.fresh;
+  if (from.sample.valid && to->sample.valid)
+  {
+    const double share = (time - from.time) / (to->time - from.time);
+    sample.position += share * (to->sample.position - from.sample.position);
+    sample.velocity += share * (to->sample.velocity - from.sample.velocity);
+  }
+  return sample;
+}
+
+bool ReplayDevice::write(const Eigen::Vector3d& force) noexcept
+{
+  this->Force = force;
+  return true;
+}
+} // namespace palpate

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TimedPath_h
+#define palpate_TimedPath_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// A place and the time to be there.
+struct WayPoint
+{
+  double time = 0.0;                                  ///< s, not decreasing along a path
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
+};
+
+/**
+ * A path in time: linear between its way points, at rest before the first and after the last. Two
+ * way points of the same time are a jump: from that time on the later one holds.
+ *
+ * Looking up costs O(log n) and allocates nothing.
+ */
+class PALPATE_EXPORT TimedPath
+{
+public:
+  /// A stretch of uniform motion.
+  struct Ramp
+  {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< at the time asked for, m
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
+    double end = 0.0;                                   ///< when it ends, s; may be infinite
+  };
+
+  explicit TimedPath(std::vector<WayPoint> points)
+    : Points(std::move(points))
+  {
+  }
+
+  bool isEmpty() const noexcept { return this->Points.empty(); }
+  /// Time of the last way point, s; 0 for an empty path.
+  double duration() const noexcept { return this->isEmpty() ? 0.0 : this->Points.back().time; }
+
+  /// Zero on an empty path.
+  Eigen::Vector3d at(double time) const noexcept;
+  /// How the path goes on from `time`. An empty path rests at zero.
+  Ramp rampAt(double time) const noexcept;
+
+  /// The first way point that is not finite or earlier than the one before, in words; or "".
+  std::string fault() const;
+
+private:
+  std::vector<WayPoint> Points;
+};
+} // namespace palpate
+
+#endif

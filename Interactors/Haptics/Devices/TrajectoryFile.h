@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TrajectoryFile_h
+#define palpate_TrajectoryFile_h
+
+#include "Mechanics/PalpateExport.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Devices/Trajectory.h"
+
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The columns of a trajectory file, in order: time, tip, contact.
+extern const char* const TrajectoryColumns;
+
+/**
+ * Writes one line per tick as CSV: time, tip, contact point, deflection, normal force, friction,
+ * ideal force (magnitude of the total, before any limit of the device), contact state. Body frame;
+ * s, mm, N. Numbers are the shortest decimals that read back to the same bits; a column without a
+ * value (no contact) is 0. A tick that had no valid sample, or one that is not finite, has a tip of
+ * 0 and state 5. Returns an error that names the file and the reason, or "".
+ *
+ * An old file stands until the new one is whole (WholeFile). What cannot be had again is not thrown
+ * away: where the disk is full the rows that had room are kept in PATH.part, a file like any other,
+ * and the error says how many.
+ */
+PALPATE_EXPORT std::string writeTrajectory(
+  const std::string& path, const std::vector<ServoTick>& ticks);
+
+/**
+ * The same for a trajectory: time and tip, the columns of the contact if it has one, and if it has
+ * a device's: device_x_m,device_y_m,device_z_m, velocity_x_m_s..., buttons,valid,fresh (0 or 1),
+ * sent_x_N... (the force written to the device), taken (0 or 1; by the device). Numbers that are
+ * not finite, and times that decrease, are errors naming the row (from 0) and the column.
+ */
+PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const Trajectory& trajectory);
+
+/**
+ * Reads what writeTrajectory has written to the same bits, and files of others: columns may stand
+ * in any order, names and numbers in double quotes, other columns are skipped, and so are empty
+ * lines and lines that begin with #. Required are time_s and the three of tip_*_mm; of the
+ * contact's ten all or none; of the device's thirteen all or none.
+ *
+ * Errors, as "file:line: what is wrong", and "" for none: a column that is missing or there twice,
+ * a line with too few or too many fields, a number that is not finite or none at all, a state,
+ * button or flag that does not exist, time that decreases, no lines. After an error `trajectory` is
+ * unchanged.
+ */
+PALPATE_EXPORT std::string readTrajectory(const std::string& path, Trajectory& trajectory);
+
+/// The same from a stream; `name` stands for the file in errors.
+PALPATE_EXPORT std::string readTrajectory(
+  std::istream& stream, const std::string& name, Trajectory& trajectory);
+} // namespace palpate
+
+#endif

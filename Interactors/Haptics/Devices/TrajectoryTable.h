@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TrajectoryTable_h
+#define palpate_TrajectoryTable_h
+
+#include "Haptics/Devices/Trajectory.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// The columns of a trajectory file: their names, and how a row becomes numbers and back.
+namespace palpate::TrajectoryTable
+{
+constexpr std::size_t ContactBegin = 4; ///< before it: time and tip
+constexpr std::size_t DeviceBegin = 14;
+constexpr std::size_t ColumnCount = 27;
+
+extern const std::array<std::string_view, ColumnCount> Names;
+using Numbers = std::array<double, ColumnCount>;
+
+Numbers numbersOf(const TrajectoryRow& row);
+/// What is wrong with the numbers of [ContactBegin, DeviceBegin) if `hasContact`, of the rest if
+/// `hasDevice`; or "".
+std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, TrajectoryRow& row);
+} // namespace palpate::TrajectoryTable
+
+#endif

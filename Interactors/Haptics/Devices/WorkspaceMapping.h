@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_WorkspaceMapping_h
+#define palpate_WorkspaceMapping_h
+
+#include "Contact/GivenSettings.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+constexpr double MillimetresPerMetre = 1000.0;
+
+/**
+ * From the frame of the device (m) to the frame of the body (mm) and back: the only place where
+ * units change. x_body = R (1000 scale x_device) + t; forces keep their magnitude, so a stiffness K
+ * of the body is felt as `scale` K.
+ *
+ * A planar device (two axes) moves along its own x and y: z is not looked at, and of a force only
+ * what lies in the plane arrives. The plane in the body is the one through `translation` that the
+ * first two columns of the rotation span.
+ */
+class PALPATE_EXPORT WorkspaceMapping
+{
+public:
+  WorkspaceMapping() = default;
+  /// `rotation` must be orthonormal (its columns are the axes of the device in the body; with
+  /// determinant -1 for a device of left-handed axes), `scale` positive, `translation` in mm.
+  WorkspaceMapping(
+    const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, double scale);
+  /// Of a planar device: through `origin` (mm), its x along `right` and its y along `up`, unit
+  /// vectors in the body at right angles.
+  static WorkspaceMapping inPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& right,
+    const Eigen::Vector3d& up, double scale);
+
+  /// The same for a planar device.
+  WorkspaceMapping planar() const noexcept;
+  /// The same axes, with the least scale that puts a body's box (mm, corner to corner), with
+  /// `margin` (mm, >= 0) free around it, into a workspace of these half extents (m), centre on
+  /// centre. Of a planar device only x and y of the workspace count, and the plane cuts the box in
+  /// its middle. What is no box or no workspace gives a scale with a fault.
+  WorkspaceMapping fitted(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper,
+    const Eigen::Vector3d& workspace, double margin) const noexcept;
+
+  /// The first of Rotation, Translation and Scale that is not finite or out of its range;
+  /// orthonormal to RotationTolerance.
+  SettingFault fault() const;
+  static constexpr double RotationTolerance = 1e-6; ///< of RᵀR; numbers typed in with 7 digits
+
+  Eigen::Vector3d toBody(const Eigen::Vector3d& devicePosition) const noexcept;
+  Eigen::Vector3d toDevice(const Eigen::Vector3d& bodyPosition) const noexcept;
+  /// m/s to mm/s.
+  Eigen::Vector3d velocityToBody(const Eigen::Vector3d& deviceVelocity) const noexcept;
+  Eigen::Vector3d forceToDevice(const Eigen::Vector3d& bodyForce) const noexcept;
+  Eigen::Vector3d forceToBody(const Eigen::Vector3d& deviceForce) const noexcept;
+  /// Of a position, velocity or force in the frame of the device what the device has: for a planar
+  /// one without z.
+  Eigen::Vector3d inReach(const Eigen::Vector3d& deviceVector) const noexcept;
+  /// mm to m.
+  double lengthToDevice(double bodyLength) const noexcept;
+  /// N/mm to N/m: what a hand feels of a stiffness of the body.
+  double stiffnessToDevice(double bodyStiffness) const noexcept;
+
+  const Eigen::Matrix3d& rotation() const noexcept { return this->Rotation; }
+  const Eigen::Vector3d& translation() const noexcept { return this->Translation; }
+  double scale() const noexcept { return this->Scale; }
+  bool isPlanar() const noexcept { return this->Planar; }
+
+private:
+  Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d Translation = Eigen::Vector3d::Zero();
+  double Scale = 1.0;
+  bool Planar = false;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Hid/ForceWriter.h"
+
+#include "Haptics/Hid/HapticReport.h"
+#include "Haptics/Servo/LatestValue.h"
+#include "Haptics/Servo/RealTimeGrant.h"
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <mutex>
+#include <utility>
+
+#include <semaphore.h>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::chrono::milliseconds Patience(1000);
+constexpr int Priority = 79; ///< below the servo's, so that no device can delay a tick
+
+struct Order
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  std::uint32_t stateSequence = 0;
+  std::uint64_t number = 0; ///< 1, 2, 3, …
+};
+} // namespace
+
+/// What the thread owns together with the writer: all of it, in case the writer does not wait.
+struct ForceWriter::Shared
+{
+  const std::uint32_t Watchdog;
+
+  std::uint64_t Number = 0;           ///< the tick's
+  LatestValue<Order> Orders;          ///< tick → thread
+  std::atomic<bool> Waiting{ false }; ///< an order the thread has not been woken for
+  sem_t Wake{};
+
+  std::mutex Mutex;
+  std::shared_ptr<HidPort> Port; ///< under Mutex
+  std::atomic<bool> Stopping{ false };
+  std::atomic<bool> Taken{ true };
+  std::atomic<std::uint64_t> Unsent{ 0 };
+
+  std::uint64_t Done = 0;     ///< the thread's: number of the last order
+  std::uint32_t Sequence = 0; ///< the thread's: of the last report
+
+  explicit Shared(std::uint32_t watchdog)
+    : Watchdog(watchdog)
+  {
+    sem_init(&this->Wake, 0, 0);
+  }
+  ~Shared() { sem_destroy(&this->Wake); }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+
+  void run()
+  {
+    requestRealTime({ Priority });
+    while (true)
+    {
+      while (sem_wait(&this->Wake) != 0 && errno == EINTR)
+      {
+        // a signal: nothing has come
+      }
+      this->Waiting.store(false); // before the order is taken: a later one wakes again
+      if (this->Stopping)
+      {
+        break;
+      }
+      this->sendNewest();
+    }
+    this->report(Eigen::Vector3d::Zero(), false, 0);
+  }
+
+  void sendNewest()
+  {
+    const Order& order = this->Orders.read();
+    if (order.number == this->Done)
+    {
+      return;
+    }
+    const bool sent = this->report(order.force, true, order.stateSequence);
+    this->Taken.store(sent);
+    this->Unsent.fetch_add(order.number - this->Done - (sent ? 1 : 0));
+    this->Done = order.number;
+  }
+
+  bool report(const Eigen::Vector3d& force, bool enable, std::uint32_t stateSequence)
+  {
+    std::shared_ptr<HidPort> port; // kept while the device takes its time, even if it is lost
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      port = this->Port;
+    }
+    if (!port)
+    {
+      return false;
+    }
+    ForceReport report;
+    report.enable = enable;
+    report.sequence = ++this->Sequence;
+    report.time = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(
+      std::chrono::steady_clock::now().time_since_epoch())
+                                               .count());
+    report.force = force;
+    report.watchdog = this->Watchdog;
+    report.stateSequence = stateSequence;
+    HapticReportBytes bytes;
+    pack(report, bytes);
+    return port->write(bytes.data(), bytes.size());
+  }
+};
+
+ForceWriter::ForceWriter(std::uint32_t watchdog)
+  : Work(std::make_shared<Shared>(watchdog))
+  , Thread([work = this->Work] { work->run(); })
+{
+}
+
+ForceWriter::~ForceWriter()
+{
+  this->stop();
+}
+
+void ForceWriter::stop()
+{
+  this->Work->Stopping = true;
+  sem_post(&this->Work->Wake);
+  this->Thread.finish(Patience);
+}
+
+void ForceWriter::use(std::shared_ptr<HidPort> port)
+{
+  const std::lock_guard<std::mutex> lock(this->Work->Mutex);
+  this->Work->Port.swap(port);
+}
+
+bool ForceWriter::send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept
+{
+  Shared& work = *this->Work;
+  Order order;
+  order.force = force;
+  order.stateSequence = stateSequence;
+  order.number = ++work.Number;
+  work.Orders.write(order);
+  if (!work.Waiting.exchange(true))
+  {
+    sem_post(&work.Wake);
+  }
+  return work.Taken;
+}
+
+bool ForceWriter::taken() const noexcept
+{
+  return this->Work->Taken;
+}
+
+std::uint64_t ForceWriter::unsent() const noexcept
+{
+  return this->Work->Unsent;
+}
+} // namespace palpate

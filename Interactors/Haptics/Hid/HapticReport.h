@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_HapticReport_h
+#define palpate_HapticReport_h
+
+#include "Haptics/Devices/HapticDevice.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace palpate
+{
+/**
+ * The reports between a host and a self-built device, 64 bytes each, over raw HID or datagrams.
+ * PROTOCOL.md has them byte by byte; palpate_hid.h is the device's side in C.
+ *
+ * pack always makes a whole, valid report; parse takes whatever came and says what is wrong with
+ * it, leaving its result alone then. What a report does not name is sent as zero and not looked at.
+ * Nothing here allocates, locks or throws, but for specificationOf.
+ */
+constexpr std::size_t HapticReportSize = 64;
+using HapticReportBytes = std::array<std::uint8_t, HapticReportSize>;
+
+constexpr std::uint8_t HapticReportMark = 0x50; ///< 'P', the first byte
+constexpr std::uint8_t HapticReportVersion = 1;
+
+enum class ReportKind : std::uint8_t
+{
+  State = 1,       ///< device → host
+  Force = 2,       ///< host → device
+  Description = 3, ///< device → host
+  Hello = 4        ///< host → device, datagrams only: asks for a description
+};
+
+/// Device → host, once per reading.
+struct StateReport
+{
+  bool amplifiersOn = false;
+  bool fault = false; ///< the device cannot be trusted: no force is sent
+  std::uint32_t sequence = 0;
+  std::uint64_t time = 0;                             ///< the device's clock, µs
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m; finite
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s; finite
+  std::uint32_t buttons = 0;
+  std::uint32_t forceSequence = 0; ///< of the last force applied
+};
+
+/// Host → device.
+struct ForceReport
+{
+  bool enable = false; ///< false: amplifiers off, whatever the force
+  std::uint32_t sequence = 0;
+  std::uint64_t time = 0;                          ///< the host's clock, µs
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; finite
+  /// The device goes to zero force when no force report has come for so long, µs.
+  std::uint32_t watchdog = 20000;
+  std::uint32_t stateSequence = 0; ///< of the newest state seen
+};
+
+/// Device → host: what its maker states, as it came. specificationOf makes it credible.
+struct DescriptionReport
+{
+  bool outputsForce = true;
+  bool planar = false;                                 ///< moves in its xy plane only
+  double maximumForce = 0.0;                           ///< N
+  double maximumStiffness = 0.0;                       ///< N/m
+  double maximumForceRate = 0.0;                       ///< N/s, may be infinite
+  double maximumDamping = 0.0;                         ///< N s/m
+  Eigen::Vector3d workspace = Eigen::Vector3d::Zero(); ///< half extents, m
+  double rate = 0.0;                                   ///< Hz
+  double sampleTimeOut = 0.0;                          ///< s
+  std::array<char, 17> name{};                         ///< at most 16 bytes of UTF-8, and a zero
+  std::uint32_t nonce = 0; ///< of the hello it answers; 0 in HID's feature report
+};
+
+/// Host → device, datagrams only.
+struct HelloReport
+{
+  std::uint32_t nonce = 0;
+};
+
+/// Why a report is none, in the order in which it is looked at.
+enum class ReportDefect : std::uint8_t
+{
+  None,
+  Size,     ///< not 64 bytes
+  Mark,     ///< the first byte is not 'P'
+  Version,  ///< another than 1
+  CheckSum, ///< damaged on the way
+  Kind,     ///< not of the kind expected
+  Content   ///< a position, velocity or force that is not finite
+};
+/// "wrong check sum" and the like.
+PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
+
+PALPATE_EXPORT void pack(const StateReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const ForceReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const DescriptionReport& report, HapticReportBytes& bytes) noexcept;
+PALPATE_EXPORT void pack(const HelloReport& report, HapticReportBytes& bytes) noexcept;
+
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, StateReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, ForceReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, DescriptionReport& report) noexcept;
+PALPATE_EXPORT ReportDefect parse(
+  const std::uint8_t* bytes, std::size_t size, HelloReport& report) noexcept;
+
+/// Size, mark, version and check sum alone; the kind of a sound report is byte 1.
+PALPATE_EXPORT ReportDefect checkReport(const std::uint8_t* bytes, std::size_t size) noexcept;
+
+/// CRC-32 of IEEE 802.3 (reflected, polynomial 0xEDB88320), as zlib's crc32.
+PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
+
+/**
+ * What a device describes itself as, with a careful value in place of each that is missing or not
+ * credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force rate, 0 < damping ≤
+ * 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1 s).
+ * With `replaced`, each such value is named there in words. Not for the tick: words allocate.
+ */
+PALPATE_EXPORT DeviceSpecification specificationOf(
+  const DescriptionReport& description, std::string* replaced = nullptr);
+/// Of a device that says nothing about itself: weak and slow enough for any.
+PALPATE_EXPORT DeviceSpecification carefulSpecification() noexcept;
+} // namespace palpate
+
+#endif

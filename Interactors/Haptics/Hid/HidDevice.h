@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_HidDevice_h
+#define palpate_HidDevice_h
+
+#include "Haptics/Hid/ForceWriter.h"
+#include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Hid/HapticReport.h"
+#include "Haptics/Hid/HidBus.h"
+#include "Haptics/Hid/HidReader.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/**
+ * A device that speaks the 64-byte force reports over raw HID (PROTOCOL.md).
+ *
+ * A reader and a writer thread stand between the tick and the driver: read returns the newest state
+ * that has come, write leaves the force for the writer; neither waits, whatever the driver does.
+ * Reports that are damaged, of another version, old or repeated are counted and not used.
+ *
+ * The specification is what the device describes itself as in its feature report, where that is
+ * credible; otherwise careful values (specificationOf). No force is sent before a sound state has
+ * come, so that a stranger on the same vendor page is left alone.
+ *
+ * Unplugged, or reporting a fault: read is not valid from the next call on, write sends no force
+ * and returns false. It connects again when the device returns, if it describes itself as before;
+ * samples are valid again with its first state. status says all of this. Destroying it sends
+ * "amplifiers off" and ends within about two seconds even if the driver hangs.
+ *
+ * The two threads ask for SCHED_FIFO, and do without.
+ */
+class PALPATE_EXPORT HidDevice final : public HapticDevice
+{
+public:
+  /// Opens the device at `path`, such as "/dev/hidraw0". Null, and why in words, if that fails.
+  static std::unique_ptr<HidDevice> open(
+    const std::string& path, std::string& error, HidBus& bus = systemHidBus());
+  ~HidDevice() override;
+
+  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
+  /// As it came from the device; all zero if it has none.
+  const DescriptionReport& description() const noexcept { return this->Description; }
+
+  DeviceSample read(double time) noexcept override;
+  /// Shortened to the maximum force of the specification; one that is not finite is sent as zero.
+  bool write(const Eigen::Vector3d& force) noexcept override;
+
+  std::string status() const override;
+  DeviceErrors errors() const noexcept override;
+
+private:
+  class Link;
+  HidDevice(HidBus& bus, const HidEntry& entry, std::unique_ptr<HidPort> port,
+    std::shared_ptr<Link> link, const DescriptionReport& description, std::string remark);
+
+  DeviceSpecification Limits;
+  DescriptionReport Description;
+  std::string Remark; ///< what of the description was not believed
+  std::shared_ptr<Link> Connection;
+  std::unique_ptr<HidReader> Reader;
+  std::uint64_t Seen = 0;          ///< number of the last state read
+  std::uint32_t StateSequence = 0; ///< of the last state read
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ReportSequence_h
+#define palpate_ReportSequence_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <cstdint>
+
+namespace palpate
+{
+/**
+ * Follows the numbers of the reports of one sender, and says which are news.
+ *
+ * Numbers are compared modulo 2³², so that they may wrap around. Old and repeated ones are stale,
+ * gaps are counted as lost. A number further ahead than any gap can be (2¹⁶ reports), or a stale
+ * one, may be that of a sender that has started anew: it is believed once Confirmations reports
+ * have come that follow one another, until then they are stale. Bounded, allocates nothing.
+ */
+class PALPATE_EXPORT ReportSequence
+{
+public:
+  static constexpr std::uint32_t LargestGap = 65536;
+  static constexpr std::uint32_t Confirmations = 8;
+
+  enum class Verdict : std::uint8_t
+  {
+    New,
+    Stale,    ///< not to be used
+    Restarted ///< to be used: the sender has started anew
+  };
+  Verdict judge(std::uint32_t number) noexcept;
+
+  /// For another sender, or the same after a new connection: the next number is the first.
+  void restart() noexcept;
+
+  std::uint32_t newest() const noexcept { return this->Newest; }
+  std::uint64_t stale() const noexcept { return this->StaleReports; }
+  std::uint64_t lost() const noexcept { return this->LostReports; }
+
+private:
+  Verdict doubt(std::uint32_t number) noexcept;
+
+  bool Started = false;
+  std::uint32_t Newest = 0;
+  std::uint32_t Doubtful = 0; ///< the last number that was not believed
+  std::uint32_t Run = 0;      ///< how many of them have followed one another
+  std::uint64_t StaleReports = 0;
+  std::uint64_t LostReports = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PassivityControl_h
+#define palpate_PassivityControl_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+/**
+ * Keeps the device from giving the hand more energy than it has taken: a passivity observer and
+ * controller in the time domain (Hannaford and Ryu 2002), on the force that is really sent.
+ *
+ * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly
+ * F_k · (x_k+1 - x_k), whatever the hand did in between. Of a spring K the hold makes a generator:
+ * pressing finds the force of a moment ago, too small, releasing one too large; every hold leaks
+ * K |x_k+1 - x_k|²/2, a press and release at speed v F_max v T. No chain can take this back before
+ * it has happened. It is what the damping b of the device itself must cover: in a hold of length
+ * dt it takes at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the
+ * period T is 2b/T (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts
+ *   E_k+1 = E_k - F_k · d + b |d|²/dt,  d = x_k+1 - x_k,
+ * and a force is let through up to |F_k| = √(2 K_max E_k). Then, for any next d,
+ *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
+ * no motion, however sudden, gets more out than went in but for what the device's own damping takes
+ * in the same holds. Nothing is predicted, no velocity is estimated, nothing chatters at rest.
+ *
+ * It does nothing on a passive scene: for F = -∇U with U >= 0 and no second derivative above K_max,
+ *   U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k,
+ * the force is never above the bound, whatever the motion. What it sends points where the scene's
+ * force points and is never larger; a spring that is too stiff is felt as one that is not. A scene
+ * that takes all the credit would go on for ever as a spring of K_max does on a device without a
+ * hand. So where the force asked for is above the bound, a share of the damping, the ratio of the
+ * two but no less than SmallestShare, is all that b and K_max count for in what was said, until
+ * there is no force: the rest makes the motion die down.
+ *
+ * A hold longer than T can make E negative, by its own lag at most: then there is no force until
+ * the motion has paid. What friction and damping took from the hand, and the credit of long motion,
+ * would let a later instability feed on it: so E is kept below what the scene can hold now,
+ * max(|F| depth, F²/(2 K_max)), nothing where there is no force. Where the force is changed on
+ * purpose (a ramp, another body), grant() counts what the new force holds as put in.
+ *
+ * What it cannot see: a device that tells its place, or takes its force, with a delay.
+ */
+class PALPATE_EXPORT PassivityControl
+{
+public:
+  /// Rounding must not cut the force of a passive scene: so much, J, once, is not asked back.
+  static constexpr double Slack = 1e-9;
+  /// Of the device's damping, while the control acts, that at least is left to the scene.
+  static constexpr double SmallestShare = 0.5;
+
+  /// K_max in N/m, infinite: all passes, negative or NaN: nothing; T in s.
+  PassivityControl(double maximumStiffness, double period) noexcept;
+
+  /// Counts the hold that ends at a new reading (m). Time in s must not decrease.
+  void observe(double time, const Eigen::Vector3d& position) noexcept;
+  /// The scene can hold no more than `force` (N) over `depth` (m; infinite: unknown) gives.
+  void bound(double force, double depth) noexcept;
+  /// The hand is given what such a force can hold.
+  void grant(double force, double depth) noexcept;
+  /// What of the force may be sent now.
+  Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;
+  /// What has left the chain in this tick.
+  void sent(double time, const Eigen::Vector3d& force) noexcept;
+  void reset() noexcept;
+
+  /// E, J.
+  double energy() const noexcept { return this->Energy; }
+  /// Whether nothing has been observed since the beginning or reset().
+  bool isNew() const noexcept { return !this->HasPosition; }
+
+private:
+  double storable(double force, double depth) const noexcept;
+
+  double Stiffness;
+  double Period;
+  double Energy = 0.0;
+  double Share = 1.0; ///< of the device's damping that is credited
+  bool HasPosition = false;
+  Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< of the last reading
+  double ReadTime = 0.0;                              ///< and its time
+  Eigen::Vector3d Force = Eigen::Vector3d::Zero();    ///< sent last
+  double SentTime = 0.0;
+  Eigen::Vector3d Impulse = Eigen::Vector3d::Zero(); ///< of what was sent since ReadTime, N s
+};
+} // namespace palpate
+
+#endif

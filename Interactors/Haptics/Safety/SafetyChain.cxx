@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Safety/SafetyChain.h"
+
+#include "Haptics/Devices/WorkspaceMapping.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+
+double factorOf(double given) noexcept
+{
+  return given > 0.0 ? std::fmin(given, 1.0) : 0.0;
+}
+
+void mark(std::uint16_t& acted, SafetyLink link, bool whether) noexcept
+{
+  acted = static_cast<std::uint16_t>(acted | (whether ? static_cast<std::uint16_t>(link) : 0));
+}
+} // namespace
+
+SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
+  : Settings(settings)
+  , UsesTime(!std::isinf(settings.sampleTimeOut) || !std::isinf(settings.maximumForceRate) ||
+      settings.controlPassivity || settings.entryRamp > 0.0)
+  , Gate(settings.gate, settings.entryRamp)
+  , Slew(settings.maximumForceRate)
+  , Magnitude(settings.maximumForce)
+  , Passivity(settings.maximumStiffness, settings.period)
+  , Watchdog(settings.sampleTimeOut)
+{
+  this->setForceFactor(settings.forceFactor);
+}
+
+SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
+{
+  SafeForce result;
+  result.forceFactor = this->Settings.forceFactor;
+  result.acted = this->losses(input);
+  if (result.acted != 0)
+  {
+    this->restart();
+    return result;
+  }
+  result.force = this->shape(input, result);
+  this->Slew.sent(input.time, result.force);
+  if (this->Settings.controlPassivity)
+  {
+    this->Passivity.sent(input.time, result.force);
+  }
+  return result;
+}
+
+std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept
+{
+  std::uint16_t lost = 0;
+  const bool hasSample = input.valid && input.position.allFinite();
+  const bool hasTime = !this->UsesTime || std::isfinite(input.time);
+  const bool isFinite = input.idealForce.allFinite() && input.cappedForce.allFinite();
+  mark(lost, SafetyLink::Stopped, this->IsStopped);
+  mark(lost, SafetyLink::NoSample, !hasSample);
+  mark(lost, SafetyLink::NotFinite, hasSample && !(hasTime && isFinite));
+  if (hasSample && hasTime && this->UsesTime)
+  {
+    mark(lost, SafetyLink::Watchdog, this->Watchdog.isLost(input.time, input.fresh));
+  }
+  return lost;
+}
+
+Eigen::Vector3d SafetyChain::shape(const SafetyInput& input, SafeForce& result) noexcept
+{
+  const SafetySettings& settings = this->Settings;
+  const double gate = this->Gate.share(input.time, input.outside);
+  mark(result.acted, SafetyLink::Gate, gate < 1.0);
+  mark(result.acted, SafetyLink::Fit, settings.forceFactor < 1.0);
+  mark(result.acted, SafetyLink::StiffnessCap,
+    settings.capStiffness && input.cappedForce != input.idealForce);
+  const Eigen::Vector3d wanted =
+    gate * settings.forceFactor * (settings.capStiffness ? input.cappedForce : input.idealForce);
+
+  const Eigen::Vector3d slewed = this->Slew.limit(input.time, wanted);
+  mark(result.acted, SafetyLink::Slew, slewed != wanted);
+  Eigen::Vector3d limited = this->Magnitude.limit(slewed);
+  mark(result.acted, SafetyLink::Magnitude, limited != slewed);
+  if (!settings.controlPassivity)
+  {
+    return limited;
+  }
+  // The last step of a ramp belongs to it.
+  const bool changing = input.changing || gate < 1.0 || this->LastGateShare < 1.0;
+  this->LastGateShare = gate;
+  Eigen::Vector3d passive = this->controlPassivity(input, changing, wanted.stableNorm(), limited);
+  mark(result.acted, SafetyLink::Passivity, passive != limited);
+  return passive;
+}
+
+Eigen::Vector3d SafetyChain::controlPassivity(
+  const SafetyInput& input, bool changing, double sceneForce, const Eigen::Vector3d& force) noexcept
+{
+  // Without a gate the first force comes from nowhere, as the caller wanted.
+  const bool isGiven = changing || this->Passivity.isNew();
+  if (input.fresh || this->Passivity.isNew())
+  {
+    this->Passivity.observe(input.time, input.position);
+  }
+  this->Passivity.bound(sceneForce, input.depth);
+  if (isGiven)
+  {
+    this->Passivity.grant(sceneForce, input.depth);
+  }
+  return this->Passivity.limit(force);
+}
+
+void SafetyChain::stop() noexcept
+{
+  this->IsStopped = true;
+  this->restart();
+}
+
+void SafetyChain::restart() noexcept
+{
+  this->Gate.close();
+  this->Slew.reset();
+  this->Passivity.reset();
+  this->LastGateShare = 1.0;
+}
+
+void SafetyChain::reset() noexcept
+{
+  this->restart();
+  this->Watchdog.reset();
+}
+
+void SafetyChain::setForceFactor(double factor) noexcept
+{
+  this->Settings.forceFactor = factorOf(factor);
+}
+
+double SafetyChain::bodyStiffnessLimit(double scale) const noexcept
+{
+  return this->Settings.capStiffness
+    ? this->Settings.maximumStiffness / (MillimetresPerMetre * scale * this->Settings.forceFactor)
+    : std::numeric_limits<double>::infinity();
+}
+} // namespace palpate

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SafetyChain_h
+#define palpate_SafetyChain_h
+
+#include "Haptics/Safety/EntryGate.h"
+#include "Haptics/Safety/ForceLimit.h"
+#include "Haptics/Safety/ForceRateLimit.h"
+#include "Mechanics/PalpateExport.h"
+#include "Haptics/Safety/PassivityControl.h"
+#include "Haptics/Safety/SafetySettings.h"
+#include "Haptics/Safety/SampleWatchdog.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <limits>
+
+namespace palpate
+{
+/// One tick of a servo loop, as SafetyChain needs it. Device frame, SI units.
+struct SafetyInput
+{
+  double time = 0.0; ///< s
+  bool valid = false;
+  bool fresh = true;                                    ///< as in DeviceSample
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< m
+  bool outside = false;                                 ///< the tip touches nothing now
+  Eigen::Vector3d idealForce = Eigen::Vector3d::Zero(); ///< what the scene gives, N
+  /// The same with the stiffness cap applied (CappedResponse up to bodyStiffnessLimit); the same
+  /// force where there is nothing to cap.
+  Eigen::Vector3d cappedForce = Eigen::Vector3d::Zero();
+  /// m: over no longer way can the force of now give back what the hand has put in: the deflection
+  /// and, with friction, how far its spring can be stretched. Infinite where nobody knows.
+  double depth = std::numeric_limits<double>::infinity();
+  /// The force is being changed on purpose, not by the hand: a body, tool or material is exchanged.
+  bool changing = false;
+};
+
+/// A link that changed something in a tick.
+enum class SafetyLink : std::uint16_t
+{
+  NotFinite = 1 << 0, ///< a force or a time that is not finite
+  Gate = 1 << 1,
+  Fit = 1 << 2,
+  StiffnessCap = 1 << 3,
+  Slew = 1 << 4,
+  Magnitude = 1 << 5,
+  Passivity = 1 << 6,
+  Watchdog = 1 << 7,
+  NoSample = 1 << 8, ///< the device has nothing to report, or no place
+  Stopped = 1 << 9
+};
+
+/// What is sent, and why it is not the ideal force.
+struct SafeForce
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N
+  double forceFactor = 1.0;
+  std::uint16_t acted = 0; ///< sum of SafetyLink
+
+  bool has(SafetyLink link) const noexcept
+  {
+    return (this->acted & static_cast<std::uint16_t>(link)) != 0;
+  }
+};
+
+/**
+ * From the force a tool should feel to the one that is sent to a device, in fixed order:
+ *
+ * finite check → gate (EntryGate) → fit to device (one force factor) → stiffness cap → slew limit
+ * (ForceRateLimit) → magnitude clamp (ForceLimit) → passivity control (PassivityControl) → watchdog
+ * (SampleWatchdog) → nothing at all while stopped or without a sample.
+ *
+ * What ends the force - the first and the last links - ends it in the very same tick, exactly, and
+ * counts as a loss: the gate closes, and slew limit and passivity control begin anew. A clock that
+ * goes back is a loss too; where no link that is on needs the time, it is not looked at.
+ *
+ * All members belong to the servo thread; none allocates, locks or throws.
+ */
+class PALPATE_EXPORT SafetyChain
+{
+public:
+  explicit SafetyChain(const SafetySettings& settings) noexcept;
+
+  SafeForce apply(const SafetyInput& input) noexcept;
+  /// No force from the next tick on, until start().
+  void stop() noexcept;
+  void start() noexcept { this->IsStopped = false; }
+  bool isStopped() const noexcept { return this->IsStopped; }
+  /// As if nothing had been; what is stopped stays stopped.
+  void reset() noexcept;
+
+  /// 0 to 1; beyond that 1, and 0 for what is no number. At once: to change it gradually is the
+  /// caller's, in ticks marked as changing where it grows.
+  void setForceFactor(double factor) noexcept;
+  const SafetySettings& settings() const noexcept { return this->Settings; }
+  /// Up to which stiffness (N/mm) in the frame of the body the device renders, at this scale of the
+  /// mapping (WorkspaceMapping) and the force factor of now; infinite where nothing is capped.
+  double bodyStiffnessLimit(double scale) const noexcept;
+  /// What the hand has put in and not got back, J (PassivityControl); 0 where that is off.
+  double energy() const noexcept { return this->Passivity.energy(); }
+
+private:
+  /// Which links end the force now.
+  std::uint16_t losses(const SafetyInput& input) noexcept;
+  Eigen::Vector3d shape(const SafetyInput& input, SafeForce& result) noexcept;
+  Eigen::Vector3d controlPassivity(const SafetyInput& input, bool changing, double sceneForce,
+    const Eigen::Vector3d& force) noexcept;
+  void restart() noexcept;
+
+  SafetySettings Settings;
+  bool UsesTime;
+  EntryGate Gate;
+  ForceRateLimit Slew;
+  ForceLimit Magnitude;
+  PassivityControl Passivity;
+  SampleWatchdog Watchdog;
+  double LastGateShare = 1.0;
+  bool IsStopped = false;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SafetySettings_h
+#define palpate_SafetySettings_h
+
+#include "Haptics/Devices/HapticDevice.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <limits>
+
+namespace palpate
+{
+/// What a force must keep to before it reaches a hand (SafetyChain). The device's frame, SI units.
+/// A limit that is negative or NaN lets nothing through, one that is infinite everything.
+struct PALPATE_EXPORT SafetySettings
+{
+  /// Of every force, 0 to 1: the same for all tools that are compared, so that their ratios survive
+  /// (DeviceFit).
+  double forceFactor = 1.0;
+  double maximumForce = 10.0;       ///< N
+  double maximumStiffness = 3000.0; ///< N/m, that a sampled spring may have at `period`
+  double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
+  /// s; a device that has told nothing new for longer is lost.
+  double sampleTimeOut = 0.02;
+  /// s, > 0: of the ticks that maximumStiffness was stated for.
+  double period = 1e-3;
+  /// s over which the force of the first touch rises from nothing; 0: at once.
+  double entryRamp = 0.0;
+  /// No force until the tip has been outside once.
+  bool gate = true;
+  bool capStiffness = true;
+  bool controlPassivity = true;
+
+  /// All links, with what the maker states.
+  static SafetySettings of(const DeviceSpecification& specification);
+  /// Two alone: no force that is not finite or for an invalid sample, and none that is larger.
+  static SafetySettings magnitudeOnly(double maximumForce);
+};
+} // namespace palpate
+
+#endif

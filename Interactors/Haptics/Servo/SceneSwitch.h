@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SceneSwitch_h
+#define palpate_SceneSwitch_h
+
+#include "Haptics/Safety/ForceRamp.h"
+#include "Mechanics/PalpateExport.h"
+#include "Haptics/Servo/ServoScene.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace palpate
+{
+/// What the tip feels of a scene, or of two of which one is left for the other. Body frame; mm, N.
+struct SceneForce
+{
+  ToolContactForce contact;              ///< of the newest scene
+  Vector3 idealForce = Vector3::Zero();  ///< blended; contact.force when not switching
+  Vector3 cappedForce = Vector3::Zero(); ///< the same, each stiffness capped
+  double forceFactor = 1.0;              ///< blended; 0: there is no force
+  double share = 1.0;                    ///< of idealForce: of the newest scene
+  /// Over no longer way (mm) can the contacts give back work: out of the body, and as far as
+  /// friction is stretched.
+  double reach = 0.0;
+  bool outside = true;   ///< no contact
+  bool changing = false; ///< the share is another than in the tick before
+};
+
+/**
+ * The scene of a ServoStep, and how it is left for another while the tip may be in contact.
+ *
+ * Within 50 ms the force goes over from one to the other (ForceRamp), both being felt at the tip of
+ * now: what is sent is (1-w) φ F of the old and w φ' F' of the new, straight in time with the force
+ * factors φ included, so that it changes per tick by no more than motion changes the two, blended,
+ * and |φ'F' - φF| T / 50 ms. No tick is stiffer than the stiffer of the two.
+ *
+ * The new contact begins where the old one is: under the same side of a thin body, if both have it
+ * there. It begins without pre-sliding displacement, so friction builds up anew; the old one keeps
+ * its own until it is gone. A scene that comes during a ramp waits for its end (it would take a
+ * third contact, or a force that no longer answers to the hand); of several that wait the newest is
+ * taken.
+ *
+ * Nothing here allocates or frees but the constructors; a tick of a ramp costs two contacts.
+ */
+class PALPATE_EXPORT SceneSwitch
+{
+public:
+  /// `scene` is not null.
+  explicit SceneSwitch(std::unique_ptr<ServoScene> scene) noexcept;
+  /// With copies of the scenes, but none that is no longer needed.
+  SceneSwitch(const SceneSwitch& other);
+  SceneSwitch(SceneSwitch&& other) noexcept = default;
+  SceneSwitch& operator=(const SceneSwitch&) = delete;
+  SceneSwitch& operator=(SceneSwitch&&) = delete;
+  ~SceneSwitch() = default;
+
+  /// One tick, `elapsed` (s) after the last. `stiffnessLimit` (N/mm) at a force factor of 1.
+  SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept;
+
+  /// Null: nothing happens.
+  void change(std::unique_ptr<ServoScene> next) noexcept;
+  bool isSwitching() const noexcept { return this->Leaving != nullptr; }
+  /// How many scenes were left, or begun to be.
+  std::uint32_t changes() const noexcept { return this->Changes; }
+  /// What is no longer needed, as a list, or null; to be freed outside of the tick.
+  std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
+
+  /// The contacts are over, and so is a ramp: the newest scene is the only one.
+  void forget() noexcept;
+
+private:
+  void begin(std::unique_ptr<ServoScene> next) noexcept;
+  /// Ends a ramp; one that waits begins.
+  void end() noexcept;
+  void retire(std::unique_ptr<ServoScene> scene) noexcept;
+  SceneForce blend(const Vector3& tip, double stiffnessLimit) noexcept;
+
+  std::unique_ptr<ServoScene> Current;
+  std::unique_ptr<ServoScene> Leaving; ///< null but during a ramp
+  std::unique_ptr<ServoScene> Waiting; ///< null but after a change during a ramp
+  std::unique_ptr<ServoScene> Retired;
+  ForceRamp Ramp{ 0.0 };
+  bool Entering = false; ///< the ramp has had no tick yet
+  std::uint32_t Changes = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ServoLoop_h
+#define palpate_ServoLoop_h
+
+#include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Servo/LatestValue.h"
+#include "Mechanics/PalpateExport.h"
+#include "Haptics/Servo/RealTimeGrant.h"
+#include "Haptics/Servo/SampleRing.h"
+#include "Haptics/Servo/SceneExchange.h"
+#include "Haptics/Servo/ServoMeter.h"
+#include "Haptics/Servo/ServoStatistics.h"
+#include "Haptics/Servo/ServoStep.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace palpate
+{
+/// How fast the loop ticks, what it keeps, what it asks of the system.
+struct PALPATE_EXPORT ServoLoopSettings
+{
+  static constexpr double MaximumRate = 100000.0;
+  static constexpr double MaximumRecordedTicks = 1e7; ///< some gigabytes
+
+  double rate = 1000.0; ///< ticks per second, 1 to MaximumRate
+  /// How long (s) ticks are kept for drain() before they are lost; 0: there is no recording. The
+  /// memory is taken at once, some 300 bytes per tick.
+  double recordedSeconds = 0.0;
+  RealTimeRequest realTime;
+
+  /// What is wrong with them, or "".
+  std::string fault() const;
+};
+
+/**
+ * The servo thread: device → ServoStep → device at a fixed rate. The newest tick is published in a
+ * slot, every tick in a ring.
+ *
+ * Deadlines are absolute: tick k is due k periods after the start, and that is the time it is
+ * given, whenever it wakes up. A tick that cannot begin before the next one is due is missed:
+ * skipped and counted, so that a loop which cannot keep up still sleeps between ticks. So the k of
+ * the newest tick is ticks + missed - 1.
+ *
+ * The thread asks for real-time scheduling and, if told to, for locked memory; grant() tells what
+ * it got. A tick neither allocates, frees, locks, logs nor throws.
+ *
+ * Zero force is written when the loop is stopped or destroyed, so also when an exception unwinds
+ * its owner. A device or step that throws in spite of its word ends the process: see
+ * releaseForceOnTerminate. The last tick published after a stop has no force and says
+ * SafetyLink::Stopped.
+ *
+ * All that is public is for one owning thread; the device must outlive the loop, the bodies of its
+ * scenes are kept alive by them.
+ */
+class PALPATE_EXPORT ServoLoop
+{
+public:
+  ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings);
+  /// `rate` in ticks per second.
+  ServoLoop(HapticDevice& device, ServoStep step, double rate);
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  /// Begins to tick at time 0, or goes on if it runs. Returns what is wrong with the settings or
+  /// why there is no thread, or "". Waits until the system has granted or refused, not for a tick.
+  std::string start();
+  /// Waits for the tick under way, at most a period.
+  void stop();
+  bool isRunning() const noexcept { return this->Thread.joinable(); }
+  /// What the thread of the newest start was granted.
+  const RealTimeGrant& grant() const noexcept { return this->Grant; }
+
+  /// The newest tick; a default one before the first.
+  const ServoTick& newest() noexcept { return this->Latest.read(); }
+  /// Calls sink(const ServoTick&) for every tick since the last drain, oldest first; returns how
+  /// many. Also after a stop. Ticks for which there was no room are counted in the statistics.
+  template <class Sink>
+  std::size_t drain(Sink&& sink)
+  {
+    return this->Recording.drain(sink);
+  }
+
+  /// Renders another scene from the next tick on, or from the next start: the force goes over to
+  /// it within 50 ms (ServoStep). Of several in quick succession the newest is certain to be
+  /// rendered. Frees the scenes that are no longer in use.
+  void changeScene(std::unique_ptr<ServoScene> scene);
+  /// The same without another scene, some time later; returns how many were freed.
+  std::size_t freeScenes() noexcept { return this->Scenes.collect(); }
+
+  /// Since the loop was made, or since the last reset; see ServoMeter for what may differ by a
+  /// tick.
+  ServoStatistics statistics() const;
+  void resetStatistics();
+  /// Since the loop was made.
+  std::uint64_t ticks() const noexcept { return this->Meter.ticks.total(); }
+  std::uint64_t missed() const noexcept { return this->Meter.missed.total(); }
+  /// Ticks that drain() will never see.
+  std::uint64_t overruns() const noexcept { return this->Recording.overruns(); }
+
+private:
+  void run(std::promise<RealTimeGrant>& granted) noexcept;
+  bool goesOn() const noexcept;
+  ServoTick tick(double time) noexcept;
+  void takeScene() noexcept;
+  /// Leaves no force: on the device, in the step, in what is published.
+  void finish(const ServoTick& newest) noexcept;
+
+  HapticDevice& Device;
+  ServoStep Step;
+  ServoLoopSettings Settings;
+  LatestValue<ServoTick> Latest;
+  SampleRing<ServoTick> Recording;
+  SceneExchange<ServoScene> Scenes;
+  ServoMeter Meter;
+  std::atomic<bool> Stopping{ false };
+
+  RealTimeGrant Grant;              ///< the owner's, as all below
+  DeviceErrors ErrorsBefore;        ///< at the last reset of the statistics
+  std::uint64_t OverrunsBefore = 0; ///< likewise
+  std::thread Thread;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Servo/ServoStep.h"
+#include "Mechanics/Numerics/Constants.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// A scene of a body that somebody else keeps alive.
+std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettings& settings)
+{
+  const std::shared_ptr<void> nobody;
+  return std::make_unique<ServoScene>(std::shared_ptr<const ContactBody>(nobody, &body), settings);
+}
+
+/// Whether the force was ended, not changed.
+bool isLost(const SafeForce& safe) noexcept
+{
+  return safe.has(SafetyLink::NotFinite) || safe.has(SafetyLink::Watchdog) ||
+    safe.has(SafetyLink::NoSample) || safe.has(SafetyLink::Stopped);
+}
+} // namespace
+
+ServoStep::ServoStep(const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce,
+  const ContactSettings& settings)
+  : ServoStep(sceneOf(body, settings), mapping, SafetySettings::magnitudeOnly(maximumForce))
+{
+}
+
+ServoStep::ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& mapping,
+  const SafetySettings& safety, std::uint32_t clutchButtons)
+  : Mapping(mapping)
+  , Chain(safety)
+  , Safety(Chain.settings())
+  , Hand(clutchButtons)
+  , Scenes(std::move(scene))
+  , StiffnessLimit(Chain.bodyStiffnessLimit(mapping.scale()))
+  , IsSound(!mapping.fault())
+  , LastTime(NotANumber)
+{
+}
+
+ServoTick ServoStep::step(const DeviceSample& sample, double time) noexcept
+{
+  const double elapsed = time > this->LastTime ? time - this->LastTime : 0.0;
+  this->LastTime = std::isfinite(time) ? time : this->LastTime;
+  ServoTick tick;
+  tick.time = time;
+  tick.buttons = sample.buttons;
+  tick.contact.state = ContactState::Invalid;
+  SafetyInput input;
+  input.time = time;
+  input.fresh = sample.fresh;
+  input.position = this->Mapping.inReach(sample.position);
+  if (this->IsSound && sample.valid && input.position.allFinite())
+  {
+    tick.tip = this->Mapping.toBody(input.position);
+    tick.valid = tick.tip.allFinite();
+  }
+  if (tick.valid)
+  {
+    tick.fresh = sample.fresh;
+    tick.velocity = this->Mapping.velocityToBody(sample.velocity);
+    this->touch(elapsed, tick, input);
+  }
+  input.valid = tick.valid;
+  const SafeForce safe = this->Chain.apply(input);
+  tick.deviceForce = safe.force;
+  tick.appliedForce = this->Mapping.forceToBody(safe.force);
+  tick.forceFactor = safe.forceFactor;
+  tick.acted = safe.acted;
+  tick.scene = this->Scenes.changes();
+  if (isLost(safe))
+  {
+    this->Scenes.forget();
+  }
+  return tick;
+}
+
+void ServoStep::touch(double elapsed, ServoTick& tick, SafetyInput& input) noexcept
+{
+  const double held = this->Hand.forceShare();
+  tick.tip = this->Hand.follow(tick.tip, tick.buttons, elapsed);
+  tick.clutched = this->Hand.isHeld();
+  const double share = this->Hand.forceShare();
+
+  const SceneForce felt = this->Scenes.update(tick.tip, elapsed, this->StiffnessLimit);
+  tick.contact = felt.contact;
+  tick.sceneShare = felt.share;
+  tick.idealForce = share * felt.idealForce;
+  this->Chain.setForceFactor(this->Safety.forceFactor * felt.forceFactor);
+  input.outside = felt.outside;
+  input.idealForce = this->Mapping.forceToDevice(tick.idealForce);
+  input.cappedForce = this->Mapping.forceToDevice(share * felt.cappedForce);
+  input.depth = this->Mapping.lengthToDevice(felt.reach);
+  input.changing = felt.changing || share > held;
+}
+
+void ServoStep::stop() noexcept
+{
+  this->Chain.stop();
+  this->Scenes.forget();
+}
+
+void ServoStep::reset() noexcept
+{
+  this->Chain.reset();
+  this->Hand.reset();
+  this->Scenes.forget();
+  this->LastTime = NotANumber;
+}
+} // namespace palpate

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TickHistory_h
+#define palpate_TickHistory_h
+
+#include "Haptics/Servo/ServoStep.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * The ticks of the last seconds, oldest first: what is drained from a servo loop and need not be
+ * kept for ever.
+ *
+ * Those whose time is within `seconds` before the newest one, itself included, so seconds * rate of
+ * a loop that misses none. They are numbered from 0 on as they were added, so that a reader can
+ * tell which are new to it. At most seconds * rate + 1 are held; their memory, some 600 bytes each,
+ * is used only once they come. Not for the servo thread: it is for the one thread that drains.
+ */
+class TickHistory
+{
+public:
+  /// Times in s, ticks per second; both finite. With no seconds, none is kept.
+  TickHistory(double seconds, double rate)
+    : Seconds(seconds)
+    , HalfPeriod(0.5 / rate)
+    , Capacity(seconds > 0.0 ? static_cast<std::size_t>(std::ceil(seconds * rate)) + 1 : 0)
+  {
+    this->Slots.reserve(this->Capacity);
+  }
+
+  void add(const ServoTick& tick)
+  {
+    ++this->Added;
+    if (this->Capacity == 0)
+    {
+      return;
+    }
+    const double first = tick.time - this->Seconds + this->HalfPeriod;
+    while (this->Count > 0 && ((*this)[0].time < first || this->Count == this->Capacity))
+    {
+      this->Begin = (this->Begin + 1) % this->Capacity;
+      --this->Count;
+    }
+    const std::size_t place = (this->Begin + this->Count) % this->Capacity;
+    if (place == this->Slots.size())
+    {
+      this->Slots.push_back(tick);
+    }
+    else
+    {
+      this->Slots[place] = tick;
+    }
+    ++this->Count;
+  }
+
+  std::size_t size() const noexcept { return this->Count; }
+  /// 0 is the oldest.
+  const ServoTick& operator[](std::size_t index) const noexcept
+  {
+    return this->Slots[(this->Begin + index) % this->Capacity];
+  }
+  /// How many were ever added: the number of the oldest one here is added() - size().
+  std::uint64_t added() const noexcept { return this->Added; }
+
+private:
+  double Seconds;
+  double HalfPeriod;
+  std::size_t Capacity;
+  std::size_t Begin = 0;
+  std::size_t Count = 0;
+  std::uint64_t Added = 0;
+  std::vector<ServoTick> Slots;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PlantAxis_h
+#define palpate_PlantAxis_h
+
+#include "Mechanics/PalpateExport.h"
+#include "Haptics/Simulation/SimulatedPlant.h"
+
+namespace palpate
+{
+/**
+ * How one axis of a simulated device moves while the motor's force is held and the hand's target
+ * moves uniformly.
+ *
+ * Between events the equation (SimulatedPlant, HandModel) is linear with constant coefficients and
+ * is integrated exactly, to rounding, whatever the duration. Events are: the motion comes to rest,
+ * friction lets go, the hand reaches or leaves its maximum force; their times are found to 2^-40 of
+ * a stretch. Stretches are 0.08 of the hand's period long, or a thousandth of the duration: two
+ * events within one that undo one another may go unseen. After 32 events in one duration the last
+ * regime holds to its end.
+ *
+ * Cost: below half a microsecond; some forty times that per event.
+ */
+class PALPATE_EXPORT PlantAxis
+{
+public:
+  /// Of the mass.
+  struct State
+  {
+    double position = 0.0; ///< m
+    double velocity = 0.0; ///< m/s
+  };
+  /// What acts on the mass from one tick to the next.
+  struct Load
+  {
+    double force = 0.0;          ///< of the motor, N
+    double target = 0.0;         ///< of the hand at the start, m
+    double targetVelocity = 0.0; ///< m/s
+  };
+
+  /// Of x'' = -βx' - κx to a unit impulse (s) and a unit step (∫s), after a time h.
+  struct Response
+  {
+    double impulse = 0.0;
+    double step = 0.0;
+  };
+
+  PlantAxis(const SimulatedPlant& plant, const HandModel& hand);
+
+  State advance(State state, Load load, double duration) noexcept;
+  /// N, on the device
+  double handForce(const State& state, const Load& load) const noexcept;
+
+private:
+  /// What the equation looks like between two events.
+  struct Regime
+  {
+    bool sticks = false;
+    int slide = 0; ///< sign of the motion against which friction acts; 0: none acts
+    int limit = 0; ///< sign of the hand's force if it is at its maximum
+  };
+
+  double wish(const State& state, const Load& load) const noexcept;
+  Regime regimeAt(const State& state, const Load& load) const noexcept;
+  bool leaves(const Regime& regime, const State& state, const Load& load) const noexcept;
+  State move(const Regime& regime, const State& state, const Load& load, double duration) noexcept;
+  /// The end of a stretch, shortened to the first event within it.
+  double stretchEnd(
+    const Regime& regime, const State& state, const Load& load, double duration) noexcept;
+  /// How long friction holds, of at most `duration`.
+  double holdingTime(const State& state, const Load& load, double duration) const noexcept;
+  Response respond(double kappa, double beta, double duration) noexcept;
+
+  SimulatedPlant Plant;
+  HandModel Hand;
+  bool IsHeld;
+  bool HasEvents;
+  double LongestStretch; ///< s
+
+  /// The last response asked for: the axes of a device mostly ask for the same.
+  double LastKappa = 0.0;
+  double LastBeta = 0.0;
+  double LastDuration = 0.0;
+  Response Last;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Simulation/SimulatedDevice.h"
+
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+SimulatedDevice::SimulatedDevice(
+  std::vector<WayPoint> path, const DeviceSpecification& specification)
+  : Limits(specification)
+  , Path(std::move(path))
+  , Duration(this->Path.duration())
+{
+}
+
+SimulatedDevice::SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand,
+  std::vector<WayPoint> path, const DeviceSpecification& specification)
+  : Limits(specification)
+  , Path({})
+  , Duration(path.empty() ? 0.0 : path.back().time)
+{
+  const Eigen::Vector3d start =
+    path.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : path.front().position;
+  this->Motion = std::make_unique<SimulatedMotion>(
+    plant, hand, TimedPath(std::move(path)), start, specification.rate);
+}
+
+SimulatedDevice::SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand,
+  const Eigen::Vector3d& start, const DeviceSpecification& specification)
+  : Limits(specification)
+  , Path({})
+  , Motion(std::make_unique<SimulatedMotion>(plant, hand, TimedPath({}), start, specification.rate))
+{
+}
+
+DeviceSample SimulatedDevice::read(double time) noexcept
+{
+  if (this->Motion)
+  {
+    return this->Motion->read(time);
+  }
+  DeviceSample sample;
+  sample.valid = !this->Path.isEmpty() && std::isfinite(time);
+  if (sample.valid)
+  {
+    sample.position = this->Path.at(time);
+  }
+  return sample;
+}
+
+bool SimulatedDevice::write(const Eigen::Vector3d& force) noexcept
+{
+  this->Force = force;
+  return !this->Motion || this->Motion->write(force);
+}
+
+std::string SimulatedDevice::status() const
+{
+  return !this->Motion || this->Motion->fault().empty() ? HapticDevice::status()
+                                                        : "not simulated: " + this->Motion->fault();
+}
+
+void SimulatedDevice::steerTo(const Eigen::Vector3d& target) noexcept
+{
+  if (this->Motion)
+  {
+    this->Motion->steerTo(target);
+  }
+}
+
+Eigen::Vector3d SimulatedDevice::truePosition() const noexcept
+{
+  return this->Motion ? this->Motion->position() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+Eigen::Vector3d SimulatedDevice::trueVelocity() const noexcept
+{
+  return this->Motion ? this->Motion->velocity() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+} // namespace palpate

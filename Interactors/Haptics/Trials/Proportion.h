@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_Proportion_h
+#define palpate_Proportion_h
+
+#include "Mechanics/PalpateExport.h"
+
+namespace palpate
+{
+/// A share of successes among independent trials, with its exact interval.
+struct Proportion
+{
+  int successes = 0;
+  int trials = 0;
+  double share = 0.5; ///< successes / trials; 0.5 of no trials
+  double lower = 0.0;
+  double upper = 1.0;
+};
+
+/**
+ * The interval of Clopper and Pearson (1934): the probabilities p under which neither as many
+ * successes as were seen, or more, nor as few, or fewer, are rarer than (1 - confidence) / 2. It
+ * covers the true probability at least that often, whatever that is and however few the trials.
+ *
+ * `successes` within 0 … trials, `confidence` within (0, 1); else all that is returned is NaN.
+ * Accurate to 1e-12; costs some 10 µs per 100 trials.
+ */
+PALPATE_EXPORT Proportion proportionOf(int successes, int trials, double confidence = 0.95);
+
+/// The standard normal deviate below which the share `p` of the distribution lies; -inf for 0,
+/// +inf for 1, NaN outside.
+PALPATE_EXPORT double normalQuantile(double p);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TrialPlan_h
+#define palpate_TrialPlan_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// One question: two alternatives, by their numbers, which the person knows as X and Y only.
+struct Trial
+{
+  int x = 0;
+  int y = 0;
+};
+
+/**
+ * The order of a blind comparison: rounds, each of which holds every pair of the alternatives once
+ * as (X, Y) and once as (Y, X), in random order. So after each round all pairs have been asked
+ * equally often, and each alternative has been X as often as Y: neither learning nor a liking for
+ * the first of two favours one of them.
+ *
+ * Returns rounds · alternatives · (alternatives - 1) trials; none for fewer than two alternatives.
+ * The same seed gives the same order on every machine (Mersenne Twister, Fisher–Yates).
+ */
+PALPATE_EXPORT std::vector<Trial> planTrials(int alternatives, int rounds, std::uint64_t seed);
+} // namespace palpate
+
+#endif
