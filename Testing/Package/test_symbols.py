@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the libraries export: what installed headers declare, nothing else; and of C what palpate.symbols lists."""
 
+import glob
 import os
 import re
 import subprocess
@@ -28,7 +29,7 @@ class Symbols(unittest.TestCase):
         install("development", cls.scratch.name)
         include = os.path.join(cls.scratch.name, "usr", "include", "palpate")
         cls.sources = our_headers()
-        cls.headers = "\n".join(read(os.path.join(include, name)) for name in os.listdir(include))
+        cls.headers = "\n".join(read(path) for path in glob.glob(f"{include}/**/*.h", recursive=True))
 
     @classmethod
     def tearDownClass(cls):
