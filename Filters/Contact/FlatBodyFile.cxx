@@ -3,6 +3,7 @@
 
 #include "Contact/WholeFile.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -53,8 +54,15 @@ struct Header
   std::array<std::uint64_t, SectionCount> offset; ///< from the start of the file; 0: absent
   std::array<char, 128> tool;                     ///< ends with '\0'
   std::array<char, 128> model;
+  std::int64_t modelParts; ///< since format 2
 };
-static_assert(sizeof(Header) == 408, "the layout of a file is fixed");
+static_assert(sizeof(Header) == 416, "the layout of a file is fixed");
+constexpr std::size_t FirstHeaderSize = 408; ///< format 1
+
+std::size_t sizeOf(const Header& header)
+{
+  return header.version < 2 ? FirstHeaderSize : sizeof(Header);
+}
 
 /// Bytes of each section, from the counts alone.
 std::array<std::uint64_t, SectionCount> sectionSizes(const Header& header)
@@ -119,7 +127,7 @@ std::uint64_t checksumOf(const std::array<const void*, SectionCount>& data, Head
   std::array<unsigned char, sizeof(Header)> head;
   std::memcpy(head.data(), &header, sizeof(Header));
   Checksum sum;
-  sum.add(head.data(), head.size());
+  sum.add(head.data(), sizeOf(header));
   for (std::size_t k = 0; k < SectionCount; ++k)
   {
     sum.add(static_cast<const unsigned char*>(data[k]), sizes[k]);
@@ -146,6 +154,7 @@ Header makeHeader(const FlatBody& body)
   header.exponent = body.response.exponent;
   copyText(body.tool, header.tool);
   copyText(body.model, header.model);
+  header.modelParts = body.modelParts;
   const auto sizes = sectionSizes(header);
   std::uint64_t end = sizeof(Header);
   for (std::size_t k = 0; k < SectionCount; ++k)
@@ -192,7 +201,7 @@ std::string faultOf(const Header& header, std::uint64_t size)
   {
     const std::uint64_t offset = header.offset[k];
     if (sizes[k] > 0 &&
-      (offset < sizeof(Header) || offset % Alignment != 0 || offset > size ||
+      (offset < sizeOf(header) || offset % Alignment != 0 || offset > size ||
         sizes[k] > size - offset))
     {
       return "has a damaged header";
@@ -226,6 +235,8 @@ FlatBody view(const Header& header, const unsigned char* file)
   body.limit = static_cast<const std::uint8_t*>(at(Limit));
   body.tool = header.tool.data();
   body.model = header.model.data();
+  body.modelParts =
+    header.version < 2 ? modelPartsOfText(body.model) : static_cast<int>(header.modelParts);
   return body;
 }
 
@@ -305,9 +316,9 @@ std::string FlatBodyFile::open(const std::string& path)
   const bool known = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
   const auto size = known ? static_cast<std::size_t>(status.st_size) : 0;
   void* mapping =
-    size >= sizeof(Header) ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0) : MAP_FAILED;
+    size >= FirstHeaderSize ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0) : MAP_FAILED;
   ::close(file);
-  if (size < sizeof(Header))
+  if (size < FirstHeaderSize)
   {
     return "'" + path + "' is not a Palpate body file: it is too short or no file";
   }
@@ -318,8 +329,8 @@ std::string FlatBodyFile::open(const std::string& path)
   this->Mapping = mapping;
   this->Size = size;
 
-  Header header;
-  std::memcpy(&header, mapping, sizeof header);
+  Header header{};
+  std::memcpy(&header, mapping, std::min(size, sizeof header));
   std::string fault = faultOf(header, size);
   if (fault.empty())
   {

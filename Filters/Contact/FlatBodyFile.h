@@ -25,6 +25,7 @@ struct FlatBody
   const std::uint8_t* limit = nullptr;   ///< 1 per point
   std::string tool;                      ///< as parseTool reads it
   std::string model;
+  int modelParts = 0; ///< sum of ModelPart
 };
 
 /**
@@ -34,12 +35,13 @@ struct FlatBody
  * Header (see FlatBodyFile.cxx): magic "PALPATE", format version, byte-order mark, size of the
  * file, checksum of header and arrays, counts, and where each array begins. Files that
  * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
- * reason; nothing is half-loaded.
+ * reason; nothing is half-loaded. Files of format 1, which has no model parts, are read: the parts
+ * follow from the text.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
 public:
-  static constexpr std::uint32_t Version = 1;
+  static constexpr std::uint32_t Version = 2;
 
   FlatBodyFile() = default;
   ~FlatBodyFile();

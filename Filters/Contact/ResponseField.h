@@ -5,6 +5,7 @@
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
 #include "Mechanics/PalpateExport.h"
+#include "Contact/ResponseContract.h"
 #include "Contact/ResponseEnergy.h"
 #include "Contact/ResponseSampling.h"
 
@@ -15,17 +16,6 @@
 
 namespace palpate
 {
-/// Status of the response of one point.
-enum class ResponseStatus : std::uint8_t
-{
-  Valid,
-  Degenerate,
-  NotFinite,
-  Folded,
-  OutOfReach,
-  Edge ///< interpolated from its neighbours; usable
-};
-
 /**
  * The response arrays of a body, as views of somebody else's memory. One of two forms:
  * per point (force and stiffness, n floats per point) or compact (laws k >= 1: `basis` of k rows of

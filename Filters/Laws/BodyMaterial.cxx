@@ -2,6 +2,7 @@
 #include "Laws/BodyMaterial.h"
 
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Contact/ResponseContract.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Laws/ResponseLaw.h"
@@ -174,5 +175,11 @@ std::string BodyMaterial::describe() const
                                      : std::string(" of varying thickness");
   }
   return this->Compliance.empty() ? model : model + " in series with global compliance";
+}
+
+int BodyMaterial::modelParts() const
+{
+  return (this->Range.hasLayers() ? LayerPart : HalfSpacePart) |
+    (this->Compliance.empty() ? 0 : GlobalCompliancePart);
 }
 } // namespace palpate

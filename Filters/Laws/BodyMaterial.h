@@ -61,8 +61,9 @@ public:
   /// thickest: the tip's, or 1.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
-  /// The model in words.
+  /// The model in words, and as a sum of ModelPart.
   std::string describe() const;
+  int modelParts() const;
 
 private:
   std::string takeModulus(const Values& values, std::size_t points);

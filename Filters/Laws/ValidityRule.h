@@ -4,7 +4,7 @@
 
 #include "Laws/ContactSpot.h"
 #include "Mechanics/PalpateExport.h"
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 
 namespace palpate
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyConversion.h"
 
+#include "Mechanics/JoinedText.h"
 #include "Response/FilterThreads.h"
 
 #include "vtkCellArray.h"
@@ -30,39 +31,46 @@ namespace
 
 std::string describe(vtkAbstractArray* array)
 {
-  std::ostringstream text;
-  text << array->GetDataTypeAsString() << " with " << array->GetNumberOfComponents()
-       << " components and " << array->GetNumberOfTuples() << " tuples";
-  return text.str();
+  return joined(array->GetDataTypeAsString(), " with ", array->GetNumberOfComponents(),
+    " components and ", array->GetNumberOfTuples(), " tuples");
 }
 
-/// The memory of a contract array, or null with an error unless it has exactly this type and shape.
-template <class Array>
-const typename Array::ValueType* fetch(vtkFieldData* data, const std::string& name,
-  const char* typeName, int components, vtkIdType tuples, std::string& error)
+const char* nameOf(ContractArray::Type type)
 {
-  vtkAbstractArray* found = data->GetAbstractArray(name.c_str());
+  return type == ContractArray::Type::Float ? "float" : "unsigned char";
+}
+
+/// The memory of an array of the response, or null with an error unless it has exactly the type and
+/// shape of the contract.
+template <class Array>
+const typename Array::ValueType* fetch(vtkPolyData* body, const std::string& name,
+  ResponseArray which, const ResponseArrays& arrays, std::string& error)
+{
+  const ContractArray& contract = contractOf(which);
+  const std::string full = contract.named(name);
+  const int components = componentsOf(contract, arrays.samples, arrays.laws);
+  const vtkIdType tuples = which == ResponseArray::Basis ? arrays.laws : body->GetNumberOfPoints();
+  vtkAbstractArray* found = placeOf(contract, body)->GetAbstractArray(full.c_str());
   if (!found)
   {
-    error = "array '" + name + "' is missing";
+    error = "array '" + full + "' is missing";
     return nullptr;
   }
   Array* array = Array::FastDownCast(found);
   if (!array || array->GetNumberOfComponents() != components ||
     array->GetNumberOfTuples() != tuples)
   {
-    std::ostringstream text;
-    text << "array '" << name << "' must be " << typeName << " with " << components
-         << " components and " << tuples << " tuples, but is " << describe(found);
-    error = text.str();
+    error = joined("array '", full, "' must be ", nameOf(contract.type), " with ", components,
+      " components and ", tuples, " tuples, but is ", describe(found));
     return nullptr;
   }
   return array->GetPointer(0);
 }
 
-bool fetchNumber(vtkPolyData* body, const std::string& name, double low, double high, double& value,
-  std::string& error)
+bool fetchNumber(vtkPolyData* body, const std::string& response, ResponseArray which, double low,
+  double high, double& value, std::string& error)
 {
+  const std::string name = arrayName(response, which);
   vtkDataArray* array = body->GetFieldData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfValues() != 1)
   {
@@ -72,10 +80,8 @@ bool fetchNumber(vtkPolyData* body, const std::string& name, double low, double 
   value = array->GetTuple1(0);
   if (!(value >= low && value <= high))
   {
-    std::ostringstream text;
-    text << "field array '" << name << "' must lie between " << low << " and " << high
-         << ", but is " << value;
-    error = text.str();
+    error =
+      joined("field array '", name, "' must lie between ", low, " and ", high, ", but is ", value);
     return false;
   }
   return true;
@@ -85,29 +91,24 @@ bool fetchNumber(vtkPolyData* body, const std::string& name, double low, double 
 bool fetchCurves(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
-  vtkPointData* points = body->GetPointData();
-  const vtkIdType count = body->GetNumberOfPoints();
-  vtkAbstractArray* basis = body->GetFieldData()->GetAbstractArray((name + "Basis").c_str());
+  const auto floats = [&](ResponseArray which)
+  { return fetch<vtkFloatArray>(body, name, which, arrays, error); };
+  const std::string basisName = arrayName(name, ResponseArray::Basis);
+  vtkAbstractArray* basis = body->GetFieldData()->GetAbstractArray(basisName.c_str());
   if (!basis)
   {
-    arrays.force =
-      fetch<vtkFloatArray>(points, name + "Force", "float", arrays.samples, count, error);
-    arrays.stiffness = arrays.force
-      ? fetch<vtkFloatArray>(points, name + "Stiffness", "float", arrays.samples, count, error)
-      : nullptr;
+    arrays.force = floats(ResponseArray::Force);
+    arrays.stiffness = arrays.force ? floats(ResponseArray::Stiffness) : nullptr;
     return arrays.stiffness != nullptr;
   }
   arrays.laws = static_cast<int>(basis->GetNumberOfTuples());
   if (arrays.laws < 1)
   {
-    error = "field array '" + name + "Basis' holds no law";
+    error = "field array '" + basisName + "' holds no law";
     return false;
   }
-  arrays.basis = fetch<vtkFloatArray>(body->GetFieldData(), name + "Basis", "float",
-    2 * arrays.samples, basis->GetNumberOfTuples(), error);
-  arrays.coefficient = arrays.basis
-    ? fetch<vtkFloatArray>(points, name + "Coefficient", "float", arrays.laws, count, error)
-    : nullptr;
+  arrays.basis = floats(ResponseArray::Basis);
+  arrays.coefficient = arrays.basis ? floats(ResponseArray::Coefficient) : nullptr;
   return arrays.coefficient != nullptr;
 }
 
@@ -146,10 +147,11 @@ struct FindLostCorner
 };
 
 template <class Array, class Value>
-void addFieldValue(vtkPolyData* body, const std::string& name, const Value& value)
+void addFieldValue(
+  vtkPolyData* body, const std::string& name, ResponseArray which, const Value& value)
 {
   vtkNew<Array> array;
-  array->SetName(name.c_str());
+  array->SetName(arrayName(name, which).c_str());
   array->InsertNextValue(value);
   body->GetFieldData()->AddArray(array);
 }
@@ -169,6 +171,11 @@ struct CopyPolys
   }
 };
 } // namespace
+
+vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body)
+{
+  return array.place == ContractArray::Place::Points ? body->GetPointData() : body->GetFieldData();
+}
 
 std::string checkTriangles(vtkPolyData* body)
 {
@@ -235,25 +242,23 @@ bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
   double samples = 0.0;
-  if (!fetchNumber(body, name + "Samples", 2, ResponseSampling::LargestCount, samples, error) ||
-    !fetchNumber(body, name + "Exponent", 0.1, 10.0, arrays.exponent, error))
+  if (!fetchNumber(
+        body, name, ResponseArray::Samples, 2, ResponseSampling::LargestCount, samples, error) ||
+    !fetchNumber(body, name, ResponseArray::Exponent, 0.1, 10.0, arrays.exponent, error))
   {
     return false;
   }
   arrays.samples = static_cast<int>(samples);
   arrays.points = static_cast<std::size_t>(body->GetNumberOfPoints());
-  const vtkIdType count = body->GetNumberOfPoints();
-  vtkPointData* points = body->GetPointData();
   if (!fetchCurves(body, name, arrays, error))
   {
     return false;
   }
-  arrays.normal = fetch<vtkFloatArray>(points, name + "Normal", "float", 3, count, error);
-  arrays.range = arrays.normal
-    ? fetch<vtkFloatArray>(points, name + "Range", "float", 1, count, error)
-    : nullptr;
+  arrays.normal = fetch<vtkFloatArray>(body, name, ResponseArray::Normal, arrays, error);
+  arrays.range =
+    arrays.normal ? fetch<vtkFloatArray>(body, name, ResponseArray::Range, arrays, error) : nullptr;
   arrays.status = arrays.range
-    ? fetch<vtkUnsignedCharArray>(points, name + "Status", "unsigned char", 1, count, error)
+    ? fetch<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
     : nullptr;
   return arrays.status != nullptr;
 }
@@ -261,12 +266,9 @@ bool viewResponse(
 bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,
   const unsigned char*& limit, std::string& error)
 {
-  vtkPointData* points = body->GetPointData();
-  const vtkIdType count = body->GetNumberOfPoints();
-  validity = fetch<vtkFloatArray>(points, name + "Validity", "float", 1, count, error);
-  limit = validity
-    ? fetch<vtkUnsignedCharArray>(points, name + "Limit", "unsigned char", 1, count, error)
-    : nullptr;
+  validity = fetch<vtkFloatArray>(body, name, ResponseArray::Validity, {}, error);
+  limit =
+    validity ? fetch<vtkUnsignedCharArray>(body, name, ResponseArray::Limit, {}, error) : nullptr;
   return limit != nullptr;
 }
 
@@ -346,17 +348,35 @@ std::string describeDefects(const ContactBody& body)
 void describeResponse(
   vtkPolyData* body, const std::string& name, const ResponseDescription& description)
 {
-  addFieldValue<vtkDoubleArray>(body, name + "Exponent", description.exponent);
-  addFieldValue<vtkIntArray>(body, name + "Samples", description.samples);
-  addFieldValue<vtkStringArray>(body, name + "Tool", description.tool);
-  addFieldValue<vtkStringArray>(body, name + "Model", description.model);
-  addFieldValue<vtkStringArray>(body, name + "Units", std::string("mm,N,MPa"));
+  addFieldValue<vtkDoubleArray>(body, name, ResponseArray::Exponent, description.exponent);
+  addFieldValue<vtkIntArray>(body, name, ResponseArray::Samples, description.samples);
+  addFieldValue<vtkStringArray>(body, name, ResponseArray::Tool, description.tool);
+  describeModel(body, name, { description.model, description.modelParts });
+  addFieldValue<vtkStringArray>(body, name, ResponseArray::Units, std::string("mm,N,MPa"));
 }
 
-std::string responseText(vtkPolyData* body, const std::string& name, const char* suffix)
+void describeModel(vtkPolyData* body, const std::string& name, const ResponseModel& model)
 {
-  auto* array =
-    vtkStringArray::SafeDownCast(body->GetFieldData()->GetAbstractArray((name + suffix).c_str()));
+  addFieldValue<vtkStringArray>(body, name, ResponseArray::Model, model.text);
+  addFieldValue<vtkUnsignedCharArray>(
+    body, name, ResponseArray::ModelParts, static_cast<unsigned char>(model.parts));
+}
+
+std::string responseText(vtkPolyData* body, const std::string& name, ResponseArray which)
+{
+  auto* array = vtkStringArray::SafeDownCast(
+    body->GetFieldData()->GetAbstractArray(arrayName(name, which).c_str()));
   return array && array->GetNumberOfValues() > 0 ? array->GetValue(0) : std::string();
+}
+
+ResponseModel responseModel(vtkPolyData* body, const std::string& name)
+{
+  ResponseModel model;
+  model.text = responseText(body, name, ResponseArray::Model);
+  vtkDataArray* parts =
+    body->GetFieldData()->GetArray(arrayName(name, ResponseArray::ModelParts).c_str());
+  model.parts = parts && parts->GetNumberOfValues() == 1 ? static_cast<int>(parts->GetTuple1(0))
+                                                         : modelPartsOfText(model.text);
+  return model;
 }
 } // namespace palpate

@@ -2,8 +2,9 @@
 /** @file
  * From vtkPolyData to the spans the contact kernel takes.
  *
- * The only place that knows how the response arrays of the data contract are named and stored.
- * Errors come back as text that names the array, what was expected and what was found.
+ * The only place that fetches the response arrays of the data contract
+ * (Contact/ResponseContract.h). Errors come back as text that names the array, what was expected
+ * and what was found.
  */
 #ifndef BodyConversion_h
 #define BodyConversion_h
@@ -18,6 +19,7 @@
 #include <string>  // For std::string
 #include <vector>  // For std::vector
 
+class vtkFieldData;
 class vtkPolyData;
 
 namespace palpate
@@ -33,6 +35,9 @@ PALPATERESPONSE_EXPORT std::vector<double> copyPoints(vtkPolyData* body);
 
 /// The surface of a body that has passed checkTriangles.
 PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
+
+/// The point or field data of a body, as the contract has it for an array.
+PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body);
 
 /// The response arrays with prefix `name`, both forms, where they lie; false and an error if they
 /// break the contract.
@@ -69,15 +74,32 @@ struct ResponseDescription
   int samples;
   std::string tool;
   std::string model;
+  int modelParts; ///< sum of ModelPart
 };
 
-/// Attaches the field arrays Exponent, Samples, Tool, Model and Units.
+/// Attaches the field arrays Exponent, Samples, Tool, Model, ModelParts and Units.
 PALPATERESPONSE_EXPORT void describeResponse(
   vtkPolyData* body, const std::string& name, const ResponseDescription& description);
 
-/// The string in field array `name` + `suffix` (Tool, Model, Units); "" if there is none.
+/// What a response is of: in words, and as a sum of ModelPart.
+struct ResponseModel
+{
+  std::string text;
+  int parts = 0;
+
+  bool isInSeries() const { return (this->parts & GlobalCompliancePart) != 0; }
+};
+
+/// Attaches the field arrays Model and ModelParts.
+PALPATERESPONSE_EXPORT void describeModel(
+  vtkPolyData* body, const std::string& name, const ResponseModel& model);
+
+/// The model of a response; its parts from the text where a file of before has no other.
+PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);
+
+/// The string in a field array (Tool, Model, Units); "" if there is none.
 PALPATERESPONSE_EXPORT std::string responseText(
-  vtkPolyData* body, const std::string& name, const char* suffix);
+  vtkPolyData* body, const std::string& name, ResponseArray which);
 } // namespace palpate
 
 #endif

@@ -98,16 +98,12 @@ double smoothStep(double begin, double end, double x)
 }
 } // namespace
 
-bool isInSeries(vtkPolyData* body, const std::string& name)
-{
-  return responseText(body, name, "Model").find("compliance") != std::string::npos;
-}
-
 std::vector<vtkDataArray*> globalModeArrays(vtkPolyData* body, const std::string& name)
 {
   std::vector<vtkDataArray*> modes;
   vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
-  const bool bends = signs && signs->GetNumberOfComponents() == 1 && isInSeries(body, name);
+  const bool bends =
+    signs && signs->GetNumberOfComponents() == 1 && responseModel(body, name).isInSeries();
   const vtkIdType count = bends ? signs->GetNumberOfTuples() : 0;
   for (vtkIdType k = 0; k < count; ++k)
   {

@@ -109,9 +109,6 @@ PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
 /// Which of the point arrays that bend a body or tell the layer under it has not a value per point,
 /// naming it, or "". Where this is not asked, such an array is taken for none.
 PALPATERESPONSE_EXPORT std::string checkFieldArrays(vtkPolyData* body, const std::string& name);
-
-/// Whether the response `name` has a global compliance.
-PALPATERESPONSE_EXPORT bool isInSeries(vtkPolyData* body, const std::string& name);
 } // namespace palpate
 
 #endif

@@ -54,16 +54,16 @@ void addCurves(const FlatBody& flat, const std::string& name, vtkPolyData* body)
   const auto count = static_cast<vtkIdType>(flat.points);
   if (response.basis)
   {
-    body->GetFieldData()->AddArray(
-      copied<vtkFloatArray>(name + "Basis", response.basis, 2 * response.samples, response.laws));
-    body->GetPointData()->AddArray(
-      copied<vtkFloatArray>(name + "Coefficient", response.coefficient, response.laws, count));
+    body->GetFieldData()->AddArray(copied<vtkFloatArray>(
+      arrayName(name, ResponseArray::Basis), response.basis, 2 * response.samples, response.laws));
+    body->GetPointData()->AddArray(copied<vtkFloatArray>(
+      arrayName(name, ResponseArray::Coefficient), response.coefficient, response.laws, count));
     return;
   }
-  body->GetPointData()->AddArray(
-    copied<vtkFloatArray>(name + "Force", response.force, response.samples, count));
-  body->GetPointData()->AddArray(
-    copied<vtkFloatArray>(name + "Stiffness", response.stiffness, response.samples, count));
+  body->GetPointData()->AddArray(copied<vtkFloatArray>(
+    arrayName(name, ResponseArray::Force), response.force, response.samples, count));
+  body->GetPointData()->AddArray(copied<vtkFloatArray>(
+    arrayName(name, ResponseArray::Stiffness), response.stiffness, response.samples, count));
 }
 } // namespace
 
@@ -82,8 +82,10 @@ std::string writeFlatBody(vtkPolyData* body, const std::string& name, const std:
   flat.triangles = corners.size() / 3;
   flat.coordinates = coordinates.data();
   flat.corners = corners.data();
-  flat.tool = responseText(body, name, "Tool");
-  flat.model = responseText(body, name, "Model");
+  flat.tool = responseText(body, name, ResponseArray::Tool);
+  const ResponseModel model = responseModel(body, name);
+  flat.model = model.text;
+  flat.modelParts = model.parts;
   return FlatBodyFile::write(path, flat);
 }
 
@@ -128,12 +130,18 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
   vtkPointData* data = body->GetPointData();
   const ResponseArrays& response = flat.response;
   addCurves(flat, name, body);
-  data->AddArray(copied<vtkFloatArray>(name + "Normal", response.normal, 3, count));
-  data->AddArray(copied<vtkFloatArray>(name + "Range", response.range, 1, count));
-  data->AddArray(copied<vtkUnsignedCharArray>(name + "Status", response.status, 1, count));
-  data->AddArray(copied<vtkFloatArray>(name + "Validity", flat.validity, 1, count));
-  data->AddArray(copied<vtkUnsignedCharArray>(name + "Limit", flat.limit, 1, count));
-  describeResponse(body, name, { response.exponent, response.samples, flat.tool, flat.model });
+  data->AddArray(
+    copied<vtkFloatArray>(arrayName(name, ResponseArray::Normal), response.normal, 3, count));
+  data->AddArray(
+    copied<vtkFloatArray>(arrayName(name, ResponseArray::Range), response.range, 1, count));
+  data->AddArray(copied<vtkUnsignedCharArray>(
+    arrayName(name, ResponseArray::Status), response.status, 1, count));
+  data->AddArray(
+    copied<vtkFloatArray>(arrayName(name, ResponseArray::Validity), flat.validity, 1, count));
+  data->AddArray(
+    copied<vtkUnsignedCharArray>(arrayName(name, ResponseArray::Limit), flat.limit, 1, count));
+  describeResponse(
+    body, name, { response.exponent, response.samples, flat.tool, flat.model, flat.modelParts });
   return body;
 }
 } // namespace palpate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/ReplacedCurves.h"
 
+#include "Response/BodyConversion.h"
+
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -22,29 +24,31 @@ void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to)
 
 void removeCurves(vtkPolyData* body, const std::string& name)
 {
-  for (const char* array : { "Force", "Stiffness", "Coefficient" })
+  for (const ContractArray& array : ResponseContract)
   {
-    body->GetPointData()->RemoveArray((name + array).c_str());
+    if (array.use == ContractArray::Use::PerPoint || array.use == ContractArray::Use::Compact)
+    {
+      placeOf(array, body)->RemoveArray(array.named(name).c_str());
+    }
   }
-  body->GetFieldData()->RemoveArray((name + "Basis").c_str());
 }
 
-void addFloats(
-  vtkFieldData* data, const std::string& name, int components, const std::vector<float>& values)
+void addFloats(vtkPolyData* body, const std::string& name, ResponseArray which, int components,
+  const std::vector<float>& values)
 {
   vtkNew<vtkFloatArray> array;
-  array->SetName(name.c_str());
+  array->SetName(arrayName(name, which).c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
-  data->AddArray(array);
+  placeOf(contractOf(which), body)->AddArray(array);
 }
 
-void addText(vtkFieldData* data, const std::string& name, const std::string& text)
+void addText(vtkPolyData* body, const std::string& name, const std::string& text)
 {
   vtkNew<vtkStringArray> array;
   array->SetName(name.c_str());
   array->InsertNextValue(text);
-  data->AddArray(array);
+  body->GetFieldData()->AddArray(array);
 }
 } // namespace palpate

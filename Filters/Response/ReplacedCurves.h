@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-class vtkFieldData;
 class vtkPolyData;
 
 /// What filters share that put another form of a response in place of the one there was.
@@ -15,10 +14,11 @@ namespace palpate
 void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to);
 /// Takes the curves of a response away, in whichever form; the rest of it stays.
 void removeCurves(vtkPolyData* body, const std::string& name);
-/// To the points' data or the fields, in place of an array of the same name.
-void addFloats(
-  vtkFieldData* data, const std::string& name, int components, const std::vector<float>& values);
-void addText(vtkFieldData* data, const std::string& name, const std::string& text);
+/// To where the contract places it, in place of an array of the same name.
+void addFloats(vtkPolyData* body, const std::string& name, ResponseArray which, int components,
+  const std::vector<float>& values);
+/// A text as a field array, in place of one of the same name.
+void addText(vtkPolyData* body, const std::string& name, const std::string& text);
 } // namespace palpate
 
 #endif

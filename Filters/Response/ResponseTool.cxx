@@ -14,7 +14,7 @@ vtkSmartPointer<vtkContactTool> findTool(
   {
     return set;
   }
-  const std::string specification = responseText(body, name, "Tool");
+  const std::string specification = responseText(body, name, ResponseArray::Tool);
   ToolSpecification known;
   std::string reason;
   if (specification.empty() || !parseTool(specification, known, reason))

@@ -223,13 +223,12 @@ palpate::ContactField vtkContactDeflection::MakeField(
   {
     vtkWarningMacro(<< field.fault() << ".");
   }
-  const std::string model = palpate::responseText(body, this->ResponseName, "Model");
-  if (palpate::isInSeries(body, this->ResponseName) && field.modeWeights().empty() &&
-    model != this->WarnedOfModel)
+  const palpate::ResponseModel model = palpate::responseModel(body, this->ResponseName);
+  if (model.isInSeries() && field.modeWeights().empty() && model.text != this->WarnedOfModel)
   {
     vtkWarningMacro(<< "The response has a global compliance, but the body no GlobalMode0...; the "
                        "field shows the local part alone, at the whole deflection.");
-    this->WarnedOfModel = model; // a live display asks for the field many times a second
+    this->WarnedOfModel = model.text; // a live display asks for the field many times a second
   }
   return field;
 }

@@ -133,7 +133,8 @@ std::string vtkContactRegime::FindDepths(vtkPolyData* body, std::vector<double>&
   {
     return {};
   }
-  vtkDataArray* range = body->GetPointData()->GetArray((this->ResponseName + "Range").c_str());
+  vtkDataArray* range = body->GetPointData()->GetArray(
+    palpate::arrayName(this->ResponseName, palpate::ResponseArray::Range).c_str());
   if (!range || range->GetNumberOfComponents() != 1 ||
     range->GetNumberOfTuples() != body->GetNumberOfPoints())
   {
@@ -160,7 +161,8 @@ std::string vtkContactRegime::Compare(vtkPolyData* body, const palpate::Axisymme
 {
   palpate::ResponseArrays stored;
   std::string noResponse;
-  if (palpate::responseText(body, this->ResponseName, "Tool") != tool.specification() ||
+  if (palpate::responseText(body, this->ResponseName, palpate::ResponseArray::Tool) !=
+      tool.specification() ||
     !palpate::viewResponse(body, this->ResponseName, stored, noResponse))
   {
     return {};

@@ -23,6 +23,7 @@ namespace
 {
 using palpate::ReducedForm;
 using palpate::ReducedResponse;
+using palpate::ResponseArray;
 
 static_assert(static_cast<int>(ReducedForm::OneLaw) == vtkReducedContactResponse::OneLaw &&
   static_cast<int>(ReducedForm::Unchanged) == vtkReducedContactResponse::Unchanged);
@@ -35,20 +36,18 @@ void replaceCurves(vtkPolyData* body, const std::string& name, const ReducedResp
     return;
   }
   palpate::removeCurves(body, name);
-  vtkPointData* points = body->GetPointData();
-  vtkFieldData* fields = body->GetFieldData();
   if (reduced.laws > 0)
   {
-    palpate::addFloats(fields, name + "Basis", 2 * reduced.samples, reduced.basis);
-    palpate::addFloats(points, name + "Coefficient", reduced.laws, reduced.coefficient);
+    palpate::addFloats(body, name, ResponseArray::Basis, 2 * reduced.samples, reduced.basis);
+    palpate::addFloats(body, name, ResponseArray::Coefficient, reduced.laws, reduced.coefficient);
     return;
   }
-  palpate::addFloats(points, name + "Force", reduced.samples, reduced.force);
-  palpate::addFloats(points, name + "Stiffness", reduced.samples, reduced.stiffness);
+  palpate::addFloats(body, name, ResponseArray::Force, reduced.samples, reduced.force);
+  palpate::addFloats(body, name, ResponseArray::Stiffness, reduced.samples, reduced.stiffness);
   vtkNew<vtkIntArray> samples;
-  samples->SetName((name + "Samples").c_str());
+  samples->SetName(palpate::arrayName(name, ResponseArray::Samples).c_str());
   samples->InsertNextValue(reduced.samples);
-  fields->AddArray(samples);
+  body->GetFieldData()->AddArray(samples);
 }
 
 std::string describe(const ReducedResponse& reduced, int before)
@@ -129,7 +128,7 @@ int vtkReducedContactResponse::RequestData(
 
   palpate::copyWithOwnFields(body, output);
   replaceCurves(output, this->ResponseName, reduced);
-  palpate::addText(output->GetFieldData(), this->ResponseName + "Reduction", this->Report);
+  palpate::addText(output, this->ResponseName + "Reduction", this->Report);
   vtkNew<vtkDoubleArray> largest;
   largest->SetName((this->ResponseName + "ReductionError").c_str());
   largest->InsertNextValue(this->LargestError);

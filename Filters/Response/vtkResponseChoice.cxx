@@ -24,6 +24,7 @@
 
 namespace
 {
+using palpate::ResponseArray;
 using palpate::ResponseNeed;
 
 static_assert(static_cast<int>(ResponseNeed::PointForce) == vtkResponseChoice::PointForce &&
@@ -34,19 +35,18 @@ void replaceCurves(
   vtkPolyData* body, const std::string& name, const palpate::ResponseChoice& choice)
 {
   palpate::removeCurves(body, name);
-  vtkPointData* points = body->GetPointData();
-  vtkFieldData* fields = body->GetFieldData();
   const int columns = static_cast<int>(choice.basis.size()) / choice.laws;
-  palpate::addFloats(fields, name + "Basis", columns, choice.basis);
-  palpate::addFloats(points, name + "Coefficient", choice.laws, choice.coefficient);
+  palpate::addFloats(body, name, ResponseArray::Basis, columns, choice.basis);
+  palpate::addFloats(body, name, ResponseArray::Coefficient, choice.laws, choice.coefficient);
   if (choice.need == ResponseNeed::PointForce)
   {
     vtkNew<vtkDoubleArray> exponent;
-    exponent->SetName((name + "Exponent").c_str());
+    exponent->SetName(palpate::arrayName(name, ResponseArray::Exponent).c_str());
     exponent->InsertNextValue(choice.exponent);
-    fields->AddArray(exponent);
-    palpate::addText(fields, name + "Model",
-      palpate::responseText(body, name, "Model") + "; as a spring per point");
+    body->GetFieldData()->AddArray(exponent);
+    const palpate::ResponseModel model = palpate::responseModel(body, name);
+    palpate::describeModel(
+      body, name, { model.text + "; as a spring per point", model.parts | palpate::SpringPart });
   }
 }
 
@@ -68,7 +68,7 @@ std::string readEvidence(
     evidence.verdict = verdict->GetPointer(0);
   }
   std::string error;
-  if (points->HasArray((name + "Validity").c_str()))
+  if (points->HasArray(palpate::arrayName(name, ResponseArray::Validity).c_str()))
   {
     palpate::viewValidity(body, name, evidence.validity, evidence.limit, error);
   }
@@ -171,7 +171,7 @@ int vtkResponseChoice::RequestData(
   {
     replaceCurves(output, this->ResponseName, choice);
   }
-  palpate::addText(output->GetFieldData(), this->ResponseName + "Choice", this->Reason);
+  palpate::addText(output, this->ResponseName + "Choice", this->Reason);
   return 1;
 }
 

@@ -169,7 +169,8 @@ int vtkResponseCurves::RequestData(
       vtkErrorMacro(<< "Wrong body: " << error << ".");
       return 0;
     }
-    vtkDataArray* ranges = body->GetPointData()->GetArray((name + "Range").c_str());
+    vtkDataArray* ranges = body->GetPointData()->GetArray(
+      palpate::arrayName(name, palpate::ResponseArray::Range).c_str());
     responses.push_back({ name, std::move(field), ranges });
   }
 

@@ -194,7 +194,7 @@ int vtkToolContactResponse::RequestData(
   storage.attach(output);
   palpate::describeResponse(output, this->ResponseName,
     { material.bestExponent(tool, law), this->NumberOfSamples, tool.specification(),
-      material.describe() });
+      material.describe(), material.modelParts() });
   palpate::attachLayers(material, this->ResponseName, output);
   return 1;
 }

@@ -36,7 +36,8 @@ double usualForce(const ResponseSet& responses, double depth)
   {
     vtkPointData* data = responses.body->GetPointData();
     vtkDataArray* force = data->GetArray((name + "Force").c_str());
-    vtkDataArray* range = data->GetArray((name + "Range").c_str());
+    vtkDataArray* range =
+      data->GetArray(palpate::arrayName(name, palpate::ResponseArray::Range).c_str());
     if (!force || !range || force->GetNumberOfTuples() == 0)
     {
       continue;

@@ -137,7 +137,7 @@ std::string attachMeasured(const ViewerOptions& options, TouchScene& scene)
   scene.readings->ShallowCopy(measured->GetOutputDataObject(2));
   scene.stored = true;
   scene.materialSource = "E is not used: the body was identified at its sites";
-  scene.modelReason = responseText(scene.body, "Response", "Model");
+  scene.modelReason = responseText(scene.body, "Response", ResponseArray::Model);
 
   const vtkIdType first = firstIdentified(sites);
   scene.readSite = text(sites, first, "Site");

@@ -4,7 +4,7 @@
 #include "LayerModel.h"
 #include "ModelChoice.h"
 #include "Pictures.h"
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "Haptics/Servo/ServoStep.h"

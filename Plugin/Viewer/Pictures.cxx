@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures.h"
 
+#include "Contact/ResponseContract.h"
 #include "LayerModel.h"
 #include "MeasuredBody.h"
 #include "PictureSize.h"
@@ -208,9 +209,10 @@ std::string drawCurves(const std::string& file, const TouchScene& scene,
     {
       return error;
     }
-    const double valid = responses.body->GetPointData()
-                           ->GetArray((responses.names[i] + "Validity").c_str())
-                           ->GetTuple1(point);
+    const double valid =
+      responses.body->GetPointData()
+        ->GetArray(palpate::arrayName(responses.names[i], palpate::ResponseArray::Validity).c_str())
+        ->GetTuple1(point);
     chart->AddCurve(
       curves->GetOutput(), responses.tools[i]->GetDescription() + measuredLabel(scene), valid);
   }

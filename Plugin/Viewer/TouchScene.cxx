@@ -97,7 +97,7 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
                          "and --poisson";
   scene.modelReason = "no layer thickness and no compliance is known for this body";
   scene.tools = { "sphere:6.35" };
-  const std::string tool = responseText(scene.body, "Response", "Tool");
+  const std::string tool = responseText(scene.body, "Response", ResponseArray::Tool);
   if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio &&
     !options.layer)
   {
@@ -114,7 +114,8 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
     scene.stored = true;
     scene.tools = { tool };
     scene.materialSource = "not used: the file brings its response";
-    scene.modelReason = "as stored in the file: " + responseText(scene.body, "Response", "Model");
+    scene.modelReason =
+      "as stored in the file: " + responseText(scene.body, "Response", ResponseArray::Model);
   }
   scene.body->GetCenter(scene.center.data());
   scene.directions = { { 0.0, 0.0, 1.0 } };

@@ -18,7 +18,8 @@ A room may include any room to its left along the arrows, never one to its right
 Mechanics, Contact, Laws and Haptics include no header of VTK, ParaView or Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
-An include is traced to its room by the file name, so no two rooms may have a header of the same name.
+An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
+of Filters or Interactors that is no vtkObject is included by its room and folder: "Contact/PackedMesh.h".
 A folder with C++ code that is not a room is an error, and so is a name at the top level that does not
 belong there.
 
@@ -90,25 +91,31 @@ def includes(text):
 
 
 def map_headers(files):
-    """File name of a header -> its room, and the complaints about names used twice."""
+    """File name of a header -> its path, and the complaints about names used in two rooms."""
     owner, complaints = {}, []
     for path in files:
         if path.suffix not in HEADERS:
             continue
-        room = room_of(path)
-        first = owner.setdefault(path.name, room)
-        if first != room:
+        first = room_of(owner.setdefault(path.name, path))
+        if first != room_of(path):
             complaints.append(f"{path}: {first} has a header of that name too")
     return owner, complaints
+
+
+def told_by_room(path):
+    """How a header is included: by room and folder, or by its name as VTK's, C's and a plugin's own are."""
+    return "/".join(path.parts[1:]) if path.parts[0] != "Plugin" and path.name[0].isupper() else path.name
 
 
 def judge(room, included, owner):
     """What is wrong with this room including this header; None if nothing."""
     name = included.rsplit("/", 1)[-1]
-    target = owner.get(name)
-    if target and target != room and target not in MAY_INCLUDE[room]:
-        return f"{room} may not include {target}"
-    if target:
+    header = owner.get(name)
+    if header and room_of(header) != room and room_of(header) not in MAY_INCLUDE[room]:
+        return f"{room} may not include {room_of(header)}"
+    if header and name[0].isupper() and included != told_by_room(header):
+        return f'it is "{told_by_room(header)}"'
+    if header:
         return None
     if PARAVIEW.match(name) and room != "Plugin/ParaView":
         return "only Plugin/ParaView may include ParaView"
@@ -166,39 +173,41 @@ def check(root):
 SOUND_TREE = {
     "CMakeLists.txt": "",
     "Filters/Mechanics/Hertz.h": "#include <Eigen/Core>\n#include <cmath>\n",
-    "Filters/Contact/Tick.h": '#include "Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
-    "Filters/Laws/Law.h": '#include "Hertz.h"\n#include "Tick.h"\n',
-    "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Tick.h"\n',
-    "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Hertz.h"\n',
-    "Interactors/Haptics/Device.h": '#include "Tick.h"\n#include "Hertz.h"\n#include <thread>\n',
-    "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Device.h"\n',
-    "Plugin/Viewer/main.cxx": '#include "vtkSession.h"\n#include "Hertz.h"\n',
+    "Filters/Contact/Tick.h": '#include "Mechanics/Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
+    "Filters/Laws/Law.h": '#include "Mechanics/Hertz.h"\n#include "Contact/Tick.h"\n',
+    "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Contact/Tick.h"\n',
+    "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Mechanics/Hertz.h"\n',
+    "Interactors/Haptics/Device.h": '#include "Contact/Tick.h"\n#include "Mechanics/Hertz.h"\n#include <thread>\n',
+    "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Haptics/Device.h"\n',
+    "Plugin/Viewer/main.cxx": '#include "vtkSession.h"\n#include "Mechanics/Hertz.h"\n',
     "Plugin/ParaView/pqPanel.h": '#include "pqView.h"\n#include <vtkSMProxy.h>\n',
 }
 
 # One file each that breaks the sound tree; the complaint must name it.
 BREAKS = [
-    ("Filters/Mechanics/Wrong.h", '#include "Tick.h"\n'),
+    ("Filters/Mechanics/Wrong.h", '#include "Contact/Tick.h"\n'),
     ("Filters/Mechanics/Wrong.cxx", "  #  include <vtkMath.h>\n"),
     ("Filters/Contact/Wrong.cxx", '#include "../Response/vtkTool.h"\n'),
-    ("Filters/Contact/Wrong.h", '#include "Device.h"\n'),
+    ("Filters/Contact/Wrong.h", '#include "Haptics/Device.h"\n'),
+    ("Filters/Contact/Wrong.h", '#include "Hertz.h"\n'),
+    ("Filters/Contact/Wrong.cxx", '#include "Contact/Hertz.h"\n'),
     ("Filters/Contact/Wrong.h", "#include <vtk/vtkMath.h>\n"),
     ("Filters/Contact/Wrong.h", "#include <QString>\n"),
-    ("Filters/Contact/Wrong.h", '#include "Law.h"\n'),
+    ("Filters/Contact/Wrong.h", '#include "Laws/Law.h"\n'),
     ("Filters/Laws/Wrong.h", '#include "vtkTool.h"\n'),
     ("Filters/Laws/Wrong.h", "#include <vtkMath.h>\n"),
-    ("Interactors/Haptics/Wrong.h", '#include "Law.h"\n'),
+    ("Interactors/Haptics/Wrong.h", '#include "Laws/Law.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
     ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),
     ("Interactors/Haptics/Wrong.h", '#include "vtkSession.h"\n'),
-    ("Filters/Response/Wrong.h", '#include "Device.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "Haptics/Device.h"\n'),
     ("Filters/Response/Wrong.h", '#include "vtkSession.h"\n'),
     ("Filters/Response/Wrong.h", "#include <vtkSMProxy.h>\n"),
     ("Interactors/Interaction/Wrong.h", '#include "pqPanel.h"\n'),
     ("Interactors/Interaction/Wrong.h", '#include "pqActiveObjects.h"\n'),
     ("Plugin/Viewer/Wrong.cxx", '#include "pqPanel.h"\n'),
     ("Plugin/Viewer/Wrong.cxx", '#include "vtkPVConfig.h"\n'),
-    ("Filters/Contact/Hertz.h", ""),
+    ("Plugin/ParaView/Hertz.h", ""),
     ("Filters/Stranger/Wrong.h", ""),
     ("Filters/Wrong.h", ""),
     ("Source", ""),

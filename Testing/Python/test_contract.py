@@ -8,11 +8,14 @@ Both sides read the same float32 arrays and calculate in double, in another orde
 neighbouring samples, weighted by up to (n/i)^(2m) near the tip.
 """
 import math
+import os
+import re
 import unittest
 
 import numpy as np
 
-from palpate import contract, vtkResponseCurves, vtkToolContactProbe
+from palpate import (contract, vtkContactTool, vtkReducedContactResponse, vtkResponseCurves, vtkToolContactProbe,
+                     vtkToolContactResponse)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -83,6 +86,55 @@ def area_coordinates(body, cell, point):
     normal = np.cross(b - a, c - a)
     areas = [np.cross(c - b, point - b), np.cross(a - c, point - c), np.cross(b - a, point - a)]
     return ids, np.array([area @ normal for area in areas]) / (normal @ normal)
+
+
+class AgainstTheTable(unittest.TestCase):
+    """Filters/Contact/ResponseContract.h, the table that all of the C++ asks, against what filters attach
+    and what palpate.contract reads."""
+
+    ROW = re.compile(r"PALPATE_ARRAY\((\w+), *(\w+), *(\w+), *(\w+), *(\w+), ")
+    TYPES = {"Float": "float", "Double": "double", "Int": "int", "UnsignedChar": "unsigned char",
+             "Text": "string"}
+
+    def setUp(self):
+        header = os.path.join(os.path.dirname(__file__), "../../Filters/Contact/ResponseContract.h")
+        with open(header, encoding="utf-8") as file:
+            self.rows = self.ROW.findall(file.read())
+        self.assertEqual(len(self.rows), 15)
+
+    def test_filters_attach_what_the_table_says(self):
+        ball = vtkSphereSource()
+        ball.SetRadius(RADIUS)
+        response = vtkToolContactResponse()
+        response.SetTool(vtkContactTool())
+        response.SetNumberOfSamples(7)
+        response.SetInputConnection(ball.GetOutputPort())
+        compact = vtkReducedContactResponse()
+        compact.SetInputConnection(response.GetOutputPort())
+        compact.Update()
+        for filter, form, absent in ((response, "PerPoint", "Compact"), (compact, "Compact", "PerPoint")):
+            body = filter.GetOutput()
+            laws = body.GetFieldData().GetArray("ResponseBasis")
+            width = {"One": 1, "Three": 3, "Samples": 7, "TwoSamples": 14,
+                     "Laws": laws.GetNumberOfTuples() if laws else 0}
+            for name, place, kind, components, use in self.rows:
+                data = body.GetPointData() if place == "Points" else body.GetFieldData()
+                array = data.GetAbstractArray("Response" + name)
+                with self.subTest(array=name, form=form):
+                    if use == absent:
+                        self.assertIsNone(array)
+                        continue
+                    self.assertIsNotNone(array)
+                    self.assertEqual(array.GetDataTypeAsString(), self.TYPES[kind])
+                    self.assertEqual(array.GetNumberOfComponents(), width[components])
+                    if place == "Points":
+                        self.assertEqual(array.GetNumberOfTuples(), body.GetNumberOfPoints())
+
+    def test_the_numpy_contract_reads_what_evaluation_needs(self):
+        with open(contract.__file__, encoding="utf-8") as file:
+            read = set(re.findall(r'fetch\(\w+, "(\w+)"\)', file.read()))
+        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact")}
+        self.assertEqual(read, needed)
 
 
 class AgainstTheKernel(unittest.TestCase):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Reduction/ChoiceReason.h"
 
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 
 #include <cmath>
 #include <sstream>

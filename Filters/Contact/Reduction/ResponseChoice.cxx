@@ -4,7 +4,7 @@
 #include "Mechanics/ContactRegime.h"
 #include "Contact/Reduction/LawChoice.h"
 #include "Contact/Reduction/ReducibleCurves.h"
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 #include "Contact/Reduction/SpringChoice.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Curves/ResponseStorage.h"
 
+#include "Contact/ResponseContract.h"
+
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -20,13 +22,13 @@ void allocate(vtkDataArray* array, const std::string& name, int components, vtkI
 
 ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int samples)
 {
-  allocate(this->Force.Get(), name + "Force", samples, points);
-  allocate(this->Stiffness.Get(), name + "Stiffness", samples, points);
-  allocate(this->Normal.Get(), name + "Normal", 3, points);
-  allocate(this->Range.Get(), name + "Range", 1, points);
-  allocate(this->Validity.Get(), name + "Validity", 1, points);
-  allocate(this->Status.Get(), name + "Status", 1, points);
-  allocate(this->LimitReached.Get(), name + "Limit", 1, points);
+  allocate(this->Force.Get(), arrayName(name, ResponseArray::Force), samples, points);
+  allocate(this->Stiffness.Get(), arrayName(name, ResponseArray::Stiffness), samples, points);
+  allocate(this->Normal.Get(), arrayName(name, ResponseArray::Normal), 3, points);
+  allocate(this->Range.Get(), arrayName(name, ResponseArray::Range), 1, points);
+  allocate(this->Validity.Get(), arrayName(name, ResponseArray::Validity), 1, points);
+  allocate(this->Status.Get(), arrayName(name, ResponseArray::Status), 1, points);
+  allocate(this->LimitReached.Get(), arrayName(name, ResponseArray::Limit), 1, points);
 }
 
 ResponseSpans ResponseStorage::spans()

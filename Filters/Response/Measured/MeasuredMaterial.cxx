@@ -3,7 +3,7 @@
 
 #include "Response/BodyConversion.h"
 #include "Laws/DataEnd.h"
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 #include "Contact/ResponseSampling.h"
 
 #include "vtkDoubleArray.h"
@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-constexpr unsigned char OutOfReach = 4;
+constexpr auto OutOfReach = static_cast<unsigned char>(ResponseStatus::OutOfReach);
 constexpr auto DataEndLimit = static_cast<unsigned char>(ResponseLimit::DataEnd);
 constexpr double PlaceholderModulus = 1.0; // MPa, of points that get no response
 
@@ -84,16 +84,17 @@ void spreadMaterial(vtkPolyData* body, double poissonsRatio, double reach,
 void limitToData(
   const SiteMeasurement& measurement, const std::string& name, double range, vtkPolyData* output)
 {
-  const auto array = [&](const char* suffix)
-  { return output->GetPointData()->GetArray((name + suffix).c_str()); };
-  auto* force = vtkFloatArray::SafeDownCast(array("Force"));
-  auto* stiffness = vtkFloatArray::SafeDownCast(array("Stiffness"));
-  auto* validity = vtkFloatArray::SafeDownCast(array("Validity"));
-  auto* status = vtkUnsignedCharArray::SafeDownCast(array("Status"));
-  auto* limit = vtkUnsignedCharArray::SafeDownCast(array("Limit"));
+  const auto array = [&](ResponseArray which)
+  { return output->GetPointData()->GetArray(arrayName(name, which).c_str()); };
+  auto* force = vtkFloatArray::SafeDownCast(array(ResponseArray::Force));
+  auto* stiffness = vtkFloatArray::SafeDownCast(array(ResponseArray::Stiffness));
+  auto* validity = vtkFloatArray::SafeDownCast(array(ResponseArray::Validity));
+  auto* status = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Status));
+  auto* limit = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Limit));
   const int n = force->GetNumberOfComponents();
-  const double exponent =
-    output->GetFieldData()->GetArray((name + "Exponent").c_str())->GetTuple1(0);
+  const double exponent = output->GetFieldData()
+                            ->GetArray(arrayName(name, ResponseArray::Exponent).c_str())
+                            ->GetTuple1(0);
   const ResponseSampling sampling(n, exponent);
   const std::vector<double> forces = measurement.collect(&IdentifiedBody::endForce);
   const std::vector<double> stiffnesses = measurement.collect(&IdentifiedBody::endStiffness);
@@ -125,7 +126,6 @@ void limitToData(
         }
       }
     });
-  describeResponse(
-    output, name, { exponent, n, responseText(output, name, "Tool"), measurement.describe() });
+  describeModel(output, name, { measurement.describe(), measurement.modelParts() });
 }
 } // namespace palpate

@@ -49,6 +49,17 @@ double SiteMeasurement::place(double largestDistance)
   return std::sqrt(squares / static_cast<double>(this->Sites.size()));
 }
 
+int SiteMeasurement::modelParts() const
+{
+  int parts = 0;
+  for (const IdentifiedBody* body : this->Used)
+  {
+    parts |= body->body.model == BodyModel::Layer ? LayerPart : HalfSpacePart;
+    parts |= body->body.model == BodyModel::GlobalCompliance ? GlobalCompliancePart : 0;
+  }
+  return parts;
+}
+
 std::string SiteMeasurement::describe() const
 {
   std::set<std::string> models;

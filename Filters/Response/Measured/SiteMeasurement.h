@@ -41,6 +41,7 @@ struct SiteMeasurement
 
   /// What was identified from what, for the field array Model.
   std::string describe() const;
+  int modelParts() const; ///< sum of ModelPart
 };
 } // namespace palpate
 

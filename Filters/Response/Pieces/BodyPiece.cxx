@@ -25,10 +25,16 @@ namespace
 /// The arrays of the response that its evaluation reads, of `from`'s points `ids`.
 void copyResponse(vtkPolyData* from, const std::string& name, vtkIdList* ids, vtkPolyData* to)
 {
-  for (const char* suffix : { "Force", "Stiffness", "Normal", "Range", "Status", "Coefficient" })
+  for (const ContractArray& contract : ResponseContract)
   {
-    vtkDataArray* array = from->GetPointData()->GetArray((name + suffix).c_str());
-    if (array)
+    vtkDataArray* array = contract.isEvaluated()
+      ? placeOf(contract, from)->GetArray(contract.named(name).c_str())
+      : nullptr;
+    if (array && contract.place == ContractArray::Place::Fields)
+    {
+      to->GetFieldData()->AddArray(array);
+    }
+    else if (array)
     {
       auto part = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
       part->SetName(array->GetName());
@@ -36,14 +42,6 @@ void copyResponse(vtkPolyData* from, const std::string& name, vtkIdList* ids, vt
       part->SetNumberOfTuples(ids->GetNumberOfIds());
       array->GetTuples(ids, part);
       to->GetPointData()->AddArray(part);
-    }
-  }
-  for (const char* suffix : { "Samples", "Exponent", "Basis" })
-  {
-    vtkDataArray* array = from->GetFieldData()->GetArray((name + suffix).c_str());
-    if (array)
-    {
-      to->GetFieldData()->AddArray(array);
     }
   }
 }

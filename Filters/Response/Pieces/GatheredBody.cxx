@@ -59,9 +59,11 @@ void append(vtkPolyData* part, vtkIdList* ids, const std::string& name, vtkPolyD
   {
     body->GetPoints()->InsertNextPoint(part->GetPoint(ids->GetId(i)));
   }
-  for (const char* suffix : { "Force", "Stiffness", "Normal", "Range", "Status", "Coefficient" })
+  for (const ContractArray& contract : ResponseContract)
   {
-    vtkDataArray* from = part->GetPointData()->GetArray((name + suffix).c_str());
+    vtkDataArray* from = contract.isEvaluated() && contract.place == ContractArray::Place::Points
+      ? part->GetPointData()->GetArray(contract.named(name).c_str())
+      : nullptr;
     if (!from || ids->GetNumberOfIds() == 0)
     {
       continue;

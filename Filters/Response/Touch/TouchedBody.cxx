@@ -2,7 +2,7 @@
 #include "Response/Touch/TouchedBody.h"
 
 #include "Response/BodyConversion.h"
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
@@ -268,15 +268,16 @@ std::string listResponses(vtkPolyData* body)
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     const std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
-    for (const std::string suffix : { "Force", "Coefficient" })
+    for (const ResponseArray curves : { ResponseArray::Force, ResponseArray::Coefficient })
     {
+      const std::string suffix = contractOf(curves).suffix;
       if (name.size() <= suffix.size() ||
         name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0)
       {
         continue;
       }
       const std::string prefix = name.substr(0, name.size() - suffix.size());
-      if (data->HasArray((prefix + "Range").c_str()))
+      if (data->HasArray(arrayName(prefix, ResponseArray::Range).c_str()))
       {
         list += (list.empty() ? "'" : ", '") + prefix + "'";
       }

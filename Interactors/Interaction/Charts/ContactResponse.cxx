@@ -85,7 +85,8 @@ bool ContactTriangle::find(
   std::copy_n(ids, 3, this->corners.begin());
   Corners x;
   Corners normals;
-  vtkDataArray* directions = body->GetPointData()->GetArray((name + "Normal").c_str());
+  vtkDataArray* directions = body->GetPointData()->GetArray(
+    palpate::arrayName(name, palpate::ResponseArray::Normal).c_str());
   for (std::size_t k = 0; k < 3; ++k)
   {
     body->GetPoint(this->corners[k], x[k].data());

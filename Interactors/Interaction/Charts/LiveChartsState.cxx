@@ -132,7 +132,7 @@ void vtkLiveCharts::Parts::showCompared(const palpate::ContactTriangle& place, s
     {
       return;
     }
-    const std::string tool = palpate::responseText(this->known, each, "Tool");
+    const std::string tool = palpate::responseText(this->known, each, palpate::ResponseArray::Tool);
     const auto& colors = palpate::CurveColors;
     styles.push_back({ !label.empty() ? label
         : tool.empty()                ? each

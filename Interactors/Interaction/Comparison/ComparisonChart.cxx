@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Comparison/ComparisonChart.h"
 
+#include "Contact/ResponseContract.h"
 #include "Interaction/Display/DisplayColors.h"
 #include "Response/InnerMessages.h"
 #include "Interaction/Comparison/PointCopy.h"
@@ -97,8 +98,8 @@ std::string ComparisonChart::drawCurves(
     {
       return messages.error;
     }
-    vtkDataArray* validity =
-      one->GetPointData()->GetArray((compared.responseName + "Validity").c_str());
+    vtkDataArray* validity = one->GetPointData()->GetArray(
+      palpate::arrayName(compared.responseName, palpate::ResponseArray::Validity).c_str());
     this->Chart->AddCurve(
       curves->GetOutput(), compared.tool->GetDescription(), validity->GetTuple1(0));
   }

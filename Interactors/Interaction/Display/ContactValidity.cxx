@@ -17,8 +17,10 @@ void findValidity(vtkPolyData* body, const std::string& responseName, ShownConta
   {
     return;
   }
-  vtkDataArray* validity = body->GetPointData()->GetArray((responseName + "Validity").c_str());
-  vtkDataArray* limit = body->GetPointData()->GetArray((responseName + "Limit").c_str());
+  vtkDataArray* validity = body->GetPointData()->GetArray(
+    palpate::arrayName(responseName, palpate::ResponseArray::Validity).c_str());
+  vtkDataArray* limit = body->GetPointData()->GetArray(
+    palpate::arrayName(responseName, palpate::ResponseArray::Limit).c_str());
   if (!validity || !limit)
   {
     return;

@@ -2,7 +2,7 @@
 #include "Interaction/Display/SceneCaption.h"
 
 #include "Interaction/Display/DisplayColors.h"
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 #include "Interaction/Display/ShownContact.h"
 
 #include "vtkTextActor.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Panel/SurfacePicker.h"
 
+#include "Contact/ResponseContract.h"
+
 #include "vtkCellLocator.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
@@ -73,8 +75,8 @@ bool SurfacePicker::pick(
   {
     return false;
   }
-  vtkDataArray* normals =
-    this->Body->GetPointData()->GetArray((this->ResponseName + "Normal").c_str());
+  vtkDataArray* normals = this->Body->GetPointData()->GetArray(
+    palpate::arrayName(this->ResponseName, palpate::ResponseArray::Normal).c_str());
   const double weights[3] = { 1.0 - parametric[0] - parametric[1], parametric[0], parametric[1] };
   std::fill_n(normal, 3, 0.0);
   for (vtkIdType k = 0; normals && k < 3; ++k)

@@ -52,8 +52,8 @@ void makeKernel(PreparedTouch& made)
   }
   made.warning = describeDefects(*kernel);
   // makeContactBody has seen to it that the array is there, and of this type.
-  auto* range =
-    vtkFloatArray::SafeDownCast(body->GetPointData()->GetArray((name + "Range").c_str()));
+  auto* range = vtkFloatArray::SafeDownCast(body->GetPointData()->GetArray(
+    palpate::arrayName(name, palpate::ResponseArray::Range).c_str()));
   for (vtkIdType i = 0; range && i < range->GetNumberOfTuples(); ++i)
   {
     made.range = std::max(made.range, static_cast<double>(range->GetValue(i)));

@@ -49,6 +49,7 @@ protected:
     body.limit = this->Limit.data();
     body.tool = "sphere:6.35";
     body.model = "half-space";
+    body.modelParts = HalfSpacePart | GlobalCompliancePart;
     return body;
   }
 
@@ -95,6 +96,7 @@ TEST_F(FlatBodyFileTest, TheBodyComesBackToTheBit)
   ASSERT_EQ(read.triangles, wrote.triangles);
   EXPECT_EQ(read.tool, wrote.tool);
   EXPECT_EQ(read.model, wrote.model);
+  EXPECT_EQ(read.modelParts, wrote.modelParts);
   EXPECT_EQ(read.response.samples, wrote.response.samples);
   EXPECT_EQ(read.response.exponent, wrote.response.exponent);
   const auto same = [](const void* a, const void* b, std::size_t size)
@@ -147,6 +149,15 @@ TEST_F(FlatBodyFileTest, TheCompactFormComesBackToTheBit)
   EXPECT_EQ(std::memcmp(file.body().response.basis, basis.data(), 32 * 4), 0);
   EXPECT_EQ(ResponseField(file.body().response).evaluate(0, 0.7).force,
     ResponseField(body.response).evaluate(0, 0.7).force);
+}
+
+// Written by the first format, which had no model parts.
+TEST_F(FlatBodyFileTest, AFileOfTheFirstFormatIsRead)
+{
+  FlatBodyFile file;
+  ASSERT_EQ(file.open(PALPATE_DATA_DIR "/Determinism/body.palpate"), "");
+  EXPECT_EQ(file.body().model, "half-space");
+  EXPECT_EQ(file.body().modelParts, HalfSpacePart);
 }
 
 TEST_F(FlatBodyFileTest, ATruncatedFileIsRefusedWhereverItIsCut)

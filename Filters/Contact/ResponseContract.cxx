@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Contact/ResponseLimit.h"
+#include "Contact/ResponseContract.h"
 
 #include <array>
 
@@ -33,5 +33,13 @@ const char* limitInWords(int code) noexcept
 const char* assumptionInWords(int code) noexcept
 {
   return wordsOf(code).assumption;
+}
+
+int modelPartsOfText(const std::string& model)
+{
+  const auto says = [&model](const char* word) { return model.find(word) != std::string::npos; };
+  return (says("half-space") ? HalfSpacePart : 0) | (says("layer") ? LayerPart : 0) |
+    (says("global compliance") ? GlobalCompliancePart : 0) |
+    (says("spring per point") ? SpringPart : 0);
 }
 } // namespace palpate

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * The data contract: what the arrays of a response are called, hold and mean. Who reads, writes,
+ * copies or checks one asks this table; `palpate.contract` is tested against it.
+ */
+#ifndef palpate_ResponseContract_h
+#define palpate_ResponseContract_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace palpate
+{
+/// Status of the response of one point.
+enum class ResponseStatus : std::uint8_t
+{
+  Valid,
+  Degenerate,
+  NotFinite,
+  Folded,
+  OutOfReach,
+  Edge ///< interpolated from its neighbours; usable
+};
+
+/// Which of the law's assumptions breaks first at a point: the codes of the array `Limit`.
+enum class ResponseLimit : std::uint8_t
+{
+  None, ///< within Range
+  Strain,
+  Curvature,
+  Thickness,
+  OppositeWall,
+  Edge,
+  DataEnd
+};
+constexpr std::size_t ResponseLimitCount = 7;
+
+/// What breaks it: "strain", "layer thickness"; "" for 0 and for a number that is no code. These
+/// and the next are static texts.
+PALPATE_EXPORT const char* limitInWords(int code) noexcept;
+
+/// What was assumed: "small strain", "a flat surface"; "" likewise.
+PALPATE_EXPORT const char* assumptionInWords(int code) noexcept;
+
+/// What the model of a response is made of: the sum of these is in the array `ModelParts`. The text
+/// `Model` says the same to a reader, and nothing but the reading of old files looks into it.
+enum ModelPart : int
+{
+  HalfSpacePart = 1,
+  LayerPart = 2,
+  GlobalCompliancePart = 4, ///< in series: the body gives way as a whole
+  SpringPart = 8            ///< a spring at each point, whatever the tool
+};
+
+/// The parts of a response that was saved without them, from its text; 0: nothing known.
+PALPATE_EXPORT int modelPartsOfText(const std::string& model);
+
+enum class ResponseArray : std::uint8_t
+{
+  Force,
+  Stiffness,
+  Coefficient,
+  Basis,
+  Normal,
+  Range,
+  Status,
+  Validity,
+  Limit,
+  Samples,
+  Exponent,
+  Tool,
+  Model,
+  ModelParts,
+  Units
+};
+
+/// One array of a response: with the response's name before `suffix` it is the array's name.
+struct ContractArray
+{
+  enum class Place : std::uint8_t
+  {
+    Points,
+    Fields
+  };
+  enum class Type : std::uint8_t
+  {
+    Float,
+    Double,
+    Int,
+    UnsignedChar,
+    Text
+  };
+  /// Components of a tuple.
+  enum class Width : std::uint8_t
+  {
+    One,
+    Three,
+    Samples,
+    TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
+    Laws
+  };
+  /// Who needs it.
+  enum class Use : std::uint8_t
+  {
+    Evaluation, ///< in either form
+    PerPoint,   ///< evaluation where each point has a curve of its own
+    Compact,    ///< evaluation where curves are combinations of laws
+    Trust,      ///< how far the law holds
+    Words       ///< what the file says of itself
+  };
+
+  ResponseArray array;
+  const char* suffix;
+  Place place;
+  Type type;
+  Width width;
+  Use use;
+  const char* unit; ///< "" for a number without one
+  const char* meaning;
+
+  bool isEvaluated() const noexcept { return this->use != Use::Trust && this->use != Use::Words; }
+  std::string named(const std::string& response) const { return response + this->suffix; }
+};
+
+// clang-format off
+constexpr std::array<ContractArray, 15> ResponseContract = { {
+#define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
+  { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
+    ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
+  PALPATE_ARRAY(Force,       Points, Float,        Samples,    PerPoint,   "N",    "F at the samples"),
+  PALPATE_ARRAY(Stiffness,   Points, Float,        Samples,    PerPoint,   "N/mm", "dF/d\u03b4 at the samples"),
+  PALPATE_ARRAY(Coefficient, Points, Float,        Laws,       Compact,    "",     "curve = sum of coefficient times law"),
+  PALPATE_ARRAY(Basis,       Fields, Float,        TwoSamples, Compact,    "N",    "the laws: forces, then stiffnesses"),
+  PALPATE_ARRAY(Normal,      Points, Float,        Three,      Evaluation, "",     "unit normal, outward"),
+  PALPATE_ARRAY(Range,       Points, Float,        One,        Evaluation, "mm",   "deflection of the last sample"),
+  PALPATE_ARRAY(Status,      Points, UnsignedChar, One,        Evaluation, "",     "ResponseStatus"),
+  PALPATE_ARRAY(Validity,    Points, Float,        One,        Trust,      "mm",   "depth at which the first assumption breaks"),
+  PALPATE_ARRAY(Limit,       Points, UnsignedChar, One,        Trust,      "",     "ResponseLimit: which one"),
+  PALPATE_ARRAY(Samples,     Fields, Int,          One,        Evaluation, "",     "samples of a curve, n"),
+  PALPATE_ARRAY(Exponent,    Fields, Double,       One,        Evaluation, "",     "m of F = \u03b4^m r(s)"),
+  PALPATE_ARRAY(Tool,        Fields, Text,         One,        Words,      "",     "the tool's specification"),
+  PALPATE_ARRAY(Model,       Fields, Text,         One,        Words,      "",     "the model, to be read"),
+  PALPATE_ARRAY(ModelParts,  Fields, UnsignedChar, One,        Words,      "",     "sum of ModelPart"),
+  PALPATE_ARRAY(Units,       Fields, Text,         One,        Words,      "",     "\"mm,N,MPa\""),
+#undef PALPATE_ARRAY
+} };
+// clang-format on
+
+constexpr const ContractArray& contractOf(ResponseArray array)
+{
+  std::size_t place = 0;
+  while (ResponseContract[place].array != array)
+  {
+    ++place;
+  }
+  return ResponseContract[place];
+}
+
+/// The name of an array of a response.
+inline std::string arrayName(const std::string& response, ResponseArray array)
+{
+  return contractOf(array).named(response);
+}
+
+/// Components of a tuple of the array, in a response of so many samples and laws.
+constexpr int componentsOf(const ContractArray& array, int samples, int laws)
+{
+  switch (array.width)
+  {
+    case ContractArray::Width::Three:
+      return 3;
+    case ContractArray::Width::Samples:
+      return samples;
+    case ContractArray::Width::TwoSamples:
+      return 2 * samples;
+    case ContractArray::Width::Laws:
+      return laws;
+    default:
+      return 1;
+  }
+}
+} // namespace palpate
+
+#endif

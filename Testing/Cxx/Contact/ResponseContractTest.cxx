@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The data contract: its codes as saved files number them, their words, its names.
+#include "Contact/ResponseContract.h"
+
+#include <gtest/gtest.h>
+
+#include <climits>
+#include <set>
+#include <string>
+
+using namespace palpate;
+
+TEST(ResponseLimit, CodesAreThoseOfSavedFiles)
+{
+  EXPECT_EQ(static_cast<int>(ResponseLimit::None), 0);
+  EXPECT_EQ(static_cast<int>(ResponseLimit::Strain), 1);
+  EXPECT_EQ(static_cast<int>(ResponseLimit::Curvature), 2);
+  EXPECT_EQ(static_cast<int>(ResponseLimit::Thickness), 3);
+  EXPECT_EQ(static_cast<int>(ResponseLimit::OppositeWall), 4);
+  EXPECT_EQ(static_cast<int>(ResponseLimit::Edge), 5);
+  EXPECT_EQ(static_cast<int>(ResponseLimit::DataEnd), 6);
+}
+
+TEST(ResponseLimit, EachHasWordsOfItsOwn)
+{
+  std::set<std::string> limits;
+  std::set<std::string> assumptions;
+  for (int code = 1; code < static_cast<int>(ResponseLimitCount); ++code)
+  {
+    limits.insert(limitInWords(code));
+    assumptions.insert(assumptionInWords(code));
+  }
+  EXPECT_EQ(limits.size(), ResponseLimitCount - 1);
+  EXPECT_EQ(assumptions.size(), ResponseLimitCount - 1);
+  EXPECT_EQ(limits.count(""), 0U);
+  EXPECT_EQ(assumptions.count(""), 0U);
+}
+
+TEST(ResponseLimit, OtherNumbersHaveNone)
+{
+  for (const int code : { 0, -1, 7, 255, INT_MIN, INT_MAX })
+  {
+    EXPECT_STREQ(limitInWords(code), "");
+    EXPECT_STREQ(assumptionInWords(code), "");
+  }
+}
+
+TEST(ResponseStatusCodes, AreThoseOfSavedFiles)
+{
+  EXPECT_EQ(static_cast<int>(ResponseStatus::Valid), 0);
+  EXPECT_EQ(static_cast<int>(ResponseStatus::Degenerate), 1);
+  EXPECT_EQ(static_cast<int>(ResponseStatus::NotFinite), 2);
+  EXPECT_EQ(static_cast<int>(ResponseStatus::Folded), 3);
+  EXPECT_EQ(static_cast<int>(ResponseStatus::OutOfReach), 4);
+  EXPECT_EQ(static_cast<int>(ResponseStatus::Edge), 5);
+}
+
+TEST(ResponseContract, EachArrayStandsOnceUnderItsName)
+{
+  std::set<std::string> names;
+  for (const ContractArray& array : ResponseContract)
+  {
+    EXPECT_EQ(&contractOf(array.array), &array);
+    EXPECT_TRUE(names.insert(array.suffix).second) << array.suffix;
+    EXPECT_STRNE(array.meaning, "") << array.suffix;
+  }
+  EXPECT_EQ(arrayName("Punch", ResponseArray::Stiffness), "PunchStiffness");
+}
+
+TEST(ResponseContract, WidthsFollowSamplesAndLaws)
+{
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Force), 8, 3), 8);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Basis), 8, 3), 16);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Coefficient), 8, 3), 3);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Normal), 8, 3), 3);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Status), 8, 3), 1);
+}
+
+// The texts that were written before there were parts.
+TEST(ModelParts, OfOldTexts)
+{
+  EXPECT_EQ(modelPartsOfText("half-space"), HalfSpacePart);
+  EXPECT_EQ(modelPartsOfText("layer bonded to a rigid base, 3 mm thick"), LayerPart);
+  EXPECT_EQ(modelPartsOfText("layer slipping on a rigid base of varying thickness in series with "
+                             "global compliance"),
+    LayerPart | GlobalCompliancePart);
+  EXPECT_EQ(modelPartsOfText("half-space in series with global compliance; as a spring per point"),
+    HalfSpacePart | GlobalCompliancePart | SpringPart);
+  EXPECT_EQ(modelPartsOfText(""), 0);
+}
