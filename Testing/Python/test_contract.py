@@ -92,7 +92,7 @@ class AgainstTheTable(unittest.TestCase):
     """Filters/Contact/ResponseContract.h, the table that all of the C++ asks, against what filters attach
     and what palpate.contract reads."""
 
-    ROW = re.compile(r"PALPATE_ARRAY\((\w+), *(\w+), *(\w+), *(\w+), *(\w+), ")
+    ROW = re.compile(r"PALPATE_ARRAY\((\w+), *(\w+), *(\w+), *(\w+), *(\w+), *\"")
     TYPES = {"Float": "float", "Double": "double", "Int": "int", "UnsignedChar": "unsigned char",
              "Text": "string"}
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The displacement field of a body that bends as a whole: its modes and what they leave to the
 // tool; and the end of a field that is told where to end.
+#include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "ProbedTips.h"
 
 #include "vtkFieldData.h"
 #include "vtkSignedCharArray.h"
-#include "vtkStringArray.h"
 
 #include <vector>
 
@@ -30,8 +30,9 @@ const int Signs[2] = { 1, -1 };
 Body bendingPlane(int modes)
 {
   const Body body = withResponse(planeBody(8.0, 32), "sphere:5");
-  vtkStringArray::SafeDownCast(body->GetFieldData()->GetAbstractArray("ResponseModel"))
-    ->SetValue(0, "half-space in series with global compliance");
+  palpate::describeModel(body, "Response",
+    { "half-space in series with global compliance",
+      palpate::HalfSpacePart | palpate::GlobalCompliancePart });
   vtkNew<vtkSignedCharArray> signs;
   signs->SetName("GlobalModeSign");
   for (int k = 0; k < modes; ++k)

@@ -3,6 +3,7 @@
 // to three places, through every reader of responses. Each reports an error, or what it gives is
 // finite; nothing of VTK's complains by itself (that would fail the test by its output).
 // The second argument is the number of bodies; a failure names its own, which is its seed.
+#include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -94,9 +95,8 @@ Body bending(const Body& body)
   sign->SetName("GlobalModeSign");
   sign->InsertNextValue(1.0);
   bent->GetFieldData()->AddArray(sign);
-  auto* model =
-    vtkStringArray::SafeDownCast(bent->GetFieldData()->GetAbstractArray("ResponseModel"));
-  model->SetValue(0, "half-space + compliance");
+  palpate::describeModel(bent, "Response",
+    { "half-space + compliance", palpate::HalfSpacePart | palpate::GlobalCompliancePart });
   return bent;
 }
 
