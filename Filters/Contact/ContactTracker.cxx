@@ -2,24 +2,35 @@
 #include "Contact/ContactTracker.h"
 
 #include "Contact/BorderFade.h"
+#include "Contact/EnergyGradient.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-ContactTracker::Outcome classify(const SurfacePoint& surface) noexcept
+ContactTracker::Outcome classify(double signedDistance, bool onBorder) noexcept
 {
-  if (surface.triangle < 0)
-  {
-    return ContactTracker::Outcome::Invalid;
-  }
-  if (!(surface.signedDistance < 0.0))
+  if (!(signedDistance < 0.0))
   {
     return ContactTracker::Outcome::Outside;
   }
-  return surface.onBorder ? ContactTracker::Outcome::Border : ContactTracker::Outcome::Inside;
+  return onBorder ? ContactTracker::Outcome::Border : ContactTracker::Outcome::Inside;
+}
+
+ContactTracker::Result classified(const SurfacePoint& surface) noexcept
+{
+  return { classify(surface.signedDistance, surface.onBorder), { surface } };
+}
+
+double longestEdge(const PackedMesh& mesh, std::int32_t triangle) noexcept
+{
+  const Vector3 a = mesh.corner(triangle, 0);
+  const Vector3 b = mesh.corner(triangle, 1);
+  const Vector3 c = mesh.corner(triangle, 2);
+  return std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
 }
 
 /// The nearest place so far, in its triangle.
@@ -101,38 +112,95 @@ SurfacePoint ContactTracker::follow(
   return {};
 }
 
-bool ContactTracker::isHeld(const Contact& contact, const Vector3& tip) const noexcept
+ContactTracker::Result ContactTracker::touch(
+  const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept
 {
-  if (contact.outcome != Outcome::Border)
+  SmoothPoint found = this->Smooth->follow(tip, triangle, weights);
+  if (found.outcome == SmoothPoint::Outcome::NotFound)
   {
-    return contact.outcome == Outcome::Inside;
+    const SurfacePoint facet = follow(this->Mesh, tip, triangle);
+    if (facet.triangle < 0)
+    {
+      return {}; // the tip outran it: to be searched for
+    }
+    if (facet.triangle != triangle)
+    {
+      found = this->Smooth->follow(tip, facet.triangle, facet.projection.weights);
+    }
+    if (found.outcome == SmoothPoint::Outcome::NotFound)
+    {
+      return { classify(facet.signedDistance, facet.onBorder),
+        EnergyGradient::onFacet(this->Mesh, tip, facet) };
+    }
   }
-  const TriangleProjection& border = contact.surface.projection;
-  return BorderFade::at(this->Mesh, contact.surface.triangle, border.weights, tip - border.point)
+  return { classify(found.place.signedDistance, found.outcome == SmoothPoint::Outcome::Border),
+    found.place };
+}
+
+ContactTracker::Result ContactTracker::goOn(const Vector3& tip) noexcept
+{
+  if (this->Smooth)
+  {
+    // From where the contact should have moved with the tip, to first order.
+    return this->touch(tip, this->Last.triangle,
+      this->Last.projection.weights + this->Last.weightGradients.transpose() * (tip - this->Tip));
+  }
+  const SurfacePoint surface = follow(this->Mesh, tip, this->Last.triangle);
+  return surface.triangle < 0 ? Result{} : classified(surface);
+}
+
+ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
+{
+  const SurfacePoint nearest = this->Search.closestLocal(tip);
+  if (nearest.triangle < 0)
+  {
+    return { Outcome::Invalid, {} };
+  }
+  if (!this->Smooth)
+  {
+    return classified(nearest);
+  }
+  // No patch rises as high over its facet as that is long.
+  return nearest.signedDistance > longestEdge(this->Mesh, nearest.triangle)
+    ? Result{}
+    : this->touch(tip, nearest.triangle, nearest.projection.weights);
+}
+
+bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noexcept
+{
+  if (result.outcome != Outcome::Border)
+  {
+    return result.outcome == Outcome::Inside;
+  }
+  const TriangleProjection& border = result.place.projection;
+  return BorderFade::at(this->Mesh, result.place.triangle, border.weights, tip - border.point)
            .share > 0.0;
 }
 
-ContactTracker::Contact ContactTracker::search(const Vector3& tip) noexcept
+ContactTracker::Result ContactTracker::search(const Vector3& tip) noexcept
 {
   if (!tip.allFinite())
   {
-    this->Triangle = -1;
+    this->reset();
     return { Outcome::Invalid, {} };
   }
   const Vector3 local = this->Mesh.toLocal(tip);
-  Contact contact;
-  if (this->Triangle >= 0 && !this->Tree.isBeyondHorizon(local))
+  Result result;
+  if (this->Last.triangle >= 0 && !this->Tree.isBeyondHorizon(local))
   {
-    contact.surface = follow(this->Mesh, local, this->Triangle);
-    contact.outcome = contact.surface.triangle < 0 ? Outcome::Outside : classify(contact.surface);
+    result = this->goOn(local);
   }
-  if (contact.outcome == Outcome::Outside)
+  if (result.outcome == Outcome::Outside)
   {
-    contact.surface = this->Search.closestLocal(local);
-    contact.outcome = classify(contact.surface);
+    result = this->begin(local);
   }
-  this->Triangle = this->isHeld(contact, local) ? contact.surface.triangle : -1;
-  contact.surface.projection.point += this->Mesh.centre();
-  return contact;
+  this->Last = result.place;
+  this->Tip = local;
+  if (!this->isHeld(result, local))
+  {
+    this->reset();
+  }
+  result.place.projection.point += this->Mesh.centre();
+  return result;
 }
 } // namespace palpate

@@ -3,12 +3,14 @@
 #define palpate_ContactTracker_h
 
 #include "Contact/PackedMesh.h"
+#include "Contact/SmoothContact.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/TriangleSearch.h"
 #include "Contact/TriangleTree.h"
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace palpate
 {
@@ -28,11 +30,17 @@ namespace palpate
  * outward there (and another may begin in the same tick), or beyond an open border, where nothing
  * is left of its force (BorderFade).
  *
+ * On the smooth surface the local minimum is that of SmoothContact. The first contact starts from
+ * the closest point of the facets, and begins where the tip is inside the smooth surface, which
+ * lies a little above convex facets and below concave ones. Where there is no smooth point (see
+ * SmoothContact), the contact goes on with the facets from there, and returns as soon as there is
+ * one; the force may jump at such a change, by what facets and surface differ.
+ *
  * The tick neither allocates nor locks nor throws. Steps per tick are bounded by MaximumSteps, a
  * step being about one triangle: 30 mm on a body of 0.2 mm triangles. A tip that outruns them is
  * searched for in the whole body, as a new contact is: a point on the way there would be no local
- * minimum, and its distance no deflection. One tracker serves one thread; mesh and tree may be
- * shared and must outlive it.
+ * minimum, and its distance no deflection. One tracker serves one thread; mesh, tree
+ * and response may be shared and must outlive it.
  */
 class PALPATE_EXPORT ContactTracker
 {
@@ -48,35 +56,45 @@ public:
   };
 
   /// Where a tip stands.
-  struct Contact
+  struct Result
   {
     Outcome outcome = Outcome::Outside;
-    SurfacePoint surface; ///< its point in the body's frame
+    /// Its point in the body's frame. Of facets without normal and gradients, unless they stand in
+    /// for the smooth surface.
+    ContactPlace place;
   };
 
+  /// On the facets.
   ContactTracker(const PackedMesh& mesh, const TriangleTree& tree) noexcept
     : Mesh(mesh)
     , Tree(tree)
     , Search(tree)
   {
   }
-
-  Contact update(const Vector3& tip) noexcept
+  /// On the smooth surface.
+  ContactTracker(
+    const PackedMesh& mesh, const TriangleTree& tree, const ResponseField& response) noexcept
+    : ContactTracker(mesh, tree)
   {
-    Contact contact;
-    if (!this->staysOnFaces(tip, contact.surface))
+    this->Smooth.emplace(mesh, response);
+  }
+
+  Result update(const Vector3& tip) noexcept
+  {
+    Result result;
+    if (this->Smooth || !this->staysOnFaces(tip, result.place))
     {
       return this->search(tip);
     }
-    contact.outcome = Outcome::Inside;
-    return contact;
+    result.outcome = Outcome::Inside;
+    return result;
   }
 
   /// Forgets the contact; the next update searches the whole body.
-  void reset() noexcept { this->Triangle = -1; }
+  void reset() noexcept { this->Last.triangle = -1; }
 
   /// Of the last contact, -1 if there was none.
-  std::int32_t triangle() const noexcept { return this->Triangle; }
+  std::int32_t triangle() const noexcept { return this->Last.triangle; }
 
   /// Local minimum of the distance reached from a triangle, in the mesh's local frame; triangle -1
   /// if that takes more than MaximumSteps.
@@ -91,7 +109,7 @@ private:
   {
     constexpr int crossings = 3;
     const Vector3 local = this->Mesh.toLocal(tip);
-    std::int32_t triangle = this->Tree.isBeyondHorizon(local) ? -1 : this->Triangle;
+    std::int32_t triangle = this->Tree.isBeyondHorizon(local) ? -1 : this->Last.triangle;
     PlaneFoot foot = PlaneFoot::Unknown;
     for (int i = 0; i <= crossings && triangle >= 0; ++i)
     {
@@ -107,19 +125,28 @@ private:
     {
       return false;
     }
-    this->Triangle = triangle;
+    this->Last.triangle = triangle;
     surface.triangle = triangle;
     surface.signedDistance = -std::sqrt(surface.projection.squaredDistance);
     surface.projection.point += this->Mesh.centre();
     return true;
   }
-  Contact search(const Vector3& tip) noexcept;
-  bool isHeld(const Contact& contact, const Vector3& tip) const noexcept;
+  Result search(const Vector3& tip) noexcept;
+  // All in the mesh's local frame:
+  /// From the last contact.
+  Result goOn(const Vector3& tip) noexcept;
+  /// From the closest point of the whole body.
+  Result begin(const Vector3& tip) noexcept;
+  /// On the smooth surface from a point of it, or on the facets.
+  Result touch(const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept;
+  bool isHeld(const Result& result, const Vector3& tip) const noexcept;
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
   TriangleSearch Search; ///< of the whole body; what it has seen saves time and changes nothing
-  std::int32_t Triangle = -1;
+  std::optional<SmoothContact> Smooth; ///< else on the facets
+  ContactPlace Last;                   ///< triangle -1: no contact
+  Vector3 Tip = Vector3::Zero();       ///< then; only if smooth
 };
 } // namespace palpate
 

@@ -39,4 +39,22 @@ Eigen::Matrix3d EnergyGradient::facetWeightGradients(
   }
   return gradients;
 }
+
+ContactPlace EnergyGradient::onFacet(
+  const PackedMesh& mesh, const Vector3& tip, const SurfacePoint& surface) noexcept
+{
+  ContactPlace place{ surface };
+  place.weightGradients =
+    facetWeightGradients(surface.projection.feature, mesh.corner(surface.triangle, 0),
+      mesh.corner(surface.triangle, 1), mesh.corner(surface.triangle, 2));
+  if (surface.projection.feature == TriangleFeature::Face || surface.signedDistance == 0.0)
+  {
+    place.normal = mesh.faceNormal(surface.triangle);
+  }
+  else
+  {
+    place.normal = (tip - surface.projection.point) / surface.signedDistance;
+  }
+  return place;
+}
 } // namespace palpate

@@ -2,7 +2,7 @@
 #ifndef palpate_EnergyGradient_h
 #define palpate_EnergyGradient_h
 
-#include "Contact/TriangleProjection.h"
+#include "Contact/PackedMesh.h"
 
 namespace palpate
 {
@@ -23,6 +23,10 @@ struct EnergyGradient
   /// point is on the face; along the edge while on an edge; zero while at a corner.
   static Eigen::Matrix3d facetWeightGradients(
     TriangleFeature feature, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
+
+  /// The same where a tip is closest to a mesh, with the normal there; tip and point in one frame.
+  static ContactPlace onFacet(
+    const PackedMesh& mesh, const Vector3& tip, const SurfacePoint& surface) noexcept;
 
   /// Force on the tool, N: `normalForce` Σ n_i f_i along the surface's outward normal; element i of
   /// `energies` e_i, from any common zero.

@@ -2,10 +2,9 @@
 #ifndef palpate_PackedMesh_h
 #define palpate_PackedMesh_h
 
+#include "Contact/Contact.h"
 #include "Contact/LargePages.h"
 #include "Mechanics/PalpateExport.h"
-#include "Contact/TriangleLinks.h"
-#include "Contact/TriangleProjection.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -20,17 +19,6 @@ namespace palpate
 {
 /// Told how far a body is built, 0 to 1; called by the thread that builds.
 using BuildProgress = std::function<void(double)>;
-
-/// A closest point of the body: its triangle (-1: none), where on it, and on which side the tip is.
-struct SurfacePoint
-{
-  std::int32_t triangle = -1; ///< of the PackedMesh, not of the input
-  TriangleProjection projection;
-  /// Distance from the surface to the tip, mm: > 0 outside, < 0 inside.
-  double signedDistance = 0.0;
-  /// The closest point lies on an open border, where inside and outside are not defined.
-  bool onBorder = false;
-};
 
 /**
  * The undeformed surface of a body as a tick reads it: one cache line per triangle, with its

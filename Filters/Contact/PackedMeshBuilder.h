@@ -3,6 +3,7 @@
 #define palpate_PackedMeshBuilder_h
 
 #include "Contact/PackedMesh.h"
+#include "Contact/TriangleLinks.h"
 
 #include <memory>
 

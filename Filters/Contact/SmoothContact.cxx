@@ -157,13 +157,13 @@ private:
     ContactPlace& place = found.place;
     place.isSmooth = true;
     place.triangle = this->Triangle;
-    place.weights = clamped(this->Weights + asWeights(step));
+    place.projection.weights = clamped(this->Weights + asWeights(step));
     const SurfaceJet& jet = this->Jet;
-    place.point = jet.point + step[0] * jet.dv + step[1] * jet.dw;
+    place.projection.point = jet.point + step[0] * jet.dv + step[1] * jet.dw;
     const Vector3 dv = jet.dv + step[0] * jet.dvv + step[1] * jet.dvw;
     const Vector3 dw = jet.dw + step[0] * jet.dvw + step[1] * jet.dww;
     place.normal = dv.cross(dw).normalized();
-    place.signedDistance = (this->Tip - place.point).dot(place.normal);
+    place.signedDistance = (this->Tip - place.projection.point).dot(place.normal);
     const Matrix2 inverse = distance.inverse();
     place.weightGradients.col(1) = inverse(0, 0) * dv + inverse(0, 1) * dw;
     place.weightGradients.col(2) = inverse(1, 0) * dv + inverse(1, 1) * dw;

@@ -2,7 +2,7 @@
 #ifndef palpate_SmoothContact_h
 #define palpate_SmoothContact_h
 
-#include "Contact/ContactPlace.h"
+#include "Contact/Contact.h"
 #include "Contact/PackedMesh.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseField.h"

@@ -10,9 +10,9 @@ namespace palpate
 {
 namespace
 {
-ToolContactForce withoutForce(ContactState state) noexcept
+Contact withoutForce(ContactState state) noexcept
 {
-  ToolContactForce none;
+  Contact none;
   none.state = state;
   return none;
 }
@@ -33,18 +33,15 @@ ContactState stateOf(ContactTracker::Outcome outcome) noexcept
 
 void ToolContact::reset() noexcept
 {
-  this->Facets.reset();
-  this->Smooth.reset();
+  this->Tracker.reset();
   this->Resistance.reset();
   this->LastWeights.setZero();
 }
 
-ToolContactForce ToolContact::update(const Vector3& tip) noexcept
+Contact ToolContact::update(const Vector3& tip) noexcept
 {
-  ContactPlace place;
-  const ContactTracker::Outcome outcome = this->Settings.surface == ContactSurface::Smooth
-    ? this->touchSmooth(tip, place)
-    : this->touchFacets(tip, place);
+  this->prefetchLast();
+  auto [outcome, place] = this->Tracker.update(tip);
   this->LastWeights.setZero();
   if (outcome == ContactTracker::Outcome::Border)
   {
@@ -55,9 +52,14 @@ ToolContactForce ToolContact::update(const Vector3& tip) noexcept
     this->Resistance.reset();
     return withoutForce(stateOf(outcome));
   }
-  ToolContactForce result;
+  if (this->Settings.form == ForceForm::EnergyConsistent &&
+    this->Settings.surface == ContactSurface::Facets)
+  {
+    place = EnergyGradient::onFacet(this->Body.surface, tip, place);
+  }
+  Contact result;
   const BlendedResponse response(
-    this->Body.response, this->Body.surface.corners(place.triangle), place.weights);
+    this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
   if (!this->hasResponse(place) || !this->blend(place, response, result))
   {
     this->Resistance.reset();
@@ -67,16 +69,16 @@ ToolContactForce ToolContact::update(const Vector3& tip) noexcept
   return result;
 }
 
-ToolContactForce ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
+Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
 {
-  const BorderFade left =
-    BorderFade::at(this->Body.surface, place.triangle, place.weights, tip - place.point);
+  const BorderFade left = BorderFade::at(
+    this->Body.surface, place.triangle, place.projection.weights, tip - place.projection.point);
   const BlendedResponse response(
-    this->Body.response, this->Body.surface.corners(place.triangle), place.weights);
+    this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
   place.signedDistance = -left.depth;
   place.normal = this->Body.surface.faceNormal(place.triangle);
   place.weightGradients.setZero();
-  ToolContactForce result;
+  Contact result;
   if (!(left.share > 0.0) || !this->hasResponse(place) || !this->blend(place, response, result))
   {
     this->Resistance.reset();
@@ -90,38 +92,9 @@ ToolContactForce ToolContact::fade(const Vector3& tip, ContactPlace& place) noex
   return result;
 }
 
-ContactTracker::Outcome ToolContact::touchFacets(const Vector3& tip, ContactPlace& place) noexcept
+void ToolContact::prefetchLast() const noexcept
 {
-  this->prefetchLast(this->Facets.triangle());
-  const ContactTracker::Contact contact = this->Facets.update(tip);
-  if (contact.surface.triangle < 0 || contact.outcome == ContactTracker::Outcome::Outside)
-  {
-    return contact.outcome;
-  }
-  const SurfacePoint& surface = contact.surface;
-  if (this->Settings.form == ForceForm::EnergyConsistent &&
-    contact.outcome == ContactTracker::Outcome::Inside)
-  {
-    place = ContactPlace::onFacet(this->Body.surface, tip, surface);
-    return contact.outcome;
-  }
-  place.triangle = surface.triangle;
-  place.weights = surface.projection.weights;
-  place.point = surface.projection.point;
-  place.signedDistance = surface.signedDistance;
-  return contact.outcome;
-}
-
-ContactTracker::Outcome ToolContact::touchSmooth(const Vector3& tip, ContactPlace& place) noexcept
-{
-  this->prefetchLast(this->Smooth.triangle());
-  const SmoothTracker::Contact contact = this->Smooth.update(tip);
-  place = contact.place;
-  return contact.outcome;
-}
-
-void ToolContact::prefetchLast(std::int32_t triangle) const noexcept
-{
+  const std::int32_t triangle = this->Tracker.triangle();
   // The contact is likely there again, or next to it: its responses come while it is sought.
   if (triangle >= 0)
   {
@@ -140,19 +113,19 @@ bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
   {
     // On an edge, neither neighbour's opposite corner has a say.
     valid = valid &&
-      (place.weights[static_cast<Eigen::Index>(k)] == 0.0 ||
+      (place.projection.weights[static_cast<Eigen::Index>(k)] == 0.0 ||
         this->Body.response.isValid(corners[k]));
   }
   return valid;
 }
 
 bool ToolContact::blend(
-  const ContactPlace& place, const BlendedResponse& response, ToolContactForce& result) noexcept
+  const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept
 {
   this->LastCorners = this->Body.surface.corners(place.triangle);
-  this->LastWeights = place.weights;
+  this->LastWeights = place.projection.weights;
   result.triangle = this->Body.surface.inputTriangle(place.triangle);
-  result.contactPoint = place.point;
+  result.contactPoint = place.projection.point;
   result.deflection = -place.signedDistance;
   const ResponseValue value = response.evaluate(result.deflection);
   result.normalForce = value.force;
@@ -190,12 +163,12 @@ Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& fact
   for (std::size_t k = 0; k < 3; ++k)
   {
     const auto i = static_cast<Eigen::Index>(k);
-    sum += place.weights[i] * factors[i] * this->Body.response.normal(corners[k]);
+    sum += place.projection.weights[i] * factors[i] * this->Body.response.normal(corners[k]);
   }
   return sum;
 }
 
-void ToolContact::addFriction(const BlendedResponse& response, ToolContactForce& result) noexcept
+void ToolContact::addFriction(const BlendedResponse& response, Contact& result) noexcept
 {
   if (!(this->Settings.friction.coefficient > 0.0))
   {

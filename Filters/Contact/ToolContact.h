@@ -3,46 +3,20 @@
 #define palpate_ToolContact_h
 
 #include "Contact/ContactBody.h"
-#include "Contact/ContactPlace.h"
+#include "Contact/Contact.h"
 #include "Contact/ContactSettings.h"
 #include "Contact/ContactTracker.h"
 #include "Contact/Friction.h"
 #include "Mechanics/PalpateExport.h"
-#include "Contact/SmoothTracker.h"
 
 #include <cstdint>
 
 namespace palpate
 {
-/// What a contact is doing.
-enum class ContactState : std::uint8_t
-{
-  None,
-  Stick,
-  Slide,
-  BeyondRange,
-  LostAtBorder,
-  Invalid
-};
-
-/// What the tool feels in one tick. Body frame; mm, N, N/mm.
-struct ToolContactForce
-{
-  ContactState state = ContactState::None;
-  Vector3 force = Vector3::Zero();    ///< total, on the tool
-  Vector3 friction = Vector3::Zero(); ///< its part that is friction
-  double normalForce = 0.0;
-  double stiffness = 0.0; ///< Σ n_i dF_i/dδ
-  double deflection = 0.0;
-  Vector3 normal = Vector3::Zero(); ///< unit, outward, along which normalForce acts
-  Vector3 contactPoint = Vector3::Zero();
-  std::int32_t triangle = -1; ///< of the input; -1: none
-};
-
 /**
  * One tick: tip position in, contact force out.
  *
- * The tip is projected on the undeformed surface (ContactTracker, SmoothTracker), its distance is
+ * The tip is projected on the undeformed surface (ContactTracker), its distance is
  * the deflection δ, and the curves of the triangle's three vertices are blended with the area
  * coordinates n_i of the projection (Mahvash and Hayward 2002, eqs. 3 and 4; ForceForm). Friction
  * follows from how the contact point moves over the undeformed surface (Friction). Frictionless
@@ -58,13 +32,14 @@ public:
   explicit ToolContact(const ContactBody& body, const ContactSettings& settings = {})
     : Body(body)
     , Settings(settings)
-    , Facets(body.surface, body.tree)
-    , Smooth(body.surface, body.tree, body.response)
+    , Tracker(settings.surface == ContactSurface::Smooth
+          ? ContactTracker(body.surface, body.tree, body.response)
+          : ContactTracker(body.surface, body.tree))
     , Resistance(settings.friction)
   {
   }
 
-  ToolContactForce update(const Vector3& tip) noexcept;
+  Contact update(const Vector3& tip) noexcept;
   void reset() noexcept;
 
   /// The curve at the contact of the last update: normalForce is its force at the deflection (with
@@ -75,23 +50,19 @@ public:
   }
 
 private:
-  ContactTracker::Outcome touchFacets(const Vector3& tip, ContactPlace& place) noexcept;
-  ContactTracker::Outcome touchSmooth(const Vector3& tip, ContactPlace& place) noexcept;
   /// The force on a tip beyond an open border.
-  ToolContactForce fade(const Vector3& tip, ContactPlace& place) noexcept;
-  void prefetchLast(std::int32_t triangle) const noexcept;
+  Contact fade(const Vector3& tip, ContactPlace& place) noexcept;
+  void prefetchLast() const noexcept;
   bool hasResponse(const ContactPlace& place) const noexcept;
   /// Fills everything but friction; false where the force is not finite or has no direction.
-  bool blend(
-    const ContactPlace& place, const BlendedResponse& response, ToolContactForce& result) noexcept;
+  bool blend(const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept;
   /// Σ n_i factor_i U_i.
   Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
-  void addFriction(const BlendedResponse& response, ToolContactForce& result) noexcept;
+  void addFriction(const BlendedResponse& response, Contact& result) noexcept;
 
   const ContactBody& Body;
   ContactSettings Settings;
-  ContactTracker Facets;
-  SmoothTracker Smooth;
+  ContactTracker Tracker;
   Friction Resistance;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();

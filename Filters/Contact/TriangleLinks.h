@@ -2,6 +2,7 @@
 #ifndef palpate_TriangleLinks_h
 #define palpate_TriangleLinks_h
 
+#include "Contact/TriangleProjection.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <array>
@@ -11,8 +12,6 @@
 
 namespace palpate
 {
-using TriangleCorners = std::array<std::int32_t, 3>;
-
 /**
  * Which triangles meet at each point, and across each edge. Edge i of a triangle runs from its
  * corner i to its corner i + 1 (mod 3).

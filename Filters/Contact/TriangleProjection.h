@@ -6,11 +6,14 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 
 namespace palpate
 {
 using Vector3 = Eigen::Vector3d;
+/// Points of a triangle, by their numbers.
+using TriangleCorners = std::array<std::int32_t, 3>;
 
 /// Where on a triangle abc its closest point lies. Edge i runs from corner i to corner i+1 (mod 3).
 enum class TriangleFeature : std::uint8_t

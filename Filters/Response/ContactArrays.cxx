@@ -30,7 +30,7 @@ ContactArrays::ContactArrays(vtkIdType tips)
   allocate(this->ContactState.Get(), "ContactState", 1, tips);
 }
 
-void ContactArrays::store(vtkIdType tip, const ToolContactForce& contact, vtkIdType firstPoly)
+void ContactArrays::store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly)
 {
   this->Force->SetTypedTuple(tip, contact.force.data());
   this->NormalForce->SetValue(tip, contact.normalForce);

@@ -9,7 +9,7 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Contact/ToolContact.h" // For palpate::ToolContactForce
+#include "Contact/ToolContact.h" // For palpate::Contact
 
 #include "vtkDoubleArray.h"       // For vtkDoubleArray
 #include "vtkIdTypeArray.h"       // For vtkIdTypeArray
@@ -28,7 +28,7 @@ public:
   explicit ContactArrays(vtkIdType tips);
 
   /// `firstPoly` is the cell id of the body's first triangle. May run for different tips at once.
-  void store(vtkIdType tip, const ToolContactForce& contact, vtkIdType firstPoly);
+  void store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly);
 
   void attach(vtkPolyData* tips);
 

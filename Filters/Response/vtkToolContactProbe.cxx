@@ -200,8 +200,8 @@ int vtkToolContactProbe::RequestData(
     const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
     palpate::ContactArrays arrays(tips->GetNumberOfPoints());
     palpate::touchWithTips(*this->Body, tips, settings, this->Indentation,
-      [&arrays, firstPoly](vtkIdType tip, const palpate::ToolContactForce& contact,
-        const palpate::Vector3&) { arrays.store(tip, contact, firstPoly); });
+      [&arrays, firstPoly](vtkIdType tip, const palpate::Contact& contact, const palpate::Vector3&)
+      { arrays.store(tip, contact, firstPoly); });
     output->ShallowCopy(tips);
     arrays.attach(output);
   }
@@ -253,9 +253,7 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
   rankOf->SetName("ContactRank");
   for (std::size_t i = 0; i < touched.size(); ++i)
   {
-    palpate::ToolContactForce contact = touched[i].contact;
-    contact.triangle = static_cast<std::int32_t>(touched[i].cell);
-    arrays.store(static_cast<vtkIdType>(i), contact, 0);
+    arrays.store(static_cast<vtkIdType>(i), touched[i].contact, 0);
     rankOf->InsertNextValue(touched[i].rank);
   }
   output->ShallowCopy(tips);

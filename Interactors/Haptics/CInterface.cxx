@@ -63,7 +63,7 @@ void copy(const Eigen::Vector3d& from, double to[3])
   std::copy_n(from.data(), 3, to);
 }
 
-void copy(const ServoTick& felt, palpate_tick* tick)
+void copy(const Tick& felt, palpate_tick* tick)
 {
   copy(felt.deviceForce, tick->device_force);
   copy(felt.tip, tick->tip);

@@ -49,7 +49,7 @@ bool isFromLater(const double (&reserved)[N], const char* name, char* error, std
 GivenSettings given(const palpate_settings& settings);
 
 void copy(const Eigen::Vector3d& from, double to[3]);
-void copy(const ServoTick& felt, palpate_tick* tick);
+void copy(const Tick& felt, palpate_tick* tick);
 } // namespace palpate::c
 
 #endif

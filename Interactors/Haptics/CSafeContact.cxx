@@ -208,7 +208,7 @@ void palpate_step_sample(
   reading.buttons = sample->buttons;
   reading.valid = sample->valid != 0;
   reading.fresh = sample->fresh != 0;
-  const palpate::ServoTick felt = contact->servo.step(reading, time);
+  const palpate::Tick felt = contact->servo.step(reading, time);
   copy(felt, &tick->tick);
   copy(felt.velocity, tick->velocity);
   copy(felt.idealForce, tick->ideal_force);

@@ -308,7 +308,7 @@ void vtkContactScene::ShowSession(vtkHapticSession* session, const double freeDi
   palpate::ShownContact contact = palpate::readSession(session);
   if (!contact.touches())
   {
-    contact.normal = Eigen::Vector3d(freeDirection);
+    contact.tick.contact.normal = Eigen::Vector3d(freeDirection);
   }
   palpate::findValidity(session->GetBody(), session->GetResponseName(), contact);
   if (!this->TrailIsLive)
@@ -327,11 +327,11 @@ void vtkContactScene::ShowContact(const double tip[3], const double contactPoint
   const double normal[3], const double force[3], double deflection, vtkIdType cell)
 {
   palpate::ShownContact contact;
-  contact.tip = Eigen::Vector3d(tip);
-  contact.contactPoint = Eigen::Vector3d(contactPoint);
-  contact.normal = Eigen::Vector3d(normal);
-  contact.force = Eigen::Vector3d(force);
-  contact.deflection = deflection;
+  contact.tick.tip = Eigen::Vector3d(tip);
+  contact.tick.idealForce = Eigen::Vector3d(force);
+  contact.tick.contact.contactPoint = Eigen::Vector3d(contactPoint);
+  contact.tick.contact.normal = Eigen::Vector3d(normal);
+  contact.tick.contact.deflection = deflection;
   contact.cell = cell;
   palpate::findValidity(this->BodyData, this->ResponseName, contact);
   this->Show(contact);
@@ -343,7 +343,7 @@ void vtkContactScene::Show(const palpate::ShownContact& contact)
   this->Shown->hasApplied &= this->GetAppliedForceVisibility();
   if (contact.touches() || !this->HasTouched)
   {
-    std::copy_n(contact.contactPoint.data(), 3, this->Contact);
+    std::copy_n(contact.tick.contact.contactPoint.data(), 3, this->Contact);
     this->HasTouched = contact.touches();
   }
   if (this->Blind)
@@ -355,9 +355,10 @@ void vtkContactScene::Show(const palpate::ShownContact& contact)
     this->Body->show(contact);
     this->ContactRadius = contact.touches() ? this->Body->contactRadius() : 0.0;
     this->ToolRepresentation->SetBeyondValidity(!contact.isValid());
-    const Eigen::Vector3d& applied = this->Shown->hasApplied ? contact.applied : contact.force;
-    this->ToolRepresentation->SetContact(contact.tip.data(), contact.normal.data(),
-      contact.contactPoint.data(), contact.force.data(), contact.friction.data(), applied.data());
+    const palpate::Tick& tick = contact.tick;
+    this->ToolRepresentation->SetContact(tick.tip.data(), tick.contact.normal.data(),
+      tick.contact.contactPoint.data(), tick.idealForce.data(), tick.contact.friction.data(),
+      (this->Shown->hasApplied ? tick.appliedForce : tick.idealForce).data());
     this->ShowCircle(contact);
     vtkContactTool* tool = this->ToolRepresentation->GetTool();
     this->Caption->describe(*this->Shown, tool ? tool->GetDescription() : std::string(),
@@ -369,7 +370,8 @@ void vtkContactScene::Show(const palpate::ShownContact& contact)
 void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
 {
   // On the surface: how deep the hand gets would tell how hard the body pushes back.
-  const Eigen::Vector3d& place = contact.touches() ? contact.contactPoint : contact.tip;
+  const Eigen::Vector3d& place =
+    contact.touches() ? contact.tick.contact.contactPoint : contact.tick.tip;
   this->Marker->SetPosition(place.x(), place.y(), place.z());
   this->Caption->describeNothing();
   this->Circle->hide();
@@ -381,7 +383,8 @@ void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
 void vtkContactScene::ShowCircle(const palpate::ShownContact& contact)
 {
   const double depth = this->GetExaggeration() * this->Body->circleDepth();
-  this->Circle->show(contact.contactPoint - depth * contact.normal, contact.normal,
+  const palpate::Contact& felt = contact.tick.contact;
+  this->Circle->show(felt.contactPoint - depth * felt.normal, felt.normal,
     this->CircleVisible ? this->ContactRadius : 0.0, !contact.isValid());
 }
 

@@ -181,9 +181,9 @@ double vtkHapticSession::GetPathDuration() const
   return this->Run ? this->Run->pathDuration : 0.0;
 }
 
-const palpate::ServoTick& vtkHapticSession::Newest() const
+const palpate::Tick& vtkHapticSession::Newest() const
 {
-  static const palpate::ServoTick none;
+  static const palpate::Tick none;
   return this->Run ? this->Run->run->newest() : none;
 }
 
@@ -219,7 +219,7 @@ double vtkHapticSession::GetForceFactor()
 
 std::string vtkHapticSession::GetSafetyText()
 {
-  const palpate::ServoTick& newest = this->Newest();
+  const palpate::Tick& newest = this->Newest();
   return palpate::describeSafety(newest.acted, newest.forceFactor);
 }
 
@@ -249,9 +249,9 @@ int vtkHapticSession::GetContactState()
   return static_cast<int>(this->Newest().contact.state);
 }
 
-const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks()
+const std::vector<palpate::Tick>& vtkHapticSession::GetTicks()
 {
-  static const std::vector<palpate::ServoTick> none;
+  static const std::vector<palpate::Tick> none;
   if (!this->Run)
   {
     return none;
@@ -260,7 +260,7 @@ const std::vector<palpate::ServoTick>& vtkHapticSession::GetTicks()
   return this->Run->run->ticks();
 }
 
-const palpate::ServoTick& vtkHapticSession::GetNewestTick()
+const palpate::Tick& vtkHapticSession::GetNewestTick()
 {
   return this->Newest();
 }

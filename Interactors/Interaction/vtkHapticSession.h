@@ -62,7 +62,7 @@ struct ContactSettings;
 class HapticDevice;
 struct SafetySettings;
 struct ServoScene;
-struct ServoTick;
+struct Tick;
 class TickHistory;
 struct SessionDevice;
 } // namespace palpate
@@ -353,9 +353,9 @@ public:
   std::string GetRealTimeGrant();
 
   /** Every tick since Start, for C++. */
-  const std::vector<palpate::ServoTick>& GetTicks();
+  const std::vector<palpate::Tick>& GetTicks();
   /** The newest tick, whole, for C++: valid until the next call. A default one before the first. */
-  const palpate::ServoTick& GetNewestTick();
+  const palpate::Tick& GetNewestTick();
   /** Those of the last HistorySeconds, numbered, for C++. */
   const palpate::TickHistory& GetLastTicks();
 
@@ -367,7 +367,7 @@ private:
   vtkHapticSession(const vtkHapticSession&) = delete;
   void operator=(const vtkHapticSession&) = delete;
 
-  const palpate::ServoTick& Newest() const;
+  const palpate::Tick& Newest() const;
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Path;

@@ -4,10 +4,12 @@
 
 #include "Interaction/Charts/LiveChartsState.h"
 #include "Haptics/Servo/TickHistory.h"
+#include "Interaction/Session/TickRecording.h"
 
 #include "vtkChartXY.h"
 #include "vtkContextScene.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 
@@ -96,12 +98,10 @@ void vtkLiveCharts::Update()
   const std::uint64_t oldest = ticks.added() - ticks.size();
   for (std::uint64_t number = std::max(kept.seen, oldest); number < ticks.added(); ++number)
   {
-    kept.add(palpate::FeltContact(ticks[static_cast<std::size_t>(number - oldest)]));
+    kept.add(ticks[static_cast<std::size_t>(number - oldest)]);
   }
   kept.seen = ticks.added();
-  const palpate::FeltContact now = runs && ticks.size() > 0
-    ? palpate::FeltContact(ticks[ticks.size() - 1])
-    : palpate::FeltContact();
+  const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
   std::string error; // a session that runs has told of it
   kept.time.show(kept.session->GetNumberOfLostTicks());
   kept.way.show();
@@ -129,8 +129,9 @@ void vtkLiveCharts::SetResponseName(const std::string& name)
 bool vtkLiveCharts::ShowTip(vtkPolyData* probed, vtkIdType index)
 {
   Parts& kept = *this->Kept;
-  const bool isTip = probed && index >= 0 && index < probed->GetNumberOfPoints();
-  if (!isTip || !palpate::FeltTips(probed).isComplete() || !kept.body)
+  palpate::Tick now;
+  if (!probed || !kept.body || !probed->GetPointData()->HasArray("NormalForce") ||
+    !palpate::readTick(probed, index, firstPolyOf(kept.body), now))
   {
     vtkErrorMacro(<< "Tip " << index
                   << " cannot be shown: it takes a body, and a tip of a vtkToolContactProbe's "
@@ -144,16 +145,16 @@ bool vtkLiveCharts::ShowTip(vtkPolyData* probed, vtkIdType index)
     kept.probed = probed;
     kept.probedTime = probed->GetMTime();
   }
-  const palpate::FeltTips tips(probed);
-  const vtkIdType firstPoly = firstPolyOf(kept.body);
   for (; kept.nextTip <= index; ++kept.nextTip)
   {
-    kept.add(tips.at(kept.nextTip, firstPoly));
+    palpate::Tick tick;
+    palpate::readTick(probed, kept.nextTip, firstPolyOf(kept.body), tick);
+    kept.add(tick);
   }
   std::string error;
   kept.time.show(0);
   kept.way.show();
-  kept.showCurves(tips.at(index, firstPoly), error);
+  kept.showCurves(now, error);
   kept.layOut();
   if (!error.empty())
   {

@@ -179,17 +179,18 @@ int vtkTrajectoryReader::RequestData(
   give("Time", 1, [](const Row& row) { return &row.time; });
   if (this->Known->hasContact)
   {
-    give("ContactPoint", 3, [](const Row& row) { return row.contactPoint.data(); });
-    give("Deflection", 1, [](const Row& row) { return &row.deflection; });
-    give("NormalForce", 1, [](const Row& row) { return &row.normalForce; });
-    give("FrictionForce", 3, [](const Row& row) { return row.friction.data(); });
+    give("ContactPoint", 3, [](const Row& row) { return row.contact.contactPoint.data(); });
+    give("Deflection", 1, [](const Row& row) { return &row.contact.deflection; });
+    give("NormalForce", 1, [](const Row& row) { return &row.contact.normalForce; });
+    give("FrictionForce", 3, [](const Row& row) { return row.contact.friction.data(); });
     give("IdealForce", 1, [](const Row& row) { return &row.idealForce; });
     vtkNew<vtkUnsignedCharArray> states;
     states->SetName("ContactState");
     states->SetNumberOfTuples(count);
     for (vtkIdType i = 0; i < count; ++i)
     {
-      states->SetValue(i, static_cast<unsigned char>(rows[static_cast<std::size_t>(i)].state));
+      states->SetValue(
+        i, static_cast<unsigned char>(rows[static_cast<std::size_t>(i)].contact.state));
     }
     output->GetPointData()->AddArray(states);
   }

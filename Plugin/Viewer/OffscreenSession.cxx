@@ -68,14 +68,14 @@ struct Trust
   std::string broken;
 };
 
-Trust judge(vtkPolyData* body, const std::vector<ServoTick>& ticks)
+Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
 {
   vtkDataArray* validity = body->GetPointData()->GetArray("ResponseValidity");
   vtkDataArray* limit = body->GetPointData()->GetArray("ResponseLimit");
   double touching = 0.0;
   double trusted = 0.0;
   Trust trust;
-  for (const ServoTick& tick : ticks)
+  for (const Tick& tick : ticks)
   {
     if (tick.contact.triangle < 0)
     {
@@ -242,7 +242,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
   moment.largestForce = 1e-9; // N: an arrow needs a scale even where nothing was touched
-  for (const ServoTick& tick : session->GetTicks())
+  for (const Tick& tick : session->GetTicks())
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }

@@ -28,7 +28,7 @@ ContactSettings withFriction()
 }
 
 /// Depth of a tick; NaN if it did not feel what it should.
-double depthFelt(const ToolContactForce& contact, const Vector3& sent)
+double depthFelt(const Contact& contact, const Vector3& sent)
 {
   const bool slides = contact.state == ContactState::Slide && contact.friction.norm() > 0.0;
   const bool inContact = contact.state == ContactState::Stick || slides;
@@ -41,18 +41,18 @@ class PalpateTick
 {
 public:
   explicit PalpateTick(const ContactBody& body)
-    : Contact(body, withFriction())
+    : Touch(body, withFriction())
   {
   }
   struct Answer
   {
-    ToolContactForce contact;
+    Contact contact;
     Vector3 sent;
   };
   Vector3 prepare(const Vector3* tips) { return *tips; }
   Answer operator()(const Vector3& tip)
   {
-    Answer answer{ this->Contact.update(tip), {} };
+    Answer answer{ this->Touch.update(tip), {} };
     answer.sent = this->Limit.limit(answer.contact.force);
     return answer;
   }
@@ -60,10 +60,10 @@ public:
   {
     return depthFelt(answer.contact, answer.sent);
   }
-  void reset() { this->Contact.reset(); }
+  void reset() { this->Touch.reset(); }
 
 private:
-  ToolContact Contact;
+  ToolContact Touch;
   ForceLimit Limit{ MaximumForce };
 };
 
@@ -89,11 +89,8 @@ public:
     sample.time = this->Time += 1e-3;
     return sample;
   }
-  ServoTick operator()(const Sample& sample)
-  {
-    return this->Servo.step(sample.device, sample.time);
-  }
-  double distance(const Vector3* /*tips*/, const ServoTick& tick) const
+  Tick operator()(const Sample& sample) { return this->Servo.step(sample.device, sample.time); }
+  double distance(const Vector3* /*tips*/, const Tick& tick) const
   {
     // The chain's control may hold some of the force back.
     const double force = tick.deviceForce.norm();
@@ -192,10 +189,10 @@ public:
     }
     return *tips;
   }
-  ContactTracker::Contact operator()(const Vector3& tip) { return this->Tracker.update(tip); }
-  double distance(const Vector3* /*tips*/, const ContactTracker::Contact& contact) const
+  ContactTracker::Result operator()(const Vector3& tip) { return this->Tracker.update(tip); }
+  double distance(const Vector3* /*tips*/, const ContactTracker::Result& contact) const
   {
-    return contact.outcome == ContactTracker::Outcome::Inside ? -contact.surface.signedDistance
+    return contact.outcome == ContactTracker::Outcome::Inside ? -contact.place.signedDistance
                                                               : std::nan("");
   }
   void reset() { this->Tracker.reset(); }

@@ -125,7 +125,7 @@ struct Runner
     }
     load.runFor(seconds);
     this->loop.stop();
-    this->loop.drain([](const ServoTick&) {});
+    this->loop.drain([](const Tick&) {});
     return true;
   }
 

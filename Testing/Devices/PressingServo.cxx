@@ -27,7 +27,7 @@ bool PressingServo::tick()
   const bool reported = this->Device.errors().disconnections > this->Losses;
   const double time =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
-  const ServoTick done = this->Step.step(this->Device.read(time), time);
+  const Tick done = this->Step.step(this->Device.read(time), time);
   this->Device.write(done.deviceForce);
   this->Force = done.deviceForce;
   this->LastReading = done.fresh ? time : this->LastReading;

@@ -49,7 +49,7 @@ inline void feelAround(const ContactBody& body, std::size_t triangles, FuzzedDat
   for (int tick = 0; tick < 16 && input.remaining_bytes() > 0; ++tick)
   {
     const Vector3 tip(anyNumber(input), anyNumber(input), anyNumber(input));
-    const ToolContactForce felt = contact.update(tip);
+    const Contact felt = contact.update(tip);
     require(felt.force.allFinite() && felt.friction.allFinite() && std::isfinite(felt.normalForce),
       "a force is finite");
     require(felt.triangle >= -1 && felt.triangle < static_cast<std::int64_t>(triangles),

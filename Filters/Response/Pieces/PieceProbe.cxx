@@ -192,21 +192,19 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     else if (const auto body = makeContactBody(gathered.body(), this->Name, fault))
     {
       this->Defects = describeDefects(*body);
-      std::vector<Pressed> pressed(balls.size());
       touchWithTips(*body, tips, settings, indentation,
-        [&pressed](vtkIdType tip, const ToolContactForce& contact, const Vector3& at) {
-          pressed[static_cast<std::size_t>(tip)] = { at, contact };
+        [&touched](vtkIdType tip, const Contact& contact, const Vector3& at) {
+          touched[static_cast<std::size_t>(tip)] = { at, contact };
         });
-      needed = neededRadii(*body, tips, pressed);
-      for (std::size_t i = 0; i < touched.size(); ++i)
+      needed = neededRadii(*body, tips, touched);
+      for (Touch& each : touched)
       {
-        touched[i].contact = pressed[i].contact;
-        if (pressed[i].contact.triangle >= 0)
+        if (each.contact.triangle >= 0)
         {
           const GatheredBody::Origin& from =
-            gathered.origin(static_cast<std::size_t>(pressed[i].contact.triangle));
-          touched[i].rank = from.rank;
-          touched[i].cell = from.cell;
+            gathered.origin(static_cast<std::size_t>(each.contact.triangle));
+          each.rank = from.rank;
+          each.contact.triangle = static_cast<std::int32_t>(from.cell);
         }
       }
     }
@@ -215,12 +213,12 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
 }
 
 std::vector<double> PieceProbe::neededRadii(
-  const ContactBody& body, vtkPolyData* tips, const std::vector<Pressed>& pressed)
+  const ContactBody& body, vtkPolyData* tips, const std::vector<Touch>& touched)
 {
-  std::vector<double> needed(pressed.size(), 0.0);
-  for (std::size_t i = 0; i < pressed.size(); ++i)
+  std::vector<double> needed(touched.size(), 0.0);
+  for (std::size_t i = 0; i < touched.size(); ++i)
   {
-    const Vector3& at = pressed[i].at;
+    const Vector3& at = touched[i].at;
     if (!at.allFinite())
     {
       continue;
@@ -237,7 +235,7 @@ std::vector<double> PieceProbe::neededRadii(
       for (vtkIdType i = 0; i < size; ++i)
       {
         const auto now = static_cast<std::size_t>(points[i]);
-        const Pressed& tip = pressed[now];
+        const Touch& tip = touched[now];
         if (!tip.at.allFinite())
         {
           held = 0.0;
@@ -246,10 +244,10 @@ std::vector<double> PieceProbe::neededRadii(
         double reach = 0.0;
         if (held > 0.0)
         {
-          reach = held + (tip.at - pressed[static_cast<std::size_t>(points[i - 1])].at).norm();
+          reach = held + (tip.at - touched[static_cast<std::size_t>(points[i - 1])].at).norm();
           needed[now] = std::max(needed[now], reach + (tip.at - tipAt(tips, points[i])).norm());
         }
-        const ToolContactForce& contact = tip.contact;
+        const Contact& contact = tip.contact;
         held = 0.0;
         if (contact.triangle >= 0)
         {

@@ -35,9 +35,9 @@ class PieceProbe
 public:
   struct Touch
   {
-    ToolContactForce contact; ///< its triangle is of no use
-    int rank = -1;            ///< that has the touched cell; -1: none
-    vtkIdType cell = -1;      ///< of that rank's piece
+    Vector3 at = Vector3::Zero(); ///< where the tip was after the indentation
+    Contact contact;              ///< its triangle: the cell of that rank's piece
+    int rank = -1;                ///< that has the touched cell; -1: none
   };
 
   /// `piece` has the response `name`, or is empty.
@@ -51,18 +51,12 @@ public:
   const std::string& defects() const noexcept { return this->Defects; }
 
 private:
-  struct Pressed
-  {
-    Vector3 at = Vector3::Zero();
-    ToolContactForce contact;
-  };
-
   std::vector<TipBall> firstBalls(vtkPolyData* tips, double indentation) const;
   std::string touchPart(const std::vector<TipBall>& balls, double margin, vtkPolyData* tips,
     const ContactSettings& settings, double indentation, std::vector<double>& needed,
     std::vector<Touch>& touched);
   static std::vector<double> neededRadii(
-    const ContactBody& body, vtkPolyData* tips, const std::vector<Pressed>& pressed);
+    const ContactBody& body, vtkPolyData* tips, const std::vector<Touch>& touched);
 
   const Ranks& Among;
   const BodyPiece& Piece;

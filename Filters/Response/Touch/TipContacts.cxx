@@ -146,7 +146,7 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       // the many arrays of the visitor.
       struct Felt
       {
-        ToolContactForce contact;
+        Contact contact;
         Vector3 pressed;
       };
       std::vector<Felt> felt;

@@ -19,7 +19,7 @@ std::string checkTips(vtkPolyData* tips);
 /// Told each tip, its contact, and where the tip was after Indentation. From several threads, for
 /// different tips.
 using TipVisitor =
-  std::function<void(vtkIdType tip, const ToolContactForce& contact, const Vector3& pressed)>;
+  std::function<void(vtkIdType tip, const Contact& contact, const Vector3& pressed)>;
 
 /**
  * Touches a body with tips that have passed checkTips: those of a polyline as one history, with

@@ -3,7 +3,7 @@
 #define palpate_Trajectory_h
 
 #include "Haptics/Devices/HapticDevice.h"
-#include "Contact/ToolContact.h"
+#include "Contact/Contact.h"
 
 #include <vector>
 
@@ -15,13 +15,9 @@ struct TrajectoryRow
   double time = 0.0;                             ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< body frame, mm
 
-  /// The contact; zeros where there is none. Body frame; mm, N.
-  Eigen::Vector3d contactPoint = Eigen::Vector3d::Zero();
-  double deflection = 0.0;
-  double normalForce = 0.0;
-  Eigen::Vector3d friction = Eigen::Vector3d::Zero();
-  double idealForce = 0.0; ///< magnitude of the total, before any limit of the device
-  ContactState state = ContactState::None;
+  /// Of a file only point, deflection, normal force, friction and state.
+  Contact contact;
+  double idealForce = 0.0; ///< magnitude of the total, before any limit of the device, N
 
   /// The device, in its own frame; m, m/s, N.
   DeviceSample sample;
@@ -31,7 +27,7 @@ struct TrajectoryRow
   /// A tick without a valid sample has no tip: it is (0, 0, 0), in state Invalid.
   bool hasTip() const noexcept
   {
-    return this->state != ContactState::Invalid || !this->tip.isZero(0.0);
+    return this->contact.state != ContactState::Invalid || !this->tip.isZero(0.0);
   }
 };
 

@@ -42,23 +42,19 @@ bool isWritten(const Trajectory& trajectory, std::size_t column)
     (column < DeviceBegin ? trajectory.hasContact : trajectory.hasDevice);
 }
 
-TrajectoryRow rowOf(const ServoTick& tick)
+TrajectoryRow rowOf(const Tick& tick)
 {
   TrajectoryRow row;
   row.time = tick.time;
   row.tip = tick.tip;
-  row.contactPoint = tick.contact.contactPoint;
-  row.deflection = tick.contact.deflection;
-  row.normalForce = tick.contact.normalForce;
-  row.friction = tick.contact.friction;
+  row.contact = tick.contact;
   row.idealForce = tick.contact.force.norm();
-  row.state = tick.contact.state;
   const Numbers numbers = numbersOf(row);
   if (!std::all_of(numbers.begin() + 1, numbers.end(), [](double x) { return std::isfinite(x); }))
   {
     row = {};
     row.time = tick.time;
-    row.state = ContactState::Invalid;
+    row.contact.state = ContactState::Invalid;
   }
   return row;
 }
@@ -224,12 +220,12 @@ const char* const TrajectoryColumns =
   "time_s,tip_x_mm,tip_y_mm,tip_z_mm,contact_x_mm,contact_y_mm,contact_z_mm,deflection_mm,"
   "normal_force_N,friction_x_N,friction_y_N,friction_z_N,ideal_force_N,state";
 
-std::string writeTrajectory(const std::string& path, const std::vector<ServoTick>& ticks)
+std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks)
 {
   Trajectory trajectory;
   trajectory.hasContact = true;
   trajectory.rows.reserve(ticks.size());
-  for (const ServoTick& tick : ticks)
+  for (const Tick& tick : ticks)
   {
     trajectory.rows.push_back(rowOf(tick));
   }

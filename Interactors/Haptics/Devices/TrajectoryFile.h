@@ -26,8 +26,7 @@ extern const char* const TrajectoryColumns;
  * away: where the disk is full the rows that had room are kept in PATH.part, a file like any other,
  * and the error says how many.
  */
-PALPATE_EXPORT std::string writeTrajectory(
-  const std::string& path, const std::vector<ServoTick>& ticks);
+PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks);
 
 /**
  * The same for a trajectory: time and tip, the columns of the contact if it has one, and if it has

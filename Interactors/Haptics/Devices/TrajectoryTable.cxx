@@ -55,12 +55,12 @@ Numbers numbersOf(const TrajectoryRow& row)
   Numbers numbers{};
   numbers[Time] = row.time;
   put(row.tip, Tip, numbers);
-  put(row.contactPoint, ContactPoint, numbers);
-  numbers[Deflection] = row.deflection;
-  numbers[NormalForce] = row.normalForce;
-  put(row.friction, Friction, numbers);
+  put(row.contact.contactPoint, ContactPoint, numbers);
+  numbers[Deflection] = row.contact.deflection;
+  numbers[NormalForce] = row.contact.normalForce;
+  put(row.contact.friction, Friction, numbers);
   numbers[IdealForce] = row.idealForce;
-  numbers[State] = static_cast<double>(row.state);
+  numbers[State] = static_cast<double>(row.contact.state);
   put(row.sample.position, Position, numbers);
   put(row.sample.velocity, Velocity, numbers);
   numbers[Buttons] = row.sample.buttons;
@@ -81,12 +81,12 @@ std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, Traje
     {
       return "state must be a whole number from 0 to 5";
     }
-    row.contactPoint = get(numbers, ContactPoint);
-    row.deflection = numbers[Deflection];
-    row.normalForce = numbers[NormalForce];
-    row.friction = get(numbers, Friction);
+    row.contact.contactPoint = get(numbers, ContactPoint);
+    row.contact.deflection = numbers[Deflection];
+    row.contact.normalForce = numbers[NormalForce];
+    row.contact.friction = get(numbers, Friction);
     row.idealForce = numbers[IdealForce];
-    row.state = static_cast<ContactState>(static_cast<int>(numbers[State]));
+    row.contact.state = static_cast<ContactState>(static_cast<int>(numbers[State]));
   }
   if (hasDevice)
   {

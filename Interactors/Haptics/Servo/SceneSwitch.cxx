@@ -19,7 +19,7 @@ void copy(const std::unique_ptr<ServoScene>& from, std::unique_ptr<ServoScene>& 
   }
 }
 
-double reachOf(const ToolContactForce& contact, const FrictionSettings& friction) noexcept
+double reachOf(const Contact& contact, const FrictionSettings& friction) noexcept
 {
   const double force = contact.friction.norm();
   if (!(force > 0.0))
@@ -54,7 +54,7 @@ SceneForce feel(ServoScene& scene, const Vector3& tip, double stiffnessLimit) no
 }
 
 /// So that the next tick finds the contact on that side of the body where another has it.
-void enter(ToolContact& contact, const ToolContactForce& other, const Vector3& tip) noexcept
+void enter(ToolContact& contact, const Contact& other, const Vector3& tip) noexcept
 {
   constexpr double Depth = 0.1; // of the deflection: near that side, yet under most other surfaces
   if (other.triangle >= 0 && other.deflection > 0.0)

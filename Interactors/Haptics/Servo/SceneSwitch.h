@@ -14,7 +14,7 @@ namespace palpate
 /// What the tip feels of a scene, or of two of which one is left for the other. Body frame; mm, N.
 struct SceneForce
 {
-  ToolContactForce contact;              ///< of the newest scene
+  Contact contact;                       ///< of the newest scene
   Vector3 idealForce = Vector3::Zero();  ///< blended; contact.force when not switching
   Vector3 cappedForce = Vector3::Zero(); ///< the same, each stiffness capped
   double forceFactor = 1.0;              ///< blended; 0: there is no force

@@ -174,7 +174,7 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
     deadline += periods * period;
     skipped += periods;
   };
-  ServoTick newest;
+  Tick newest;
   while (this->goesOn())
   {
     const std::int64_t woken = now();
@@ -202,10 +202,10 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
   this->finish(newest);
 }
 
-ServoTick ServoLoop::tick(double time) noexcept
+Tick ServoLoop::tick(double time) noexcept
 {
   const DeviceSample sample = this->Device.read(time);
-  ServoTick tick = this->Step.step(sample, time);
+  Tick tick = this->Step.step(sample, time);
   const bool taken = this->Device.write(tick.deviceForce);
   this->Latest.write(tick);
   this->Recording.push(tick);
@@ -225,7 +225,7 @@ void ServoLoop::takeScene() noexcept
   this->Scenes.giveBack(this->Step.takeRetired());
 }
 
-void ServoLoop::finish(const ServoTick& newest) noexcept
+void ServoLoop::finish(const Tick& newest) noexcept
 {
   // A device may be at work on the force before; one that is gone takes none.
   constexpr int Attempts = 10;
@@ -236,7 +236,7 @@ void ServoLoop::finish(const ServoTick& newest) noexcept
   }
   this->Step.reset();
   this->Scenes.giveBack(this->Step.takeRetired());
-  ServoTick last;
+  Tick last;
   last.time = newest.time;
   last.tip = newest.tip;
   last.scene = newest.scene;

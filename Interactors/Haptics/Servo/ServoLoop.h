@@ -78,8 +78,8 @@ public:
   const RealTimeGrant& grant() const noexcept { return this->Grant; }
 
   /// The newest tick; a default one before the first.
-  const ServoTick& newest() noexcept { return this->Latest.read(); }
-  /// Calls sink(const ServoTick&) for every tick since the last drain, oldest first; returns how
+  const Tick& newest() noexcept { return this->Latest.read(); }
+  /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns how
   /// many. Also after a stop. Ticks for which there was no room are counted in the statistics.
   template <class Sink>
   std::size_t drain(Sink&& sink)
@@ -107,16 +107,16 @@ public:
 private:
   void run(std::promise<RealTimeGrant>& granted) noexcept;
   bool goesOn() const noexcept;
-  ServoTick tick(double time) noexcept;
+  Tick tick(double time) noexcept;
   void takeScene() noexcept;
   /// Leaves no force: on the device, in the step, in what is published.
-  void finish(const ServoTick& newest) noexcept;
+  void finish(const Tick& newest) noexcept;
 
   HapticDevice& Device;
   ServoStep Step;
   ServoLoopSettings Settings;
-  LatestValue<ServoTick> Latest;
-  SampleRing<ServoTick> Recording;
+  LatestValue<Tick> Latest;
+  SampleRing<Tick> Recording;
   SceneExchange<ServoScene> Scenes;
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };

@@ -42,11 +42,11 @@ ServoStep::ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& 
 {
 }
 
-ServoTick ServoStep::step(const DeviceSample& sample, double time) noexcept
+Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
 {
   const double elapsed = time > this->LastTime ? time - this->LastTime : 0.0;
   this->LastTime = std::isfinite(time) ? time : this->LastTime;
-  ServoTick tick;
+  Tick tick;
   tick.time = time;
   tick.buttons = sample.buttons;
   tick.contact.state = ContactState::Invalid;
@@ -79,7 +79,7 @@ ServoTick ServoStep::step(const DeviceSample& sample, double time) noexcept
   return tick;
 }
 
-void ServoStep::touch(double elapsed, ServoTick& tick, SafetyInput& input) noexcept
+void ServoStep::touch(double elapsed, Tick& tick, SafetyInput& input) noexcept
 {
   const double held = this->Hand.forceShare();
   tick.tip = this->Hand.follow(tick.tip, tick.buttons, elapsed);

@@ -17,11 +17,11 @@
 namespace palpate
 {
 /// What one step of the servo loop saw and did.
-struct ServoTick
+struct Tick
 {
   double time = 0.0;                                     ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();         ///< body frame, mm
-  ToolContactForce contact;                              ///< body frame; the ideal force
+  Contact contact;                                       ///< body frame; the ideal force
   Eigen::Vector3d deviceForce = Eigen::Vector3d::Zero(); ///< device frame, N; what is sent
 
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< of the hand, body frame, mm/s
@@ -67,7 +67,7 @@ public:
     const SafetySettings& safety, std::uint32_t clutchButtons = 0);
 
   /// `time` in s; ramps and the chain need one that increases.
-  ServoTick step(const DeviceSample& sample, double time) noexcept;
+  Tick step(const DeviceSample& sample, double time) noexcept;
 
   /// Hands over another scene; null: nothing happens. See SceneSwitch.
   void change(std::unique_ptr<ServoScene> next) noexcept { this->Scenes.change(std::move(next)); }
@@ -91,7 +91,7 @@ public:
   double energy() const noexcept { return this->Chain.energy(); }
 
 private:
-  void touch(double elapsed, ServoTick& tick, SafetyInput& input) noexcept;
+  void touch(double elapsed, Tick& tick, SafetyInput& input) noexcept;
 
   WorkspaceMapping Mapping;
   SafetyChain Chain;

@@ -32,7 +32,7 @@ public:
     this->Slots.reserve(this->Capacity);
   }
 
-  void add(const ServoTick& tick)
+  void add(const Tick& tick)
   {
     ++this->Added;
     if (this->Capacity == 0)
@@ -59,7 +59,7 @@ public:
 
   std::size_t size() const noexcept { return this->Count; }
   /// 0 is the oldest.
-  const ServoTick& operator[](std::size_t index) const noexcept
+  const Tick& operator[](std::size_t index) const noexcept
   {
     return this->Slots[(this->Begin + index) % this->Capacity];
   }
@@ -73,7 +73,7 @@ private:
   std::size_t Begin = 0;
   std::size_t Count = 0;
   std::uint64_t Added = 0;
-  std::vector<ServoTick> Slots;
+  std::vector<Tick> Slots;
 };
 } // namespace palpate
 

@@ -62,21 +62,25 @@ void vtkLiveCharts::Parts::chooseRanges()
   }
 }
 
-void vtkLiveCharts::Parts::add(const palpate::FeltContact& felt)
+void vtkLiveCharts::Parts::add(const palpate::Tick& felt)
 {
+  const double ideal = felt.idealForce.norm();
+  const double applied = felt.appliedForce.norm();
   if (std::isfinite(felt.time))
   {
-    this->time.add(felt.time, felt.ideal, felt.applied, felt.friction);
+    this->time.add(felt.time, ideal, applied, felt.contact.friction.norm());
   }
-  this->way.add(felt.touches(), felt.deflection, felt.ideal, felt.applied);
-  this->touched = felt.touches() ? felt : this->touched;
+  const bool touches = felt.contact.triangle >= 0;
+  this->way.add(touches, felt.contact.deflection, ideal, applied);
+  this->touched = touches ? felt : this->touched;
 }
 
-void vtkLiveCharts::Parts::showCurves(const palpate::FeltContact& now, std::string& error)
+void vtkLiveCharts::Parts::showCurves(const palpate::Tick& now, std::string& error)
 {
   palpate::ContactTriangle place;
   if (this->known &&
-    place.find(this->known, this->knownName, this->touched.triangle, this->touched.contactPoint))
+    place.find(this->known, this->knownName, this->touched.contact.triangle,
+      this->touched.contact.contactPoint))
   {
     if (this->compared.empty())
     {
@@ -87,9 +91,9 @@ void vtkLiveCharts::Parts::showCurves(const palpate::FeltContact& now, std::stri
       this->showCompared(place, error);
     }
   }
-  if (now.touches())
+  if (now.contact.triangle >= 0)
   {
-    this->curves.showPoint(now.deflection, now.normalForce);
+    this->curves.showPoint(now.contact.deflection, now.contact.normalForce);
   }
   else
   {
@@ -112,7 +116,7 @@ void vtkLiveCharts::Parts::showCorners(const palpate::ContactTriangle& place, st
       { [&response, k](double depth) { return response->cornerForce(k, depth); }, end, end });
   }
   shown.push_back({ [&response](double depth) { return response->force(depth); },
-    std::max(response->range(), this->touched.deflection), response->validity() });
+    std::max(response->range(), this->touched.contact.deflection), response->validity() });
   const auto& colors = palpate::CurveColors;
   this->curves.choose(
     { { "Corner 1", colors[5], CornerWidth }, { "Corner 2", colors[4], CornerWidth },

@@ -5,10 +5,10 @@
 
 #include "Interaction/Charts/ContactCurvesChart.h"
 #include "Interaction/Charts/ContactResponse.h"
-#include "Interaction/Charts/FeltContact.h"
 #include "Interaction/Charts/ForceDeflectionChart.h"
 #include "Interaction/Charts/ForceTimeChart.h"
 #include "Interaction/Charts/TickHistogramChart.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "vtkHapticSession.h"
 #include "vtkLiveCharts.h"
 
@@ -53,7 +53,7 @@ struct vtkLiveCharts::Parts
   vtkSmartPointer<vtkPolyData> probed;
   vtkMTimeType probedTime = 0;
   vtkIdType nextTip = 0;
-  palpate::FeltContact touched; ///< the newest contact
+  palpate::Tick touched; ///< the newest contact
 
   std::vector<std::pair<palpate::LiveChart*, bool>> all() // in their order, all visible or not
   {
@@ -68,8 +68,8 @@ struct vtkLiveCharts::Parts
   /// Takes over other responses than before, if they are.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
-  void add(const palpate::FeltContact& felt);
-  void showCurves(const palpate::FeltContact& now, std::string& error);
+  void add(const palpate::Tick& felt);
+  void showCurves(const palpate::Tick& now, std::string& error);
   void showCorners(const palpate::ContactTriangle& place, std::string& error);
   void showCompared(const palpate::ContactTriangle& place, std::string& error);
   void layOut();

@@ -109,13 +109,9 @@ std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataAr
 
 FieldContact fieldContact(const ShownContact& shown)
 {
-  FieldContact contact;
-  contact.cell = shown.cell;
-  contact.deflection = shown.deflection;
-  contact.force = (shown.force - shown.friction).dot(shown.normal);
-  contact.point = shown.contactPoint;
-  contact.normal = shown.normal;
-  return contact;
+  const Contact& felt = shown.tick.contact;
+  return { shown.cell, felt.deflection, (shown.tick.idealForce - felt.friction).dot(felt.normal),
+    felt.contactPoint, felt.normal };
 }
 } // namespace
 
@@ -345,11 +341,12 @@ void BodyDisplay::showByFilter()
     return; // no dent before, none now: the body need not be drawn anew
   }
   this->HasField = true; // the filter checks the body
-  const ContactField field = this->makeField(fieldContact(contact));
+  const FieldContact given = fieldContact(contact);
+  const ContactField field = this->makeField(given);
   this->Deflection->SetMaximumDistance(DeflectionShader::reachOf(field));
   vtkNew<vtkPoints> point;
   point->SetDataTypeToDouble();
-  point->InsertNextPoint(contact.tip.data());
+  point->InsertNextPoint(contact.tick.tip.data());
   this->Tip->SetPoints(point);
   const auto store = [this](const char* name, int components, const double* value)
   {
@@ -360,11 +357,10 @@ void BodyDisplay::showByFilter()
     this->Tip->GetPointData()->AddArray(array);
   };
   const auto cell = static_cast<double>(contact.cell);
-  const double force = fieldContact(contact).force;
-  store("Deflection", 1, &contact.deflection);
-  store("Normal", 3, contact.normal.data());
-  store("NormalForce", 1, &force);
-  store("ContactPoint", 3, contact.contactPoint.data());
+  store("Deflection", 1, &given.deflection);
+  store("Normal", 3, given.normal.data());
+  store("NormalForce", 1, &given.force);
+  store("ContactPoint", 3, given.point.data());
   store("ContactCell", 1, &cell);
   this->Tip->Modified();
 }

@@ -56,7 +56,8 @@ void ForceTrail::add(const ShownContact& contact)
     this->IsNear = false;
     return;
   }
-  const Place place{ contact.contactPoint, contact.force.norm(), contact.isValid(), this->InAir };
+  const Place place{ contact.tick.contact.contactPoint, contact.tick.idealForce.norm(),
+    contact.isValid(), this->InAir };
   this->InAir = false;
   if (this->IsNear)
   {

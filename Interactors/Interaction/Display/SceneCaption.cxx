@@ -100,16 +100,17 @@ void SceneCaption::describe(
   text = "Tool: " + tool;
   if (contact.touches())
   {
-    text += "\nDeflection " + millimetres(contact.deflection);
+    text += "\nDeflection " + millimetres(contact.tick.contact.deflection);
     text += contactRadius > 0.0 ? ", contact radius " + millimetres(contactRadius) : "";
-    text += "\nForce " + newtons(contact.force);
-    text += contact.hasFriction() ? ": normal " + newtons(contact.force - contact.friction) +
-        ", friction " + newtons(contact.friction)
-                                  : "";
+    text += "\nForce " + newtons(contact.tick.idealForce);
+    text += contact.hasFriction()
+      ? ": normal " + newtons(contact.tick.idealForce - contact.tick.contact.friction) +
+        ", friction " + newtons(contact.tick.contact.friction)
+      : "";
   }
   if (contact.appliedDiffers())
   {
-    text += "\nApplied " + newtons(contact.applied);
+    text += "\nApplied " + newtons(contact.tick.appliedForce);
     text += contact.safety.empty() ? "" : ": " + contact.safety;
   }
   if (!contact.isValid())

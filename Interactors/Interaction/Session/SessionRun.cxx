@@ -71,7 +71,7 @@ void RealTimeRun::change(std::unique_ptr<ServoScene> scene)
   this->Loop.changeScene(std::move(scene));
 }
 
-const ServoTick& RealTimeRun::newest()
+const Tick& RealTimeRun::newest()
 {
   this->collect(); // whoever looks at the newest tick at display rate keeps the ring from filling
   return this->Loop.newest();
@@ -80,6 +80,6 @@ const ServoTick& RealTimeRun::newest()
 void RealTimeRun::collect()
 {
   this->Loop.freeScenes();
-  this->Loop.drain([this](const ServoTick& tick) { this->keep(tick); });
+  this->Loop.drain([this](const Tick& tick) { this->keep(tick); });
 }
 } // namespace palpate

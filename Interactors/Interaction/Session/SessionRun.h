@@ -47,7 +47,7 @@ public:
   virtual double time() const = 0;
 
   /// A default one before the first.
-  virtual const ServoTick& newest() = 0;
+  virtual const Tick& newest() = 0;
   /// Takes over what has been recorded meanwhile.
   virtual void collect() = 0;
   virtual std::uint64_t ticksMade() const = 0;
@@ -56,7 +56,7 @@ public:
 
   HapticDevice& device() { return *this->Device; }
   /// Every tick, if it is recorded, until the last collect().
-  const std::vector<ServoTick>& ticks() const { return this->Ticks; }
+  const std::vector<Tick>& ticks() const { return this->Ticks; }
   /// The last ones, likewise.
   const TickHistory& history() const { return this->History; }
   const TickSummary& summary() const { return this->Summary; }
@@ -64,7 +64,7 @@ public:
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
 protected:
-  void keep(const ServoTick& tick)
+  void keep(const Tick& tick)
   {
     this->Summary.add(tick);
     this->History.add(tick);
@@ -77,7 +77,7 @@ protected:
   std::shared_ptr<HapticDevice> Device;
   bool KeepsAll;
   TickHistory History;
-  std::vector<ServoTick> Ticks;
+  std::vector<Tick> Ticks;
   std::vector<double> Nanoseconds;
   TickSummary Summary;
 };
@@ -95,7 +95,7 @@ public:
   void change(std::unique_ptr<ServoScene> scene) override;
   void step(double seconds) override;
   double time() const override;
-  const ServoTick& newest() override { return this->Newest; }
+  const Tick& newest() override { return this->Newest; }
   void collect() override {}
   std::uint64_t ticksMade() const override { return this->Summary.ticks; }
 
@@ -106,7 +106,7 @@ private:
   double Period;
   double Reached = 0.0; ///< time stepped to so far, s; ticks fall behind by less than one
   bool Running = true;
-  ServoTick Newest;
+  Tick Newest;
 };
 
 /// On the servo thread.
@@ -123,7 +123,7 @@ public:
   void change(std::unique_ptr<ServoScene> scene) override;
   void step(double) override {}
   double time() const override { return 0.0; }
-  const ServoTick& newest() override;
+  const Tick& newest() override;
   void collect() override;
   std::uint64_t ticksMade() const override { return this->Loop.ticks(); }
   ServoLoop* loop() override { return &this->Loop; }

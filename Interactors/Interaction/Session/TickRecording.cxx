@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Session/TickRecording.h"
 
+#include "Mechanics/Numerics/Constants.h"
 #include "Response/ContactArrays.h"
 
 #include "vtkCellArray.h"
@@ -72,7 +73,7 @@ void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
   ContactArrays contacts(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const ServoTick& tick = ticks[static_cast<std::size_t>(i)];
+    const Tick& tick = ticks[static_cast<std::size_t>(i)];
     points->SetPoint(i, tick.tip.data());
     line->InsertCellPoint(i);
     time->SetValue(i, tick.time);
@@ -95,7 +96,7 @@ void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
 }
 } // namespace
 
-void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording)
+void fillRecording(const std::vector<Tick>& ticks, vtkIdType firstPoly, vtkPolyData* recording)
 {
   fillFrom(ticks, firstPoly, recording);
 }
@@ -103,6 +104,47 @@ void fillRecording(const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtk
 void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording)
 {
   fillFrom(ticks, firstPoly, recording);
+}
+
+bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick)
+{
+  vtkPointData* data = tips->GetPointData();
+  const auto read = [data, index](const char* name, double* values)
+  {
+    vtkDataArray* array = data->GetArray(name);
+    if (array)
+    {
+      array->GetTuple(index, values);
+    }
+    return array != nullptr;
+  };
+  const bool isTip = index >= 0 && index < tips->GetNumberOfPoints();
+  Contact& contact = tick.contact;
+  double cell = -1.0;
+  if (!isTip || !read("Force", contact.force.data()) || !read("Deflection", &contact.deflection) ||
+    !read("ContactPoint", contact.contactPoint.data()) || !read("ContactCell", &cell))
+  {
+    return false;
+  }
+  contact.triangle =
+    cell < 0.0 ? -1 : static_cast<std::int32_t>(cell - static_cast<double>(firstPoly));
+  double state = 0.0;
+  double links = 0.0;
+  read("Normal", contact.normal.data());
+  read("NormalForce", &contact.normalForce);
+  read("FrictionForce", contact.friction.data());
+  read("ContactState", &state);
+  contact.state = static_cast<ContactState>(static_cast<int>(state));
+  tips->GetPoint(index, tick.tip.data());
+  tick.idealForce = contact.force;
+  tick.time = NotANumber;
+  tick.appliedForce.setConstant(NotANumber);
+  read("Time", &tick.time);
+  read("AppliedForce", tick.appliedForce.data());
+  read("ForceFactor", &tick.forceFactor);
+  read("SafetyLinks", &links);
+  tick.acted = static_cast<std::uint16_t>(links);
+  return true;
 }
 
 void fillStatistics(

@@ -18,9 +18,13 @@ namespace palpate
 /// The ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s),
 /// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink).
 /// `firstPoly` is the cell id of the body's first triangle.
-void fillRecording(
-  const std::vector<ServoTick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
+void fillRecording(const std::vector<Tick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording);
+
+/// Tip `index` of such a recording or of vtkToolContactProbe's output. False if there is no such
+/// tip, or one of Force, Deflection, ContactPoint and ContactCell is missing; the other arrays are
+/// read where they are: time and applied force are NaN without.
+bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick);
 
 /// One row, see vtkHapticSession::GetStatistics; `nanoseconds` holds the time of each tick.
 void fillStatistics(

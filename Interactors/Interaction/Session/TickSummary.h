@@ -20,7 +20,7 @@ struct TickSummary
   double peakDeflection = 0.0; ///< mm
   std::uint16_t acted = 0;     ///< every SafetyLink that acted in any of them
 
-  void add(const ServoTick& tick)
+  void add(const Tick& tick)
   {
     this->ticks += 1;
     this->inContact += tick.contact.triangle >= 0 ? 1 : 0;

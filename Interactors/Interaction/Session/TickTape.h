@@ -39,10 +39,10 @@ public:
   void stop() { this->Running = false; }
 
   bool isRunning() const { return this->Running; }
-  const std::vector<ServoTick>& ticks() const { return this->Ticks; }
+  const std::vector<Tick>& ticks() const { return this->Ticks; }
 
 private:
-  std::vector<ServoTick> Ticks;
+  std::vector<Tick> Ticks;
   std::uint64_t Seen = 0;
   bool Running = false;
 };

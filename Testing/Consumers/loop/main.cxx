@@ -21,7 +21,7 @@ int main(int argc, char** argv)
   const auto body = palpate::makeContactBody(file.body());
   palpate::ServoStep servo(*body, palpate::WorkspaceMapping(), 20.0);
   double strongest = 0.0;
-  palpate::ServoTick last;
+  palpate::Tick last;
   auto deadline = std::chrono::steady_clock::now();
   for (int tick = 0; tick < 300; ++tick)
   {

@@ -38,7 +38,7 @@ TEST(BorderContact, LostAndFading)
     for (int i = 0; i <= 600; ++i)
     {
       const double l = 0.005 * i - 1.0;
-      const ToolContactForce found = contact.update(Vector3(10.0 + l, 5.3, -1.0));
+      const Contact found = contact.update(Vector3(10.0 + l, 5.3, -1.0));
       const double x = std::min(std::max(l, 0.0), 1.0);
       EXPECT_NEAR(found.normalForce, 10.0 * (1 - x) * (1 - x) * (1 + 2 * x), 1e-4) << l; // float32
       EXPECT_NEAR(found.force.x(), 0.0, 1e-6); // float32 normals
@@ -68,8 +68,8 @@ TEST(BorderContact, OfTheTipsPlaceAlone)
     for (const double l : { -0.3, 0.2, 0.5, 0.9, 1.2, 0.7, -0.1 })
     {
       const Vector3 tip(10.0 + l, 5.3, -1.0);
-      const ToolContactForce found = out.update(tip);
-      const ToolContactForce fresh = ToolContact(*body, settings).update(tip);
+      const Contact found = out.update(tip);
+      const Contact fresh = ToolContact(*body, settings).update(tip);
       EXPECT_LE((found.force - fresh.force).norm(), 1e-9) << l;
       EXPECT_EQ(found.state, fresh.state);
     }
@@ -87,7 +87,7 @@ TEST(BorderContact, FrictionFadesToo)
   Vector3 last = Vector3::Zero();
   for (int i = 0; i <= 600; ++i)
   {
-    const ToolContactForce found = contact.update(Vector3(9.0 + 0.005 * i, 5.3, -1.0));
+    const Contact found = contact.update(Vector3(9.0 + 0.005 * i, 5.3, -1.0));
     EXPECT_LE(found.friction.norm(), 0.5 * found.normalForce + 1e-9);
     EXPECT_LE(found.friction.x(), 1e-9); // against the way
     if (i > 0)
@@ -119,7 +119,7 @@ TEST(BorderContact, BeyondItAnotherBodyIsFound)
   EXPECT_EQ(contact.update(Vector3(9.5, 5.3, -1.0)).state, ContactState::Slide);
   EXPECT_EQ(contact.update(Vector3(10.5, 5.3, -1.0)).state, ContactState::LostAtBorder);
   EXPECT_EQ(contact.update(Vector3(11.2, 5.3, -1.0)).force, Vector3::Zero());
-  const ToolContactForce found = contact.update(Vector3(11.8, 5.3, -1.0));
+  const Contact found = contact.update(Vector3(11.8, 5.3, -1.0));
   EXPECT_EQ(found.state, ContactState::Slide);
   EXPECT_NEAR(found.contactPoint.x(), 11.5, 1e-6);
 }

@@ -31,20 +31,20 @@ int followPath(const Surface& given, int ticks, const std::function<Vector3(doub
   for (int i = 0; i <= ticks; ++i)
   {
     const Vector3 tip = path(static_cast<double>(i) / ticks);
-    const ContactTracker::Contact contact = tracker.update(tip);
+    const ContactTracker::Result contact = tracker.update(tip);
     const Nearest nearest = nearestOf(body, tip, last >= 0 ? twoRings(body, last) : all);
     const bool inside = windingNumber(body, tip) > 0.5;
     EXPECT_EQ(contact.outcome, inside ? Outcome::Inside : Outcome::Outside) << "tick " << i;
     if (inside)
     {
       ++inContact;
-      EXPECT_NEAR(-contact.surface.signedDistance, static_cast<double>(nearest.distance), tolerance)
+      EXPECT_NEAR(-contact.place.signedDistance, static_cast<double>(nearest.distance), tolerance)
         << "tick " << i;
-      EXPECT_LE((contact.surface.projection.point.cast<long double>() - nearest.point).norm(),
+      EXPECT_LE((contact.place.projection.point.cast<long double>() - nearest.point).norm(),
         static_cast<long double>(1e3 * tolerance)) // √ of the rounding of a squared distance
         << "tick " << i;
     }
-    last = inside ? mesh.inputTriangle(contact.surface.triangle) : -1;
+    last = inside ? mesh.inputTriangle(contact.place.triangle) : -1;
   }
   return inContact;
 }

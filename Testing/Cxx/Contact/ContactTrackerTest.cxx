@@ -40,10 +40,10 @@ TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
   {
     const double depth = 0.01 * i;
     const Vector3 tip(15.3 + 0.01 * i, 17.1, 4.0 - depth);
-    const ContactTracker::Contact contact = slab.tracker.update(tip);
+    const ContactTracker::Result contact = slab.tracker.update(tip);
     ASSERT_EQ(contact.outcome, i > 0 ? Outcome::Inside : Outcome::Outside) << depth;
-    EXPECT_EQ(contact.surface.projection.point.z(), 4.0);
-    EXPECT_NEAR(contact.surface.signedDistance, -depth, 1e-14); // 4 - (4 - depth)
+    EXPECT_EQ(contact.place.projection.point.z(), 4.0);
+    EXPECT_NEAR(contact.place.signedDistance, -depth, 1e-14); // 4 - (4 - depth)
     if (depth > 2.01)
     {
       // The nearest point of the whole body has long been on the other side.
@@ -52,7 +52,7 @@ TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
   }
   // Without a history the same tip belongs to the bottom.
   slab.tracker.reset();
-  EXPECT_EQ(slab.tracker.update(Vector3(19.2, 17.1, 0.1)).surface.projection.point.z(), 0.0);
+  EXPECT_EQ(slab.tracker.update(Vector3(19.2, 17.1, 0.1)).place.projection.point.z(), 0.0);
 }
 
 TEST(ContactTracker, LeavingEndsTheContact)
@@ -60,13 +60,13 @@ TEST(ContactTracker, LeavingEndsTheContact)
   Tracked ball(icosphere(20.0, 3));
   EXPECT_EQ(ball.tracker.update(Vector3(0, 0, 25)).outcome, Outcome::Outside);
   EXPECT_EQ(ball.tracker.update(Vector3(0, 0, 19)).outcome, Outcome::Inside);
-  const ContactTracker::Contact left = ball.tracker.update(Vector3(0, 0, 20.5));
+  const ContactTracker::Result left = ball.tracker.update(Vector3(0, 0, 20.5));
   EXPECT_EQ(left.outcome, Outcome::Outside);
-  EXPECT_GT(left.surface.signedDistance, 0.0);
+  EXPECT_GT(left.place.signedDistance, 0.0);
   // Entered anew from the other side: no memory of the first.
-  const ContactTracker::Contact again = ball.tracker.update(Vector3(0, 0, -19));
+  const ContactTracker::Result again = ball.tracker.update(Vector3(0, 0, -19));
   EXPECT_EQ(again.outcome, Outcome::Inside);
-  EXPECT_LT(again.surface.projection.point.z(), -18.0);
+  EXPECT_LT(again.place.projection.point.z(), -18.0);
 }
 
 TEST(ContactTracker, OnTheSurfaceIsOutside)
@@ -98,12 +98,12 @@ TEST(ContactTracker, NaNForgetsTheContact)
     slab.tracker.reset();
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 3.5)).outcome, Outcome::Inside);
     // Past the middle but held to the top by its history ...
-    EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).surface.projection.point.z(), 4.0);
-    const ContactTracker::Contact invalid = slab.tracker.update(bad);
+    EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).place.projection.point.z(), 4.0);
+    const ContactTracker::Result invalid = slab.tracker.update(bad);
     EXPECT_EQ(invalid.outcome, Outcome::Invalid);
-    EXPECT_EQ(invalid.surface.triangle, -1);
+    EXPECT_EQ(invalid.place.triangle, -1);
     // ... which is gone.
-    EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).surface.projection.point.z(), 0.0);
+    EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).place.projection.point.z(), 0.0);
   }
 }
 
@@ -129,11 +129,11 @@ TEST(ContactTracker, EntersAnotherWallInTheTickItLeavesOne)
   }
   Tracked walls(both);
   EXPECT_EQ(walls.tracker.update(Vector3(11, 5.1, 5.2)).outcome, Outcome::Outside);
-  EXPECT_EQ(walls.tracker.update(Vector3(9.5, 5.1, 5.2)).surface.projection.point.x(), 10.0);
-  const ContactTracker::Contact next = walls.tracker.update(Vector3(12.25, 5.1, 5.2));
+  EXPECT_EQ(walls.tracker.update(Vector3(9.5, 5.1, 5.2)).place.projection.point.x(), 10.0);
+  const ContactTracker::Result next = walls.tracker.update(Vector3(12.25, 5.1, 5.2));
   EXPECT_EQ(next.outcome, Outcome::Inside);
-  EXPECT_EQ(next.surface.projection.point.x(), 12.0);
-  EXPECT_EQ(next.surface.signedDistance, -0.25);
+  EXPECT_EQ(next.place.projection.point.x(), 12.0);
+  EXPECT_EQ(next.place.signedDistance, -0.25);
 }
 
 TEST(ContactTracker, FollowsFurtherThanOneRingInOneTick)
@@ -141,8 +141,8 @@ TEST(ContactTracker, FollowsFurtherThanOneRingInOneTick)
   // 30 mm in one tick across cells of 0.6 mm: about 50 rings, far below the bound of 256.
   Tracked slab(subdivided(block(40, 40, 4), 6));
   EXPECT_EQ(slab.tracker.update(Vector3(5, 20.1, 3.5)).outcome, Outcome::Inside);
-  const ContactTracker::Contact contact = slab.tracker.update(Vector3(35, 20.1, 1.0));
+  const ContactTracker::Result contact = slab.tracker.update(Vector3(35, 20.1, 1.0));
   EXPECT_EQ(contact.outcome, Outcome::Inside);
   // Held to the top, though the bottom is nearer.
-  EXPECT_LE((contact.surface.projection.point - Vector3(35, 20.1, 4)).norm(), 1e-13);
+  EXPECT_LE((contact.place.projection.point - Vector3(35, 20.1, 4)).norm(), 1e-13);
 }

@@ -34,24 +34,24 @@ class Follower
 {
 public:
   explicit Follower(const ToolContact& contact)
-    : Contact(contact)
+    : Touch(contact)
   {
   }
   Follower(const Follower& other) = default;
   Follower& operator=(const Follower& other)
   {
-    this->Contact.emplace(*other.Contact);
+    this->Touch.emplace(*other.Touch);
     this->last = other.last;
     return *this;
   }
   ~Follower() = default;
 
-  void to(const Vector3& tip) { this->last = this->Contact->update(tip); }
+  void to(const Vector3& tip) { this->last = this->Touch->update(tip); }
 
-  ToolContactForce last;
+  Contact last;
 
 private:
-  std::optional<ToolContact> Contact;
+  std::optional<ToolContact> Touch;
 };
 
 /// Between two places on the path, `before` being the contact at the first: how far the force jumps

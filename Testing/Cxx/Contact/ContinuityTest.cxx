@@ -13,12 +13,12 @@
 #include <vector>
 
 using namespace palpate::testing;
+using palpate::Contact;
 using palpate::ContactSettings;
 using palpate::ContactState;
 using palpate::ContactSurface;
 using palpate::ForceForm;
 using palpate::ToolContact;
-using palpate::ToolContactForce;
 using palpate::Vector3;
 
 namespace
@@ -91,14 +91,13 @@ PolygonJump polygonJump(int sides, double depth, const ContactSettings& settings
   const auto at = [&](double angle)
   {
     const double r = Radius - depth;
-    const ToolContactForce found =
-      contact.update(Vector3(r * std::cos(angle), r * std::sin(angle), 17.3));
+    const Contact found = contact.update(Vector3(r * std::cos(angle), r * std::sin(angle), 17.3));
     EXPECT_NE(found.triangle, -1);
     return found;
   };
   at(-1e-3);
-  const ToolContactForce before = at(-1e-7);
-  const ToolContactForce after = at(1e-7);
+  const Contact before = at(-1e-7);
+  const Contact after = at(1e-7);
   const double f = store.curveOf(0).evaluate(before.deflection).force;
   return { (after.force - before.force).norm() / f,
     (after.contactPoint - before.contactPoint).norm() };

@@ -151,7 +151,7 @@ void addContact(Bytes& bytes, const ContactBody& body)
   int touching = 0;
   for (const Vector3& tip : windingTips(Ticks, 0.9, 0.2))
   {
-    const ToolContactForce felt = contact.update(tip);
+    const Contact felt = contact.update(tip);
     touching += felt.normalForce > 0.0;
     bytes.add(felt.force);
     bytes.add(felt.friction);

@@ -13,13 +13,13 @@
 #include <vector>
 
 using namespace palpate::testing;
+using palpate::Contact;
 using palpate::ContactBody;
 using palpate::ContactSettings;
 using palpate::ContactState;
 using palpate::ContactSurface;
 using palpate::ForceForm;
 using palpate::ToolContact;
-using palpate::ToolContactForce;
 using palpate::Vector3;
 
 namespace
@@ -93,8 +93,8 @@ Place placeOf(const Ball& ball, ContactSurface surface, const Vector3& tip)
   palpate::SmoothContact smooth(ball.body->surface, ball.body->response);
   const palpate::ContactPlace at =
     smooth.follow(local, near.triangle, near.projection.weights).place;
-  return { ball.energy(at.triangle, at.weights, -at.signedDistance), at.triangle,
-    at.weights.minCoeff() };
+  return { ball.energy(at.triangle, at.projection.weights, -at.signedDistance), at.triangle,
+    at.projection.weights.minCoeff() };
 }
 
 void compareWithDifferences(ContactSurface surface)
@@ -113,7 +113,7 @@ void compareWithDifferences(ContactSurface surface)
     const Vector3 out = Vector3(x, y, gauss(random)).normalized();
     const Vector3 tip =
       (surface == ContactSurface::Facets ? 19.4 : 20.0) * out - depth(random) * out;
-    const ToolContactForce found = ToolContact(*ball.body, energyOn(surface)).update(tip);
+    const Contact found = ToolContact(*ball.body, energyOn(surface)).update(tip);
     if (found.state != ContactState::Slide)
     {
       continue; // outside, or deeper than the curves reach
@@ -163,8 +163,7 @@ TEST(EnergyForce, EqualResponsesPushAlongTheNormal)
   const auto body = contactBody(surface, store);
   for (const ContactSurface on : { ContactSurface::Facets, ContactSurface::Smooth })
   {
-    const ToolContactForce found =
-      ToolContact(*body, energyOn(on)).update(Vector3(11.0, 10.0, 11.5));
+    const Contact found = ToolContact(*body, energyOn(on)).update(Vector3(11.0, 10.0, 11.5));
     ASSERT_EQ(found.state, ContactState::Slide);
     EXPECT_EQ(found.force, Vector3(found.normalForce * found.normal));
   }
@@ -187,8 +186,7 @@ TEST(EnergyForce, PointsWithoutResponseHaveNoSayAcrossAnEdge)
       }
       store.status[opposite] = 2;
       const auto body = contactBody(surface, store);
-      const ToolContactForce found =
-        ToolContact(*body, energyOn(on)).update(Vector3(2.0, 2.0, -0.5));
+      const Contact found = ToolContact(*body, energyOn(on)).update(Vector3(2.0, 2.0, -0.5));
       EXPECT_EQ(found.state, ContactState::Slide);
       EXPECT_TRUE(found.force.allFinite());
       // e = 0.4 f δ, half as much at one end: over the 7.1 mm of the edge, blended 0.7 strong,

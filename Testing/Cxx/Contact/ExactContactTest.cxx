@@ -110,7 +110,7 @@ Moved follow(Track& track, double depth, double step, std::size_t ticks)
   std::int32_t last = -1;
   for (const Vector3& tip : tips)
   {
-    const ContactTracker::Contact contact = tracker.update(tip);
+    const ContactTracker::Result contact = tracker.update(tip);
     EXPECT_EQ(contact.outcome, ContactTracker::Outcome::Inside);
     if (last >= 0)
     {
@@ -126,10 +126,10 @@ Moved follow(Track& track, double depth, double step, std::size_t ticks)
         moved.farther += first;
       }
       const auto apart =
-        static_cast<double>((contact.surface.projection.point.cast<Real>() - nearest.point).norm());
+        static_cast<double>((contact.place.projection.point.cast<Real>() - nearest.point).norm());
       moved.worst = std::max(moved.worst, apart);
     }
-    last = track.mesh.inputTriangle(contact.surface.triangle);
+    last = track.mesh.inputTriangle(contact.place.triangle);
   }
   return moved;
 }
@@ -235,7 +235,7 @@ TEST_P(ExactContact, ADescentOverEdgesFails)
     std::size_t wrong = 0;
     for (const Vector3& tip : tips)
     {
-      const double distance = -tracker.update(tip).surface.signedDistance;
+      const double distance = -tracker.update(tip).place.signedDistance;
       const double reached = descent.update(track.mesh.toLocal(tip));
       EXPECT_GE(reached, distance - 1e-13 * depth) << "the tracker is not nearer than a descent";
       wrong += reached > distance + 1e-9;
@@ -255,7 +255,7 @@ TEST_P(ExactContact, MostTicksNeedNoSearchAround)
   int certified = 0;
   for (const Vector3& tip : windingTips(Ticks, 1.0, 0.1))
   {
-    const SurfacePoint found = tracker.update(tip).surface;
+    const SurfacePoint found = tracker.update(tip).place;
     const Vector3 local = track.mesh.toLocal(tip);
     certified += found.projection.feature == TriangleFeature::Face &&
       track.mesh.isCertainlyNearest(

@@ -138,8 +138,8 @@ FarError farError(const Surface& near, const Surface& far, const Vector3& away)
   {
     here.reset();
     there.reset();
-    const ToolContactForce expected = here.update(tip);
-    const ToolContactForce found = there.update(tip + away);
+    const Contact expected = here.update(tip);
+    const Contact found = there.update(tip + away);
     EXPECT_EQ(found.state, expected.state);
     worst.depth = std::max(worst.depth, std::abs(found.deflection - expected.deflection));
     if (expected.deflection > 1.0)
@@ -165,7 +165,7 @@ TEST(ExtremeBodies, OneTriangle)
     for (const double depth : { 0.01, 0.5, 2.0 })
     {
       contact.reset();
-      const ToolContactForce felt = contact.update({ 2.0, 3.0, -depth });
+      const Contact felt = contact.update({ 2.0, 3.0, -depth });
       // The curve is stored in floats.
       EXPECT_NEAR(felt.normalForce, law(depth), 2e-7 * law(depth)) << depth;
       EXPECT_NEAR(felt.deflection, depth, 1e-12);
@@ -211,7 +211,7 @@ TEST(ExtremeBodies, AHundredThousandPieces)
         middle + 0.3 * (rounded.points[static_cast<std::size_t>(4 * piece + i / 2 % 4)] - middle);
     }
     contact.reset();
-    const ToolContactForce felt = contact.update(tip);
+    const Contact felt = contact.update(tip);
     // Every fiftieth among all 415 thousand triangles.
     const Nearest nearest =
       nearestOf(rounded, tip, i % 50 == 0 ? allTriangles(rounded) : trianglesNear(tip, Side));

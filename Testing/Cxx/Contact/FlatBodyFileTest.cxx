@@ -120,8 +120,8 @@ TEST_F(FlatBodyFileTest, TheBodyComesBackToTheBit)
   for (int i = 0; i < 500; ++i)
   {
     const Vector3 tip(anywhere(random), anywhere(random), anywhere(random));
-    const ToolContactForce first = a.update(tip);
-    const ToolContactForce second = b.update(tip);
+    const Contact first = a.update(tip);
+    const Contact second = b.update(tip);
     EXPECT_EQ(first.state, second.state);
     EXPECT_EQ(first.force, second.force);
   }

@@ -11,8 +11,8 @@
 #include <vector>
 
 using namespace palpate::testing;
+using palpate::Contact;
 using palpate::ToolContact;
-using palpate::ToolContactForce;
 using palpate::Vector3;
 
 namespace
@@ -30,10 +30,10 @@ Vector3 pathOf(int tool, int tick)
   return { radius * std::cos(u), radius * std::sin(u), r * std::sin(v) };
 }
 
-std::vector<ToolContactForce> run(const palpate::ContactBody& body, int tool)
+std::vector<Contact> run(const palpate::ContactBody& body, int tool)
 {
   ToolContact contact(body);
-  std::vector<ToolContactForce> found;
+  std::vector<Contact> found;
   found.reserve(Ticks);
   for (int tick = 0; tick < Ticks; ++tick)
   {
@@ -56,7 +56,7 @@ TEST(SharedBody, FourThreadsGiveTheBitsOfOne)
   store.randomizeCurves(16);
   const auto body = contactBody(surface, store);
   constexpr int Tools = 4;
-  std::vector<std::vector<ToolContactForce>> together(Tools);
+  std::vector<std::vector<Contact>> together(Tools);
   std::vector<std::thread> threads;
   for (int tool = 0; tool < Tools; ++tool)
   {
@@ -69,11 +69,11 @@ TEST(SharedBody, FourThreadsGiveTheBitsOfOne)
   }
   for (int tool = 0; tool < Tools; ++tool)
   {
-    const std::vector<ToolContactForce> alone = run(*body, tool);
+    const std::vector<Contact> alone = run(*body, tool);
     int touching = 0;
     for (std::size_t i = 0; i < alone.size(); ++i)
     {
-      const ToolContactForce& other = together[static_cast<std::size_t>(tool)][i];
+      const Contact& other = together[static_cast<std::size_t>(tool)][i];
       ASSERT_TRUE(sameBits(alone[i].force, other.force)) << tool << " at tick " << i;
       ASSERT_TRUE(sameBits(alone[i].contactPoint, other.contactPoint));
       ASSERT_EQ(alone[i].state, other.state);

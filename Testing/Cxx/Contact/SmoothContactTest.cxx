@@ -129,11 +129,11 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
     ASSERT_EQ(point.outcome, Outcome::Found) << i;
     const ContactPlace& place = point.place;
     ++found;
-    EXPECT_GE(place.weights.minCoeff(), 0.0);
-    EXPECT_NEAR(place.weights.sum(), 1.0, 1e-15);
+    EXPECT_GE(place.projection.weights.minCoeff(), 0.0);
+    EXPECT_NEAR(place.projection.weights.sum(), 1.0, 1e-15);
     EXPECT_NEAR(place.normal.norm(), 1.0, 1e-15);
     // Newton's last step is below 1e-6 of a triangle 5 mm wide: its square.
-    const Vector3 offset = start.tip - place.point;
+    const Vector3 offset = start.tip - place.projection.point;
     EXPECT_LE((offset - place.signedDistance * place.normal).norm(), 1e-10);
     // A cloud point is up to 5 mm/40 off the foot: (0.06)²/2δ farther at most, and never nearer.
     const double cloud = cloudDistance(*body, start.tip, place.triangle);
@@ -158,7 +158,7 @@ TEST(SmoothContact, TheSameFromAnyTriangleNearby)
     const SmoothPoint came = contact.follow(start.tip, far.triangle, far.projection.weights);
     ASSERT_EQ(near.outcome, Outcome::Found);
     ASSERT_EQ(came.outcome, Outcome::Found);
-    EXPECT_LE((near.place.point - came.place.point).norm(), 1e-9);
+    EXPECT_LE((near.place.projection.point - came.place.projection.point).norm(), 1e-9);
     EXPECT_LE((near.place.normal - came.place.normal).norm(), 1e-9);
   }
 }
@@ -179,7 +179,7 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
     for (double s = 0.0; s < 3.0; s += 0.05)
     {
       const SmoothPoint next =
-        contact.follow(tipAt(s + 0.05), last.place.triangle, last.place.weights);
+        contact.follow(tipAt(s + 0.05), last.place.triangle, last.place.projection.weights);
       ASSERT_EQ(next.outcome, Outcome::Found);
       if (next.place.signedDistance < -1.5)
       {
@@ -196,19 +196,20 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
         {
           const double middle = 0.5 * (low + high);
           const SmoothPoint there =
-            contact.follow(tipAt(middle), before.place.triangle, before.place.weights);
+            contact.follow(tipAt(middle), before.place.triangle, before.place.projection.weights);
           const bool same = there.place.triangle == before.place.triangle;
           (same ? low : high) = middle;
           (same ? before : after) = there;
         }
         ++crossings;
         // Point and normal move by the step over 1 - δ/R of the surface, less than 20.
-        EXPECT_LE((after.place.point - before.place.point).norm(), 20.0 * step);
+        EXPECT_LE(
+          (after.place.projection.point - before.place.projection.point).norm(), 20.0 * step);
         EXPECT_LE((after.place.normal - before.place.normal).norm(), 20.0 * step);
         EXPECT_NEAR(after.place.signedDistance, before.place.signedDistance, 2.0 * step);
         // On the shared edge: the corner opposite has no say, on either side.
-        EXPECT_LE(before.place.weights.minCoeff(), 20.0 * step);
-        EXPECT_LE(after.place.weights.minCoeff(), 20.0 * step);
+        EXPECT_LE(before.place.projection.weights.minCoeff(), 20.0 * step);
+        EXPECT_LE(after.place.projection.weights.minCoeff(), 20.0 * step);
       }
       last = next;
     }
@@ -229,7 +230,7 @@ TEST(SmoothContact, WeightGradients)
     const SmoothPoint here = contact.follow(start.tip, start.triangle, start.weights);
     ASSERT_EQ(here.outcome, Outcome::Found);
     const ContactPlace& place = here.place;
-    if (place.weights.minCoeff() < 0.02) // away from corners and edges, where they jump
+    if (place.projection.weights.minCoeff() < 0.02) // away from corners and edges, where they jump
     {
       continue;
     }
@@ -238,9 +239,10 @@ TEST(SmoothContact, WeightGradients)
     for (Eigen::Index k = 0; k < 3; ++k)
     {
       const Vector3 step = e * Vector3::Unit(k);
-      expected.row(k) =
-        (contact.follow(start.tip + step, place.triangle, place.weights).place.weights -
-          contact.follow(start.tip - step, place.triangle, place.weights).place.weights) /
+      expected.row(k) = (contact.follow(start.tip + step, place.triangle, place.projection.weights)
+                            .place.projection.weights -
+                          contact.follow(start.tip - step, place.triangle, place.projection.weights)
+                            .place.projection.weights) /
         (2.0 * e);
     }
     // e² of third derivatives and 1e-12 over e; the Hessian is that of 1e-6 before the end.
@@ -307,7 +309,7 @@ TEST(SmoothContact, EndsAtAnOpenBorder)
   {
     const SmoothPoint lost = follow(Vector3(beyond, 0.2, -0.5), inside);
     EXPECT_EQ(lost.outcome, Outcome::Border);
-    EXPECT_LE((lost.place.point - Vector3(5.0, 0.2, 0.0)).norm(), 1e-6);
+    EXPECT_LE((lost.place.projection.point - Vector3(5.0, 0.2, 0.0)).norm(), 1e-6);
     EXPECT_NEAR(lost.place.signedDistance, -0.5, 1e-12); // inside, by the normal there
   }
   EXPECT_EQ(follow(Vector3(5.2, 5.3, -0.5), inside).outcome, Outcome::Border);

@@ -2,7 +2,7 @@
 // The smooth contact from tick to tick: where it begins, what it stays with, when the facets step
 // in.
 #include "Contact/ContactBody.h"
-#include "Contact/SmoothTracker.h"
+#include "Contact/ContactTracker.h"
 
 #include "SampleResponses.h"
 
@@ -15,15 +15,15 @@
 #include <random>
 
 using namespace palpate::testing;
-using palpate::SmoothTracker;
+using palpate::ContactTracker;
 using palpate::Vector3;
 using Outcome = palpate::ContactTracker::Outcome;
 
 namespace
 {
-SmoothTracker trackerOn(const palpate::ContactBody& body)
+ContactTracker trackerOn(const palpate::ContactBody& body)
 {
-  return SmoothTracker(body.surface, body.tree, body.response);
+  return ContactTracker(body.surface, body.tree, body.response);
 }
 } // namespace
 
@@ -35,7 +35,7 @@ TEST(SmoothTracker, BeginsAtTheSmoothSurface)
   ResponseStore store(surface.points.size());
   store.normalsFromPoints(surface);
   const auto body = contactBody(surface, store);
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   for (std::int32_t t = 0; t < 80; t += 7)
   {
     const Vector3 middle =
@@ -46,7 +46,7 @@ TEST(SmoothTracker, BeginsAtTheSmoothSurface)
     tracker.reset();
     EXPECT_EQ(tracker.update(20.1 * out).outcome, Outcome::Outside);
     EXPECT_EQ(tracker.triangle(), -1);
-    const SmoothTracker::Contact first = tracker.update(19.9 * out);
+    const ContactTracker::Result first = tracker.update(19.9 * out);
     EXPECT_EQ(first.outcome, Outcome::Inside);
     EXPECT_TRUE(first.place.isSmooth);
     EXPECT_NEAR(first.place.signedDistance, -0.1, 0.05);
@@ -66,14 +66,14 @@ TEST(SmoothTracker, KeepsToTheSideItEntered)
     p += Vector3(100.0, -50.0, 30.0); // the body's frame is not the mesh's
   }
   const auto body = uniformBody(surface);
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   double last = 0.0;
   for (double depth = 0.05; depth < 5.0; depth += 0.05)
   {
     const auto contact = tracker.update(Vector3(101.0, -50.5, 33.0 - depth));
     ASSERT_EQ(contact.outcome, Outcome::Inside);
     EXPECT_GT(contact.place.normal.z(), 0.9);
-    EXPECT_GT(contact.place.point.z(), 32.5); // in the body's frame
+    EXPECT_GT(contact.place.projection.point.z(), 32.5); // in the body's frame
     EXPECT_GT(-contact.place.signedDistance, last);
     last = -contact.place.signedDistance;
   }
@@ -91,7 +91,7 @@ TEST(SmoothTracker, FollowsFastTips)
     store.normalsFromPoints(surface);
     return contactBody(surface, store);
   }();
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   for (int i = 0; i < 400; ++i)
   {
     const double angle = 0.5 * i;
@@ -100,7 +100,7 @@ TEST(SmoothTracker, FollowsFastTips)
     const auto contact = tracker.update(tip);
     ASSERT_EQ(contact.outcome, Outcome::Inside);
     EXPECT_TRUE(contact.place.isSmooth);
-    EXPECT_LE((contact.place.point - tip * (20.0 / 19.0)).norm(), 1e-4);
+    EXPECT_LE((contact.place.projection.point - tip * (20.0 / 19.0)).norm(), 1e-4);
   }
 }
 
@@ -121,14 +121,14 @@ TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
   store.normal[3 * middle] = 1.0F;
   store.normal[3 * middle + 2] = 0.0F;
   const auto body = contactBody(surface, store);
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   bool wasFacet = false;
   for (double x = 10.0; x < 30.0; x += 0.1)
   {
     const auto contact = tracker.update(Vector3(x, 20.7, 39.0));
     ASSERT_EQ(contact.outcome, Outcome::Inside);
     // Beside the crease the surface is flat: either way the same point.
-    EXPECT_LE((contact.place.point - Vector3(x, 20.7, 40.0)).norm(), 1e-9);
+    EXPECT_LE((contact.place.projection.point - Vector3(x, 20.7, 40.0)).norm(), 1e-9);
     EXPECT_LE((contact.place.normal - Vector3(0, 0, 1)).norm(), 1e-9);
     EXPECT_NEAR(contact.place.weightGradients.sum(), 0.0, 1e-12);
     const auto& corners = body->surface.corners(contact.place.triangle);
@@ -145,7 +145,7 @@ TEST(SmoothTracker, BoxesStayBoxes)
 {
   // Twelve triangles whose corner normals lean 55° from the faces: no cushion is made of them.
   const auto body = uniformBody(block(40, 40, 40));
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   for (double x = 3.0; x < 38.0; x += 1.0)
   {
     EXPECT_EQ(tracker.update(Vector3(x, 21.3, 40.1)).outcome, Outcome::Outside);
@@ -161,7 +161,7 @@ TEST(SmoothTracker, OpenBordersAndWrongTips)
 {
   const Surface plate = openPlate(10.0, 10);
   const auto body = contactBody(plate, ResponseStore(plate.points.size()));
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   EXPECT_EQ(tracker.update(Vector3(9.4, 5.2, -0.5)).outcome, Outcome::Inside);
   EXPECT_EQ(tracker.update(Vector3(10.2, 5.2, -0.5)).outcome, Outcome::Border);
   EXPECT_EQ(tracker.update(Vector3(10.2, 5.2, 0.5)).outcome, Outcome::Outside);
@@ -170,7 +170,7 @@ TEST(SmoothTracker, OpenBordersAndWrongTips)
   EXPECT_EQ(tracker.update(Vector3(9.4, nan, -0.5)).outcome, Outcome::Invalid);
   EXPECT_EQ(tracker.triangle(), -1);
   const auto nothing = uniformBody(Surface{});
-  SmoothTracker lost = trackerOn(*nothing);
+  ContactTracker lost = trackerOn(*nothing);
   EXPECT_EQ(lost.update(Vector3::Zero()).outcome, Outcome::Invalid);
 }
 
@@ -178,7 +178,7 @@ TEST(SmoothTracker, FindsAContactWhereverTheTipAppears)
 {
   // A torus, not convex; tips anywhere inside, each after the last: never invalid, always inside.
   const auto body = uniformBody(torus(20.0, 6.0, 60, 30));
-  SmoothTracker tracker = trackerOn(*body);
+  ContactTracker tracker = trackerOn(*body);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> turn(0.0, 6.283185307179586);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -192,7 +192,7 @@ TEST(SmoothTracker, FindsAContactWhereverTheTipAppears)
     const auto contact = tracker.update(tip);
     ASSERT_EQ(contact.outcome, Outcome::Inside) << i;
     EXPECT_GT(-contact.place.signedDistance, 0.2); // at least 0.3, less the sag of the facets
-    EXPECT_TRUE(contact.place.point.allFinite());
-    EXPECT_NEAR(contact.place.weights.sum(), 1.0, 1e-12);
+    EXPECT_TRUE(contact.place.projection.point.allFinite());
+    EXPECT_NEAR(contact.place.projection.weights.sum(), 1.0, 1e-12);
   }
 }

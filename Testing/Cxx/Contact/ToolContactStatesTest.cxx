@@ -8,17 +8,17 @@
 #include <limits>
 
 using namespace palpate::testing;
+using palpate::Contact;
 using palpate::ContactState;
 using palpate::ForceForm;
 using palpate::ToolContact;
-using palpate::ToolContactForce;
 using palpate::Vector3;
 
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-void expectNoForce(const ToolContactForce& found)
+void expectNoForce(const Contact& found)
 {
   EXPECT_EQ(found.force, Vector3::Zero());
   EXPECT_EQ(found.friction, Vector3::Zero());
@@ -46,7 +46,7 @@ TEST(ToolContactStates, NumbersOfTheDesign)
 TEST(ToolContactStates, NoneOutside)
 {
   const auto body = uniformBody(block(40, 40, 10));
-  const ToolContactForce found = ToolContact(*body).update(Vector3(20, 21, 10.5));
+  const Contact found = ToolContact(*body).update(Vector3(20, 21, 10.5));
   EXPECT_EQ(found.state, ContactState::None);
   expectNoForce(found);
 }
@@ -57,7 +57,7 @@ TEST(ToolContactStates, BeyondRange)
   const auto body = uniformBody(subdivided(block(40, 40, 40), 3));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(20.3, 21.1, 38.01)).state, ContactState::Slide);
-  const ToolContactForce found = contact.update(Vector3(20.3, 21.1, 37.0));
+  const Contact found = contact.update(Vector3(20.3, 21.1, 37.0));
   EXPECT_EQ(found.state, ContactState::BeyondRange);
   // Float32 samples.
   EXPECT_NEAR(found.normalForce, 10.0 * std::pow(2.0, 1.5) + 15.0 * std::sqrt(2.0), 1e-5);
@@ -97,7 +97,7 @@ TEST(ToolContactStates, LostAtBorder)
   const auto body = uniformBody(openPlate(10.0, 10));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(9.5, 5.2, -0.5)).state, ContactState::Slide);
-  const ToolContactForce lost = contact.update(Vector3(10.6, 5.2, -0.5));
+  const Contact lost = contact.update(Vector3(10.6, 5.2, -0.5));
   EXPECT_EQ(lost.state, ContactState::LostAtBorder);
   expectNoForce(lost);
   EXPECT_EQ(contact.update(Vector3(9.5, 5.2, -0.5)).state, ContactState::Slide);
@@ -112,7 +112,7 @@ TEST(ToolContactStates, VertexWithoutResponse)
     store.status[60] = status; // at (5, 5)
     const auto body = contactBody(surface, store);
     ToolContact contact(*body);
-    const ToolContactForce found = contact.update(Vector3(5.2, 5.1, -0.5));
+    const Contact found = contact.update(Vector3(5.2, 5.1, -0.5));
     EXPECT_EQ(found.state, ContactState::Invalid);
     expectNoForce(found);
     EXPECT_EQ(contact.update(Vector3(7.2, 5.1, -0.5)).state, ContactState::Slide);
@@ -131,7 +131,7 @@ TEST(ToolContactStates, TipThatIsNotFinite)
     ToolContact contact(*body);
     EXPECT_GT(contact.update(Vector3(20.3, 18.7, 2.0)).force.z(), 0.0);
     EXPECT_GT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // held to the top
-    const ToolContactForce found = contact.update(Vector3(20.3, bad, 1.2));
+    const Contact found = contact.update(Vector3(20.3, bad, 1.2));
     EXPECT_EQ(found.state, ContactState::Invalid);
     expectNoForce(found);
     EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // forgotten
@@ -152,7 +152,7 @@ TEST(ToolContactStates, CurvesThatAreNotFinite)
     const auto body = contactBody(surface, store);
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      const ToolContactForce found = ToolContact(*body, { form }).update(Vector3(5.2, 5.1, -0.5));
+      const Contact found = ToolContact(*body, { form }).update(Vector3(5.2, 5.1, -0.5));
       EXPECT_EQ(found.state, ContactState::Invalid);
       expectNoForce(found);
     }
@@ -165,7 +165,7 @@ TEST(ToolContactStates, NormalsThatCancelGiveNoDirection)
   ResponseStore store(surface.points.size());
   store.normal.assign(store.normal.size(), 0.0F);
   const auto body = contactBody(surface, store);
-  const ToolContactForce found = ToolContact(*body).update(Vector3(6.0, 3.0, -0.5));
+  const Contact found = ToolContact(*body).update(Vector3(6.0, 3.0, -0.5));
   EXPECT_EQ(found.state, ContactState::Invalid);
   expectNoForce(found);
 }
@@ -182,7 +182,7 @@ TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
     {
       palpate::ContactSettings settings;
       settings.form = form;
-      const ToolContactForce found = ToolContact(*body, settings).update(Vector3(4.0, 3.0, -1.0));
+      const Contact found = ToolContact(*body, settings).update(Vector3(4.0, 3.0, -1.0));
       EXPECT_EQ(found.state, ContactState::Invalid);
       expectNoForce(found);
     }
@@ -192,7 +192,7 @@ TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
 TEST(ToolContactStates, BodyWithoutTriangles)
 {
   const auto body = uniformBody(Surface{});
-  const ToolContactForce found = ToolContact(*body).update(Vector3::Zero());
+  const Contact found = ToolContact(*body).update(Vector3::Zero());
   EXPECT_EQ(found.state, ContactState::Invalid);
   expectNoForce(found);
 }

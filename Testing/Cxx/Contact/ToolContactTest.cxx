@@ -12,10 +12,10 @@
 #include <random>
 
 using namespace palpate::testing;
+using palpate::Contact;
 using palpate::ContactState;
 using palpate::ForceForm;
 using palpate::ToolContact;
-using palpate::ToolContactForce;
 using palpate::Vector3;
 
 namespace
@@ -92,7 +92,7 @@ void compareWithBruteForce(const Surface& given, double deepest, int tips)
     const bool isInside = windingNumber(body, tip) > 0.5;
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      const ToolContactForce found = ToolContact(*contact, { form }).update(tip);
+      const Contact found = ToolContact(*contact, { form }).update(tip);
       if (!isInside)
       {
         EXPECT_EQ(found.state, ContactState::None);
@@ -141,7 +141,7 @@ TEST(ToolContact, ContinuesWithTheSameHistoryAsItsTracker)
   for (int i = 1; i <= 190; ++i)
   {
     const double depth = 0.01 * i;
-    const ToolContactForce found = contact.update(Vector3(20.3, 18.7, 3.0 - depth));
+    const Contact found = contact.update(Vector3(20.3, 18.7, 3.0 - depth));
     ASSERT_EQ(found.state, ContactState::Slide);
     EXPECT_NEAR(found.deflection, depth, 1e-14);
     // Samples are float32: 6e-8, the interpolation a few times that.

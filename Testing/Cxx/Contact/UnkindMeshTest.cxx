@@ -110,7 +110,7 @@ TEST(UnkindMesh, SliversAreAsGoodAsSquares)
     for (int i = 0; i <= ticks; ++i)
     {
       const double y = 0.05 * length + step * i;
-      const ToolContactForce found = contact.update(Vector3(5.0 + 3.0 * std::sin(y), y, -0.5));
+      const Contact found = contact.update(Vector3(5.0 + 3.0 * std::sin(y), y, -0.5));
       ASSERT_EQ(found.state, ContactState::Slide) << y;
       ASSERT_NEAR(found.deflection, 0.5, 1e-12); // the plate is flat in float32 too
       // √ of the rounding of a squared distance, where two triangles tie.
@@ -156,8 +156,8 @@ TEST(UnkindMesh, BrokenUpItFeelsLikeOne)
     const double r = 6.0 - 0.5 - 0.8 * std::sin(0.01 * i);
     const double radius = 20.0 + r * std::cos(v);
     const Vector3 tip(radius * std::cos(u), radius * std::sin(u), r * std::sin(v));
-    const ToolContactForce found = contact.update(tip);
-    const ToolContactForce other = again.update(tip);
+    const Contact found = contact.update(tip);
+    const Contact other = again.update(tip);
     ASSERT_EQ(found.state, other.state);
     // Corners in another order round otherwise: 40 N/mm of 1e-14 mm.
     ASSERT_LE((found.force - other.force).norm(), 1e-11);
@@ -178,7 +178,7 @@ TEST(UnkindMesh, WallsInside)
   for (int i = 0; i <= 2000; ++i)
   {
     const double x = 5.003 + 5e-3 * i;
-    const ToolContactForce found = contact.update(Vector3(x, 5.1, 9.7));
+    const Contact found = contact.update(Vector3(x, 5.1, 9.7));
     ASSERT_EQ(found.state, ContactState::Slide) << x;
     ASSERT_NEAR(found.deflection, std::min(0.3, std::abs(x - 10.0)), 1e-12) << x;
     EXPECT_GE(found.force.z(), 0.0);
@@ -200,7 +200,7 @@ TEST(UnkindMesh, OverlappingBodiesKeepWhatTheyTouched)
   for (int i = 0; i <= 3000; ++i)
   {
     const double x = -9.0 + 0.01 * i; // 0.5 mm beside the line of centres
-    const ToolContactForce found = contact.update(Vector3(x, 0.5, 0.0));
+    const Contact found = contact.update(Vector3(x, 0.5, 0.0));
     // Facets of 0.6 mm sag h²/8R = 0.005 mm; half-way between the surfaces at x = 16.
     if (x < 9.97)
     {
@@ -234,7 +234,7 @@ TEST(UnkindMesh, NoTriangleAtAllIsNoContact)
   }
   const auto body = uniformBody(points);
   ToolContact contact(*body);
-  const ToolContactForce found = contact.update(Vector3(0.2, 0.2, -0.1));
+  const Contact found = contact.update(Vector3(0.2, 0.2, -0.1));
   EXPECT_EQ(found.triangle, -1);
   EXPECT_TRUE(found.force.isZero(0.0));
 }

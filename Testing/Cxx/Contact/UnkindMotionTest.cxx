@@ -54,7 +54,7 @@ Surface longStrip(double length)
   return body;
 }
 
-bool sameForce(const ToolContactForce& a, const ToolContactForce& b)
+bool sameForce(const Contact& a, const Contact& b)
 {
   return a.force == b.force && a.state == b.state && a.triangle == b.triangle &&
     a.contactPoint == b.contactPoint && a.deflection == b.deflection;
@@ -72,11 +72,11 @@ TEST(UnkindMotion, FarOutsideThenAnywhereInContact)
     for (const Vector3& direction :
       { Vector3(1, 0, 0), Vector3(-0.3, 0.5, 0.8), Vector3(0, 0, -1) })
     {
-      const ToolContactForce away = contact.update(far * direction);
+      const Contact away = contact.update(far * direction);
       EXPECT_EQ(away.state, ContactState::None) << far;
       EXPECT_EQ(away.force, Vector3::Zero());
       const Vector3& tip = tips[++next % tips.size()];
-      const ToolContactForce found = contact.update(tip);
+      const Contact found = contact.update(tip);
       EXPECT_EQ(found.state, ContactState::Slide);
       EXPECT_TRUE(sameForce(found, ToolContact(*body).update(tip))); // as without a history
     }
@@ -97,9 +97,9 @@ TEST(UnkindMotion, TenMetresPerSecondIsFollowed)
   ToolContact contact(*body);
   for (const Vector3& tip : windingTips(500, 1.0, 10.0))
   {
-    const ToolContactForce found = contact.update(tip);
+    const Contact found = contact.update(tip);
     EXPECT_EQ(found.state, ContactState::Slide);
-    const ToolContactForce fresh = ToolContact(*body).update(tip);
+    const Contact fresh = ToolContact(*body).update(tip);
     EXPECT_LE((found.contactPoint - fresh.contactPoint).norm(), 1e-9);
   }
 }
@@ -115,7 +115,7 @@ TEST(UnkindMotion, AFastTipKeepsItsSideOfASlab)
   contact.update(Vector3(1.03, 1.47, 0.8));
   for (int i = 0; i < 20; ++i)
   {
-    const ToolContactForce found = contact.update(Vector3(i % 2 == 0 ? 21.03 : 1.03, 1.47, 0.3));
+    const Contact found = contact.update(Vector3(i % 2 == 0 ? 21.03 : 1.03, 1.47, 0.3));
     EXPECT_EQ(found.contactPoint.z(), 1.0);
     EXPECT_NEAR(found.deflection, 0.7, 1e-5);
   }
@@ -131,7 +131,7 @@ TEST(UnkindMotion, ATipThatOutrunsTheStepsIsSearchedAnew)
   {
     ToolContact contact(*body);
     contact.update(Vector3(5.03, 1.47, 0.8));
-    const ToolContactForce found = contact.update(Vector3(95.03, 1.47, 1.0 - depth));
+    const Contact found = contact.update(Vector3(95.03, 1.47, 1.0 - depth));
     EXPECT_NEAR(found.deflection, 0.3, 1e-5);
     EXPECT_NEAR(found.contactPoint.x(), 95.03, 1e-5);
     EXPECT_EQ(found.force.z() > 0.0, depth < 0.5);
@@ -148,7 +148,7 @@ TEST(UnkindMotion, ThrownThroughTheBodyIsOutside)
   const auto body = uniformBody(bumpySphere(150));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(0.3, 0.2, 99.0)).state, ContactState::Slide);
-  const ToolContactForce found = contact.update(Vector3(0, 0, -1000.0));
+  const Contact found = contact.update(Vector3(0, 0, -1000.0));
   EXPECT_EQ(found.state, ContactState::None);
   EXPECT_EQ(found.force, Vector3::Zero());
 }

@@ -22,7 +22,7 @@ double law(double depth)
                       : 10.0 * std::pow(2.0, 1.5) + 15.0 * std::sqrt(2.0) * (depth - 2.0);
 }
 
-void expectForce(const ToolContactForce& found, double depth, const Vector3& normal)
+void expectForce(const Contact& found, double depth, const Vector3& normal)
 {
   EXPECT_NEAR(found.deflection, depth, 1e-5);       // float32 coordinates of 40 mm
   EXPECT_NEAR(found.normalForce, law(depth), 3e-4); // 22 N/mm of that, and float32 samples
@@ -73,7 +73,7 @@ TEST(UnkindShapes, ThinSlabPushesBackAllTheWay)
   for (int i = 1; i <= 400; ++i)
   {
     const double depth = 0.01 * (i <= 250 ? i : 500 - i);
-    const ToolContactForce found = contact.update(Vector3(15.3 + 0.01 * i, 17.1, 2.0 - depth));
+    const Contact found = contact.update(Vector3(15.3 + 0.01 * i, 17.1, 2.0 - depth));
     expectForce(found, depth, Vector3::UnitZ());
     EXPECT_EQ(found.state, depth > 2.0 + 1e-6 ? ContactState::BeyondRange : ContactState::Slide);
   }
@@ -92,7 +92,7 @@ TEST(UnkindShapes, BottomOfAGroove)
   {
     const double angle = 0.25 * Pi * i / 100.0;
     const Vector3 tip(1.5 * std::sin(angle), 5.0 - 1.5 * std::cos(angle), 20.3);
-    const ToolContactForce found = contact.update(tip);
+    const Contact found = contact.update(tip);
     expectForce(found, 1.5, Vector3::UnitY());
     EXPECT_LE((found.contactPoint - Vector3(0, 5, 20.3)).norm(), 1e-12);
   }
@@ -114,7 +114,7 @@ TEST(UnkindShapes, WallsOfAGroove)
     {
       const double way = 0.01 * i;
       const Vector3 tip = Vector3(0, 5, 20.3) + way * along - normal;
-      const ToolContactForce found = contact.update(tip);
+      const Contact found = contact.update(tip);
       if (way > 0.9 && way < 6.1)
       {
         expectForce(found, 1.0, normal);
@@ -140,7 +140,7 @@ TEST(UnkindShapes, AConvexEdgeIsPassedWhereTheSidesAreEquallyNear)
   for (int i = 300; i >= 1; --i)
   {
     const double x = 0.01 * i;
-    const ToolContactForce found = contact.update(Vector3(x, 21.3, 40.0 - depth));
+    const Contact found = contact.update(Vector3(x, 21.3, 40.0 - depth));
     const bool isTop = found.contactPoint.z() == 40.0;
     EXPECT_EQ(isTop, x > depth - 1e-12) << x;
     EXPECT_NEAR(found.normalForce, law(std::min(x, depth)), 3e-4);
@@ -163,7 +163,7 @@ TEST(UnkindShapes, AFineConvexEdgeHoldsOnLonger)
   for (int i = 400; i >= 1 && passed == 0.0; --i)
   {
     const double x = 0.01 * i;
-    const ToolContactForce found = contact.update(Vector3(x, 5.3, 8.0));
+    const Contact found = contact.update(Vector3(x, 5.3, 8.0));
     passed = found.contactPoint.z() == 10.0 ? 0.0 : x;
     EXPECT_NEAR(found.normalForce, law(passed == 0.0 ? 2.0 : x), 3e-4);
   }
@@ -191,7 +191,7 @@ TEST(UnkindShapes, ConeTip)
   {
     const double d = 0.01 * i;
     const Vector3 tip(1e-3 * outward.x(), 1e-3 * outward.y(), -d);
-    const ToolContactForce found = contact.update(tip);
+    const Contact found = contact.update(tip);
     if (d * std::sin(facet) <= 1e-3 * std::cos(facet))
     {
       EXPECT_EQ(found.state, ContactState::None);
@@ -207,8 +207,8 @@ TEST(UnkindShapes, ConeTip)
     }
   }
   // Across the axis it changes flanks: the sideways force turns round, the upward one stays.
-  const ToolContactForce before = contact.update(-3.0 * Vector3::UnitZ() + 0.01 * outward);
-  const ToolContactForce after = contact.update(-3.0 * Vector3::UnitZ() - 0.01 * outward);
+  const Contact before = contact.update(-3.0 * Vector3::UnitZ() + 0.01 * outward);
+  const Contact after = contact.update(-3.0 * Vector3::UnitZ() - 0.01 * outward);
   EXPECT_LE((before.force - 2.0 * before.force.z() * Vector3::UnitZ() + after.force).norm(), 0.01);
   EXPECT_GT(before.force.dot(outward), 0.8 * before.normalForce);
 }
@@ -235,7 +235,7 @@ TEST(UnkindShapes, Saddle)
         return Vector3(radius * std::cos(u), radius * std::sin(u), minor * std::sin(v));
       };
       const Vector3 normal = at(r + 0.5) - at(r - 0.5);
-      const ToolContactForce found = contact.update(at(r - 1.0));
+      const Contact found = contact.update(at(r - 1.0));
       // Facets: 1.05 mm along the hole, 0.63 mm around the tube; within h²/8R = 0.008 and 0.0082 of
       // the torus, on the outer side in one direction and the inner in the other.
       EXPECT_NEAR(found.deflection, 1.0, 0.017);

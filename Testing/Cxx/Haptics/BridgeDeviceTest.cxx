@@ -260,7 +260,7 @@ TEST_P(Bridge, NoForceInTheFirstTickAfterTheTimeOut)
     SafetySettings::of(device->specification()));
   const auto servo = [&](const DeviceSample& sample)
   {
-    const ServoTick done = step.step(sample, time);
+    const Tick done = step.step(sample, time);
     device->write(done.deviceForce);
     return done.deviceForce;
   };

@@ -82,7 +82,7 @@ TEST(CInterface, StepsAsServoStepDoes)
     sample.position =
       1e-3 * (20.0 - 1.5 * std::sin(20.0 * t)) * palpate::Vector3(std::cos(t), std::sin(t), 0.0);
     sample.valid = true;
-    const palpate::ServoTick expected = servo.step(sample, t);
+    const palpate::Tick expected = servo.step(sample, t);
     palpate_tick tick;
     palpate_step(contact, sample.position.data(), t, &tick);
     EXPECT_EQ(tick.state, static_cast<int>(expected.contact.state));
@@ -172,7 +172,7 @@ TEST(CInterface, EachSettingReachesTheContact)
       sample.position =
         1e-3 * (20.0 - 1.5 * std::sin(20.0 * t)) * palpate::Vector3(std::cos(t), std::sin(t), 0.0);
       sample.valid = true;
-      const palpate::ServoTick expected = servo.step(sample, t);
+      const palpate::Tick expected = servo.step(sample, t);
       palpate_tick tick;
       palpate_step(contact.get(), sample.position.data(), t, &tick);
       ASSERT_EQ(tick.state, static_cast<int>(expected.contact.state));

@@ -89,7 +89,7 @@ std::string refusal(
   return reason.data();
 }
 
-void expectSame(const palpate_full_tick& c, const palpate::ServoTick& expected)
+void expectSame(const palpate_full_tick& c, const palpate::Tick& expected)
 {
   ASSERT_EQ(c.tick.state, static_cast<int>(expected.contact.state));
   EXPECT_EQ(c.tick.normal_force, expected.contact.normalForce);

@@ -9,7 +9,7 @@
 
 namespace palpate::testing
 {
-constexpr double Tick = 1e-3; // s
+constexpr double Period = 1e-3; // s
 
 /// A wall of 1000 N/m below z = 0, met along z; the chain with its time.
 struct ChainedWall
@@ -23,7 +23,7 @@ struct ChainedWall
   {
     SafetyInput input;
     input.time = this->Time;
-    this->Time += Tick;
+    this->Time += Period;
     input.valid = true;
     input.position.z() = -depth;
     input.outside = depth <= 0.0;

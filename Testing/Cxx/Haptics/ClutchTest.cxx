@@ -11,7 +11,7 @@ using palpate::ForceRamp;
 
 namespace
 {
-constexpr double Tick = 1e-3; // s
+constexpr double Period = 1e-3; // s
 constexpr std::uint32_t Button = 2;
 
 /// A hand on its way, mm.
@@ -27,10 +27,10 @@ TEST(Clutch, WithoutItsButtonTheTipIsTheHandToTheBit)
   Clutch other(Button);
   for (int i = 0; i < 100; ++i)
   {
-    EXPECT_EQ(none.follow(handAt(i), 0xffffffffU, Tick), handAt(i));
-    EXPECT_EQ(other.follow(handAt(i), ~Button, Tick), handAt(i));
+    EXPECT_EQ(none.follow(handAt(i), 0xffffffffU, Period), handAt(i));
+    EXPECT_EQ(other.follow(handAt(i), ~Button, Period), handAt(i));
   }
-  EXPECT_TRUE(std::signbit(none.follow(Vector3d(-0.0, 0, 0), 0, Tick).x()));
+  EXPECT_TRUE(std::signbit(none.follow(Vector3d(-0.0, 0, 0), 0, Period).x()));
   EXPECT_EQ(none.forceShare(), 1.0);
   EXPECT_EQ(other.forceShare(), 1.0);
 }
@@ -39,13 +39,13 @@ TEST(Clutch, TheTipStaysWhileHeldAndGoesOnFromThere)
 {
   Clutch clutch(Button | 8);
   Vector3d offset = Vector3d::Zero();
-  Vector3d last = clutch.follow(handAt(0), 0, Tick);
+  Vector3d last = clutch.follow(handAt(0), 0, Period);
   for (int i = 1; i < 400; ++i)
   {
     const bool held = i / 50 % 2 == 1;
     const bool wasHeld = (i - 1) / 50 % 2 == 1;
     const std::uint32_t buttons = held ? (i < 200 ? Button : 8) : 1;
-    const Vector3d tip = clutch.follow(handAt(i), buttons, Tick);
+    const Vector3d tip = clutch.follow(handAt(i), buttons, Period);
     EXPECT_EQ(clutch.isHeld(), held);
     if (wasHeld) // the tick of the release too: no jump, however far the hand has come
     {
@@ -60,23 +60,23 @@ TEST(Clutch, TheTipStaysWhileHeldAndGoesOnFromThere)
   }
   EXPECT_GT(offset.norm(), 10.0);
   clutch.reset();
-  EXPECT_EQ(clutch.follow(handAt(7), 0, Tick), handAt(7));
+  EXPECT_EQ(clutch.follow(handAt(7), 0, Period), handAt(7));
 }
 
 TEST(Clutch, ForceFadesAndComesBackStraightInTime)
 {
   Clutch clutch(Button);
-  clutch.follow(handAt(0), 0, Tick);
+  clutch.follow(handAt(0), 0, Period);
   // 1 ms of 50: a fiftieth per tick, and never more; sums of fiftieths are exact to rounding.
   for (int i = 1; i <= 60; ++i)
   {
-    clutch.follow(handAt(i), Button, Tick);
+    clutch.follow(handAt(i), Button, Period);
     EXPECT_NEAR(clutch.forceShare(), std::max(0.0, 1.0 - 0.02 * i), 1e-14);
   }
   EXPECT_EQ(clutch.forceShare(), 0.0);
   for (int i = 1; i <= 60; ++i)
   {
-    clutch.follow(handAt(i), 0, Tick);
+    clutch.follow(handAt(i), 0, Period);
     EXPECT_NEAR(clutch.forceShare(), std::min(1.0, 0.02 * i), 1e-14);
   }
   EXPECT_EQ(clutch.forceShare(), 1.0);
@@ -88,7 +88,7 @@ TEST(Clutch, AButtonThatBouncesMakesNoStep)
   double share = 1.0;
   for (int i = 0; i < 300; ++i)
   {
-    clutch.follow(handAt(i), i * i % 7 < 3 ? Button : 0, Tick);
+    clutch.follow(handAt(i), i * i % 7 < 3 ? Button : 0, Period);
     EXPECT_LE(std::abs(clutch.forceShare() - share), 0.02 + 1e-14);
     share = clutch.forceShare();
   }

@@ -19,13 +19,13 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Stiffest = 2000.0; // N/m
-constexpr double Tick = 1e-3;       // s
+constexpr double Period = 1e-3;     // s
 
 /// Runs a control, and keeps the books a second time: of the work of what was sent, and of what the
 /// damping of the device takes at least.
 struct Audit
 {
-  PassivityControl control{ Stiffest, Tick };
+  PassivityControl control{ Stiffest, Period };
   double given = 0.0;   ///< to the hand, J
   double damping = 0.0; ///< b |d|²/T
   int cut = 0;
@@ -40,11 +40,11 @@ struct Audit
       this->damping += 0.5 * Stiffest * moved.squaredNorm();
     }
     this->Last = position;
-    this->control.observe(Tick * i, position);
+    this->control.observe(Period * i, position);
     this->control.bound(force.norm(), depth);
     this->sent = this->control.limit(force);
     this->cut += this->sent != force;
-    this->control.sent(Tick * i, this->sent);
+    this->control.sent(Period * i, this->sent);
     return this->sent;
   }
 
@@ -97,26 +97,26 @@ TEST(PassivityControl, CountsTheExactWorkOfEachHold)
 {
   std::mt19937 random(5);
   std::normal_distribution<double> gauss;
-  PassivityControl control(Stiffest, Tick);
+  PassivityControl control(Stiffest, Period);
   Vector3d last = Vector3d::Zero();
   Vector3d sent = Vector3d::Zero();
   double energy = 0.0;
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3d place = 1e-3 * Vector3d(gauss(random), gauss(random), gauss(random));
-    control.observe(Tick * i, place);
+    control.observe(Period * i, place);
     energy += i > 0 ? 0.5 * Stiffest * (place - last).squaredNorm() - sent.dot(place - last) : 0.0;
     // Rounding of a thousand sums of some 1e-2 J, and of the hold's length (1e-13 of it).
     ASSERT_NEAR(control.energy(), energy, 1e-12);
     sent = Vector3d(gauss(random), gauss(random), gauss(random));
-    control.sent(Tick * i, sent);
+    control.sent(Period * i, sent);
     last = place;
   }
 }
 
 TEST(PassivityControl, TicksWithoutANewReadingCountByTheirMean)
 {
-  PassivityControl control(Stiffest, Tick);
+  PassivityControl control(Stiffest, Period);
   control.observe(0.0, Vector3d::Zero());
   control.sent(0.0, Vector3d(1.0, 0.0, 0.0));
   control.sent(0.001, Vector3d(2.0, 0.0, 0.0));
@@ -261,12 +261,12 @@ TEST(PassivityControl, TheHoldLeaksWhatTheDampingTakes)
   Audit audit;
   for (int i = 0; i <= 2 * turn; ++i)
   {
-    const double depth = speed * Tick * (i <= turn ? i : 2 * turn - i);
+    const double depth = speed * Period * (i <= turn ? i : 2 * turn - i);
     audit.tick(i, Vector3d(0.0, 0.0, -depth), Vector3d(0.0, 0.0, stiffness * depth));
   }
-  const double largest = stiffness * speed * Tick * turn;
-  EXPECT_NEAR(audit.given, largest * speed * Tick, 1e-12);
-  EXPECT_NEAR(audit.damping, Stiffest / stiffness * largest * speed * Tick, 1e-12);
+  const double largest = stiffness * speed * Period * turn;
+  EXPECT_NEAR(audit.given, largest * speed * Period, 1e-12);
+  EXPECT_NEAR(audit.damping, Stiffest / stiffness * largest * speed * Period, 1e-12);
   EXPECT_EQ(audit.cut, 0);
 }
 
@@ -280,7 +280,7 @@ TEST(PassivityControl, AnOverStiffSpringIsFeltAsOneThatIsNot)
     const double speed = 0.05;
     for (int i = 0; i <= 100; ++i)
     {
-      const double depth = speed * Tick * i;
+      const double depth = speed * Period * i;
       const Vector3d sent =
         audit.tick(i, Vector3d(0.0, 0.0, -depth), Vector3d(0.0, 0.0, share * Stiffest * depth));
       EXPECT_LE(sent.z(), Stiffest * depth + 2.1e-3); // √(2 K_max Slack) = 2 mN
@@ -315,7 +315,7 @@ TEST(PassivityControl, WhatFrictionTookIsNotLent)
 
 TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
 {
-  PassivityControl control(Stiffest, Tick);
+  PassivityControl control(Stiffest, Period);
   const Vector3d force(0.0, 0.0, 4.0);
   control.observe(0.0, Vector3d::Zero());
   EXPECT_LE(control.limit(force).norm(), 2.1e-3); // √(2 K_max Slack)
@@ -335,18 +335,18 @@ TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
 TEST(PassivityControl, ALateHoldIsPaidFor)
 {
   // Pressed 1 mm into the stiffest spring, then thrown out 3 mm within one hold of ten periods.
-  PassivityControl control(Stiffest, Tick);
+  PassivityControl control(Stiffest, Period);
   int i = 0;
   for (; i <= 20; ++i)
   {
     const double depth = 5e-5 * i;
-    control.observe(Tick * i, Vector3d(0.0, 0.0, -depth));
+    control.observe(Period * i, Vector3d(0.0, 0.0, -depth));
     const Vector3d force(0.0, 0.0, Stiffest * depth);
     ASSERT_EQ(control.limit(force), force);
-    control.sent(Tick * i, force);
+    control.sent(Period * i, force);
   }
   const double before = control.energy();
-  const double late = Tick * (i + 9);
+  const double late = Period * (i + 9);
   control.observe(late, Vector3d(0.0, 0.0, 2e-3));
   // Its own lag: 2 N over 3 mm, a tenth of the credit for 3 mm.
   const double after = before - 2.0 * 3e-3 + 0.1 * 0.5 * Stiffest * 9e-6;
@@ -357,35 +357,35 @@ TEST(PassivityControl, ALateHoldIsPaidFor)
   control.bound(0.0, 0.0); // outside: what is owed stays owed
   EXPECT_NEAR(control.energy(), after, 1e-12);
   // 2 mm of motion at 1 mm per tick pay 1 mJ each.
-  control.observe(late + Tick, Vector3d(0.0, 0.0, 3e-3));
+  control.observe(late + Period, Vector3d(0.0, 0.0, 3e-3));
   EXPECT_NEAR(control.energy(), after + 1e-3, 1e-12);
 }
 
 TEST(PassivityControl, LimitsThatAreNone)
 {
   const Vector3d force(0.0, 3.0, 4.0);
-  PassivityControl unlimited(Infinity, Tick);
+  PassivityControl unlimited(Infinity, Period);
   for (int i = 0; i < 10; ++i)
   {
-    unlimited.observe(Tick * i, Vector3d(1e-3 * i, 0.0, 0.0));
+    unlimited.observe(Period * i, Vector3d(1e-3 * i, 0.0, 0.0));
     unlimited.bound(5.0, Infinity);
     EXPECT_EQ(unlimited.limit(force), force);
-    unlimited.sent(Tick * i, force);
+    unlimited.sent(Period * i, force);
     EXPECT_EQ(unlimited.energy(), 0.0);
   }
   for (const double none : { 0.0, -1.0, NaN })
   {
-    PassivityControl control(none, Tick);
+    PassivityControl control(none, Period);
     control.observe(0.0, Vector3d::Zero());
     control.grant(5.0, 1.0);
-    control.observe(Tick, Vector3d(1e-3, 0.0, 0.0));
+    control.observe(Period, Vector3d(1e-3, 0.0, 0.0));
     EXPECT_EQ(control.limit(force), Vector3d::Zero()) << none;
   }
   // A jump beyond all numbers leaves a number, and no force.
-  PassivityControl jumped(Stiffest, Tick);
+  PassivityControl jumped(Stiffest, Period);
   jumped.observe(0.0, Vector3d::Zero());
   jumped.sent(0.0, force);
-  jumped.observe(Tick, Vector3d(1e200, 1e200, 0.0));
+  jumped.observe(Period, Vector3d(1e200, 1e200, 0.0));
   EXPECT_EQ(jumped.energy(), 0.0);
   EXPECT_TRUE(jumped.limit(force).allFinite());
   EXPECT_FALSE(jumped.isNew());

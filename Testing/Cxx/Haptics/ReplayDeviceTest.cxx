@@ -29,8 +29,8 @@ using palpate::RecordedSample;
 using palpate::RecordingDevice;
 using palpate::ReplayDevice;
 using palpate::ServoStep;
-using palpate::ServoTick;
 using palpate::SimulatedDevice;
+using palpate::Tick;
 using palpate::Trajectory;
 using palpate::TrajectoryRow;
 using palpate::WorkspaceMapping;
@@ -57,11 +57,11 @@ std::unique_ptr<HapticDevice> handOnPlate(const WorkspaceMapping& mapping = Work
 }
 
 /// Runs a servo step on a device; the ticks.
-std::vector<ServoTick> run(
+std::vector<Tick> run(
   HapticDevice& device, const palpate::ContactBody& body, const WorkspaceMapping& mapping)
 {
   ServoStep step(body, mapping, 5.0);
-  std::vector<ServoTick> ticks;
+  std::vector<Tick> ticks;
   for (int tick = 0; tick < 1000; ++tick)
   {
     const double time = tick * Period;
@@ -135,7 +135,7 @@ TEST(ReplayDevice, RowsThatAreNotValidStay)
   Trajectory trajectory = threeRows();
   trajectory.hasContact = true;
   trajectory.rows[1].tip.setZero();
-  trajectory.rows[1].state = palpate::ContactState::Invalid;
+  trajectory.rows[1].contact.state = palpate::ContactState::Invalid;
   ReplayDevice device(trajectory, WorkspaceMapping());
   EXPECT_EQ(device.read(1.9).position, Vector3d(0, 0, 0.008)); // not on its way to (0, 0, 0)
   EXPECT_TRUE(device.read(1.9).valid);
@@ -178,13 +178,13 @@ TEST(ReplayDevice, ASessionsFileGivesTheSameTicks)
     { WorkspaceMapping(), WorkspaceMapping(Eigen::Matrix3d::Identity(), { 1.3, -0.7, 0.3 }, 0.77) })
   {
     const auto device = handOnPlate(mapping);
-    const std::vector<ServoTick> ticks = run(*device, *plate, mapping);
+    const std::vector<Tick> ticks = run(*device, *plate, mapping);
     const ScratchFile file(".csv");
     ASSERT_EQ(palpate::writeTrajectory(file.path(), ticks), "");
     Trajectory read;
     ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
     ReplayDevice replay(read, mapping);
-    const std::vector<ServoTick> again = run(replay, *plate, mapping);
+    const std::vector<Tick> again = run(replay, *plate, mapping);
     int pressing = 0;
     for (std::size_t i = 0; i < ticks.size(); ++i)
     {
@@ -227,7 +227,7 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
   // What the loop saw is recorded, faults and all.
   RecordingDevice recorder(std::make_unique<FaultyDevice>(handOnPlate(mapping), faults), 1000);
   EXPECT_EQ(recorder.specification().rate, recorder.device().specification().rate);
-  const std::vector<ServoTick> ticks = run(recorder, *plate, mapping);
+  const std::vector<Tick> ticks = run(recorder, *plate, mapping);
   EXPECT_EQ(recorder.errors().disconnections, 1U);
   EXPECT_EQ(recorder.overruns(), 0U);
   std::vector<RecordedSample> samples;
@@ -266,7 +266,7 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
   EXPECT_EQ(invalid, 101); // gone for 0.1 s, and one that was not a number
 
   // And with the same mapping the loop feels the same.
-  const std::vector<ServoTick> again = run(replay, *plate, mapping);
+  const std::vector<Tick> again = run(replay, *plate, mapping);
   int pressing = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
   {

@@ -60,7 +60,7 @@ TEST(SafetyChain, FixedOrder)
   EXPECT_EQ(wall.Chain.apply(input).force, Vector3d::Zero());
   const auto step = [&](double ideal, double capped)
   {
-    input.time += Tick;
+    input.time += Period;
     input.outside = false;
     input.idealForce.z() = ideal;
     input.cappedForce.z() = capped;
@@ -141,7 +141,7 @@ TEST(SafetyChain, EntryRampReachesTheWholeForceAtRest)
   // The hand rests 4 mm deep while the force rises: that energy is given on purpose, to the last
   // step, here of half a tick. Nothing more is given than the force of now needs: no depth is told.
   SafetySettings settings = whole();
-  settings.entryRamp = 499.5 * Tick;
+  settings.entryRamp = 499.5 * Period;
   ChainedWall wall(settings);
   wall.feel(0.0);
   for (int i = 0; i <= 520; ++i)

@@ -36,7 +36,7 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.cappedForce.z() = Infinity; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.time = NaN; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.time = Infinity; } },
-    { SafetyLink::Watchdog, [](SafetyInput& in, SafetyChain&) { in.time -= 1.5 * Tick; } },
+    { SafetyLink::Watchdog, [](SafetyInput& in, SafetyChain&) { in.time -= 1.5 * Period; } },
     { SafetyLink::Watchdog, [](SafetyInput& in, SafetyChain&) { in.time += 0.021; } },
     { SafetyLink::Stopped, [](SafetyInput&, SafetyChain& chain) { chain.stop(); } },
   };
@@ -53,7 +53,7 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
     EXPECT_TRUE(lost.has(loss.link));
     EXPECT_EQ(wall.Chain.energy(), 0.0);
     wall.Chain.start();
-    wall.Time = std::isfinite(bad.time) ? bad.time + Tick : wall.Time;
+    wall.Time = std::isfinite(bad.time) ? bad.time + Period : wall.Time;
     for (int i = 0; i < 5; ++i)
     {
       const SafeForce inside = wall.feel(4e-3);
@@ -152,7 +152,7 @@ TEST(SafetyLoss, WhateverComesInWhatGoesOutIsSafe)
     for (int i = 0; i < 5000; ++i)
     {
       SafetyInput input;
-      time += Tick;
+      time += Period;
       input.time = often(0.002) ? NaN : often(0.002) ? time - 0.5 : time;
       input.valid = !often(0.003);
       input.fresh = !often(0.1);

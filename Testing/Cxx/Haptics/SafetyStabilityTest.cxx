@@ -13,12 +13,12 @@ using namespace palpate;
 
 namespace
 {
-constexpr double Tick = 1e-3;                     // s
-constexpr double Mass = 0.1;                      // kg
-constexpr double Damping = 1.0;                   // N s/m
-constexpr double Stiffest = 2.0 * Damping / Tick; // 2b/T, N/m
-constexpr double Critical = 2003.33889;           // exact, stability_K_limits.csv
-constexpr HandModel Nobody{ 0.0, 0.0 };           // no spring, no damper
+constexpr double Period = 1e-3;                     // s
+constexpr double Mass = 0.1;                        // kg
+constexpr double Damping = 1.0;                     // N s/m
+constexpr double Stiffest = 2.0 * Damping / Period; // 2b/T, N/m
+constexpr double Critical = 2003.33889;             // exact, stability_K_limits.csv
+constexpr HandModel Nobody{ 0.0, 0.0 };             // no spring, no damper
 constexpr SimulatedPlant Plant{ Mass, Damping };
 
 struct Course
@@ -42,7 +42,7 @@ Course throwAt(Spring kind, double stiffness, bool controlled, double push, int 
   SafetySettings settings;
   settings.maximumForce = 1e6;
   settings.maximumStiffness = Stiffest;
-  settings.period = Tick;
+  settings.period = Period;
   settings.capStiffness = false;
   settings.controlPassivity = controlled;
   SafetyChain chain(settings);
@@ -53,7 +53,7 @@ Course throwAt(Spring kind, double stiffness, bool controlled, double push, int 
   for (int i = 0; i < ticks; ++i)
   {
     SafetyInput input;
-    input.time = Tick * i;
+    input.time = Period * i;
     input.valid = true;
     input.position.x() = state.position;
     const bool touches = state.position < 0.0 || (kind == Spring::Both && i > 0);
@@ -70,7 +70,7 @@ Course throwAt(Spring kind, double stiffness, bool controlled, double push, int 
     before = whole;
     result.acted += safe.has(SafetyLink::Passivity);
     result.push = std::max(result.push, safe.force.norm());
-    state = axis.advance(state, { safe.force.x() - push, 0.0, 0.0 }, Tick);
+    state = axis.advance(state, { safe.force.x() - push, 0.0, 0.0 }, Period);
     double& speed = i < ticks / 10 ? result.first : result.last;
     speed =
       i < ticks / 10 || i >= ticks - ticks / 10 ? std::max(speed, std::abs(state.velocity)) : 0.0;

@@ -81,7 +81,7 @@ TEST(SceneChange, TheNewSceneIsRenderedAndTheOldOneFreed)
       std::this_thread::yield(); // the ramp of 50 ms
     }
     waitForTicks(loop, loop.ticks() + 2);
-    const ServoTick& after = loop.newest();
+    const Tick& after = loop.newest();
     EXPECT_EQ(after.scene, 1u);
     EXPECT_EQ(after.sceneShare, 1.0);
     // Twice the forces of the body are twice the force, but for the rounding of the ramp's end.

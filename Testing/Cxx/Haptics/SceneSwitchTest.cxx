@@ -20,8 +20,8 @@ using namespace palpate::testing;
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Tick = 1e-3; // s
-constexpr double PerTick = Tick / 0.05;
+constexpr double Period = 1e-3; // s
+constexpr double PerTick = Period / 0.05;
 
 std::unique_ptr<ServoScene> sceneOf(
   const std::shared_ptr<const ContactBody>& body, double forceFactor = 1.0, double friction = 0.0)
@@ -35,7 +35,7 @@ std::unique_ptr<ServoScene> sceneOf(
 /// Presses 0.3 to 1.2 mm deep into a ball of 20 mm, to and fro over it.
 Vector3 tipAt(int tick)
 {
-  const double t = Tick * tick;
+  const double t = Period * tick;
   const double along = 0.1 * std::sin(9.0 * t);
   return (19.25 + 0.45 * std::sin(25.0 * t)) *
     Vector3(std::sin(along), std::cos(along) * std::sin(0.3), std::cos(along) * std::cos(0.3));
@@ -79,8 +79,8 @@ TEST(SceneSwitch, WithoutAChangeItIsTheContactToTheBit)
   Alone alone(*sceneOf(body, 0.5, 0.4));
   for (int i = 0; i < 300; ++i)
   {
-    const SceneForce felt = scenes.update(tipAt(i), Tick, Infinity);
-    const ToolContactForce expected = alone.contact.update(tipAt(i));
+    const SceneForce felt = scenes.update(tipAt(i), Period, Infinity);
+    const Contact expected = alone.contact.update(tipAt(i));
     ASSERT_EQ(felt.contact.force, expected.force);
     EXPECT_EQ(felt.idealForce, expected.force);
     EXPECT_EQ(felt.cappedForce, expected.force);
@@ -109,7 +109,7 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
       int ramped = 0;
       for (int i = 0; i < 200; ++i)
       {
-        const ToolContactForce old = before.contact.update(tipAt(i));
+        const Contact old = before.contact.update(tipAt(i));
         before.before = before.sent;
         before.sent = old.force;
         if (i == 100)
@@ -122,7 +122,7 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
         {
           after.update(tipAt(i));
         }
-        const SceneForce felt = scenes.update(tipAt(i), Tick, Infinity);
+        const SceneForce felt = scenes.update(tipAt(i), Period, Infinity);
         const Vector3 sent = felt.forceFactor * felt.idealForce;
         const double way = std::min(1.0, PerTick * std::max(0, i - 100));
         // The straight line between the two, each felt on its own.
@@ -169,11 +169,11 @@ TEST(SceneSwitch, BothFitToTheDeviceTheBlendIsToo)
   const Surface ball = icosphere(20.0, 3);
   SceneSwitch scenes(sceneOf(stiffened(ball, 1.0F)));
   const Vector3 still = tipAt(0);
-  const double force = scenes.update(still, Tick, Infinity).idealForce.norm();
+  const double force = scenes.update(still, Period, Infinity).idealForce.norm();
   scenes.change(sceneOf(stiffened(ball, 10.0F), 0.1));
   for (int i = 0; i < 60; ++i)
   {
-    const SceneForce felt = scenes.update(still, Tick, Infinity);
+    const SceneForce felt = scenes.update(still, Period, Infinity);
     EXPECT_NEAR(felt.forceFactor * felt.idealForce.norm(), force, 1e-6 * force); // float32 curves
   }
   EXPECT_FALSE(scenes.isSwitching());
@@ -188,19 +188,19 @@ TEST(SceneSwitch, StiffnessesAreCappedEachByItsOwnFactor)
   SceneSwitch scenes(sceneOf(soft));
   SceneSwitch reference(sceneOf(hard, 0.2));
   const Vector3 still = 19.0 * tipAt(0).normalized();
-  const SceneForce alone = reference.update(still, Tick, limit);
+  const SceneForce alone = reference.update(still, Period, limit);
   ToolContact contact(*hard);
-  const ToolContactForce felt = contact.update(still);
+  const Contact felt = contact.update(still);
   const CappedResponse curve(contact.response(), limit / 0.2);
   EXPECT_LE((alone.cappedForce - curve.evaluate(felt.deflection).force * felt.normal).norm(), 1e-9);
   EXPECT_LT(alone.cappedForce.norm(), 0.9 * alone.idealForce.norm());
 
-  const SceneForce first = scenes.update(still, Tick, limit);
+  const SceneForce first = scenes.update(still, Period, limit);
   EXPECT_LT(first.cappedForce.norm(), first.idealForce.norm());
   scenes.change(sceneOf(hard, 0.2));
   for (int i = 0; i <= 25; ++i)
   {
-    const SceneForce mixed = scenes.update(still, Tick, limit);
+    const SceneForce mixed = scenes.update(still, Period, limit);
     const double way = PerTick * i;
     const Vector3 line = (1.0 - way) * first.cappedForce + way * 0.2 * alone.cappedForce;
     EXPECT_LE((mixed.forceFactor * mixed.cappedForce - line).norm(), 1e-12);
@@ -216,7 +216,7 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
     bodies.push_back(stiffened(ball, factor));
   }
   SceneSwitch scenes(sceneOf(bodies[0]));
-  Vector3 last = scenes.update(tipAt(0), Tick, Infinity).idealForce;
+  Vector3 last = scenes.update(tipAt(0), Period, Infinity).idealForce;
   const double force = last.norm();
   scenes.change(nullptr); // nothing
   EXPECT_FALSE(scenes.isSwitching());
@@ -234,7 +234,7 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
       scenes.change(sceneOf(bodies[3]));
       EXPECT_EQ(count(scenes.takeRetired()), 1);
     }
-    const Vector3 now = scenes.update(tipAt(0), Tick, Infinity).idealForce;
+    const Vector3 now = scenes.update(tipAt(0), Period, Infinity).idealForce;
     EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // of 1 → 4, the larger change
     last = now;
     felt.push_back(now.norm() / force);
@@ -253,13 +253,13 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
 {
   const Surface slab = subdivided(block(40, 40, 3), 4);
   SceneSwitch scenes(sceneOf(stiffened(slab, 1.0F)));
-  scenes.update(Vector3(20.3, 18.7, 2.0), Tick, Infinity);
+  scenes.update(Vector3(20.3, 18.7, 2.0), Period, Infinity);
   const Vector3 deep(20.3, 18.7, 1.2); // past the middle, held to the top by its history
-  EXPECT_GT(scenes.update(deep, Tick, Infinity).idealForce.z(), 0.0);
+  EXPECT_GT(scenes.update(deep, Period, Infinity).idealForce.z(), 0.0);
   scenes.change(sceneOf(stiffened(slab, 2.0F)));
   for (int i = 0; i < 60; ++i)
   {
-    const SceneForce felt = scenes.update(deep, Tick, Infinity);
+    const SceneForce felt = scenes.update(deep, Period, Infinity);
     ASSERT_GT(felt.idealForce.z(), 0.0) << i;
     EXPECT_NEAR(felt.contact.deflection, 1.8, 1e-6);
   }
@@ -267,9 +267,9 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
   scenes.change(sceneOf(stiffened(subdivided(block(40, 40, 2.5), 4), 1.0F)));
   for (int i = 0; i < 60; ++i)
   {
-    scenes.update(deep, Tick, Infinity);
+    scenes.update(deep, Period, Infinity);
   }
-  EXPECT_EQ(scenes.update(deep, Tick, Infinity).contact.state, ContactState::Slide);
+  EXPECT_EQ(scenes.update(deep, Period, Infinity).contact.state, ContactState::Slide);
 }
 
 TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
@@ -281,15 +281,15 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
   for (int i = 0; i < 1000; ++i) // slides 5 mm
   {
     tip.x() += 0.005;
-    scenes.update(tip, Tick, Infinity);
+    scenes.update(tip, Period, Infinity);
   }
-  const double sliding = scenes.update(tip, Tick, Infinity).contact.friction.x();
+  const double sliding = scenes.update(tip, Period, Infinity).contact.friction.x();
   EXPECT_NEAR(sliding, -5.0, 1e-3); // μ 10 N, float32
   scenes.change(sceneOf(body, 1.0, 0.5));
   double last = sliding;
   for (int i = 0; i <= 50; ++i) // at rest
   {
-    const SceneForce felt = scenes.update(tip, Tick, Infinity);
+    const SceneForce felt = scenes.update(tip, Period, Infinity);
     EXPECT_EQ(felt.contact.friction, Vector3::Zero()) << "no pre-sliding displacement";
     EXPECT_EQ(felt.contact.state, ContactState::Stick);
     EXPECT_NEAR(felt.idealForce.x(), (1.0 - PerTick * i) * sliding, 1e-9);
@@ -298,7 +298,7 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
   }
   // It builds up as any contact's: 10 N/mm over 0.1 mm; below breakaway nothing creeps.
   tip.x() += 0.1;
-  EXPECT_NEAR(scenes.update(tip, Tick, Infinity).contact.friction.x(), -1.0, 1e-6);
+  EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), -1.0, 1e-6);
 }
 
 TEST(SceneSwitch, ReachIsWhatTheContactCanGiveBack)
@@ -308,12 +308,12 @@ TEST(SceneSwitch, ReachIsWhatTheContactCanGiveBack)
   SceneSwitch smooth(sceneOf(body));
   SceneSwitch rough(sceneOf(body, 1.0, 0.5));
   const Vector3 tip(20.0, 20.0, 9.0);
-  EXPECT_NEAR(smooth.update(tip, Tick, Infinity).reach, 1.0, 1e-6);
-  rough.update(tip, Tick, Infinity);
-  const SceneForce stretched = rough.update(tip + Vector3(0.3, 0, 0), Tick, Infinity);
+  EXPECT_NEAR(smooth.update(tip, Period, Infinity).reach, 1.0, 1e-6);
+  rough.update(tip, Period, Infinity);
+  const SceneForce stretched = rough.update(tip + Vector3(0.3, 0, 0), Period, Infinity);
   EXPECT_NEAR(stretched.reach, 1.3, 1e-6); // below breakaway as far as the tip was moved
-  EXPECT_EQ(smooth.update(Vector3(20, 20, 11), Tick, Infinity).reach, 0.0);
-  EXPECT_TRUE(smooth.update(Vector3(20, 20, 11), Tick, Infinity).outside);
+  EXPECT_EQ(smooth.update(Vector3(20, 20, 11), Period, Infinity).reach, 0.0);
+  EXPECT_TRUE(smooth.update(Vector3(20, 20, 11), Period, Infinity).outside);
 }
 
 TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
@@ -321,10 +321,10 @@ TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
   const auto body = stiffened(icosphere(20.0, 2), 1.0F);
   const auto other = stiffened(icosphere(20.0, 2), 2.0F);
   SceneSwitch scenes(sceneOf(body));
-  scenes.update(tipAt(0), Tick, Infinity);
+  scenes.update(tipAt(0), Period, Infinity);
   scenes.change(sceneOf(body));
   scenes.change(sceneOf(other));
-  scenes.update(tipAt(1), Tick, Infinity);
+  scenes.update(tipAt(1), Period, Infinity);
   const SceneSwitch copy(scenes);
   EXPECT_TRUE(copy.isSwitching());
   EXPECT_EQ(other.use_count(), 3); // here, the one that waits, and its copy
@@ -332,7 +332,7 @@ TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
   EXPECT_FALSE(scenes.isSwitching());
   EXPECT_EQ(scenes.changes(), 2U);
   EXPECT_TRUE(copy.isSwitching());
-  const SceneForce felt = scenes.update(tipAt(2), Tick, Infinity);
+  const SceneForce felt = scenes.update(tipAt(2), Period, Infinity);
   EXPECT_EQ(felt.share, 1.0);
   EXPECT_EQ(felt.idealForce, ToolContact(*other).update(tipAt(2)).force) << "the newest of all";
   EXPECT_EQ(body.use_count(), 5); // here, both that were left, and the copy's two
@@ -345,12 +345,12 @@ TEST(SceneSwitch, OutsideAndTouchingAreOfBoth)
   // The tip is 1 mm above the small ball and 1 mm inside the large one.
   SceneSwitch scenes(sceneOf(stiffened(icosphere(20.0, 3), 1.0F)));
   const Vector3 tip(0.0, 0.0, 21.0);
-  EXPECT_TRUE(scenes.update(tip, Tick, Infinity).outside);
+  EXPECT_TRUE(scenes.update(tip, Period, Infinity).outside);
   scenes.change(sceneOf(stiffened(icosphere(22.0, 3), 1.0F)));
   double last = 0.0;
   for (int i = 0; i < 60; ++i)
   {
-    const SceneForce felt = scenes.update(tip, Tick, Infinity);
+    const SceneForce felt = scenes.update(tip, Period, Infinity);
     EXPECT_FALSE(felt.outside);
     EXPECT_EQ(felt.contact.state, ContactState::Slide);
     EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6); // 10 N over 50 ms
@@ -361,7 +361,7 @@ TEST(SceneSwitch, OutsideAndTouchingAreOfBoth)
   scenes.change(sceneOf(stiffened(icosphere(20.0, 3), 1.0F)));
   for (int i = 0; i < 60; ++i)
   {
-    const SceneForce felt = scenes.update(tip, Tick, Infinity);
+    const SceneForce felt = scenes.update(tip, Period, Infinity);
     EXPECT_EQ(felt.contact.state, ContactState::None);
     EXPECT_EQ(felt.outside, !scenes.isSwitching());
     EXPECT_EQ(felt.outside, felt.idealForce == Vector3::Zero());
@@ -375,11 +375,11 @@ TEST(SceneSwitch, AFactorOutOfItsRangeGivesNoForce)
   for (const double factor : { 0.0, -1.0, 1.5, std::nan("") })
   {
     SceneSwitch scenes(sceneOf(body));
-    scenes.update(tipAt(0), Tick, Infinity);
+    scenes.update(tipAt(0), Period, Infinity);
     scenes.change(sceneOf(body, factor));
     for (int i = 0; i < 60; ++i)
     {
-      const SceneForce felt = scenes.update(tipAt(0), Tick, 5.0);
+      const SceneForce felt = scenes.update(tipAt(0), Period, 5.0);
       EXPECT_TRUE(felt.idealForce.allFinite() && felt.cappedForce.allFinite());
       EXPECT_NEAR(felt.forceFactor, std::max(0.0, 1.0 - PerTick * i), 1e-12);
     }

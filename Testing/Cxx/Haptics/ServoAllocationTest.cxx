@@ -73,7 +73,7 @@ long allocationsOfTicks(CountingDevice& device, double recordedSeconds, bool dra
     loop.changeScene(std::make_unique<ServoScene>(body));
     if (drains)
     {
-      loop.drain([](const ServoTick&) {});
+      loop.drain([](const Tick&) {});
     }
     waitForTicks(loop, loop.ticks() + 10);
   }

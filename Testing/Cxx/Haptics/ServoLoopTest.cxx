@@ -45,7 +45,7 @@ TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
   EXPECT_TRUE(device.Increasing);
   EXPECT_GT(device.Strongest, 0.1);
   EXPECT_EQ(device.Last, Vector3d::Zero());
-  const ServoTick& last = loop.newest();
+  const Tick& last = loop.newest();
   EXPECT_EQ(last.contact.force, Vector3d::Zero()) << "no stale force after stop";
   EXPECT_EQ(last.appliedForce, Vector3d::Zero());
   EXPECT_EQ(last.deviceForce, Vector3d::Zero());

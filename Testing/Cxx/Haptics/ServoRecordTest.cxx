@@ -92,7 +92,7 @@ TEST(ServoRecord, HoldsEveryTick)
   ASSERT_EQ(loop.start(), "");
   std::uint32_t next = 0;
   double lastTime = -1.0;
-  const auto check = [&](const ServoTick& tick)
+  const auto check = [&](const Tick& tick)
   {
     EXPECT_EQ(tick.buttons, next++);
     EXPECT_GT(tick.time, lastTime);
@@ -121,7 +121,7 @@ TEST(ServoRecord, WhatHadNoRoomIsCounted)
   waitForTicks(loop, 60);
   loop.stop();
   std::vector<std::uint32_t> kept;
-  loop.drain([&](const ServoTick& tick) { kept.push_back(tick.buttons); });
+  loop.drain([&](const Tick& tick) { kept.push_back(tick.buttons); });
   ASSERT_EQ(kept.size(), 20u);
   EXPECT_EQ(kept.back(), 19u) << "the oldest are kept";
   EXPECT_EQ(loop.statistics().overruns, loop.ticks() - 20);
@@ -181,7 +181,7 @@ TEST(ServoRecord, PeriodsThatPassInATickAreMissedAndTheGridStays)
   waitForTicks(loop, 30);
   loop.stop();
   std::vector<double> times;
-  loop.drain([&](const ServoTick& tick) { times.push_back(tick.time); });
+  loop.drain([&](const Tick& tick) { times.push_back(tick.time); });
   // Those that were due while the tenth tick took 7.5 periods and more. It may have begun late,
   // and others may have been missed.
   EXPECT_GE(loop.missed(), 7u);

@@ -22,7 +22,7 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Tick = 1e-3; // s
+constexpr double Period = 1e-3; // s
 constexpr std::uint32_t Button = 4;
 
 Surface thinSlab()
@@ -69,7 +69,7 @@ struct Pressed
 {
   ServoStep step;
   double time = 0.0;
-  ServoTick last;
+  Tick last;
 
   explicit Pressed(const SafetySettings& safety, std::uint32_t clutch = 0)
     : step(slabScene(), WorkspaceMapping(), safety, clutch)
@@ -79,10 +79,10 @@ struct Pressed
       this->go(overSlab(3.2 - 0.02 * i));
     }
   }
-  const ServoTick& go(const DeviceSample& sample)
+  const Tick& go(const DeviceSample& sample)
   {
     this->last = this->step.step(sample, this->time);
-    this->time += Tick;
+    this->time += Period;
     return this->last;
   }
 };
@@ -101,7 +101,7 @@ TEST(ServoStepSafety, TheFormerStepGivesTheFormerBits)
     const Vector3d tip = (20.0 - 0.9 * std::abs(std::sin(0.01 * i))) *
       Vector3d(std::cos(0.003 * i), std::sin(0.003 * i), 0.4).normalized();
     const DeviceSample sample = sampleAt(1e-3 * tip);
-    const ServoTick tick = step.step(sample, 0.0); // time was not looked at, and is not
+    const Tick tick = step.step(sample, 0.0); // time was not looked at, and is not
     const Vector3d force = contact.update(WorkspaceMapping().toBody(sample.position)).force;
     const double magnitude = force.norm();
     const double share = magnitude > limit ? limit / magnitude : 1.0;
@@ -129,7 +129,7 @@ TEST(ServoStepSafety, TheTickTellsWhatCameInAndWhatWentOut)
   DeviceSample sample = sampleAt(mapping.toDevice(Vector3d(20.3, 18.7, 2.5)), 9);
   sample.velocity = Vector3d(0.1, -0.2, 0.3);
   sample.fresh = false;
-  const ServoTick tick = step.step(sample, 0.25);
+  const Tick tick = step.step(sample, 0.25);
   EXPECT_EQ(tick.time, 0.25);
   EXPECT_TRUE(tick.valid);
   EXPECT_FALSE(tick.fresh || tick.clutched);
@@ -212,7 +212,7 @@ TEST(ServoStepSafety, AMappingWithAFaultSendsNothing)
 {
   const WorkspaceMapping wrong(2.0 * Eigen::Matrix3d::Identity(), Vector3d::Zero(), 1.0);
   ServoStep step(slabScene(), wrong, unlimited());
-  const ServoTick tick = step.step(sampleAt(1e-3 * Vector3d(10, 9, 1.2)), 0.0);
+  const Tick tick = step.step(sampleAt(1e-3 * Vector3d(10, 9, 1.2)), 0.0);
   EXPECT_FALSE(tick.valid);
   EXPECT_EQ(tick.deviceForce, Vector3d::Zero());
 }
@@ -236,7 +236,7 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
       double felt = 0.0;
       for (double depth = 0.0; depth < 1.4; depth += 1e3 * scale * way)
       {
-        const ServoTick tick =
+        const Tick tick =
           step.step(sampleAt(mapping.toDevice(Vector3d(20.3, 18.7, 3.0 - depth))), 0.0);
         stiffest = std::max(stiffest, (tick.deviceForce.z() - last) / way);
         uncapped = std::max(uncapped, (tick.idealForce.z() * factor - felt) / way);
@@ -265,10 +265,10 @@ TEST(ServoStepSafety, ThePassivityControlLeavesAPassiveSceneAlone)
     int touching = 0;
     for (int i = 0; i < 2000; ++i)
     {
-      const double t = Tick * i;
+      const double t = Period * i;
       const double slide = each.friction.coefficient > 0.0 ? 0.5 * std::sin(9.0 * t) : 0.0;
       const Vector3d tip(20.3 + slide, 18.7, 3.1 - 1.2 * std::abs(std::sin(4.0 * t)));
-      const ServoTick tick = step.step(sampleAt(1e-3 * tip), t);
+      const Tick tick = step.step(sampleAt(1e-3 * tip), t);
       ASSERT_EQ(tick.acted, 0) << i;
       EXPECT_EQ(tick.deviceForce, tick.contact.force);
       touching += tick.contact.normalForce > 0.0;
@@ -289,7 +289,7 @@ TEST(ServoStepSafety, APlanarDeviceFeelsWhatLiesInItsPlane)
   ServoStep step(std::move(scene), mapping, unlimited());
   for (int i = 0; i < 50; ++i)
   {
-    const ServoTick tick = step.step(sampleAt(Vector3d(-1e-5 * i, 0.0105, NaN)), 1e-3 * i);
+    const Tick tick = step.step(sampleAt(Vector3d(-1e-5 * i, 0.0105, NaN)), 1e-3 * i);
     ASSERT_TRUE(tick.valid);
     EXPECT_EQ(tick.tip.y(), 18.7);
     EXPECT_GT(std::abs(tick.contact.force.y()), 1.0) << "the body pushes out of the plane as well";
@@ -319,7 +319,7 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
       pressed.go(overSlab(height, held ? Button : 0));
       EXPECT_EQ(pressed.last.clutched, held);
       EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding of 40 mm
-      EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), full * Tick / 0.05 + 1e-9) << i;
+      EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), full * Period / 0.05 + 1e-9) << i;
       EXPECT_NEAR(pressed.last.contact.force.z(), full, 1e-9) << "the tip feels what it felt";
       last = pressed.last.deviceForce.z();
       if (i > 51 && held)
@@ -338,10 +338,10 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
 {
   ServoStep step(slabScene(), WorkspaceMapping(), whole(), Button);
   double time = 0.0;
-  for (int i = 0; i < 300; ++i, time += Tick) // begins inside; the hand leaves, the tip does not
+  for (int i = 0; i < 300; ++i, time += Period) // begins inside; the hand leaves, the tip does not
   {
     const bool held = i > 50 && i < 200;
-    const ServoTick tick =
+    const Tick tick =
       step.step(overSlab(2.0 + 0.05 * std::clamp(i - 51, 0, 148), held ? Button : 0), time);
     EXPECT_GT(tick.contact.force.z(), 5.0);
     EXPECT_EQ(tick.deviceForce, Vector3d::Zero()) << i;
@@ -350,9 +350,9 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
   EXPECT_EQ(step.step(overSlab(11.0), time).contact.state, ContactState::None);
   for (int i = 0; i < 50; ++i)
   {
-    step.step(overSlab(11.0 - 0.05 * i), time += Tick);
+    step.step(overSlab(11.0 - 0.05 * i), time += Period);
   }
-  EXPECT_GT(step.step(overSlab(8.5), time += Tick).deviceForce.z(), 0.0);
+  EXPECT_GT(step.step(overSlab(8.5), time += Period).deviceForce.z(), 0.0);
 }
 
 TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
@@ -365,7 +365,7 @@ TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
   for (int i = 0; i <= 60; ++i)
   {
     pressed.go(overSlab(1.2));
-    EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), before * Tick / 0.05 + 1e-6) << i;
+    EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), before * Period / 0.05 + 1e-6) << i;
     EXPECT_EQ(pressed.last.acted, 0);
     EXPECT_EQ(pressed.last.scene, 1U);
     last = pressed.last.deviceForce.z();
@@ -380,7 +380,7 @@ TEST(ServoStepSafety, ACopyGoesItsOwnWay)
   pressed.step.change(slabScene(2.0F));
   pressed.go(overSlab(1.2));
   ServoStep copy = pressed.step;
-  for (int i = 0; i < 20; ++i, pressed.time += Tick)
+  for (int i = 0; i < 20; ++i, pressed.time += Period)
   {
     const DeviceSample sample = overSlab(1.2 + 0.01 * i);
     EXPECT_EQ(copy.step(sample, pressed.time).deviceForce,

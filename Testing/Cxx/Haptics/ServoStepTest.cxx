@@ -12,12 +12,12 @@
 
 using Eigen::Vector3d;
 using namespace palpate::testing;
+using palpate::Contact;
 using palpate::ContactState;
 using palpate::DeviceSample;
 using palpate::ServoStep;
-using palpate::ServoTick;
+using palpate::Tick;
 using palpate::ToolContact;
-using palpate::ToolContactForce;
 using palpate::WorkspaceMapping;
 
 namespace
@@ -62,10 +62,10 @@ TEST(ServoStep, NumbersOfTheTickAreThoseOfToolContact)
     const Vector3d tip = (20.0 - 1.5 * std::sin(20.0 * t)) *
       Vector3d(std::cos(t), std::sin(t) * std::cos(3.0 * t), std::sin(t) * std::sin(3.0 * t));
     const DeviceSample sample = sampleAt(mapping.toDevice(tip));
-    const ServoTick tick = step.step(sample, t);
+    const Tick tick = step.step(sample, t);
     EXPECT_EQ(tick.time, t);
     EXPECT_EQ(tick.tip, mapping.toBody(sample.position));
-    const ToolContactForce expected = contact.update(tick.tip);
+    const Contact expected = contact.update(tick.tip);
     ASSERT_EQ(tick.contact.state, expected.state);
     EXPECT_EQ(tick.contact.force, expected.force);
     EXPECT_EQ(tick.contact.normalForce, expected.normalForce);
@@ -87,7 +87,7 @@ TEST(ServoStep, ForceArrivesInTheFrameOfTheDevice)
   const auto body = uniformBody(thinSlab());
   ServoStep step(*body, WorkspaceMapping(rotation, Vector3d::Zero(), 1.0), 100.0);
   // Body (20.3, 18.7, 2.5) mm = device (z, x, y)/1000.
-  const ServoTick tick = step.step(sampleAt(Vector3d(0.0025, 0.0203, 0.0187)), 0.0);
+  const Tick tick = step.step(sampleAt(Vector3d(0.0025, 0.0203, 0.0187)), 0.0);
   EXPECT_LE((tick.tip - Vector3d(20.3, 18.7, 2.5)).norm(), 1e-13);
   // 10·0.5^1.5 N, stored in float32.
   EXPECT_LE((tick.deviceForce - Vector3d(10.0 * std::pow(0.5, 1.5), 0, 0)).norm(), 1e-5);
@@ -106,7 +106,7 @@ TEST(ServoStep, LimitKeepsTheDirection)
   {
     const Vector3d tip =
       (20.0 - 0.006 * i) * Vector3d(std::cos(0.01 * i), std::sin(0.01 * i), 0.4).normalized();
-    const ServoTick tick = step.step(sampleAt(mapping.toDevice(tip)), 0.0);
+    const Tick tick = step.step(sampleAt(mapping.toDevice(tip)), 0.0);
     const double ideal = tick.contact.force.norm();
     const double sent = tick.deviceForce.norm();
     EXPECT_NEAR(sent, std::min(ideal, limit), 1e-14);
@@ -126,12 +126,12 @@ TEST(ServoStep, LimitsThatAreNoneSendNothing)
   for (const double limit : { 0.0, -1.0, NaN, -Infinity })
   {
     ServoStep step(*body, WorkspaceMapping(), limit);
-    const ServoTick tick = step.step(pressed, 0.0);
+    const Tick tick = step.step(pressed, 0.0);
     EXPECT_GT(tick.contact.normalForce, 1.0);
     EXPECT_EQ(tick.deviceForce, Vector3d::Zero()) << limit;
   }
   ServoStep unlimited(*body, WorkspaceMapping(), Infinity);
-  const ServoTick tick = unlimited.step(pressed, 0.0);
+  const Tick tick = unlimited.step(pressed, 0.0);
   EXPECT_EQ(tick.deviceForce, tick.contact.force);
 }
 
@@ -147,7 +147,7 @@ TEST(ServoStep, InvalidSamplesSendNothingAndForget)
     EXPECT_GT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0020)), 0.0).deviceForce.z(), 0.0);
     // Past the middle, held to the top by its history.
     EXPECT_GT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0012)), 0.0).deviceForce.z(), 0.0);
-    const ServoTick tick = step.step(bad, 7.0);
+    const Tick tick = step.step(bad, 7.0);
     EXPECT_EQ(tick.time, 7.0);
     EXPECT_EQ(tick.contact.state, ContactState::Invalid);
     EXPECT_EQ(tick.contact.force, Vector3d::Zero());
@@ -172,7 +172,7 @@ TEST(ServoStep, NoForceWhereContactIsLost)
   const auto body = uniformBody(openPlate(10.0, 10));
   ServoStep step(*body, WorkspaceMapping(), 100.0);
   EXPECT_GT(step.step(sampleAt(Vector3d(0.0095, 0.0052, -0.0005)), 0.0).deviceForce.z(), 0.0);
-  const ServoTick lost = step.step(sampleAt(Vector3d(0.0105, 0.0052, -0.0005)), 0.0);
+  const Tick lost = step.step(sampleAt(Vector3d(0.0105, 0.0052, -0.0005)), 0.0);
   EXPECT_EQ(lost.contact.state, ContactState::LostAtBorder);
   EXPECT_EQ(lost.deviceForce, Vector3d::Zero());
 }

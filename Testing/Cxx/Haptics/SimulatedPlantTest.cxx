@@ -27,7 +27,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 const HandModel Nobody{ 0.0, 0.0 };
 const Vector3d Origin = Vector3d::Zero();
-constexpr double Tick = 0.25; // s; exact in binary, as are the delays
+constexpr double Period = 0.25; // s; exact in binary, as are the delays
 
 /// 0.5 kg without losses: a force of 1 N gives t² metres.
 SimulatedPlant plainMass()
@@ -75,14 +75,14 @@ TEST(SimulatedPlant, DelaysOfTheForce)
   for (const double ticks : { 0.25, 1.0, 2.5 })
   {
     SimulatedPlant plant = plainMass();
-    plant.forceDelay = ticks * Tick;
+    plant.forceDelay = ticks * Period;
     DeviceSpecification specification;
-    specification.rate = 1.0 / Tick;
+    specification.rate = 1.0 / Period;
     SimulatedDevice device(plant, Nobody, Origin, specification);
     for (int tick = 0; tick < 12; ++tick)
     {
-      const Vector3d x = device.read(tick * Tick).position;
-      const double acting = Tick * std::max(0.0, tick - ticks);
+      const Vector3d x = device.read(tick * Period).position;
+      const double acting = Period * std::max(0.0, tick - ticks);
       EXPECT_DOUBLE_EQ(x.x(), acting * acting) << ticks;
       EXPECT_DOUBLE_EQ(device.trueVelocity().x(), 2.0 * acting) << ticks;
       device.write({ 1.0, 0.0, 0.0 });
@@ -95,13 +95,14 @@ TEST(SimulatedPlant, DelaysOfTheSample)
   for (const double ticks : { 0.25, 1.0, 2.5 })
   {
     SimulatedPlant plant = plainMass();
-    plant.sampleDelay = ticks * Tick;
+    plant.sampleDelay = ticks * Period;
     // The hand is a stiff one on a path: what is read is where it was.
     SimulatedDevice device(
       plant, { 1e9, 1e6 }, { { 0.0, { 0, 0, 0 } }, { 100.0, { 100.0, 0, 0 } } });
     for (int tick = 0; tick < 12; ++tick)
     {
-      EXPECT_NEAR(device.read(tick * Tick).position.x(), Tick * std::max(0.0, tick - ticks), 1e-6)
+      EXPECT_NEAR(
+        device.read(tick * Period).position.x(), Period * std::max(0.0, tick - ticks), 1e-6)
         << ticks;
     }
   }

@@ -15,7 +15,7 @@ using namespace palpate::testing;
 namespace
 {
 const std::string Path = "/dev/hidraw5";
-constexpr double Tick = 1e-3; // s
+constexpr double Period = 1e-3; // s
 
 struct Bench
 {
@@ -60,9 +60,9 @@ struct Bench
   DeviceSample run(double seconds)
   {
     DeviceSample sample;
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / Tick)); ++i)
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / Period)); ++i)
     {
-      this->time += Tick;
+      this->time += Period;
       sample = this->mouse->read(this->time);
     }
     return sample;
@@ -88,49 +88,49 @@ TEST(SpaceMouse, SilenceAtRestIsNoFault)
 TEST(SpaceMouse, RateModeMovesWhileItIsPushed)
 {
   Bench bench(SpaceMouseMode::Rate);
-  bench.run(Tick);
+  bench.run(Period);
   ASSERT_TRUE(bench.push(350, 0, 0));
   const DeviceSample moved = bench.run(0.2);
   // Full speed, 0.05 m/s, behind a low-pass of 20 ms: 0.05 · (0.2 − 0.02 (1 − e⁻¹⁰)) m; explicit
   // Euler at 1 ms is ahead by half a tick's way.
   const double way = 0.05 * (0.2 - 0.02 * (1.0 - std::exp(-10.0)));
-  EXPECT_NEAR(moved.position.x(), way, 0.05 * Tick);
+  EXPECT_NEAR(moved.position.x(), way, 0.05 * Period);
   EXPECT_NEAR(moved.velocity.x(), 0.05, 1e-4); // e⁻¹⁰ of it is missing
   EXPECT_EQ(moved.position.y(), 0.0);
   ASSERT_TRUE(bench.push(0, 0, 0));
   const DeviceSample after = bench.run(1.0);
-  EXPECT_NEAR(after.position.x(), 0.05 * 0.2, 0.05 * 2 * Tick) << "the low-pass runs out";
+  EXPECT_NEAR(after.position.x(), 0.05 * 0.2, 0.05 * 2 * Period) << "the low-pass runs out";
   EXPECT_LT(after.velocity.norm(), 1e-12);
 }
 
 TEST(SpaceMouse, RateModeStopsWhenReportsStop)
 {
   Bench bench(SpaceMouseMode::Rate);
-  bench.run(Tick);
+  bench.run(Period);
   ASSERT_TRUE(bench.push(0, 0, -350)); // up
   bench.run(0.5);
   const DeviceSample sample = bench.run(0.5);
-  EXPECT_NEAR(sample.position.y(), 0.05 * 0.25, 0.05 * 3 * Tick) << "longestSilence";
+  EXPECT_NEAR(sample.position.y(), 0.05 * 0.25, 0.05 * 3 * Period) << "longestSilence";
   EXPECT_LT(sample.velocity.norm(), 1e-9);
 }
 
 TEST(SpaceMouse, StaysWithinItsReach)
 {
   Bench bench(SpaceMouseMode::Rate);
-  bench.run(Tick);
+  bench.run(Period);
   for (int i = 0; i < 30; ++i)
   {
     ASSERT_TRUE(bench.push(-350, 350, 0));
     bench.run(0.1);
   }
-  EXPECT_EQ(bench.run(Tick).position, Vector3d(-0.05, 0.0, 0.05));
-  EXPECT_EQ(bench.run(Tick).velocity, Vector3d::Zero());
+  EXPECT_EQ(bench.run(Period).position, Vector3d(-0.05, 0.0, 0.05));
+  EXPECT_EQ(bench.run(Period).velocity, Vector3d::Zero());
 }
 
 TEST(SpaceMouse, PositionModeStandsWhereTheCapIs)
 {
   Bench bench(SpaceMouseMode::Position);
-  bench.run(Tick);
+  bench.run(Period);
   ASSERT_TRUE(bench.push(350, 0, 0));
   EXPECT_NEAR(bench.run(2.0).position.x(), 0.05, 1e-12);
   ASSERT_TRUE(bench.push(184, 0, 0)); // 0.52571 of full deflection; (0.52571 − 0.05) / 0.95
@@ -142,14 +142,14 @@ TEST(SpaceMouse, PositionModeStandsWhereTheCapIs)
 TEST(SpaceMouse, APauseOfTheLoopIsNoMotion)
 {
   Bench bench(SpaceMouseMode::Rate);
-  bench.run(Tick);
+  bench.run(Period);
   ASSERT_TRUE(bench.push(350, 0, 0));
   bench.run(0.1);
   ASSERT_TRUE(bench.push(350, 0, 0));
-  const double before = bench.run(Tick).position.x();
+  const double before = bench.run(Period).position.x();
   bench.time += 10.0;
   ASSERT_TRUE(bench.push(350, 0, 0));
-  EXPECT_LT(bench.run(Tick).position.x() - before, 0.05 * 0.025) << "not half a metre";
+  EXPECT_LT(bench.run(Period).position.x() - before, 0.05 * 0.025) << "not half a metre";
 }
 
 TEST(SpaceMouse, TimeThatIsNoneIsNotValid)
@@ -162,7 +162,7 @@ TEST(SpaceMouse, TimeThatIsNoneIsNotValid)
 TEST(SpaceMouse, UnpluggedAndBack)
 {
   Bench bench(SpaceMouseMode::Rate);
-  bench.run(Tick);
+  bench.run(Period);
   ASSERT_TRUE(bench.push(350, 0, 0));
   const Vector3d stood = bench.run(0.1).position;
   bench.bus.unplug(Path);

@@ -59,7 +59,7 @@ TEST(TickAllocation, SwitchingAndClutching)
     sample.position.x() =
       tick % 1501 == 1500 ? std::numeric_limits<double>::quiet_NaN() : sample.position.x();
     sample.fresh = tick % 1200 < 1150;
-    const ServoTick felt = step.step(sample, t);
+    const Tick felt = step.step(sample, t);
     switching += step.isSwitching();
     clutched += felt.clutched;
     forces += felt.deviceForce.norm() > 0.0;

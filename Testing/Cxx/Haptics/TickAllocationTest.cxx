@@ -17,8 +17,8 @@ using namespace palpate::testing;
 using palpate::ContactState;
 using palpate::DeviceSample;
 using palpate::ServoStep;
-using palpate::ServoTick;
 using palpate::SimulatedDevice;
+using palpate::Tick;
 using palpate::ToolContact;
 using palpate::WorkspaceMapping;
 
@@ -152,7 +152,7 @@ TEST(TickAllocation, DeviceToForceToDevice)
     const double time = tick == 1234 ? NaN : 1e-3 * tick;
     DeviceSample sample = device.read(time);
     sample.valid = sample.valid && tick % 113 != 0;
-    const ServoTick done = step.step(sample, time);
+    const Tick done = step.step(sample, time);
     device.write(done.deviceForce);
     met(states, done.contact.state);
     forces += device.lastForce().norm() > 0.0;

@@ -11,9 +11,9 @@
 
 namespace
 {
-palpate::ServoTick tickAt(double time, unsigned number)
+palpate::Tick tickAt(double time, unsigned number)
 {
-  palpate::ServoTick tick;
+  palpate::Tick tick;
   tick.time = time;
   tick.scene = number; // to tell them apart
   return tick;

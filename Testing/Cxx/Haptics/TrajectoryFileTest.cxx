@@ -19,7 +19,7 @@
 using Eigen::Vector3d;
 using namespace palpate::testing;
 using palpate::ContactState;
-using palpate::ServoTick;
+using palpate::Tick;
 using palpate::Trajectory;
 using palpate::TrajectoryRow;
 
@@ -64,12 +64,12 @@ Trajectory anyTrajectory(bool hasContact, bool hasDevice)
     row.tip = anyVector(random);
     if (hasContact)
     {
-      row.contactPoint = anyVector(random);
-      row.deflection = anyNumber(random);
-      row.normalForce = anyNumber(random);
-      row.friction = anyVector(random);
+      row.contact.contactPoint = anyVector(random);
+      row.contact.deflection = anyNumber(random);
+      row.contact.normalForce = anyNumber(random);
+      row.contact.friction = anyVector(random);
       row.idealForce = anyNumber(random);
-      row.state = static_cast<ContactState>(random() % 6);
+      row.contact.state = static_cast<ContactState>(random() % 6);
     }
     if (hasDevice)
     {
@@ -98,12 +98,15 @@ bool same(const Vector3d& a, const Vector3d& b)
 
 bool same(const TrajectoryRow& a, const TrajectoryRow& b)
 {
-  return same(a.time, b.time) && same(a.tip, b.tip) && same(a.contactPoint, b.contactPoint) &&
-    same(a.deflection, b.deflection) && same(a.normalForce, b.normalForce) &&
-    same(a.friction, b.friction) && same(a.idealForce, b.idealForce) && a.state == b.state &&
-    same(a.sample.position, b.sample.position) && same(a.sample.velocity, b.sample.velocity) &&
-    a.sample.buttons == b.sample.buttons && a.sample.valid == b.sample.valid &&
-    a.sample.fresh == b.sample.fresh && same(a.sentForce, b.sentForce) && a.isTaken == b.isTaken;
+  return same(a.time, b.time) && same(a.tip, b.tip) &&
+    same(a.contact.contactPoint, b.contact.contactPoint) &&
+    same(a.contact.deflection, b.contact.deflection) &&
+    same(a.contact.normalForce, b.contact.normalForce) &&
+    same(a.contact.friction, b.contact.friction) && same(a.idealForce, b.idealForce) &&
+    a.contact.state == b.contact.state && same(a.sample.position, b.sample.position) &&
+    same(a.sample.velocity, b.sample.velocity) && a.sample.buttons == b.sample.buttons &&
+    a.sample.valid == b.sample.valid && a.sample.fresh == b.sample.fresh &&
+    same(a.sentForce, b.sentForce) && a.isTaken == b.isTaken;
 }
 
 std::string firstLine(const std::string& path)
@@ -159,7 +162,7 @@ TEST(TrajectoryFile, ReadsWhatItWroteToTheSameBits)
 
 TEST(TrajectoryFile, TicksOfAServoStep)
 {
-  std::vector<ServoTick> ticks(4);
+  std::vector<Tick> ticks(4);
   for (std::size_t i = 0; i < ticks.size(); ++i)
   {
     ticks[i].time = 0.001 * static_cast<double>(i);
@@ -171,7 +174,7 @@ TEST(TrajectoryFile, TicksOfAServoStep)
     ticks[i].contact.deflection = 0.7;
     ticks[i].contact.contactPoint = Vector3d(5.0, 6.0, 1e-300);
   }
-  ticks[2] = ServoTick(); // no valid sample
+  ticks[2] = Tick(); // no valid sample
   ticks[2].time = 0.002;
   ticks[2].contact.state = ContactState::Invalid;
   ticks[3].tip.y() = NaN;
@@ -256,7 +259,7 @@ TEST(TrajectoryFile, WritesNothingThatCannotBeRead)
 {
   const ScratchFile file(".csv");
   Trajectory trajectory = anyTrajectory(true, false);
-  trajectory.rows[7].deflection = NaN;
+  trajectory.rows[7].contact.deflection = NaN;
   EXPECT_EQ(palpate::writeTrajectory(file.path(), trajectory),
     "cannot write '" + file.path() + "': row 7: deflection_mm is not finite");
   EXPECT_FALSE(std::ifstream(file.path()).good());

@@ -26,7 +26,7 @@ vtkSmartPointer<vtkHapticSession> startedSession(vtkPolyData* body, vtkPolyData*
   return session;
 }
 
-bool sameBits(const palpate::ServoTick& a, const palpate::ServoTick& b)
+bool sameBits(const palpate::Tick& a, const palpate::Tick& b)
 {
   const auto same = [](const Eigen::Vector3d& u, const Eigen::Vector3d& v)
   { return std::memcmp(u.data(), v.data(), sizeof(double) * 3) == 0; };

@@ -25,7 +25,7 @@
 namespace
 {
 using namespace palpate::testing;
-using palpate::ServoTick;
+using palpate::Tick;
 
 /// The numbers of a tick that all four tell, as doubles, to be compared by their bits.
 using Numbers = std::vector<double>;
@@ -35,10 +35,10 @@ void append(Numbers& numbers, const double* values, int count)
   numbers.insert(numbers.end(), values, values + count);
 }
 
-Numbers numbersOf(const std::vector<ServoTick>& ticks)
+Numbers numbersOf(const std::vector<Tick>& ticks)
 {
   Numbers numbers;
-  for (const ServoTick& tick : ticks)
+  for (const Tick& tick : ticks)
   {
     append(numbers, tick.contact.force.data(), 3);
     append(numbers, tick.contact.friction.data(), 3);
@@ -113,12 +113,12 @@ struct Stage
   }
 };
 
-std::vector<ServoTick> throughServo(const Stage& stage,
+std::vector<Tick> throughServo(const Stage& stage,
   const std::vector<palpate::DeviceSample>& samples, const palpate::ContactSettings& settings)
 {
   palpate::ServoStep servo(
     *stage.kernel, palpate::WorkspaceMapping(), stage.maximumForce, settings);
-  std::vector<ServoTick> ticks;
+  std::vector<Tick> ticks;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     ticks.push_back(servo.step(samples[i], static_cast<double>(i) * (1.0 / Rate)));
@@ -164,14 +164,14 @@ void choose(Felt* felt, const palpate::ContactSettings& settings)
 
 /// The tips the servo saw, or NaN where it had none, as one polyline.
 Body throughProbe(
-  const Stage& stage, const std::vector<ServoTick>& ticks, const palpate::ContactSettings& settings)
+  const Stage& stage, const std::vector<Tick>& ticks, const palpate::ContactSettings& settings)
 {
   Body tips = Body::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> line;
   line->InsertNextCell(static_cast<int>(ticks.size()));
-  for (const ServoTick& tick : ticks)
+  for (const Tick& tick : ticks)
   {
     const bool lost = tick.contact.state == palpate::ContactState::Invalid;
     const palpate::Vector3 tip = lost
@@ -203,7 +203,7 @@ vtkSmartPointer<vtkHapticSession> throughSession(
 }
 
 /// Tips and forces sent, which only the two servos have.
-bool sameDeviceSide(const std::vector<ServoTick>& servo, const std::vector<palpate_tick>& c)
+bool sameDeviceSide(const std::vector<Tick>& servo, const std::vector<palpate_tick>& c)
 {
   bool same = servo.size() == c.size();
   for (std::size_t i = 0; same && i < c.size(); ++i)
@@ -215,7 +215,7 @@ bool sameDeviceSide(const std::vector<ServoTick>& servo, const std::vector<palpa
 }
 
 /// The trajectory does what the head of this file says.
-void checkTrajectory(const std::vector<ServoTick>& ticks, const palpate::ContactSettings& settings)
+void checkTrajectory(const std::vector<Tick>& ticks, const palpate::ContactSettings& settings)
 {
   std::vector<int> states(6, 0);
   std::set<std::int32_t> triangles;
@@ -224,7 +224,7 @@ void checkTrajectory(const std::vector<ServoTick>& ticks, const palpate::Contact
   int limited = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
   {
-    const palpate::ToolContactForce& contact = ticks[i].contact;
+    const palpate::Contact& contact = ticks[i].contact;
     ++states[static_cast<std::size_t>(contact.state)];
     triangles.insert(contact.triangle);
     entered += i > 0 && contact.triangle >= 0 && ticks[i - 1].contact.triangle < 0;
@@ -258,7 +258,7 @@ std::vector<palpate::DeviceSample> withHoles(std::vector<palpate::DeviceSample> 
 /// Returns what was felt, to compare settings with one another.
 Numbers checkSettings(const Stage& stage, const palpate::ContactSettings& settings)
 {
-  const std::vector<ServoTick> servo = throughServo(stage, stage.samples, settings);
+  const std::vector<Tick> servo = throughServo(stage, stage.samples, settings);
   checkTrajectory(servo, settings);
   const Numbers felt = numbersOf(servo);
   const std::vector<palpate_tick> c = throughC(stage, stage.samples, settings);
@@ -271,7 +271,7 @@ Numbers checkSettings(const Stage& stage, const palpate::ContactSettings& settin
   PALPATE_CHECK(sameBits(numbersOf(recording), felt));
 
   const auto holed = withHoles(stage.samples);
-  const std::vector<ServoTick> servoHoled = throughServo(stage, holed, settings);
+  const std::vector<Tick> servoHoled = throughServo(stage, holed, settings);
   const Numbers feltHoled = numbersOf(servoHoled);
   const std::vector<palpate_tick> cHoled = throughC(stage, holed, settings);
   PALPATE_CHECK(sameBits(numbersOf(cHoled), feltHoled) && !sameBits(feltHoled, felt));

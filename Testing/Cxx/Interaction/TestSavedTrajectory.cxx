@@ -125,10 +125,10 @@ bool agree(const std::string& found, const std::string& stored)
     const palpate::TrajectoryRow& a = left.rows[i];
     const palpate::TrajectoryRow& b = right.rows[i];
     constexpr double Off = 1e-12;
-    good = a.state == b.state && (a.tip - b.tip).norm() <= Off * Radius &&
-      (a.contactPoint - b.contactPoint).norm() <= Off * Radius &&
-      std::abs(a.normalForce - b.normalForce) <= Off * b.normalForce &&
-      (a.friction - b.friction).norm() <= Off * b.normalForce;
+    good = a.contact.state == b.contact.state && (a.tip - b.tip).norm() <= Off * Radius &&
+      (a.contact.contactPoint - b.contact.contactPoint).norm() <= Off * Radius &&
+      std::abs(a.contact.normalForce - b.contact.normalForce) <= Off * b.contact.normalForce &&
+      (a.contact.friction - b.contact.friction).norm() <= Off * b.contact.normalForce;
   }
   return good;
 }
@@ -138,7 +138,7 @@ void checkEvents(vtkHapticSession* session)
 {
   std::set<int> states;
   std::set<std::int32_t> triangles;
-  for (const palpate::ServoTick& tick : session->GetTicks())
+  for (const palpate::Tick& tick : session->GetTicks())
   {
     states.insert(static_cast<int>(tick.contact.state));
     triangles.insert(tick.contact.triangle);

@@ -15,7 +15,7 @@ namespace palpate::testing
 constexpr double Poisson = 0.3;
 
 /// Tips as the probe would give them, contact by contact.
-struct Contact
+struct GivenContact
 {
   vtkIdType cell;
   double depth;
@@ -23,7 +23,7 @@ struct Contact
   double normal[3];
 };
 
-inline Body makeTips(const std::vector<Contact>& contacts)
+inline Body makeTips(const std::vector<GivenContact>& contacts)
 {
   Body tips = Body::New();
   vtkNew<vtkPoints> points;
@@ -37,7 +37,7 @@ inline Body makeTips(const std::vector<Contact>& contacts)
   where->SetNumberOfComponents(3);
   normals->SetName("Normal");
   normals->SetNumberOfComponents(3);
-  for (const Contact& contact : contacts)
+  for (const GivenContact& contact : contacts)
   {
     points->InsertNextPoint(contact.point);
     cells->InsertNextValue(contact.cell);

@@ -52,7 +52,7 @@ void checkSharedTriangles()
 void checkErrors()
 {
   const Body body = planeBody(8.0, 2);
-  const Contact good = { 0, 0.5, { -8.0, -8.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  const GivenContact good = { 0, 0.5, { -8.0, -8.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   auto filter = makeFilter(body, makeTips({ good }), makeTool("flat:2"));
   Messages messages(filter.Get());
   const auto fails = [&](std::initializer_list<const char*> words)

@@ -183,7 +183,7 @@ void compareTicks(vtkPolyData* body, int tips, Findings& findings)
     const double depth = 0.1 + (LargestDepth - 0.1) * (i % 29) / 28.0;
     const Vector3 tip = palpate::testing::windingTip(depth, 61.7 * i);
     contact.reset();
-    const palpate::ToolContactForce felt = contact.update(tip);
+    const palpate::Contact felt = contact.update(tip);
     const palpate::testing::Nearest nearest = search.nearest(tip);
     const auto expected = static_cast<double>(nearest.distance);
     touched += felt.normalForce > 0.0 ? 1.0 : 0.0;

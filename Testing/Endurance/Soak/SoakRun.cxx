@@ -187,7 +187,7 @@ void SoakRun::drain()
   }
 }
 
-void SoakRun::check(const ServoTick& tick, const DeviceRecord& record)
+void SoakRun::check(const Tick& tick, const DeviceRecord& record)
 {
   TickVerdict verdict =
     this->Checker->check(factsOf(record.time, record.sample, record.sent, tick));

@@ -22,7 +22,7 @@
 
 namespace palpate
 {
-struct ServoTick;
+struct Tick;
 }
 
 namespace palpate::endurance
@@ -59,7 +59,7 @@ private:
 
   void swap();
   void drain();
-  void check(const ServoTick& tick, const DeviceRecord& record);
+  void check(const Tick& tick, const DeviceRecord& record);
   bool isSettled() const;
   std::size_t bodiesAlive() const;
   void readTiming(SoakResult& result);

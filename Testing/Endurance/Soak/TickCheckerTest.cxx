@@ -264,7 +264,7 @@ TEST(TickChecker, FindsAForceThatRisesTooFast)
     sample.valid = true;
     sample.position = TickSeries::frame().position(
       supply.centre() + (SceneSupply::Radius + high) * Vector3(0.6, 0.0, 0.8));
-    const ServoTick made = step.step(sample, time);
+    const Tick made = step.step(sample, time);
     TickFacts tick = factsOf(time, sample, made.deviceForce, made);
     wanted = TickSeries::frame().axes.transpose() * made.idealForce;
     if (i < 2)

@@ -5,8 +5,7 @@
 
 namespace palpate::endurance
 {
-TickFacts factsOf(
-  double time, const DeviceSample& sample, const Vector3& sent, const ServoTick& tick)
+TickFacts factsOf(double time, const DeviceSample& sample, const Vector3& sent, const Tick& tick)
 {
   TickFacts facts;
   facts.time = time;

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-struct ServoTick;
+struct Tick;
 }
 
 namespace palpate::endurance
@@ -59,8 +59,7 @@ struct TickFacts
 };
 
 /// What the device saw beside what the loop says of the same tick.
-TickFacts factsOf(
-  double time, const DeviceSample& sample, const Vector3& sent, const ServoTick& tick);
+TickFacts factsOf(double time, const DeviceSample& sample, const Vector3& sent, const Tick& tick);
 } // namespace palpate::endurance
 
 #endif

@@ -99,7 +99,7 @@ TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin)
     }
     const double time = begin + static_cast<double>(i) / Rate;
     const DeviceSample sample = sampleAt(i, this->Supply.centre());
-    const ServoTick made = step.step(sample, time);
+    const Tick made = step.step(sample, time);
     this->ticks.push_back(factsOf(time, sample, made.deviceForce, made));
   }
 }

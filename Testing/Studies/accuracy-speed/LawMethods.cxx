@@ -3,7 +3,7 @@
 
 #include "Mechanics/Tools/ConeTool.h"
 #include "Mechanics/Tools/FlatTool.h"
-#include "Contact/SmoothTracker.h"
+#include "Contact/ContactTracker.h"
 #include "Mechanics/Tools/SphereTool.h"
 #include "TrackedMethod.h"
 
@@ -87,13 +87,14 @@ public:
   std::string name() const override { return "reference"; }
   Vector3 force(const Vector3& tip) override
   {
-    const SmoothTracker::Contact contact = this->Tracker.update(tip);
+    const ContactTracker::Result contact = this->Tracker.update(tip);
     if (contact.outcome != ContactTracker::Outcome::Inside)
     {
       return Vector3::Zero();
     }
     const ContactPlace& place = contact.place;
-    const Spot spot = this->Body.spotAt(this->Body.packed().corners(place.triangle), place.weights);
+    const Spot spot =
+      this->Body.spotAt(this->Body.packed().corners(place.triangle), place.projection.weights);
     return this->Law.evaluate(spot, -place.signedDistance).force * place.normal;
   }
   void forget() override { this->Tracker.reset(); }
@@ -102,7 +103,7 @@ public:
 private:
   const StudyBody& Body;
   StudyLaw Law;
-  SmoothTracker Tracker;
+  ContactTracker Tracker;
 };
 
 class BallReference final : public ContactMethod

@@ -20,8 +20,8 @@ std::unique_ptr<ContactMethod> tableOne(const StudyBody& body, const StudyLaw& l
 std::unique_ptr<ContactMethod> exactLaw(const StudyBody& body, const StudyLaw& law);
 
 /// The best reference of a scene without finite elements: StudyLaw with what lies under the contact
-/// point, on the smooth surface through the points, followed as SmoothTracker does. On a plane that
-/// is the plane itself.
+/// point, on the smooth surface through the points, followed as ContactTracker does. On a plane
+/// that is the plane itself.
 std::unique_ptr<ContactMethod> exactReference(const StudyBody& body, const StudyLaw& law);
 
 /// The same without a mesh: a half-space's law on a ball of this radius about the origin.

@@ -204,13 +204,13 @@ StudyTips bodyTips(const StudyBody& body, double range, std::size_t sites, std::
     ahead = (ahead - ahead.dot(foot.normal) * foot.normal).normalized();
     const double depth = depthOnPath(tips.path.size(), range);
     const Vector3 tip = foot.point + Step * ahead - depth * foot.normal;
-    const ContactTracker::Contact contact = tracker.update(tip);
-    const bool isOn = contact.outcome == ContactTracker::Outcome::Inside &&
-      gentle.isGentle(contact.surface.triangle);
+    const ContactTracker::Result contact = tracker.update(tip);
+    const bool isOn =
+      contact.outcome == ContactTracker::Outcome::Inside && gentle.isGentle(contact.place.triangle);
     if (isOn)
     {
       tips.path.push_back({ tip, isNew });
-      foot = footAt(mesh, contact.surface.triangle, contact.surface.projection.weights);
+      foot = footAt(mesh, contact.place.triangle, contact.place.projection.weights);
     }
     isNew = !isOn;
   }

@@ -48,16 +48,16 @@ public:
   std::string name() const override { return this->Name; }
   Vector3 force(const Vector3& tip) override
   {
-    const ContactTracker::Contact contact = this->Tracker.update(tip);
+    const ContactTracker::Result contact = this->Tracker.update(tip);
     if (contact.outcome != ContactTracker::Outcome::Inside)
     {
       return Vector3::Zero();
     }
     TouchedPlace place;
-    place.corners = this->Body.packed().corners(contact.surface.triangle);
-    place.weights = contact.surface.projection.weights;
-    place.depth = -contact.surface.signedDistance;
-    place.point = contact.surface.projection.point;
+    place.corners = this->Body.packed().corners(contact.place.triangle);
+    place.weights = contact.place.projection.weights;
+    place.depth = -contact.place.signedDistance;
+    place.point = contact.place.projection.point;
     for (std::size_t k = 0; k < 3; ++k)
     {
       place.normal += place.weights[static_cast<Eigen::Index>(k)] *

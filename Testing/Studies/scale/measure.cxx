@@ -242,7 +242,7 @@ void measureForces(const ContactBody& kernel)
   for (int i = 0; i < Tips; ++i)
   {
     contact.reset();
-    const palpate::ToolContactForce felt = contact.update(windingTip(Depth, 37.0 * i));
+    const palpate::Contact felt = contact.update(windingTip(Depth, 37.0 * i));
     error += std::pow(felt.normalForce / 10.0 - 1.0, 2) / Tips; // 10 N at 1 mm
     const double law = 10.0 * std::pow(felt.deflection, 1.5);
     lawError = std::max(lawError, std::abs(felt.normalForce / law - 1.0));

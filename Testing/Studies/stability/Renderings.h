@@ -53,7 +53,7 @@ public:
 
 private:
   ServoStep Step;
-  ServoTick Last;
+  Tick Last;
 };
 
 /// Which links of the safety chain are on.

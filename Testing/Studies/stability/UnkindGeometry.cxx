@@ -61,7 +61,7 @@ Lap lap(
   const ContactBody& body, const ContactSettings& settings, std::vector<Vector3> path, double step)
 {
   ToolContact contact(body, settings);
-  ToolContactForce last = contact.update(path.front());
+  Contact last = contact.update(path.front());
   Lap found;
   for (std::size_t side = 1; side < path.size(); ++side)
   {
@@ -69,7 +69,7 @@ Lap lap(
     const int steps = static_cast<int>(std::ceil(way.norm() / step));
     for (int i = 1; i <= steps; ++i)
     {
-      const ToolContactForce now = contact.update(path[side - 1] + way * i / steps);
+      const Contact now = contact.update(path[side - 1] + way * i / steps);
       found.gain += 0.5 * (last.force + now.force).dot(way) / steps;
       found.scale += 0.5 * (last.force.norm() + now.force.norm()) * way.norm() / steps;
       // Where the contact begins or ends with little force nothing jumps.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a tick finds, from the closest point to the force: values without behaviour.
+#ifndef palpate_Contact_h
+#define palpate_Contact_h
+
+#include "Contact/TriangleProjection.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace palpate
+{
+/// A closest point of the body: its triangle (-1: none), where on it, and on which side the tip is.
+struct SurfacePoint
+{
+  std::int32_t triangle = -1; ///< of the PackedMesh, not of the input
+  TriangleProjection projection;
+  /// Distance from the surface to the tip, mm: > 0 outside, < 0 inside.
+  double signedDistance = 0.0;
+  /// The closest point lies on an open border, where inside and outside are not defined.
+  bool onBorder = false;
+};
+
+/// One that is followed, and how it moves with the tip. Normal and gradients are those of the
+/// smooth surface, or EnergyGradient::onFacet.
+struct ContactPlace : SurfacePoint
+{
+  bool isSmooth = false; ///< on the smooth surface, or on the facets
+  /// Of the surface, unit, outward; at an edge or corner of facets from the tip to the point.
+  Vector3 normal = Vector3::Zero();
+  /// Column i: gradient of area coordinate i as the tip moves, 1/mm; tangential.
+  Eigen::Matrix3d weightGradients = Eigen::Matrix3d::Zero();
+};
+
+/// What a contact is doing.
+enum class ContactState : std::uint8_t
+{
+  None,
+  Stick,
+  Slide,
+  BeyondRange,
+  LostAtBorder,
+  Invalid
+};
+
+/// What the tool feels in one tick: force, place and state. Body frame; mm, N, N/mm.
+struct Contact
+{
+  ContactState state = ContactState::None;
+  Vector3 force = Vector3::Zero();    ///< total, on the tool
+  Vector3 friction = Vector3::Zero(); ///< its part that is friction
+  double normalForce = 0.0;
+  double stiffness = 0.0; ///< Σ n_i dF_i/dδ
+  double deflection = 0.0;
+  Vector3 normal = Vector3::Zero(); ///< unit, outward, along which normalForce acts
+  Vector3 contactPoint = Vector3::Zero();
+  std::int32_t triangle = -1; ///< of the input; -1: none
+};
+} // namespace palpate
+
+#endif
