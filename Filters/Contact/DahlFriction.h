@@ -6,6 +6,8 @@
 #include "Contact/FrictionFrame.h"
 #include "Mechanics/PalpateExport.h"
 
+#include <cmath>
+
 namespace palpate
 {
 /**
@@ -30,9 +32,22 @@ public:
   void reset() noexcept { this->Z.setZero(); }
 
   /// At most `limit` = μ f_n, N.
-  TangentialForce update(const StraightStep& step, double limit) noexcept;
+  TangentialForce update(const StraightStep& step, double limit) noexcept
+  {
+    const double longest = limit / this->Stiffness;
+    StraightStep::clip(this->Z, longest);
+    if (step.length() > 0.0 && longest > 0.0)
+    {
+      const double approached = -std::expm1(-step.length() / longest);
+      this->Z += approached * (longest * step.direction() - this->Z);
+    }
+    const bool sliding = this->Z.squaredNorm() >= NearlySliding * NearlySliding * longest * longest;
+    return { -this->Stiffness * this->Z, sliding };
+  }
 
 private:
+  static constexpr double NearlySliding = 0.99;
+
   double Stiffness;
   Vector2 Z = Vector2::Zero();
 };

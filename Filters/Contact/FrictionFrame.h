@@ -62,7 +62,15 @@ private:
   static constexpr double SmallestCosine = -0.999;
   static constexpr double LargestStretch = 2.0;
 
-  void start(const Vector3& point, const Vector3& normal) noexcept;
+  void start(const Vector3& point, const Vector3& normal) noexcept
+  {
+    this->Started = true;
+    this->Point = point;
+    this->Normal = normal;
+    this->First = normal.unitOrthogonal();
+    this->Second = normal.cross(this->First);
+    this->Step = StraightStep();
+  }
   /// (φ/2)/sin(φ/2) from cos φ: arcsin s/s = 1 + s²/6 + 3s⁴/40 + ... with s = sin(φ/2).
   static double arcOfChord(double cosine) noexcept
   {

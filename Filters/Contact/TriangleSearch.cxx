@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/TriangleSearch.h"
 
-#include "Contact/NearestTriangle.h"
+#include "Contact/TriangleBound.h"
 
 #include <cmath>
 #ifdef __SSE2__

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/TriangleTree.h"
 
-#include "Contact/NearestTriangle.h"
+#include "Contact/TriangleBound.h"
 #include "Contact/ParallelRanges.h"
 
 #include <algorithm>

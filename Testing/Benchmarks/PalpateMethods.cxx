@@ -2,7 +2,7 @@
 // Palpate's own rows of the benchmark: the only file of it that knows the kernel's classes.
 #include "BumpySphere.h"
 #include "Contact/ContactBody.h"
-#include "Haptics/Safety/ForceLimit.h"
+#include "Haptics/Safety/SafetyLinks.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "TimedMethod.h"
 

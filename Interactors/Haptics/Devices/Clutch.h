@@ -3,7 +3,6 @@
 #define palpate_Clutch_h
 
 #include "Haptics/Safety/ForceRamp.h"
-#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -22,7 +21,7 @@ namespace palpate
  *
  * Positions are the tip's, in the body's frame, mm. No heap; nothing throws.
  */
-class PALPATE_EXPORT Clutch
+class Clutch
 {
 public:
   /// `buttons`: any of these bits of DeviceSample::buttons holds it; 0: there is no clutch.
@@ -34,7 +33,21 @@ public:
   /// Where the tip is, when the mapping puts the hand at `hand`, finite; `elapsed` (s) since the
   /// last tick.
   Eigen::Vector3d follow(
-    const Eigen::Vector3d& hand, std::uint32_t buttons, double elapsed) noexcept;
+    const Eigen::Vector3d& hand, std::uint32_t buttons, double elapsed) noexcept
+  {
+    if (this->Held) // up to this tick, however far the hand has come since the last
+    {
+      this->Offset = this->Tip - hand;
+      this->Moved = true;
+    }
+    else
+    {
+      this->Tip = this->Moved ? Eigen::Vector3d(hand + this->Offset) : hand;
+    }
+    this->Held = (buttons & this->Buttons) != 0;
+    this->Force.advance(this->Held ? 0.0 : 1.0, elapsed);
+    return this->Tip;
+  }
 
   bool isHeld() const noexcept { return this->Held; }
   /// Of the force, for the hand: 1 while the tip follows it, 0 while it moves freely.

@@ -2,13 +2,10 @@
 #ifndef palpate_SafetyChain_h
 #define palpate_SafetyChain_h
 
-#include "Haptics/Safety/EntryGate.h"
-#include "Haptics/Safety/ForceLimit.h"
-#include "Haptics/Safety/ForceRateLimit.h"
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Safety/PassivityControl.h"
+#include "Haptics/Safety/SafetyLinks.h"
 #include "Haptics/Safety/SafetySettings.h"
-#include "Haptics/Safety/SampleWatchdog.h"
 
 #include <Eigen/Core>
 

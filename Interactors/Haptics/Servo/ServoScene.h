@@ -2,7 +2,6 @@
 #ifndef palpate_ServoScene_h
 #define palpate_ServoScene_h
 
-#include "Mechanics/PalpateExport.h"
 #include "Contact/ToolContact.h"
 
 #include <memory>
@@ -14,7 +13,7 @@ namespace palpate
  * A body with the response of a tool, as one ServoStep renders it: another body, tool, material or
  * other settings are another scene. Made and freed outside of the tick, which only hands it on.
  */
-struct PALPATE_EXPORT ServoScene
+struct ServoScene
 {
   /// `contactBody` must not be null and is kept alive by the scene. `sceneForceFactor` (0, 1] fits
   /// this scene to the device, beside SafetySettings::forceFactor: their product is what counts.
@@ -27,9 +26,22 @@ struct PALPATE_EXPORT ServoScene
     , forceFactor(sceneForceFactor > 0.0 && sceneForceFactor <= 1.0 ? sceneForceFactor : 0.0)
   {
   }
-  ~ServoScene();
+  ~ServoScene()
+  {
+    // One after the other: a long list would nest as deep.
+    while (this->next)
+    {
+      this->next = std::move(this->next->next);
+    }
+  }
   /// With its history, but alone.
-  ServoScene(const ServoScene& other);
+  ServoScene(const ServoScene& other)
+    : body(other.body)
+    , settings(other.settings)
+    , contact(other.contact)
+    , forceFactor(other.forceFactor)
+  {
+  }
   ServoScene& operator=(const ServoScene&) = delete;
 
   const std::shared_ptr<const ContactBody> body;

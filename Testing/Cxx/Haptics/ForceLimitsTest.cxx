@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The two links that know nothing but the force: its magnitude and its rate.
-#include "Haptics/Safety/ForceLimit.h"
-#include "Haptics/Safety/ForceRateLimit.h"
+#include "Haptics/Safety/SafetyLinks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Haptics/Safety/SampleWatchdog.h"
+#include "Haptics/Safety/SafetyLinks.h"
 
 #include <gtest/gtest.h>
 

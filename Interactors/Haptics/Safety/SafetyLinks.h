@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The small links of SafetyChain, in its order.
+#ifndef palpate_SafetyLinks_h
+#define palpate_SafetyLinks_h
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+/**
+ * The first link: a session that begins, or goes on after a loss, with the tool inside the body
+ * must not push it out with whatever force that depth has. The gate is closed until the tip has
+ * been outside once. With a ramp, the first touch after that is soft: the share grows linearly from
+ * 0 over so many seconds, counted from that touch.
+ */
+class EntryGate
+{
+public:
+  /// `ramp` in s; 0, or what is no number: none. Without `closes` the gate is always open.
+  EntryGate(bool closes, double ramp) noexcept
+    : Closes(closes)
+    , Ramp(ramp)
+  {
+  }
+
+  /// Of the force that may pass now, 0 to 1; time in s.
+  double share(double time, bool outside) noexcept
+  {
+    this->HasBeenOutside = this->HasBeenOutside || outside;
+    if (this->Closes && !this->HasBeenOutside)
+    {
+      return 0.0;
+    }
+    if (!this->HasTouched)
+    {
+      if (outside)
+      {
+        return 1.0; // there is no force to scale
+      }
+      this->HasTouched = true;
+      this->TouchTime = time;
+    }
+    const double since = time - this->TouchTime;
+    return this->Ramp > 0.0 && since < this->Ramp ? std::max(0.0, since / this->Ramp) : 1.0;
+  }
+  void close() noexcept
+  {
+    this->HasBeenOutside = false;
+    this->HasTouched = false;
+  }
+
+private:
+  bool Closes;
+  double Ramp;
+  bool HasBeenOutside = false;
+  bool HasTouched = false;
+  double TouchTime = 0.0;
+};
+
+/**
+ * The slew limit: between two ticks the force changes by no more than the rate times the time
+ * between them, along the straight line to where it should be. It starts from the force that was
+ * sent last, none at first, so that what later links take away does not come back at once.
+ */
+class ForceRateLimit
+{
+public:
+  /// `rate` in N/s; infinite: no limit; negative or NaN: the force does not change.
+  explicit ForceRateLimit(double rate) noexcept
+    : Rate(rate)
+  {
+  }
+
+  Eigen::Vector3d limit(double time, const Eigen::Vector3d& force) const noexcept
+  {
+    if (this->Rate > 0.0 && std::isinf(this->Rate))
+    {
+      return force;
+    }
+    const double passed = this->HasTime ? time - this->LastTime : 0.0;
+    const double most = this->Rate * passed;
+    const Eigen::Vector3d change = force - this->Last;
+    const double size = change.stableNorm();
+    if (size <= most)
+    {
+      return force;
+    }
+    return most > 0.0 ? Eigen::Vector3d(this->Last + most / size * change) : this->Last;
+  }
+  /// What has left the chain in this tick.
+  void sent(double time, const Eigen::Vector3d& force) noexcept
+  {
+    this->Last = force;
+    this->LastTime = time;
+    this->HasTime = true;
+  }
+  /// Nothing has been sent.
+  void reset() noexcept
+  {
+    this->Last.setZero();
+    this->HasTime = false;
+  }
+
+private:
+  double Rate;
+  Eigen::Vector3d Last = Eigen::Vector3d::Zero();
+  bool HasTime = false; ///< else no time has passed yet
+  double LastTime = 0.0;
+};
+
+/// The clamp of the magnitude, which keeps the direction.
+class ForceLimit
+{
+public:
+  /// `maximum` in N; infinite: no limit; negative or NaN: no force.
+  explicit ForceLimit(double maximum) noexcept
+    : Maximum(maximum > 0.0 ? maximum : 0.0)
+  {
+  }
+
+  /// Of a force that is finite.
+  Eigen::Vector3d limit(const Eigen::Vector3d& force) const noexcept
+  {
+    // The plain norm wherever its squares neither overflow nor vanish: it is what C and C++ loops
+    // have been given from the first, to the bit.
+    const double plain = force.norm();
+    const double size = plain > 1e-100 && plain < 1e100 ? plain : force.stableNorm();
+    return size <= this->Maximum ? force : Eigen::Vector3d(this->Maximum / size * force);
+  }
+
+private:
+  double Maximum;
+};
+
+/**
+ * Whether the device still tells where the hand is: one that has told nothing new for longer than
+ * its time-out is lost, until it does. The same holds for a loop that has not asked for so long,
+ * and for a clock that goes back.
+ */
+class SampleWatchdog
+{
+public:
+  /// `timeOut` in s; infinite: never; negative or NaN: always.
+  explicit SampleWatchdog(double timeOut) noexcept
+    : TimeOut(timeOut)
+  {
+  }
+
+  /// Called in every tick with a valid sample; `fresh`: it is a new one. True: no force now.
+  bool isLost(double time, bool fresh) noexcept
+  {
+    if (!this->HasTime)
+    {
+      this->HasTime = true;
+      this->LastTime = time;
+      this->LastFresh = time;
+    }
+    const bool wentBack = time < this->LastTime;
+    if (wentBack)
+    {
+      this->LastFresh = time; // of the new clock
+    }
+    const bool isOld = !(time - this->LastFresh <= this->TimeOut);
+    this->LastTime = time;
+    if (fresh)
+    {
+      this->LastFresh = time;
+    }
+    return wentBack || isOld;
+  }
+  /// The time-out begins with the next call.
+  void reset() noexcept { this->HasTime = false; }
+
+private:
+  double TimeOut;
+  bool HasTime = false;
+  double LastTime = 0.0;  ///< of the last call
+  double LastFresh = 0.0; ///< of the last new sample
+};
+} // namespace palpate
+
+#endif
