@@ -2,12 +2,10 @@
 #ifndef palpate_ContactSettings_h
 #define palpate_ContactSettings_h
 
-#include <cstdint>
-
 namespace palpate
 {
 /// How the curves of the three vertices of a triangle become one force.
-enum class ForceForm : std::uint8_t
+enum class ForceForm : int
 {
   /// Σ n_i f_i U_i (Mahvash and Hayward 2002, eq. 3). The sum of unit normals is shorter than 1, so
   /// the force loses about h²/(6 R²) in the middle of a facet of size h on a body of radius R.
@@ -22,14 +20,14 @@ enum class ForceForm : std::uint8_t
 };
 
 /// The surface the tip is projected on.
-enum class ContactSurface : std::uint8_t
+enum class ContactSurface : int
 {
   Facets, ///< the triangles as they are
   Smooth  ///< one patch per triangle through its vertices and their normals, G1 across edges
 };
 
 /// What resists sliding; see Friction.h.
-enum class FrictionModel : std::uint8_t
+enum class FrictionModel : int
 {
   ElastoPlastic, ///< Hayward and Armstrong 2000: stick, creep, slide; no drift below breakaway
   Dahl,          ///< the same with creep from the first displacement on: drifts
@@ -56,7 +54,8 @@ struct FrictionSettings
   double poissonRatio = 0.5;
 };
 
-/// How a ToolContact turns a tip into a force.
+/// How a ToolContact turns a tip into a force. Ranges, names and words stand in SettingTable.h;
+/// what comes from outside may be out of them, an enumeration too, until it has been seen there.
 struct ContactSettings
 {
   ForceForm form = ForceForm::NormalizedDirection;

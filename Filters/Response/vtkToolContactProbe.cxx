@@ -5,7 +5,6 @@
 #include "Response/Pieces/BodyPiece.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/ContactArrays.h"
-#include "Contact/GivenSettings.h"
 #include "Response/Pieces/OwnPiece.h"
 #include "Response/Pieces/PieceProbe.h"
 #include "Response/Pieces/Ranks.h"
@@ -21,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -70,6 +70,7 @@ vtkStandardNewMacro(vtkToolContactProbe);
 
 vtkToolContactProbe::vtkToolContactProbe()
   : Controller(vtkMultiProcessController::GetGlobalController())
+  , Settings(vtkSmartPointer<vtkContactSettings>::New())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -124,24 +125,9 @@ bool vtkToolContactProbe::PrepareBody(vtkPolyData* body)
   return true;
 }
 
-bool vtkToolContactProbe::ReadSettings(palpate::ContactSettings& settings)
+vtkMTimeType vtkToolContactProbe::GetMTime()
 {
-  palpate::GivenSettings given;
-  given.forceForm = this->ForceForm;
-  given.contactSurface = this->ContactSurface;
-  given.frictionModel = this->FrictionModel;
-  given.frictionCoefficient = this->FrictionCoefficient;
-  given.tangentialStiffness = this->TangentialStiffness;
-  given.frictionBreakaway = this->FrictionBreakaway;
-  given.frictionStickRadius = this->FrictionStickRadius;
-  given.poissonRatio = this->PoissonRatio;
-  if (const palpate::SettingFault fault = given.fault())
-  {
-    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
-    return false;
-  }
-  settings = given.settings();
-  return true;
+  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
 }
 
 int vtkToolContactProbe::RequestInformation(
@@ -175,11 +161,13 @@ int vtkToolContactProbe::RequestData(
   {
     return 1;
   }
-  palpate::ContactSettings settings;
-  if (!this->ReadSettings(settings))
+  fault = this->Settings->GetFault();
+  if (!fault.empty())
   {
+    vtkErrorMacro(<< fault << ".");
     return 0;
   }
+  const palpate::ContactSettings& settings = this->Settings->GetKernel();
   if (!std::isfinite(this->Indentation))
   {
     vtkErrorMacro(<< "Indentation must be finite (mm), but is " << this->Indentation << ".");
@@ -269,14 +257,8 @@ void vtkToolContactProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller.Get() << "\n";
-  os << indent << "ForceForm: " << this->ForceForm << "\n";
-  os << indent << "ContactSurface: " << this->ContactSurface << "\n";
-  os << indent << "FrictionCoefficient: " << this->FrictionCoefficient << "\n";
-  os << indent << "FrictionModel: " << this->FrictionModel << "\n";
-  os << indent << "TangentialStiffness: " << this->TangentialStiffness << " N/mm\n";
-  os << indent << "FrictionBreakaway: " << this->FrictionBreakaway << "\n";
-  os << indent << "FrictionStickRadius: " << this->FrictionStickRadius << "\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "Settings:\n";
+  this->Settings->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Indentation: " << this->Indentation << " mm\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

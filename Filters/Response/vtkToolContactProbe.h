@@ -28,10 +28,10 @@
  * friction slides.
  *
  * The force blends the curves of the triangle's three vertices by area coordinates (Mahvash and
- * Hayward 2002, eqs. 3 and 4), see ForceForm and ContactSurface; friction is set by
- * FrictionCoefficient and FrictionModel. A setting out of its range is an error, also one that the
- * chosen model does not use. vtkHapticSession and the C interface (palpate.h) have the same
- * settings and give the same bits for the same tips.
+ * Hayward 2002, eqs. 3 and 4). How, on which surface and with which friction, vtkContactSettings
+ * says; a setting out of its range is an error, also one that the chosen model does not use.
+ * vtkHapticSession and the C interface (palpate.h) have the same settings and give the same bits
+ * for the same tips.
  *
  * What the kernel finds wrong with the mesh is said in one warning for each state of the body:
  * triangles that wound against their neighbours and were turned, points of open borders that were
@@ -62,6 +62,7 @@
 #define vtkToolContactProbe_h
 
 #include "palpateResponseModule.h" // For export macro
+#include "vtkContactSettings.h"    // For its macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
@@ -75,7 +76,6 @@ namespace palpate
 class BodyPiece;
 class Ranks;
 struct ContactBody;
-struct ContactSettings;
 } // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkToolContactProbe : public vtkPolyDataAlgorithm
@@ -85,106 +85,39 @@ public:
   vtkTypeMacro(vtkToolContactProbe, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of ForceForm.
+  ///@{
+  /** Values of ForceForm, ContactSurface and FrictionModel: those of vtkContactSettings. */
   enum ForceFormType
   {
-    Paper = 0,
-    NormalizedDirection = 1,
-    EnergyConsistent = 2
+    Paper = vtkContactSettings::Paper,
+    NormalizedDirection = vtkContactSettings::NormalizedDirection,
+    EnergyConsistent = vtkContactSettings::EnergyConsistent
   };
-
-  /// Values of ContactSurface.
   enum ContactSurfaceType
   {
-    Facets = 0,
-    Smooth = 1
+    Facets = vtkContactSettings::Facets,
+    Smooth = vtkContactSettings::Smooth
   };
-
-  /// Values of FrictionModel.
   enum FrictionModelType
   {
-    ElastoPlastic = 0,
-    Dahl = 1,
-    ShapeDerived = 2
+    ElastoPlastic = vtkContactSettings::ElastoPlastic,
+    Dahl = vtkContactSettings::Dahl,
+    ShapeDerived = vtkContactSettings::ShapeDerived
   };
+  ///@}
 
   ///@{
-  /**
-   * How the curves f_i of a triangle's vertices, with normals U_i and area coordinates n_i, become
-   * one force.
-   * Paper: Σ n_i f_i U_i as printed (Mahvash and Hayward 2002, eq. 3); since the blended normal is
-   * shorter than 1, the force loses up to h²/(6R²) inside a facet of size h.
-   * NormalizedDirection (default): Σ n_i f_i along the normalised Σ n_i U_i.
-   * EnergyConsistent: the gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the
-   * surface: closed loops within one contact neither gain nor lose energy.
-   */
-  vtkSetMacro(ForceForm, int);
-  vtkGetMacro(ForceForm, int);
+  /** How the contact feels: an object that others may share, and its properties, which
+   * vtkContactSettings explains. Default: one of its own. */
+  palpateContactSettingsMacro();
   void SetForceFormToPaper() { this->SetForceForm(Paper); }
   void SetForceFormToNormalizedDirection() { this->SetForceForm(NormalizedDirection); }
   void SetForceFormToEnergyConsistent() { this->SetForceForm(EnergyConsistent); }
-  ///@}
-
-  ///@{
-  /**
-   * The surface tips are projected on. Facets (default): the triangles. Smooth: one patch per
-   * triangle through its vertices and the response's normals there, with continuous normals across
-   * edges; for bodies that are round where the mesh has facets.
-   */
-  vtkSetMacro(ContactSurface, int);
-  vtkGetMacro(ContactSurface, int);
   void SetContactSurfaceToFacets() { this->SetContactSurface(Facets); }
   void SetContactSurfaceToSmooth() { this->SetContactSurface(Smooth); }
-  ///@}
-
-  ///@{
-  /** Coulomb's μ, finite and >= 0. Default 0: no friction. */
-  vtkSetMacro(FrictionCoefficient, double);
-  vtkGetMacro(FrictionCoefficient, double);
-  ///@}
-
-  ///@{
-  /**
-   * What a contact does before it slides at μ times the normal force.
-   * ElastoPlastic (default; Hayward and Armstrong 2000): it sticks elastically with
-   * TangentialStiffness, creeps towards the limit, and stays where it is under less than
-   * FrictionBreakaway of it.
-   * Dahl (1968): creeps from the first displacement on, and so drifts under any changing load.
-   * ShapeDerived: from the stored response f(δ) itself, Q(u) = μ [f(δ) - f(δ - u/(μc))],
-   * c = (2-ν)/(2(1-ν)), slides at u = μcδ (Jaeger 1998; Ciavarella 1998); only μ and PoissonRatio.
-   */
-  vtkSetMacro(FrictionModel, int);
-  vtkGetMacro(FrictionModel, int);
   void SetFrictionModelToElastoPlastic() { this->SetFrictionModel(ElastoPlastic); }
   void SetFrictionModelToDahl() { this->SetFrictionModel(Dahl); }
   void SetFrictionModelToShapeDerived() { this->SetFrictionModel(ShapeDerived); }
-  ///@}
-
-  ///@{
-  /**
-   * Stiffness of the stuck contact, N/mm, finite and > 0. Default 1. In a servo loop of period T at
-   * a device of damping b it should not exceed 2b/T. Not used by ShapeDerived.
-   */
-  vtkSetMacro(TangentialStiffness, double);
-  vtkGetMacro(TangentialStiffness, double);
-  ///@}
-
-  ///@{
-  /**
-   * ElastoPlastic only. Breakaway: share of the sliding limit up to which the contact is elastic,
-   * 0 to 1, default 0.8; at 0 it creeps under any load. StickRadius: share at which half of a
-   * further displacement is creep, positive and no less than the breakaway, default 0.9.
-   */
-  vtkSetMacro(FrictionBreakaway, double);
-  vtkGetMacro(FrictionBreakaway, double);
-  vtkSetMacro(FrictionStickRadius, double);
-  vtkGetMacro(FrictionStickRadius, double);
-  ///@}
-
-  ///@{
-  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Only used by ShapeDerived friction. */
-  vtkSetMacro(PoissonRatio, double);
-  vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
@@ -215,6 +148,9 @@ public:
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
 
+  /** The settings count. */
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkToolContactProbe();
   ~vtkToolContactProbe() override;
@@ -229,19 +165,11 @@ private:
   void operator=(const vtkToolContactProbe&) = delete;
 
   bool PrepareBody(vtkPolyData* body);
-  bool ReadSettings(palpate::ContactSettings& settings);
   bool TouchPieces(const palpate::Ranks& ranks, vtkPolyData* body, vtkPolyData* tips,
     const palpate::ContactSettings& settings, vtkPolyData* output);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  int ForceForm = NormalizedDirection;
-  int ContactSurface = Facets;
-  double FrictionCoefficient = 0.0;
-  int FrictionModel = ElastoPlastic;
-  double TangentialStiffness = 1.0;
-  double FrictionBreakaway = 0.8;
-  double FrictionStickRadius = 0.9;
-  double PoissonRatio = 0.5;
+  vtkSmartPointer<vtkContactSettings> Settings;
   double Indentation = 0.0;
   std::string ResponseName = "Response";
 

@@ -12,6 +12,7 @@
 #include "Response/Touch/TouchText.h"
 #include "Response/Touch/TouchedBody.h"
 #include "vtkContactDeflection.h"
+#include "vtkContactSettings.h"
 #include "vtkContactTool.h"
 #include "vtkContactToolSource.h"
 #include "vtkToolContactProbe.h"
@@ -110,6 +111,25 @@ int vtkToolTouch::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == TextPort ? "vtkTable" : "vtkPolyData");
   return 1;
+}
+
+void vtkToolTouch::SetSettings(vtkContactSettings* settings)
+{
+  if (this->GetSettings() != settings)
+  {
+    this->Prober->SetSettings(settings);
+    this->Modified();
+  }
+}
+
+vtkContactSettings* vtkToolTouch::GetSettings()
+{
+  return this->Prober->GetSettings();
+}
+
+vtkMTimeType vtkToolTouch::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->GetSettings()->GetMTime());
 }
 
 void vtkToolTouch::SetTipPosition(double x, double y, double z)
@@ -411,6 +431,8 @@ void vtkToolTouch::PrintSelf(ostream& os, vtkIndent indent)
      << this->TipPosition[2] << (this->TipIsSet ? " mm\n" : " (not set)\n");
   os << indent << "Snap: " << this->Snap << "\n";
   os << indent << "Indentation: " << this->Indentation << " mm\n";
+  os << indent << "Settings:\n";
+  this->GetSettings()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "Reach: " << this->Reach << " contact radii\n";
   os << indent << "ForceScale: " << this->ForceScale << " mm/N\n";

@@ -45,6 +45,7 @@
 #include <string> // For std::string
 
 class vtkContactDeflection;
+class vtkContactSettings;
 class vtkContactTool;
 class vtkContactToolSource;
 class vtkPolyData;
@@ -112,6 +113,13 @@ public:
   ///@}
 
   ///@{
+  /** How the contact feels: an object that others may share. Friction does not act, as one tip has
+   * no way behind it. Null, and the default: one of its own. */
+  virtual void SetSettings(vtkContactSettings* settings);
+  vtkContactSettings* GetSettings();
+  ///@}
+
+  ///@{
   /** Poisson's ratio of the body, 0 to 0.5. Default 0.45. Only used for the shape of the dent. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
@@ -148,6 +156,9 @@ public:
   vtkSetMacro(ResponseName, std::string);
   vtkGetMacro(ResponseName, std::string);
   ///@}
+
+  /** The settings count. */
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkToolTouch();

@@ -44,17 +44,14 @@ bool isRefused(const SettingFault& fault, char* error, std::size_t size)
   return static_cast<bool>(fault);
 }
 
-GivenSettings given(const palpate_settings& settings)
+ContactSettings given(const palpate_settings& settings)
 {
-  GivenSettings given;
-  given.forceForm = settings.force_form;
-  given.contactSurface = settings.contact_surface;
-  given.frictionModel = settings.friction_model;
-  given.frictionCoefficient = settings.friction_coefficient;
-  given.tangentialStiffness = settings.tangential_stiffness;
-  given.frictionBreakaway = settings.friction_breakaway;
-  given.frictionStickRadius = settings.friction_stick_radius;
-  given.poissonRatio = settings.poisson_ratio;
+  ContactSettings given;
+  given.form = static_cast<ForceForm>(settings.force_form);
+  given.surface = static_cast<ContactSurface>(settings.contact_surface);
+  given.friction = { static_cast<FrictionModel>(settings.friction_model),
+    settings.friction_coefficient, settings.tangential_stiffness, settings.friction_breakaway,
+    settings.friction_stick_radius, settings.poisson_ratio };
   return given;
 }
 
@@ -131,16 +128,16 @@ palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_fo
 
 void palpate_settings_default(palpate_settings* settings)
 {
-  const palpate::GivenSettings given;
+  const palpate::ContactSettings usual;
   *settings = {};
-  settings->force_form = given.forceForm;
-  settings->contact_surface = given.contactSurface;
-  settings->friction_model = given.frictionModel;
-  settings->friction_coefficient = given.frictionCoefficient;
-  settings->tangential_stiffness = given.tangentialStiffness;
-  settings->friction_breakaway = given.frictionBreakaway;
-  settings->friction_stick_radius = given.frictionStickRadius;
-  settings->poisson_ratio = given.poissonRatio;
+  settings->force_form = static_cast<int>(usual.form);
+  settings->contact_surface = static_cast<int>(usual.surface);
+  settings->friction_model = static_cast<int>(usual.friction.model);
+  settings->friction_coefficient = usual.friction.coefficient;
+  settings->tangential_stiffness = usual.friction.tangentialStiffness;
+  settings->friction_breakaway = usual.friction.breakaway;
+  settings->friction_stick_radius = usual.friction.stickRadius;
+  settings->poisson_ratio = usual.friction.poissonRatio;
 }
 
 palpate_contact* palpate_contact_new_with(const palpate_body* body, double maximum_force,
@@ -148,8 +145,8 @@ palpate_contact* palpate_contact_new_with(const palpate_body* body, double maxim
 {
   try
   {
-    const palpate::GivenSettings wanted =
-      settings ? palpate::c::given(*settings) : palpate::GivenSettings();
+    const palpate::ContactSettings wanted =
+      settings ? palpate::c::given(*settings) : palpate::ContactSettings();
     if (!body)
     {
       palpate::c::report("no body is given", error, error_size);
@@ -157,10 +154,10 @@ palpate_contact* palpate_contact_new_with(const palpate_body* body, double maxim
     else if (!(settings &&
                palpate::c::isFromLater(
                  settings->reserved, "palpate_settings", error, error_size)) &&
-      !palpate::c::isRefused(wanted.fault(), error, error_size))
+      !palpate::c::isRefused(palpate::faultOfContact(wanted), error, error_size))
     {
       return new palpate_contact{ palpate::ServoStep(
-        *body->kernel, palpate::WorkspaceMapping(), maximum_force, wanted.settings()) };
+        *body->kernel, palpate::WorkspaceMapping(), maximum_force, wanted) };
     }
   }
   catch (const std::exception& failure)

@@ -5,7 +5,7 @@
 
 #include "Haptics/palpate.h"
 
-#include "Contact/GivenSettings.h"
+#include "Contact/SettingTable.h"
 #include "Haptics/Servo/ServoStep.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool isFromLater(const double (&reserved)[N], const char* name, char* error, std
   return !isZero;
 }
 
-GivenSettings given(const palpate_settings& settings);
+ContactSettings given(const palpate_settings& settings);
 
 void copy(const Eigen::Vector3d& from, double to[3]);
 void copy(const Tick& felt, palpate_tick* tick);

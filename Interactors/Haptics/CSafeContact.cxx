@@ -71,19 +71,19 @@ std::unique_ptr<palpate::ServoScene> sceneOf(palpate_scene* handle)
 std::unique_ptr<palpate::ServoScene> makeScene(const palpate_body* body,
   const palpate_settings* settings, double forceFactor, char* error, std::size_t size)
 {
-  const palpate::GivenSettings wanted = settings ? given(*settings) : palpate::GivenSettings();
+  const palpate::ContactSettings wanted = settings ? given(*settings) : palpate::ContactSettings();
   if (!body)
   {
     report("no body is given", error, size);
     return nullptr;
   }
   if ((settings && isFromLater(settings->reserved, "palpate_settings", error, size)) ||
-    isRefused(wanted.fault(), error, size) ||
+    isRefused(palpate::faultOfContact(wanted), error, size) ||
     isRefused(palpate::faultOfForceFactor(forceFactor), error, size))
   {
     return nullptr;
   }
-  return std::make_unique<palpate::ServoScene>(body->kernel, wanted.settings(), forceFactor);
+  return std::make_unique<palpate::ServoScene>(body->kernel, wanted, forceFactor);
 }
 } // namespace
 

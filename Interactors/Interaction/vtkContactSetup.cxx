@@ -4,6 +4,7 @@
 #include "Interaction/Session/NewestRequest.h"
 #include "Interaction/Session/ResponseMaker.h"
 #include "vtkContactScene.h"
+#include "vtkContactSettings.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"
 
@@ -322,6 +323,16 @@ double vtkContactSetup::GetLargestForce()
   return largest;
 }
 
+void vtkContactSetup::SetSettings(vtkContactSettings* settings)
+{
+  this->Settings = settings; // not Modified: no response depends on them
+}
+
+vtkContactSettings* vtkContactSetup::GetSettings()
+{
+  return this->Settings;
+}
+
 bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
 {
   if (!session || !this->Kept->output)
@@ -334,6 +345,10 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
     session->SetBody(this->Kept->output, this->Kept->made.kernels);
   }
   session->SetResponseName(this->GetResponseName(this->ChosenTool));
+  if (this->Settings)
+  {
+    session->SetSettings(this->Settings);
+  }
   session->SetPoissonRatio(this->Kept->made.poissonRatio);
   session->ClearFitResponses();
   for (int i = 0; i < this->GetNumberOfTools(); ++i)
@@ -380,5 +395,6 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ChoiceDeflection: " << this->ChoiceDeflection << " mm\n";
+  os << indent << "Settings: " << this->Settings.Get() << "\n";
   os << indent << "Error: " << this->Error << "\n";
 }

@@ -28,6 +28,7 @@
 #include <string> // For std::string
 
 class vtkContactScene;
+class vtkContactSettings;
 class vtkContactTool;
 class vtkHapticSession;
 class vtkPolyData;
@@ -161,8 +162,15 @@ public:
    * first. */
   double GetLargestForce();
 
-  /** Gives a session the output, the response of the tool in the hand and Poisson's ratio, and
-   * applies it if it runs. Returns false after an error. */
+  ///@{
+  /** How the contact feels in every session that this is applied to; Poisson's ratio in it becomes
+   * that of the responses then. Default null: each session keeps its own settings. */
+  virtual void SetSettings(vtkContactSettings* settings);
+  vtkContactSettings* GetSettings();
+  ///@}
+
+  /** Gives a session the output, the response of the tool in the hand, the settings if there are
+   * any, and Poisson's ratio, and applies it if it runs. Returns false after an error. */
   bool ApplyTo(vtkHapticSession* session);
   /** Gives a scene the output and the tool in the hand as its response was made. */
   void ShowIn(vtkContactScene* scene);
@@ -189,6 +197,7 @@ private:
   double ComplianceModulus = 0.0;
   double Tolerance = 0.0;
   double ChoiceDeflection = 0.0;
+  vtkSmartPointer<vtkContactSettings> Settings;
   std::string Error;
 
   struct State;

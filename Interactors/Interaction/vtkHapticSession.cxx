@@ -19,7 +19,8 @@
 vtkStandardNewMacro(vtkHapticSession);
 
 vtkHapticSession::vtkHapticSession()
-  : Chosen(std::make_unique<palpate::SessionDevice>())
+  : Settings(vtkSmartPointer<vtkContactSettings>::New())
+  , Chosen(std::make_unique<palpate::SessionDevice>())
   , Known(std::make_unique<Kernels>())
 {
 }
@@ -335,19 +336,18 @@ std::string vtkHapticSession::GetRealTimeGrant()
   return loop ? loop->grant().describe() : std::string();
 }
 
+vtkMTimeType vtkHapticSession::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
+}
+
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Body: " << this->Body.Get() << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
-  os << indent << "ForceForm: " << this->ForceForm << "\n";
-  os << indent << "ContactSurface: " << this->ContactSurface << "\n";
-  os << indent << "FrictionCoefficient: " << this->FrictionCoefficient << "\n";
-  os << indent << "FrictionModel: " << this->FrictionModel << "\n";
-  os << indent << "TangentialStiffness: " << this->TangentialStiffness << " N/mm\n";
-  os << indent << "FrictionBreakaway: " << this->FrictionBreakaway << "\n";
-  os << indent << "FrictionStickRadius: " << this->FrictionStickRadius << "\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "Settings:\n";
+  this->Settings->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "RealTime: " << this->RealTime << "\n";
   os << indent << "HistorySeconds: " << this->HistorySeconds << " s\n";

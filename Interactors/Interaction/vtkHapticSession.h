@@ -43,6 +43,7 @@
 #define vtkHapticSession_h
 
 #include "palpateInteractionModule.h" // For export macro
+#include "vtkContactSettings.h"       // For its macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
@@ -58,7 +59,6 @@ namespace palpate
 {
 struct BodyKernels;
 struct ContactBody;
-struct ContactSettings;
 class HapticDevice;
 struct SafetySettings;
 struct ServoScene;
@@ -101,26 +101,10 @@ public:
   ///@}
 
   ///@{
-  /**
-   * How the contact feels: properties, numbers, ranges and defaults of vtkToolContactProbe. Read at
-   * Start and ApplyChanges, which fail with an error if one is out of its range.
-   */
-  vtkSetMacro(ForceForm, int);
-  vtkGetMacro(ForceForm, int);
-  vtkSetMacro(ContactSurface, int);
-  vtkGetMacro(ContactSurface, int);
-  vtkSetMacro(FrictionCoefficient, double);
-  vtkGetMacro(FrictionCoefficient, double);
-  vtkSetMacro(FrictionModel, int);
-  vtkGetMacro(FrictionModel, int);
-  vtkSetMacro(TangentialStiffness, double); // N/mm
-  vtkGetMacro(TangentialStiffness, double);
-  vtkSetMacro(FrictionBreakaway, double);
-  vtkGetMacro(FrictionBreakaway, double);
-  vtkSetMacro(FrictionStickRadius, double);
-  vtkGetMacro(FrictionStickRadius, double);
-  vtkSetMacro(PoissonRatio, double);
-  vtkGetMacro(PoissonRatio, double);
+  /** How the contact feels: an object that others may share, and its properties, which
+   * vtkContactSettings explains. Read at Start and ApplyChanges, which fail with an error if one is
+   * out of its range. Default: one of its own. */
+  palpateContactSettingsMacro();
   ///@}
 
   ///@{
@@ -359,6 +343,9 @@ public:
   /** Those of the last HistorySeconds, numbered, for C++. */
   const palpate::TickHistory& GetLastTicks();
 
+  /** The settings count. */
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkHapticSession();
   ~vtkHapticSession() override;
@@ -371,17 +358,9 @@ private:
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Path;
+  vtkSmartPointer<vtkContactSettings> Settings;
   std::string ResponseName = "Response";
   double Rate = 1000.0;
-
-  int ForceForm = 1;
-  int ContactSurface = 0;
-  double FrictionCoefficient = 0.0;
-  int FrictionModel = 0;
-  double TangentialStiffness = 1.0;
-  double FrictionBreakaway = 0.8;
-  double FrictionStickRadius = 0.9;
-  double PoissonRatio = 0.5;
 
   // Which state of which body was last found to be unsound.
   vtkPolyData* Unsound = nullptr;
@@ -390,7 +369,7 @@ private:
   struct Kernels;
   struct Started;
   std::shared_ptr<const palpate::ContactBody> ReadBody(const std::string& responseName);
-  bool ReadSettings(palpate::ContactSettings& settings);
+  bool CheckSettings();
   bool ReadMapping(Started& started);
   bool ReadSafety(Started& started);
   bool MakeDevice(Started& started);

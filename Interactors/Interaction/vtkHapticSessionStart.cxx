@@ -4,7 +4,6 @@
 
 #include "Response/BodyConversion.h"
 #include "Haptics/Devices/DeviceFit.h"
-#include "Contact/GivenSettings.h"
 #include "Interaction/Session/HapticSessionState.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Haptics/Safety/SafetyFault.h"
@@ -33,8 +32,7 @@ bool vtkHapticSession::Start()
     *this->Known = {}; // the body may have been changed in place
   }
   this->Known->given = false;
-  palpate::ContactSettings settings;
-  if (!this->ReadSettings(settings) || !this->ReadBody(this->ResponseName))
+  if (!this->CheckSettings() || !this->ReadBody(this->ResponseName))
   {
     return false;
   }
@@ -100,24 +98,14 @@ std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
   return kernel;
 }
 
-bool vtkHapticSession::ReadSettings(palpate::ContactSettings& settings)
+bool vtkHapticSession::CheckSettings()
 {
-  palpate::GivenSettings given;
-  given.forceForm = this->ForceForm;
-  given.contactSurface = this->ContactSurface;
-  given.frictionModel = this->FrictionModel;
-  given.frictionCoefficient = this->FrictionCoefficient;
-  given.tangentialStiffness = this->TangentialStiffness;
-  given.frictionBreakaway = this->FrictionBreakaway;
-  given.frictionStickRadius = this->FrictionStickRadius;
-  given.poissonRatio = this->PoissonRatio;
-  if (const palpate::SettingFault fault = given.fault())
+  const std::string fault = this->Settings->GetFault();
+  if (!fault.empty())
   {
-    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
-    return false;
+    vtkErrorMacro(<< fault << ".");
   }
-  settings = given.settings();
-  return true;
+  return fault.empty();
 }
 
 bool vtkHapticSession::ReadMapping(Started& started)
@@ -222,8 +210,7 @@ bool vtkHapticSession::MakeHandOnPath(Started& started)
 std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(
   const palpate::SafetySettings& safety, double scale)
 {
-  palpate::ContactSettings settings;
-  auto body = this->ReadSettings(settings) ? this->ReadBody(this->ResponseName) : nullptr;
+  auto body = this->CheckSettings() ? this->ReadBody(this->ResponseName) : nullptr;
   double factor = 1.0;
   if (!body || !this->FitToDevice(safety, scale, factor))
   {
@@ -231,7 +218,8 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(
   }
   this->FittedFactor = factor;
   this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
-  return std::make_unique<palpate::ServoScene>(std::move(body), settings, factor);
+  return std::make_unique<palpate::ServoScene>(
+    std::move(body), this->Settings->GetKernel(), factor);
 }
 
 bool vtkHapticSession::FitToDevice(

@@ -23,18 +23,8 @@ namespace
 {
 const char* const Question = "Which one pushes back more?";
 
-void giveContact(const GivenSettings& contact, vtkHapticSession* session)
-{
-  session->SetForceForm(contact.forceForm);
-  session->SetContactSurface(contact.contactSurface);
-  session->SetFrictionCoefficient(contact.frictionCoefficient);
-  session->SetFrictionModel(contact.frictionModel);
-  session->SetTangentialStiffness(contact.tangentialStiffness);
-  session->SetPoissonRatio(contact.poissonRatio);
-}
-
 /// The force at a tip that rests without friction, N.
-double forceAt(vtkPolyData* body, const std::string& response, const GivenSettings& contact,
+double forceAt(vtkPolyData* body, const std::string& response, const ContactSettings& contact,
   const std::array<double, 3>& tip)
 {
   vtkNew<vtkPoints> points;
@@ -46,8 +36,7 @@ double forceAt(vtkPolyData* body, const std::string& response, const GivenSettin
   probe->SetInputData(0, body);
   probe->SetInputData(1, tips);
   probe->SetResponseName(response);
-  probe->SetForceForm(contact.forceForm);
-  probe->SetContactSurface(contact.contactSurface);
+  probe->GetSettings()->SetKernel(contact);
   vtkDataArray* force = updateQuietly(probe).empty()
     ? probe->GetOutput()->GetPointData()->GetArray("NormalForce")
     : nullptr;
@@ -101,7 +90,7 @@ std::string BlindTrial::prepare(
     planTrials(static_cast<int>(this->Choices.size()), options.trialRounds, this->Head.seed);
   for (TrialChoice& choice : this->Choices)
   {
-    choice.contact.poissonRatio = choice.poissonsRatio.value_or(scene.poissonsRatio);
+    choice.contact.friction.poissonRatio = choice.poissonsRatio.value_or(scene.poissonsRatio);
     const std::string error =
       this->chooseResponse(scene, choice, options.maximumDeflection, responses);
     if (!error.empty())
@@ -147,7 +136,7 @@ std::string BlindTrial::title() const
 void BlindTrial::apply(std::size_t alternative)
 {
   this->Session->SetResponseName(this->ResponseNames[alternative]);
-  giveContact(this->Choices[alternative].contact, this->Session);
+  this->Session->GetSettings()->SetKernel(this->Choices[alternative].contact);
   this->Session->ApplyChanges();
 }
 

@@ -14,13 +14,9 @@ namespace palpate
 {
 void chooseContact(const ViewerOptions& options, const TouchScene& scene, vtkHapticSession* session)
 {
-  const GivenSettings& contact = options.contact;
-  session->SetForceForm(contact.forceForm);
-  session->SetContactSurface(contact.contactSurface);
-  session->SetFrictionCoefficient(contact.frictionCoefficient);
-  session->SetFrictionModel(contact.frictionModel);
-  session->SetTangentialStiffness(contact.tangentialStiffness);
-  session->SetPoissonRatio(scene.poissonsRatio);
+  ContactSettings contact = options.contact;
+  contact.friction.poissonRatio = scene.poissonsRatio;
+  session->GetSettings()->SetKernel(contact);
 }
 
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
@@ -81,21 +77,21 @@ std::string startQuietly(vtkHapticSession* session)
 
 std::string describeFriction(const ViewerOptions& options, const TouchScene& scene)
 {
-  const GivenSettings& contact = options.contact;
-  if (contact.frictionCoefficient == 0.0)
+  const FrictionSettings& friction = options.contact.friction;
+  if (friction.coefficient == 0.0)
   {
     return {};
   }
   std::ostringstream text;
-  text << "mu = " << contact.frictionCoefficient << ", ";
-  if (contact.frictionModel == static_cast<int>(FrictionModel::ShapeDerived))
+  text << "mu = " << friction.coefficient << ", ";
+  if (friction.model == FrictionModel::ShapeDerived)
   {
     text << "stuck as shape and depth of the contact tell, nu = " << scene.poissonsRatio;
   }
   else
   {
-    const bool creeps = contact.frictionModel == static_cast<int>(FrictionModel::Dahl);
-    text << (creeps ? "Dahl's creep, " : "elasto-plastic, ") << contact.tangentialStiffness
+    const bool creeps = friction.model == FrictionModel::Dahl;
+    text << (creeps ? "Dahl's creep, " : "elasto-plastic, ") << friction.tangentialStiffness
          << " N/mm";
   }
   return text.str();

@@ -2,7 +2,7 @@
 #ifndef palpate_WorkspaceMapping_h
 #define palpate_WorkspaceMapping_h
 
-#include "Contact/GivenSettings.h"
+#include "Contact/SettingFault.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 #ifndef palpate_SafetyFault_h
 #define palpate_SafetyFault_h
 
-#include "Contact/GivenSettings.h"
+#include "Contact/SettingFault.h"
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Safety/SafetySettings.h"
 

@@ -2,6 +2,7 @@
 #ifndef palpate_ContactNames_h
 #define palpate_ContactNames_h
 
+#include "Contact/SettingTable.h"
 #include "NumberRange.h"
 
 #include <map>
@@ -9,12 +10,24 @@
 
 namespace palpate
 {
-/// How the command line calls the numbers of GivenSettings.
+/// How the command line calls the values of an enumeration.
 using ContactNames = std::map<std::string, int>;
-inline const ContactNames ForceFormNames = { { "paper", 0 }, { "normalized", 1 }, { "energy", 2 } };
-inline const ContactNames ContactSurfaceNames = { { "facets", 0 }, { "smooth", 1 } };
-inline const ContactNames FrictionModelNames = { { "elasto-plastic", 0 }, { "dahl", 1 },
-  { "shape", 2 } };
+inline ContactNames namesOf(const SettingRow& setting)
+{
+  ContactNames names;
+  for (std::size_t i = 0; i < setting.words.size() && setting.words[i].option; ++i)
+  {
+    names[setting.words[i].option] = static_cast<int>(i);
+  }
+  return names;
+}
+
+/// What numbers a setting takes.
+inline NumberRange rangeOf(const SettingRow& setting)
+{
+  const SettingRange& range = setting.range;
+  return { range.what, range.least, range.most, range.includesLeast };
+}
 
 constexpr double Kilometre = 1e6; // mm: no body is larger
 
@@ -25,8 +38,6 @@ inline constexpr NumberRange PoissonsRatioRange =
   NumberRange::between(0.0, 0.5, "Poisson's ratio, e.g. 0.45");
 inline constexpr NumberRange LayerRange =
   NumberRange::positive("a thickness in mm, e.g. 7, or none", Kilometre);
-inline constexpr NumberRange FrictionRange =
-  NumberRange::notNegative("a coefficient of friction, e.g. 0.3");
 } // namespace palpate
 
 #endif

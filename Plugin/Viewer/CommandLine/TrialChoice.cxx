@@ -42,16 +42,27 @@ std::vector<std::string> splitChoices(const std::string& text)
   return choices;
 }
 
-std::string readName(const ContactNames& names, const std::string& text, int& value)
+std::string readContact(
+  const SettingRow& setting, const std::string& text, ContactSettings& contact)
 {
-  const auto name = names.find(text);
-  value = name == names.end() ? value : name->second;
-  std::string known;
-  for (const auto& entry : names)
+  if (!setting.isEnumeration())
   {
-    known += (known.empty() ? "" : ", ") + entry.first;
+    double value = setting.get(contact);
+    const std::string fault = rangeOf(setting).read(text, value);
+    setting.set(contact, value);
+    return fault;
   }
-  return name == names.end() ? "'" + text + "' is none of " + known : std::string();
+  std::string known;
+  for (const auto& [name, value] : namesOf(setting))
+  {
+    if (name == text)
+    {
+      setting.set(contact, value);
+      return {};
+    }
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  return "'" + text + "' is none of " + known;
 }
 
 std::string readLayer(const std::string& text, TrialChoice& choice)
@@ -74,18 +85,18 @@ std::string readInto(
 /// What is wrong with it, or "".
 std::string readSetting(const std::string& name, const std::string& value, TrialChoice& choice)
 {
-  GivenSettings& contact = choice.contact;
-  const std::map<std::string, std::function<std::string()>> readers = {
+  std::map<std::string, std::function<std::string()>> readers = {
     { "young", [&] { return readInto(choice.youngsModulus, YoungsModulusRange, value); } },
     { "poisson", [&] { return readInto(choice.poissonsRatio, PoissonsRatioRange, value); } },
     { "layer", [&] { return readLayer(value, choice); } },
-    { "friction", [&] { return FrictionRange.read(value, contact.frictionCoefficient); } },
-    { "friction-model",
-      [&] { return readName(FrictionModelNames, value, contact.frictionModel); } },
-    { "force-form", [&] { return readName(ForceFormNames, value, contact.forceForm); } },
-    { "contact-surface",
-      [&] { return readName(ContactSurfaceNames, value, contact.contactSurface); } },
   };
+  for (const SettingRow& setting : SettingTable)
+  {
+    if (setting.text.option)
+    {
+      readers[setting.text.option] = [&] { return readContact(setting, value, choice.contact); };
+    }
+  }
   const auto reader = readers.find(name);
   if (reader != readers.end())
   {
@@ -127,7 +138,7 @@ std::string readChoice(const std::string& text, TrialChoice& choice)
 } // namespace
 
 std::string readTrialChoices(
-  const std::string& text, const GivenSettings& usual, std::vector<TrialChoice>& choices)
+  const std::string& text, const ContactSettings& usual, std::vector<TrialChoice>& choices)
 {
   std::vector<TrialChoice> read;
   for (const std::string& part : splitChoices(text))

@@ -2,7 +2,7 @@
 #ifndef palpate_TrialChoice_h
 #define palpate_TrialChoice_h
 
-#include "Contact/GivenSettings.h"
+#include "Contact/ContactSettings.h"
 #include "LayerChoice.h"
 
 #include <optional>
@@ -19,21 +19,21 @@ struct TrialChoice
   std::optional<double> youngsModulus;
   std::optional<double> poissonsRatio;
   std::optional<LayerChoice> layer;
-  GivenSettings contact; ///< those of the session, and what the alternative changes in them
+  ContactSettings contact; ///< those of the session, and what the alternative changes in them
 };
 
 /**
  * Reads "sphere:6.35,flat:1.6", "friction=0,friction=0.3" or
  * "sphere:6.35+layer=7,sphere:6.35+layer=none": alternatives with commas between them, each made of
  * a tool, settings, or both with a plus between them. Settings: young, poisson, layer (MM or none),
- * friction, friction-model, force-form, contact-surface, with the values of the options of these
- * names. A piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
+ * and those of SettingTable that are options, with the values of the options of these names. A
+ * piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
  *
  * `usual` is what the alternatives do not change. Returns an error that names the alternative and
  * leaves `choices` as it was, or "".
  */
 std::string readTrialChoices(
-  const std::string& text, const GivenSettings& usual, std::vector<TrialChoice>& choices);
+  const std::string& text, const ContactSettings& usual, std::vector<TrialChoice>& choices);
 } // namespace palpate
 
 #endif

@@ -101,45 +101,40 @@ std::string checkFaces(const std::string& text)
   return {};
 }
 
-/// How the contact feels: names for the numbers of GivenSettings.
-void addContactOptions(CLI::App& app, GivenSettings& contact)
+/// How the contact feels: what the table offers to a command line.
+void addContactOptions(CLI::App& app, ContactSettings& contact)
 {
-  const auto add = [&app](
-                     const char* option, int& value, const char* what, const ContactNames& names)
+  for (const SettingRow& setting : SettingTable)
   {
-    std::string usual;
-    for (const auto& [name, number] : names)
+    if (!setting.text.option)
     {
-      usual = number == value ? name : usual;
+      continue;
     }
-    app
-      .add_option_function<std::string>(
-        option, [&value, names](const std::string& name) { value = names.at(name); }, what)
-      ->check(CLI::IsMember(names))
-      ->default_str(usual);
-  };
-  app
-    .add_option(
-      "--friction", contact.frictionCoefficient, "Coulomb's coefficient of friction; 0: none")
-    ->check(within(FrictionRange, "NONNEGATIVE"))
-    ->capture_default_str();
-  add("--friction-model", contact.frictionModel,
-    "what a contact does before it slides: elasto-plastic (sticks), dahl (creeps), or what shape "
-    "and "
-    "depth of the contact tell",
-    FrictionModelNames);
-  app
-    .add_option("--tangential-stiffness", contact.tangentialStiffness,
-      "of the stuck contact, N/mm; not for --friction-model shape")
-    ->check(positive("a stiffness in N/mm, e.g. 1"))
-    ->capture_default_str();
-  add("--force-form", contact.forceForm,
-    "how the curves at a triangle's corners become one force: as the paper prints it, with the "
-    "direction normalized, or so that closed loops neither gain nor lose energy",
-    ForceFormNames);
-  add("--contact-surface", contact.contactSurface,
-    "what the tip touches: the triangles, or smooth patches through their normals",
-    ContactSurfaceNames);
+    const std::string option = std::string("--") + setting.text.option;
+    const std::string unit = *setting.text.unit ? std::string(", ") + setting.text.unit : "";
+    const std::string help = setting.text.help + unit;
+    if (setting.isEnumeration())
+    {
+      const ContactNames names = namesOf(setting);
+      const auto usual = static_cast<std::size_t>(setting.usual());
+      app
+        .add_option_function<std::string>(
+          option,
+          [&contact, &setting, names](const std::string& name)
+          { setting.set(contact, names.at(name)); },
+          help)
+        ->check(CLI::IsMember(names))
+        ->default_str(setting.words[usual].option);
+    }
+    else
+    {
+      app
+        .add_option_function<double>(
+          option, [&contact, &setting](const double& value) { setting.set(contact, value); }, help)
+        ->check(within(rangeOf(setting), setting.range.includesLeast ? "NONNEGATIVE" : "POSITIVE"))
+        ->default_str(CLI::detail::to_string(setting.usual()));
+    }
+  }
 }
 
 /// The device, the servo thread, what is kept of it.
@@ -166,8 +161,10 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
   app
     .add_option("--trial", alternatives,
       "compare blindly: A,B or more alternatives, each a tool, settings, or both, as "
-      "sphere:6.35+layer=7; settings: young, poisson, layer, friction, friction-model, force-form, "
-      "contact-surface. In the window: space switches between X and Y, 1 or 2 answers; without "
+      "sphere:6.35+layer=7; settings: young, poisson, layer, and what the options of friction, "
+      "force and surface "
+      "set, as friction=0.3. In the window: space switches between X and Y, 1 or 2 answers; "
+      "without "
       "it answers are read from the standard input")
     ->check(CLI::Validator(
       [](const std::string& text)

@@ -2,7 +2,7 @@
 #ifndef palpate_ViewerOptions_h
 #define palpate_ViewerOptions_h
 
-#include "Contact/GivenSettings.h"
+#include "Contact/ContactSettings.h"
 #include "LayerChoice.h"
 #include "TrialChoice.h"
 
@@ -40,7 +40,7 @@ struct ViewerOptions
   std::optional<std::array<double, 3>> site;
   std::optional<std::array<double, 3>> slideTo;
   double rate = 1000.0;
-  GivenSettings contact; ///< its Poisson's ratio is the scene's
+  ContactSettings contact; ///< its Poisson's ratio is the scene's
   std::string output = "palpate-output";
   std::string save;
   std::string exportTo;

@@ -3,7 +3,7 @@
 #include "Haptics/palpate.h"
 
 #include "Contact/FlatBodyFile.h"
-#include "Contact/GivenSettings.h"
+#include "Contact/ContactSettings.h"
 #include "SampleResponses.h"
 #include "ScratchFile.h"
 #include "Haptics/Servo/ServoStep.h"

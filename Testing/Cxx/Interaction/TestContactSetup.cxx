@@ -4,6 +4,7 @@
 #include "PlacedDevice.h"
 
 #include "vtkContactSetup.h"
+#include "vtkContactSettings.h"
 #include "vtkHapticSession.h"
 
 #include <chrono>
@@ -193,6 +194,28 @@ void checkSession()
   PALPATE_CHECK_NEAR(idealOf(session) / (2.0 * 2.0 * Reduced), 1.0, 1e-5);
 }
 
+/// Without settings every session keeps its own; with them they feel alike, and no response is made
+/// anew for that.
+void checkSettings()
+{
+  const auto setup = makeSetup(planeBody(10.0, 4));
+  PALPATE_CHECK(setup->Update() && !setup->GetSettings());
+  vtkNew<vtkHapticSession> one;
+  vtkNew<vtkHapticSession> other;
+  one->SetFrictionCoefficient(0.2);
+  PALPATE_CHECK(setup->ApplyTo(one) && setup->ApplyTo(other));
+  PALPATE_CHECK(one->GetFrictionCoefficient() == 0.2 && other->GetFrictionCoefficient() == 0.0);
+  PALPATE_CHECK(one->GetPoissonRatio() == setup->GetPoissonRatio());
+  vtkNew<vtkContactSettings> settings;
+  setup->SetSettings(settings);
+  settings->SetFrictionCoefficient(0.3);
+  setup->Request();
+  PALPATE_CHECK(!setup->IsBusy());
+  PALPATE_CHECK(setup->ApplyTo(one) && setup->ApplyTo(other));
+  PALPATE_CHECK(one->GetSettings() == settings && other->GetSettings() == settings);
+  PALPATE_CHECK(settings->GetPoissonRatio() == setup->GetPoissonRatio());
+}
+
 /// The ideal force of the tool in the hand, 1 mm deep on the setup's output.
 double feltForce(vtkContactSetup* setup)
 {
@@ -262,6 +285,7 @@ int TestContactSetup(int, char*[])
   checkErrors();
   checkModels();
   checkSession();
+  checkSettings();
   checkChoice();
   return palpate::testing::result();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a session is told of forces, surface and friction: refused by name if wrong, felt in virtual
 // and in real time if right.
-#include "Contact/GivenSettings.h"
+#include "Contact/ContactSettings.h"
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -43,15 +43,15 @@ Body draggedPath()
 void checkDefaults()
 {
   vtkNew<vtkHapticSession> session;
-  const palpate::GivenSettings kernel;
-  PALPATE_CHECK(session->GetForceForm() == kernel.forceForm);
-  PALPATE_CHECK(session->GetContactSurface() == kernel.contactSurface);
-  PALPATE_CHECK(session->GetFrictionModel() == kernel.frictionModel);
-  PALPATE_CHECK(session->GetFrictionCoefficient() == kernel.frictionCoefficient);
-  PALPATE_CHECK(session->GetTangentialStiffness() == kernel.tangentialStiffness);
-  PALPATE_CHECK(session->GetFrictionBreakaway() == kernel.frictionBreakaway);
-  PALPATE_CHECK(session->GetFrictionStickRadius() == kernel.frictionStickRadius);
-  PALPATE_CHECK(session->GetPoissonRatio() == kernel.poissonRatio);
+  const palpate::ContactSettings kernel;
+  PALPATE_CHECK(session->GetForceForm() == static_cast<int>(kernel.form));
+  PALPATE_CHECK(session->GetContactSurface() == static_cast<int>(kernel.surface));
+  PALPATE_CHECK(session->GetFrictionModel() == static_cast<int>(kernel.friction.model));
+  PALPATE_CHECK(session->GetFrictionCoefficient() == kernel.friction.coefficient);
+  PALPATE_CHECK(session->GetTangentialStiffness() == kernel.friction.tangentialStiffness);
+  PALPATE_CHECK(session->GetFrictionBreakaway() == kernel.friction.breakaway);
+  PALPATE_CHECK(session->GetFrictionStickRadius() == kernel.friction.stickRadius);
+  PALPATE_CHECK(session->GetPoissonRatio() == kernel.friction.poissonRatio);
 }
 
 void checkRefused(vtkPolyData* body)

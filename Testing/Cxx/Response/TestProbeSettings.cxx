@@ -2,7 +2,7 @@
 // The probe's settings: defaults of the kernel, errors that name property, range and value; the
 // times of trajectories.
 #include "FilterChecks.h"
-#include "Contact/GivenSettings.h"
+#include "Contact/ContactSettings.h"
 #include "TestBodies.h"
 
 #include "vtkStringArray.h"
@@ -39,15 +39,15 @@ Body pressingLine(int count)
 void checkDefaults()
 {
   vtkNew<vtkToolContactProbe> probe;
-  const palpate::GivenSettings kernel;
-  PALPATE_CHECK(probe->GetForceForm() == kernel.forceForm);
-  PALPATE_CHECK(probe->GetContactSurface() == kernel.contactSurface);
-  PALPATE_CHECK(probe->GetFrictionModel() == kernel.frictionModel);
-  PALPATE_CHECK(probe->GetFrictionCoefficient() == kernel.frictionCoefficient);
-  PALPATE_CHECK(probe->GetTangentialStiffness() == kernel.tangentialStiffness);
-  PALPATE_CHECK(probe->GetFrictionBreakaway() == kernel.frictionBreakaway);
-  PALPATE_CHECK(probe->GetFrictionStickRadius() == kernel.frictionStickRadius);
-  PALPATE_CHECK(probe->GetPoissonRatio() == kernel.poissonRatio);
+  const palpate::ContactSettings kernel;
+  PALPATE_CHECK(probe->GetForceForm() == static_cast<int>(kernel.form));
+  PALPATE_CHECK(probe->GetContactSurface() == static_cast<int>(kernel.surface));
+  PALPATE_CHECK(probe->GetFrictionModel() == static_cast<int>(kernel.friction.model));
+  PALPATE_CHECK(probe->GetFrictionCoefficient() == kernel.friction.coefficient);
+  PALPATE_CHECK(probe->GetTangentialStiffness() == kernel.friction.tangentialStiffness);
+  PALPATE_CHECK(probe->GetFrictionBreakaway() == kernel.friction.breakaway);
+  PALPATE_CHECK(probe->GetFrictionStickRadius() == kernel.friction.stickRadius);
+  PALPATE_CHECK(probe->GetPoissonRatio() == kernel.friction.poissonRatio);
 }
 
 void checkNames()

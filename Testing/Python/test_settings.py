@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkContactSettings in Python, and ParaView's properties against its table."""
+import math
+import os
+import unittest
+import xml.etree.ElementTree
+
+from palpate import vtkContactSettings, vtkHapticSession, vtkToolContactProbe, vtkToolTouch
+from vtkmodules.vtkCommonDataModel import vtkTable
+
+SERVER_MANAGER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin", "ParaView",
+                              "ServerManager")
+
+
+def table():
+    """One dictionary per setting."""
+    filled = vtkTable()
+    vtkContactSettings.GetTable(filled)
+    names = [filled.GetColumnName(i) for i in range(filled.GetNumberOfColumns())]
+    return [{name: filled.GetColumnByName(name).GetValue(row) for name in names}
+            for row in range(filled.GetNumberOfRows())]
+
+
+class Settings(unittest.TestCase):
+    def test_defaults_are_those_of_the_table(self):
+        settings = vtkContactSettings()
+        self.assertEqual(settings.GetFault(), "")
+        self.assertEqual(len(table()), 8)
+        for row in table():
+            self.assertEqual(getattr(settings, "Get" + row["Name"])(), row["Default"], row["Name"])
+
+    def test_each_setting_is_a_property_of_whoever_feels(self):
+        for kind in (vtkContactSettings, vtkToolContactProbe, vtkHapticSession):
+            for row in table():
+                felt = kind()
+                value = 0 if row["Values"] else row["Default"] + 0.125
+                getattr(felt, "Set" + row["Name"])(value)
+                self.assertEqual(getattr(felt, "Get" + row["Name"])(), value, (kind, row["Name"]))
+
+    def test_what_is_out_of_range_is_told_in_words(self):
+        for row in table():
+            name, least, most = row["Name"], row["Minimum"], row["Maximum"]
+            number = int if row["Values"] else float
+            for value in [least - 1] + [most + 1] * math.isfinite(most) + [least] * (not row["IncludesMinimum"]):
+                settings = vtkContactSettings()
+                getattr(settings, "Set" + name)(number(value))
+                self.assertRegex(settings.GetFault(), "^" + name + " must .*, but is %g$" % value)
+
+    def test_several_share_one(self):
+        probe, session, touch = vtkToolContactProbe(), vtkHapticSession(), vtkToolTouch()
+        session.SetSettings(probe.GetSettings())
+        touch.SetSettings(probe.GetSettings())
+        before = session.GetMTime(), touch.GetMTime()
+        session.SetFrictionCoefficient(0.3)
+        self.assertEqual(probe.GetFrictionCoefficient(), 0.3)
+        self.assertEqual(touch.GetSettings().GetFrictionCoefficient(), 0.3)
+        self.assertGreater(session.GetMTime(), before[0])
+        self.assertGreater(touch.GetMTime(), before[1])
+        self.assertIs(touch.GetSettings(), probe.GetSettings())
+
+
+class ParaView(unittest.TestCase):
+    """ParaView's properties are written by hand; what they say of a setting is what the table says."""
+
+    def setUp(self):
+        tree = xml.etree.ElementTree.parse(os.path.join(SERVER_MANAGER, "Probe.xml"))
+        proxy = tree.find(".//SourceProxy[@name='ToolContactProbe']")
+        self.properties = {each.get("name"): each for each in proxy if each.get("command")}
+
+    def test_names_units_and_defaults(self):
+        for row in table():
+            with self.subTest(setting=row["Name"]):
+                shown = self.properties[row["Name"]]
+                self.assertEqual(shown.get("command"), "Set" + row["Name"])
+                self.assertEqual(float(shown.get("default_values")), row["Default"])
+                label = shown.get("label").replace("'s", "").replace(" ", "")
+                self.assertEqual(label, row["Name"] + ("(%s)" % row["Unit"] if row["Unit"] else ""))
+
+    def test_ranges(self):
+        for row in table():
+            with self.subTest(setting=row["Name"]):
+                shown = self.properties[row["Name"]]
+                if row["Values"]:
+                    entries = {int(entry.get("value")): entry.get("text") for entry in shown.find("EnumerationDomain")}
+                    said = [entries[i].replace("-", "").replace(" ", "").lower() for i in range(len(entries))]
+                    self.assertEqual(said, row["Values"].lower().split())
+                else:
+                    domain = shown.find("DoubleRangeDomain")
+                    self.assertEqual(float(domain.get("min")), row["Minimum"])
+                    self.assertEqual(float(domain.get("max", "inf")), row["Maximum"])
+
+    def test_help(self):
+        for row in table():
+            with self.subTest(setting=row["Name"]):
+                said = " ".join(self.properties[row["Name"]].find("Documentation").text.split())
+                begins = row["Help"][0].upper() + row["Help"][1:] + "."
+                self.assertEqual(said[:len(begins)], begins)
+
+
+if __name__ == "__main__":
+    unittest.main()
