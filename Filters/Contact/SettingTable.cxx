@@ -2,6 +2,7 @@
 #include "Contact/SettingTable.h"
 
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 namespace palpate
@@ -39,10 +40,10 @@ std::string demandOf(const SettingRow& row)
   return demand.str();
 }
 
-SettingFault makeFault(const char* name, const std::string& demand, double value)
+template <class Value>
+SettingFault makeFault(const char* name, const std::string& demand, Value value)
 {
   std::ostringstream remark;
-  remark.precision(10); // an enumeration is told whole
   remark << "must " << demand << ", but is " << value;
   return { name, remark.str() };
 }
@@ -70,7 +71,9 @@ SettingFault faultOfContact(const ContactSettings& settings)
       (range.includesLeast ? value >= range.least : value > range.least);
     if (!isWithin)
     {
-      return makeFault(row.text.name, demandOf(row), value);
+      return row.isEnumeration()
+        ? makeFault(row.text.name, demandOf(row), static_cast<std::int64_t>(value))
+        : makeFault(row.text.name, demandOf(row), value);
     }
   }
   if (settings.friction.stickRadius < settings.friction.breakaway)
