@@ -19,7 +19,7 @@
  * Tool: if none is set, the one named in the body's response (ResponseName, field array `Tool`).
  * On a half-space PoissonRatio scales u_r alone. Where the response has layers (its point array
  * `LayerThickness` and field array `LayerBase`), the field is that of a layer as thick as at the
- * contact (palpate::LayerSurface), in which PoissonRatio decides how the surface bulges beside the
+ * contact (palpate::ContactField), in which PoissonRatio decides how the surface bulges beside the
  * tool; it must be that of the response.
  *
  * Where the response has a global compliance and the body carries its modes (NumberOfModes of
@@ -49,16 +49,11 @@
 #include <string> // For std::string
 
 class vtkContactTool;
-class vtkFloatArray;
 class vtkMultiProcessController;
 
 namespace palpate
 {
-class AxisymmetricTool;
-class ContactField;
-class LayerKernel;
-class Ranks;
-struct FieldContact;
+class BodyField;
 } // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkContactDeflection : public vtkPolyDataAlgorithm
@@ -130,18 +125,8 @@ private:
   vtkContactDeflection(const vtkContactDeflection&) = delete;
   void operator=(const vtkContactDeflection&) = delete;
 
-  class LinkedPiece;
-
-  /// Links the mesh, and finds its seam, where the piece of any rank is new.
-  void PrepareMesh(const palpate::Ranks& ranks, vtkPolyData* body);
   /// What is wrong with body, tool or Poisson's ratio, or "".
   std::string FindTool(vtkPolyData* body, vtkSmartPointer<vtkContactTool>& tool);
-  /// `tool` must outlive it.
-  palpate::ContactField MakeField(
-    vtkPolyData* body, const palpate::AxisymmetricTool& tool, const palpate::FieldContact& contact);
-  /// Adds the local part around a contact on a triangle of this rank; elsewhere that is -1.
-  void Dent(const palpate::ContactField& field, const palpate::FieldContact& contact,
-    vtkIdType triangle, vtkFloatArray* displacement);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactTool> Tool;
@@ -149,11 +134,7 @@ private:
   double PoissonRatio = 0.45;
   double MaximumDistance = 0.0;
   std::string ResponseName = "Response";
-
-  std::unique_ptr<const LinkedPiece> Piece;
-
-  std::shared_ptr<const palpate::LayerKernel> Kernel; ///< of the last layer
-  std::string WarnedOfModel;
+  std::unique_ptr<palpate::BodyField> Field;
 };
 
 #endif

@@ -3,22 +3,22 @@
 
 #include "Response/Touch/ContactArrow.h"
 #include "Response/Touch/DentedBody.h"
-#include "Response/FilterStage.h"
-#include "Response/InnerMessages.h"
+#include "Response/BodyConversion.h"
+#include "Response/BodyField.h"
+#include "Response/ContactArrays.h"
+#include "Response/Pieces/ChosenTip.h"
 #include "Response/Pieces/Ranks.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"
 #include "Response/Touch/TouchStart.h"
+#include "Response/Touch/TipContacts.h"
+#include "Response/Touch/ToolSurface.h"
 #include "Response/Touch/TouchText.h"
 #include "Response/Touch/TouchedBody.h"
-#include "vtkContactDeflection.h"
 #include "vtkContactSettings.h"
 #include "vtkContactTool.h"
-#include "vtkContactToolSource.h"
-#include "vtkToolContactProbe.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -90,19 +90,10 @@ void addField(vtkPolyData* to, const char* name, const double* values, int compo
 vtkStandardNewMacro(vtkToolTouch);
 
 vtkToolTouch::vtkToolTouch()
-  : Messages(std::make_unique<palpate::InnerMessages>())
-  , Touched(std::make_unique<palpate::TouchedBody>())
+  : Touched(std::make_unique<palpate::TouchedBody>())
+  , Field(std::make_unique<palpate::BodyField>())
 {
   this->SetNumberOfOutputPorts(4);
-  for (vtkAlgorithm* inner : { static_cast<vtkAlgorithm*>(this->Prober),
-         static_cast<vtkAlgorithm*>(this->Dent), static_cast<vtkAlgorithm*>(this->Shape) })
-  {
-    palpate::listen(inner, *this->Messages);
-    palpate::listen(inner->GetExecutive(), *this->Messages);
-  }
-  this->Prober->SetController(nullptr); // the body is all on one process
-  this->Dent->SetController(nullptr);
-  this->Dent->SetTipConnection(this->Prober->GetOutputPort());
 }
 
 vtkToolTouch::~vtkToolTouch() = default;
@@ -162,20 +153,13 @@ bool vtkToolTouch::FindStart(vtkPolyData* body, const std::string& responseName,
   return place.cell >= 0;
 }
 
-bool vtkToolTouch::PassMessages(palpate::InnerMessages& messages)
+bool vtkToolTouch::Fail(const std::string& fault)
 {
-  const palpate::InnerMessages heard = messages;
-  messages = {};
-  if (!heard.error.empty())
+  if (!fault.empty())
   {
-    vtkErrorMacro(<< heard.error << ".");
-    return false;
+    vtkErrorMacro(<< fault << ".");
   }
-  if (!heard.warning.empty())
-  {
-    vtkWarningMacro(<< heard.warning << ".");
-  }
-  return true;
+  return !fault.empty();
 }
 
 bool vtkToolTouch::CheckSettings()
@@ -232,20 +216,26 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
     return false;
   }
   this->Tool = palpate::findTool(nullptr, copy, this->ResponseName, fault);
-  if (!this->Tool)
+  if (this->Fail(fault))
   {
-    vtkErrorMacro(<< fault << ".");
     return false;
   }
   const double typical = this->Touched->typicalForce();
   const double wanted = ArrowShare * copy->GetLength() / typical;
   this->AutomaticScale = std::isfinite(wanted) && wanted > 0.0 ? roundDown(wanted) : 1.0;
-  this->Prober->SetInputData(0, copy);
-  this->Prober->SetResponseName(this->ResponseName);
-  this->Dent->SetInputData(0, copy);
-  this->Dent->SetResponseName(this->ResponseName);
-  this->Dent->SetTool(this->Tool);
-  this->Shape->SetTool(this->Tool);
+  this->Contact = palpate::makeContactBody(copy, this->ResponseName, fault,
+    [this](double share) { this->UpdateProgress(ProbeShare * share); });
+  fault = fault.empty() ? palpate::checkBody(copy, this->ResponseName) : fault;
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Wrong body: " << fault << ".");
+    return false;
+  }
+  const std::string defects = palpate::describeDefects(*this->Contact);
+  if (!defects.empty())
+  {
+    vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");
+  }
   this->StartIsFound = false;
   this->Body = copy;
   this->Source = body;
@@ -254,7 +244,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   return true;
 }
 
-bool vtkToolTouch::Probe(palpate::Touch& touch)
+void vtkToolTouch::Probe(palpate::Touch& touch)
 {
   if (!this->TipIsSet && !this->StartIsFound)
   {
@@ -270,14 +260,15 @@ bool vtkToolTouch::Probe(palpate::Touch& touch)
     touch.tip = touch.nearest.point;
     depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
   }
-  this->Prober->SetTipData(singleTip(touch.tip));
-  this->Prober->SetIndentation(depth);
-  palpate::runWithin(this->Prober, { this, 0.0, ProbeShare });
-  if (!this->PassMessages(*this->Messages))
-  {
-    return false;
-  }
-  vtkPolyData* probed = this->Prober->GetOutput();
+  // One tip: it has no history, so that nothing of friction is asked.
+  vtkPolyData* probed = this->Probed;
+  probed->ShallowCopy(singleTip(touch.tip));
+  palpate::ContactArrays arrays(1);
+  palpate::touchWithTips(*this->Contact, probed, {}, depth,
+    [&](vtkIdType tip, const palpate::ToolContactForce& contact, const Vector3&) {
+      arrays.store(tip, contact, this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines());
+    });
+  arrays.attach(probed);
   touch.state = static_cast<int>(numberOf(probed, "ContactState"));
   touch.force = vectorOf(probed, "Force");
   touch.deflection = numberOf(probed, "Deflection");
@@ -298,23 +289,29 @@ bool vtkToolTouch::Probe(palpate::Touch& touch)
     touch.normal = away.norm() > 0.0 ? Vector3(away.normalized()) : Vector3::UnitZ();
   }
   touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;
-  return true;
 }
 
 bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
 {
   const double radius =
     touch.touches() ? this->Tool->GetContactRadius(touch.deflection) : 0.0; // mm
-  this->Dent->SetPoissonRatio(this->PoissonRatio);
-  this->Dent->SetMaximumDistance(std::isfinite(radius) ? this->Reach * radius : 0.0);
-  palpate::runWithin(this->Dent, { this, ProbeShare, 1.0 });
-  if (!this->PassMessages(*this->Messages))
+  palpate::ChosenTip tip;
+  palpate::chooseTip(palpate::Ranks(nullptr), this->Probed, 0, tip);
+  vtkNew<vtkFloatArray> displacement;
+  const std::string fault = this->Field->displace(this->Body, tip.contact,
+    { this->Tool->GetKernel(), this->ResponseName,
+      { this->PoissonRatio, std::isfinite(radius) ? this->Reach * radius : 0.0 } },
+    displacement);
+  if (this->Fail(fault))
   {
     return false;
   }
-  output->ShallowCopy(this->Dent->GetOutput());
-  auto* displacement =
-    vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("ContactDisplacement"));
+  for (const std::string& warning : this->Field->warnings())
+  {
+    vtkWarningMacro(<< warning << ".");
+  }
+  output->ShallowCopy(this->Body);
+  output->GetPointData()->AddArray(displacement);
   palpate::dentBody(output, displacement, touch.normal);
   return true;
 }
@@ -323,16 +320,13 @@ bool vtkToolTouch::MakeTool(const palpate::Touch& touch, vtkPolyData* output)
 {
   const double length =
     this->ToolLength > 0.0 ? this->ToolLength : ToolShare * this->Body->GetLength();
-  this->Shape->SetLength(length);
-  this->Shape->SetMaximumRadius(WidestTool * length);
-  this->Shape->Update();
-  if (!this->PassMessages(*this->Messages))
+  if (this->Fail(palpate::makeToolSurface(
+        *this->Tool->GetKernel(), { length, WidestTool * length }, output)))
   {
     return false;
   }
   const Eigen::Matrix3d turn =
     Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), touch.normal).toRotationMatrix();
-  output->ShallowCopy(this->Shape->GetOutput());
   vtkPoints* upright = output->GetPoints();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -369,7 +363,7 @@ void vtkToolTouch::MakeArrow(const palpate::Touch& touch, vtkPolyData* output)
     force->InsertNextTuple(touch.force.data());
   }
   output->GetPointData()->AddArray(force);
-  vtkPointData* probed = this->Prober->GetOutput()->GetPointData();
+  vtkPointData* probed = this->Probed->GetPointData();
   for (int i = 0; i < probed->GetNumberOfArrays(); ++i)
   {
     output->GetFieldData()->AddArray(probed->GetArray(i));
@@ -412,9 +406,12 @@ int vtkToolTouch::RequestData(
     return 1;
   }
   palpate::Touch touch;
-  *this->Messages = {};
-  if (!this->CheckSettings() || !this->PrepareBody(body) || !this->Probe(touch) ||
-    !this->MakeDent(touch, vtkPolyData::GetData(outputVector, BodyPort)) ||
+  if (!this->CheckSettings() || !this->PrepareBody(body))
+  {
+    return 0;
+  }
+  this->Probe(touch);
+  if (!this->MakeDent(touch, vtkPolyData::GetData(outputVector, BodyPort)) ||
     !this->MakeTool(touch, vtkPolyData::GetData(outputVector, ToolPort)))
   {
     return 0;

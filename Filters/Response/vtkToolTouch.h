@@ -44,18 +44,16 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class vtkContactDeflection;
 class vtkContactSettings;
 class vtkContactTool;
-class vtkContactToolSource;
 class vtkPolyData;
 class vtkTable;
-class vtkToolContactProbe;
 
 namespace palpate
 {
+class BodyField;
 class TouchedBody;
-struct InnerMessages;
+struct ContactBody;
 struct Touch;
 } // namespace palpate
 
@@ -175,13 +173,13 @@ private:
   /// Takes the body, its tool and its force scale, if they are not those of the last time.
   bool PrepareBody(vtkPolyData* body);
   /// Puts the tip in its place and probes there.
-  bool Probe(palpate::Touch& touch);
+  void Probe(palpate::Touch& touch);
   bool MakeDent(const palpate::Touch& touch, vtkPolyData* output);
   bool MakeTool(const palpate::Touch& touch, vtkPolyData* output);
   void MakeArrow(const palpate::Touch& touch, vtkPolyData* output);
   void MakeText(const palpate::Touch& touch, vtkTable* output);
-  /// Passes on what the filters within complain of; false after an error.
-  bool PassMessages(palpate::InnerMessages& messages);
+  /// Reports a fault, unless it is "".
+  bool Fail(const std::string& fault);
 
   double TipPosition[3] = { 0.0, 0.0, 0.0 };
   bool TipIsSet = false;
@@ -193,13 +191,11 @@ private:
   double ToolLength = 0.0;
   std::string ResponseName = "Response";
 
-  vtkNew<vtkToolContactProbe> Prober;
-  vtkNew<vtkContactDeflection> Dent;
-  vtkNew<vtkContactToolSource> Shape;
-  std::unique_ptr<palpate::InnerMessages> Messages;
-
+  vtkNew<vtkPolyData> Probed; ///< the tip, with the arrays of vtkToolContactProbe
   // The body of the last time, and what was made of it.
   std::unique_ptr<palpate::TouchedBody> Touched;
+  std::unique_ptr<palpate::BodyField> Field;
+  std::shared_ptr<const palpate::ContactBody> Contact;
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkContactTool> Tool;
   double AutomaticScale = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Measured/SiteSpread.h"
 
-#include "Response/Touch/SurfacePatch.h"
+#include "Laws/SurfacePatch.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"

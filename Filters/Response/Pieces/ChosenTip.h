@@ -2,7 +2,7 @@
 #ifndef ChosenTip_h
 #define ChosenTip_h
 
-#include "Response/ContactField.h"
+#include "Laws/ContactField.h"
 
 #include <string>
 

@@ -6,14 +6,12 @@
 #include "Interaction/Display/ModeAttributes.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"
-#include "vtkContactDeflection.h"
 #include "vtkContactTool.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkLookupTable.h"
@@ -26,6 +24,7 @@
 #include "vtkWarpVector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -59,24 +58,13 @@ vtkSmartPointer<vtkFloatArray> normalsOf(const BodyMesh& mesh)
   return normals;
 }
 
-vtkIdType triangleOf(vtkPolyData* body, vtkIdType cell)
-{
-  return cell - body->GetNumberOfVerts() - body->GetNumberOfLines();
-}
-
 /// Mean length of the edges of a triangle, mm.
-double edgeAt(vtkPolyData* body, vtkIdType cell)
+double edgeOf(const std::array<Vector3, 3>& corners)
 {
-  vtkNew<vtkIdList> corners;
-  body->GetPolys()->GetCellAtId(triangleOf(body, cell), corners);
   double sum = 0.0;
-  for (vtkIdType i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    Vector3 from;
-    Vector3 to;
-    body->GetPoint(corners->GetId(i), from.data());
-    body->GetPoint(corners->GetId((i + 1) % 3), to.data());
-    sum += (to - from).norm();
+    sum += (corners[(i + 1) % 3] - corners[i]).norm();
   }
   return sum / 3.0;
 }
@@ -119,19 +107,17 @@ BodyDisplay::BodyDisplay(vtkLookupTable* colors)
   : Actor(vtkSmartPointer<vtkActor>::New())
   , Mapper(vtkSmartPointer<DentMapper>::New())
   , Shader(this->Actor)
-  , Tip(vtkSmartPointer<vtkPolyData>::New())
-  , Deflection(vtkSmartPointer<vtkContactDeflection>::New())
+  , Displaced(vtkSmartPointer<vtkPolyData>::New())
   , Warp(vtkSmartPointer<vtkWarpVector>::New())
-  , FilterMapper(vtkSmartPointer<vtkPolyDataMapper>::New())
+  , PointsMapper(vtkSmartPointer<vtkPolyDataMapper>::New())
 {
-  this->Deflection->SetInputData(1, this->Tip);
-  this->Warp->SetInputConnection(this->Deflection->GetOutputPort());
+  this->Warp->SetInputData(this->Displaced);
   this->Warp->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, Displacement);
   vtkNew<vtkTriangleMeshPointNormals> normals;
   normals->SetInputConnection(this->Warp->GetOutputPort());
-  this->FilterMapper->SetInputConnection(normals->GetOutputPort());
-  colorByDisplacement(this->FilterMapper, colors);
+  this->PointsMapper->SetInputConnection(normals->GetOutputPort());
+  colorByDisplacement(this->PointsMapper, colors);
   colorByDisplacement(this->Mapper, colors);
   this->Mapper->MapDataArrayToVertexAttribute(
     DeflectionShader::NormalAttribute, Normals, vtkDataObject::FIELD_ASSOCIATION_POINTS);
@@ -143,7 +129,6 @@ BodyDisplay::~BodyDisplay() = default;
 void BodyDisplay::setBody(vtkPolyData* body)
 {
   this->Body = body;
-  this->Deflection->SetInputData(0, body);
   this->Shown.cell = -1; // a contact with the body before
   this->BodyTime = 0;
   this->refresh();
@@ -152,19 +137,18 @@ void BodyDisplay::setBody(vtkPolyData* body)
 void BodyDisplay::setTool(vtkContactTool* tool)
 {
   this->Tool = tool;
-  this->Deflection->SetTool(tool);
   this->refresh();
 }
 
 void BodyDisplay::setPoissonRatio(double ratio)
 {
-  this->Deflection->SetPoissonRatio(ratio);
+  this->PoissonRatio = ratio;
   this->refresh();
 }
 
 void BodyDisplay::setResponseName(const std::string& name)
 {
-  this->Deflection->SetResponseName(name);
+  this->ResponseName = name;
   this->BodyTime = 0; // other modes, or none
   this->refresh();
 }
@@ -200,7 +184,7 @@ void BodyDisplay::setByShader(bool on)
   }
   else
   {
-    this->Actor->SetMapper(this->FilterMapper);
+    this->Actor->SetMapper(this->PointsMapper);
     this->Shader.remove();
   }
   this->refresh();
@@ -224,7 +208,7 @@ void BodyDisplay::refresh()
   }
   else
   {
-    this->showByFilter();
+    this->showByPoints();
   }
 }
 
@@ -232,7 +216,7 @@ void BodyDisplay::takeBody()
 {
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;
-  const auto modes = globalModeArrays(this->Body, this->Deflection->GetResponseName());
+  const auto modes = globalModeArrays(this->Body, this->ResponseName);
   const auto times = timesOf(this->Body, modes);
   if (this->HasField && this->DrawnTimes == times)
   {
@@ -267,23 +251,21 @@ void BodyDisplay::takeBody()
 
 ContactField BodyDisplay::makeField(const FieldContact& contact)
 {
-  const std::string name = this->Deflection->GetResponseName();
-  const double poisson = this->Deflection->GetPoissonRatio();
   std::string fault;
   this->CircleRadius = 0.0;
   this->CircleDepth = 0.0;
+  this->Edge = 1.0;
   if (contact.cell < 0 || !this->HasField || this->Body->GetNumberOfPoints() == 0)
   {
     return {};
   }
-  this->PressedTool = findTool(this->Tool, this->Body, name, fault);
+  this->PressedTool = findTool(this->Tool, this->Body, this->ResponseName, fault);
   const AxisymmetricTool* law = this->PressedTool ? this->PressedTool->GetKernel() : nullptr;
-  if (fault.empty() && !isPoissonsRatio(poisson))
+  if (fault.empty() && !isPoissonsRatio(this->PoissonRatio))
   {
     fault = "PoissonRatio must lie between 0 and 0.5";
   }
-  const vtkIdType triangle = triangleOf(this->Body, contact.cell);
-  if (fault.empty() && (triangle < 0 || triangle >= this->Body->GetNumberOfPolys()))
+  if (fault.empty() && !isTriangle(this->Body, static_cast<vtkIdType>(contact.cell)))
   {
     fault = "The cell of the contact is not a triangle of the body";
   }
@@ -292,10 +274,14 @@ ContactField BodyDisplay::makeField(const FieldContact& contact)
     this->complain(fault);
     return {};
   }
-  ContactField field(this->Body, *law, contact, { name, poisson, this->FieldRadius }, this->Kernel);
+  const FieldTriangle triangle =
+    fieldTriangle(this->Body, static_cast<vtkIdType>(contact.cell), this->ResponseName);
+  ContactField field(
+    triangle, *law, contact, { this->PoissonRatio, this->FieldRadius }, this->Kernel);
   this->complain(field.fault());
   if (!field.isEmpty())
   {
+    this->Edge = edgeOf(triangle.corners);
     this->CircleRadius = field.contactRadius();
     this->CircleDepth =
       contact.deflection - field.localDeflection() + field.local(this->CircleRadius).normal;
@@ -307,7 +293,7 @@ void BodyDisplay::complain(const std::string& fault)
 {
   if (!fault.empty() && fault != this->Fault)
   {
-    vtkErrorWithObjectMacro(this->Deflection, << fault << ".");
+    vtkErrorWithObjectMacro(this->Actor, << fault << ".");
   }
   this->Fault = fault;
 }
@@ -320,8 +306,7 @@ void BodyDisplay::showByShader()
   }
   const FieldContact contact = fieldContact(this->Shown);
   const ContactField field = this->makeField(contact);
-  const double edge = field.isEmpty() ? 1.0 : edgeAt(this->Body, contact.cell);
-  this->Shader.show(field, contact, edge, this->exaggeration());
+  this->Shader.show(field, contact, this->Edge, this->exaggeration());
   double around = 0.0;
   for (const double weight : field.modeWeights())
   {
@@ -332,37 +317,41 @@ void BodyDisplay::showByShader()
   this->Mapper->setDent(deepest.data(), contact.cell < 0 ? -1.0 : this->exaggeration() * around);
 }
 
-void BodyDisplay::showByFilter()
+void BodyDisplay::showByPoints()
 {
-  const ShownContact& contact = this->Shown;
-  vtkDataArray* before = this->Tip->GetPointData()->GetArray("ContactCell");
-  if (!contact.touches() && before && before->GetTuple1(0) < 0.0)
+  const FieldContact contact = fieldContact(this->Shown);
+  const bool isNew = this->BodyTime != this->Body->GetMTime();
+  if (!this->Shown.touches() && !this->IsDented && !isNew)
   {
     return; // no dent before, none now: the body need not be drawn anew
   }
-  this->HasField = true; // the filter checks the body
-  const FieldContact given = fieldContact(contact);
-  const ContactField field = this->makeField(given);
-  this->Deflection->SetMaximumDistance(DeflectionShader::reachOf(field));
-  vtkNew<vtkPoints> point;
-  point->SetDataTypeToDouble();
-  point->InsertNextPoint(contact.tick.tip.data());
-  this->Tip->SetPoints(point);
-  const auto store = [this](const char* name, int components, const double* value)
+  this->BodyTime = this->Body->GetMTime();
+  this->HasField = this->Body->GetNumberOfPoints() > 0;
+  std::string fault = this->HasField ? checkBody(this->Body, this->ResponseName) : std::string();
+  this->Displaced->Initialize();
+  if (!this->HasField || !fault.empty())
   {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->InsertNextTuple(value);
-    this->Tip->GetPointData()->AddArray(array);
-  };
-  const auto cell = static_cast<double>(contact.cell);
-  store("Deflection", 1, &given.deflection);
-  store("Normal", 3, given.normal.data());
-  store("NormalForce", 1, &given.force);
-  store("ContactPoint", 3, given.point.data());
-  store("ContactCell", 1, &cell);
-  this->Tip->Modified();
+    this->HasField = false;
+    this->complain(fault.empty() ? fault : "Wrong body: " + fault);
+    return;
+  }
+  const ContactField field = this->makeField(contact);
+  this->IsDented = !field.isEmpty() || !field.modeWeights().empty();
+  this->Displaced->ShallowCopy(this->Body);
+  vtkNew<vtkFloatArray> displacement;
+  fault = this->Field.displace(this->Body, this->IsDented ? contact : FieldContact(),
+    { this->PressedTool ? this->PressedTool->GetKernel() : nullptr, this->ResponseName,
+      { this->PoissonRatio, DeflectionShader::reachOf(field) } },
+    displacement);
+  if (!fault.empty())
+  {
+    this->complain(fault);
+  }
+  for (const std::string& warning : this->Field.warnings())
+  {
+    vtkWarningWithObjectMacro(this->Actor, << warning << ".");
+  }
+  this->Displaced->GetPointData()->AddArray(displacement);
 }
 
 void BodyDisplay::bounds(double bounds[6])

@@ -4,6 +4,7 @@
 
 #include "Interaction/Display/DeflectionShader.h"
 #include "Interaction/Display/ShownContact.h"
+#include "Response/BodyField.h"
 
 #include "vtkSmartPointer.h"
 
@@ -12,7 +13,6 @@
 #include <vector>
 
 class vtkActor;
-class vtkContactDeflection;
 class vtkContactTool;
 class vtkLookupTable;
 class vtkPolyData;
@@ -26,11 +26,11 @@ class DentMapper;
 /**
  * The body with the dent of one contact, coloured by the length of the displacement.
  *
- * By shader (the default) a frame costs the same at any size of the mesh; otherwise
- * vtkContactDeflection computes each point anew. Both draw the same field, see ContactField; the
- * shader's limits stand in DeflectionShader. Pickers that draw (vtkHardwareSelector) see the
- * displaced surface either way; those that intersect the data of the actor (vtkCellPicker) see it
- * by vtkContactDeflection, and the undisturbed body by shader.
+ * By shader (the default) a frame costs the same at any size of the mesh; otherwise each point is
+ * computed anew (BodyField). Both draw the same field, see ContactField; the shader's limits stand
+ * in DeflectionShader. Pickers that draw (vtkHardwareSelector) see the displaced surface either
+ * way; those that intersect the data of the actor (vtkCellPicker) see it where points are computed,
+ * and the undisturbed body by shader.
  *
  * Setters take effect in the next frame. A body that has changed is noticed by show().
  */
@@ -72,7 +72,7 @@ private:
   void takeBody();
   void refresh();
   void showByShader();
-  void showByFilter();
+  void showByPoints();
   /// A field of the shown contact; empty, and an error, if the body does not allow it.
   ContactField makeField(const FieldContact& contact);
   void complain(const std::string& fault);
@@ -81,6 +81,7 @@ private:
   ShownContact Shown;
   double CircleRadius = 0.0;
   double CircleDepth = 0.0;
+  double Edge = 1.0; ///< mean length of the touched triangle's edges, mm
   double FieldRadius = 0.0;
   bool ByShader = true;
 
@@ -96,10 +97,13 @@ private:
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;
 
-  vtkSmartPointer<vtkPolyData> Tip; ///< the contact shown, as a probe's output
-  vtkSmartPointer<vtkContactDeflection> Deflection;
+  std::string ResponseName = "Response";
+  double PoissonRatio = 0.45;
+  vtkSmartPointer<vtkPolyData> Displaced; ///< the body with the displacement of each point
+  bool IsDented = false;
+  BodyField Field;
   vtkSmartPointer<vtkWarpVector> Warp;
-  vtkSmartPointer<vtkPolyDataMapper> FilterMapper;
+  vtkSmartPointer<vtkPolyDataMapper> PointsMapper;
 };
 } // namespace palpate
 

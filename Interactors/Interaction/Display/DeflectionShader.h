@@ -2,7 +2,7 @@
 #ifndef DeflectionShader_h
 #define DeflectionShader_h
 
-#include "Response/ContactField.h"
+#include "Laws/ContactField.h"
 
 #include "vtkSmartPointer.h"
 

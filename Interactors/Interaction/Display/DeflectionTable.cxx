@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/DeflectionTable.h"
 
-#include "Response/ContactField.h"
+#include "Laws/ContactField.h"
 
 #include <algorithm>
 #include <cmath>

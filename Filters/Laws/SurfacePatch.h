@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SurfacePatch_h
-#define SurfacePatch_h
+#ifndef palpate_SurfacePatch_h
+#define palpate_SurfacePatch_h
 
 #include "Contact/BodyMesh.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstdint>
 #include <functional>
@@ -28,7 +29,7 @@ using PatchVisitor =
  * The mesh may be a piece: its points at a seam then get the normals of the whole, and are entered
  * when they were entered on another piece.
  */
-class SurfacePatch
+class PALPATE_EXPORT SurfacePatch
 {
 public:
   SurfacePatch(const BodyMesh& mesh, const Vector3& contact, const Vector3& normal, double reach);

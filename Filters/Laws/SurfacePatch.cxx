@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Touch/SurfacePatch.h"
+#include "Laws/SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>

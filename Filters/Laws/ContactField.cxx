@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laws/ContactField.h"
+
+#include "Contact/ParallelRanges.h"
+#include "Contact/TriangleProjection.h"
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/LayerSurface.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, which
+/// is what a base stiffens by, and 0 where there is none.
+double thicknessAt(const FieldTriangle& triangle, const Vector3& weights)
+{
+  double inverse = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double h = triangle.thickness[i];
+    inverse += h > 0.0 ? weights[static_cast<Eigen::Index>(i)] / h : 0.0;
+  }
+  return inverse > 0.0 ? 1.0 / inverse : 0.0;
+}
+
+/// The edge of a tool that lies well within its contact; 0 if there is none.
+double edgeWithin(const AxisymmetricTool& tool, double contactRadius)
+{
+  const std::vector<double> kinks = tool.kinks();
+  return !kinks.empty() && kinks.front() < 0.999 * contactRadius ? kinks.front() : 0.0;
+}
+
+/// 0 below `begin`, 1 above `end`, without a kink between.
+double smoothStep(double begin, double end, double x)
+{
+  const double t = std::clamp((x - begin) / (end - begin), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// Adds what a mode moves. Whether all of it is finite.
+template <class Number>
+bool addMode(const Number* mode, double weight, std::size_t points, float* displacement)
+{
+  std::atomic<bool> isFinite{ true };
+  forRanges(points,
+    [&](std::size_t first, std::size_t last)
+    {
+      bool isPartFinite = true;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Vector3 phi(static_cast<double>(mode[3 * i]), static_cast<double>(mode[3 * i + 1]),
+          static_cast<double>(mode[3 * i + 2]));
+        Eigen::Map<Eigen::Vector3f> u(displacement + 3 * i);
+        u += (weight * phi).cast<float>();
+        isPartFinite = isPartFinite && u.allFinite();
+      }
+      if (!isPartFinite)
+      {
+        isFinite = false;
+      }
+    });
+  return isFinite;
+}
+} // namespace
+
+ContactField::ContactField(const FieldTriangle& triangle, const AxisymmetricTool& tool,
+  const FieldContact& contact, const FieldSettings& settings,
+  std::shared_ptr<const LayerKernel>& kernel)
+  : Deflection(contact.deflection)
+  , Reach(settings.reach)
+{
+  if (contact.cell < 0 || !(contact.deflection > 0.0))
+  {
+    return;
+  }
+  const auto& corners = triangle.corners;
+  const Vector3 weights =
+    projectOnTriangle(contact.point, corners[0], corners[1], corners[2]).weights;
+  this->bend(triangle, weights, contact);
+  if (this->Deflection > 0.0)
+  {
+    this->press(tool, thicknessAt(triangle, weights), triangle.base, settings.poissonRatio, kernel);
+  }
+}
+
+void ContactField::bend(
+  const FieldTriangle& triangle, const Vector3& weights, const FieldContact& contact)
+{
+  for (const FieldTriangle::Mode& mode : triangle.modes)
+  {
+    double here = 0.0; // n·φ
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      here += weights[static_cast<Eigen::Index>(i)] * contact.normal.dot(mode.vectors[i]);
+    }
+    this->Weights.push_back(-contact.force * mode.sign * here);
+    this->Deflection -= contact.force * mode.sign * here * here;
+  }
+}
+
+void ContactField::press(const AxisymmetricTool& tool, double thickness, LayerBase base,
+  double poissonRatio, std::shared_ptr<const LayerKernel>& kernel)
+{
+  const double deflection = this->Deflection;
+  if (!(thickness > 0.0))
+  {
+    this->Radius = tool.contactRadius(deflection);
+    this->Kink = edgeWithin(tool, this->Radius);
+    this->Law = [&tool, deflection, poissonRatio](double r)
+    { return tool.surfaceDisplacement(r, deflection, poissonRatio); };
+    return;
+  }
+  if (!kernel || kernel->poissonsRatio() != poissonRatio || kernel->base() != base)
+  {
+    kernel = std::make_shared<const LayerKernel>(poissonRatio, base);
+  }
+  auto layer = std::make_shared<const LayerContact>(tool, kernel, thickness);
+  if (deflection > layer->deepest())
+  {
+    this->Fault = joined("No field: the layer of ", thickness,
+      " mm at the contact is thinner than a tenth of the contact radius");
+    return;
+  }
+  this->Radius = layer->contactRadius(deflection);
+  this->Kink = edgeWithin(tool, this->Radius);
+  auto surface = std::make_shared<const LayerSurface>(*layer, deflection);
+  this->Law = [layer, surface](double r) { return surface->at(r); };
+}
+
+SurfaceDisplacement ContactField::local(double r) const
+{
+  return this->Law ? this->Law(r) : SurfaceDisplacement{ 0.0, 0.0 };
+}
+
+double ContactField::fade(double r, double cosine) const
+{
+  if (!(this->Reach > 0.0))
+  {
+    return 1.0;
+  }
+  return smoothStep(CosineOfEnd, CosineOfFade, cosine) *
+    (1.0 - smoothStep(FadeBegin * this->Reach, this->Reach, r));
+}
+
+bool contactField(const ContactField& field, const Vector3& normal,
+  const std::vector<ModeSpan>& modes, SurfacePatch& patch, std::size_t points, float* displacement,
+  const SeamCrossing& cross)
+{
+  bool isFinite = true;
+  for (std::size_t k = 0; k < field.modeWeights().size(); ++k)
+  {
+    const double weight = field.modeWeights()[k];
+    const bool isModeFinite = std::visit(
+      [&](const auto* mode) { return addMode(mode, weight, points, displacement); }, modes[k]);
+    isFinite = isFinite && isModeFinite;
+  }
+  const auto move =
+    [&](std::int32_t id, double distance, const Vector3& away, const Vector3& pointNormal)
+  {
+    const SurfaceDisplacement u = field.local(distance);
+    const double share = field.fade(distance, pointNormal.dot(normal));
+    Eigen::Map<Eigen::Vector3f>(displacement + 3 * static_cast<std::size_t>(id)) +=
+      (share * (u.radial * away - u.normal * normal)).cast<float>();
+  };
+  do
+  {
+    patch.visit(move);
+  } while (cross && cross(patch));
+  return isFinite;
+}
+} // namespace palpate

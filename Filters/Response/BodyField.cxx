@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/BodyField.h"
+
+#include "Response/BodyConversion.h"
+#include "Response/FilterThreads.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/Ranks.h"
+#include "Response/Pieces/SeamNormals.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+bool hasShape(vtkDataArray* array, int components, vtkIdType tuples)
+{
+  return array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == tuples;
+}
+
+vtkIdType firstTriangle(vtkPolyData* body)
+{
+  return body->GetNumberOfVerts() + body->GetNumberOfLines();
+}
+
+/// What one rank knows of a triangle, on all.
+FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
+{
+  if (ranks.areAlone())
+  {
+    return own;
+  }
+  const auto pick = [&](auto given)
+  {
+    for (const auto& each : ranks.gather(isHere ? given : decltype(given)()))
+    {
+      given = each.empty() ? given : each;
+    }
+    return given;
+  };
+  FieldTriangle triangle = own;
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vector3& x = own.corners[k];
+    numbers.insert(numbers.end(), { x.x(), x.y(), x.z(), own.thickness[k] });
+  }
+  numbers.push_back(static_cast<double>(own.base));
+  for (const FieldTriangle::Mode& mode : own.modes)
+  {
+    numbers.push_back(mode.sign);
+    for (const Vector3& phi : mode.vectors)
+    {
+      numbers.insert(numbers.end(), phi.data(), phi.data() + 3);
+    }
+  }
+  numbers = pick(numbers);
+  const double* next = numbers.data();
+  for (std::size_t k = 0; k < 3; ++k, next += 4)
+  {
+    triangle.corners[k] = Vector3(next);
+    triangle.thickness[k] = next[3];
+  }
+  triangle.base = static_cast<LayerBase>(static_cast<int>(*next++));
+  triangle.modes.clear();
+  while (next < numbers.data() + numbers.size())
+  {
+    triangle.modes.push_back(
+      { next[0], { Vector3(next + 1), Vector3(next + 4), Vector3(next + 7) } });
+    next += 10;
+  }
+  return triangle;
+}
+
+/// Where the modes lie; those of other types in copies, which `kept` holds.
+std::vector<ModeSpan> viewModes(
+  const std::vector<vtkDataArray*>& modes, std::vector<vtkSmartPointer<vtkDataArray>>& kept)
+{
+  std::vector<ModeSpan> spans;
+  for (vtkDataArray* mode : modes)
+  {
+    if (auto* floats = vtkFloatArray::SafeDownCast(mode))
+    {
+      spans.emplace_back(floats->GetPointer(0));
+      continue;
+    }
+    auto* doubles = vtkDoubleArray::SafeDownCast(mode);
+    if (!doubles)
+    {
+      const auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+      copy->DeepCopy(mode);
+      kept.push_back(copy);
+      doubles = copy;
+    }
+    spans.emplace_back(doubles->GetPointer(0));
+  }
+  return spans;
+}
+} // namespace
+
+std::vector<vtkDataArray*> globalModeArrays(vtkPolyData* body, const std::string& name)
+{
+  std::vector<vtkDataArray*> modes;
+  vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
+  const bool bends = signs && signs->GetNumberOfComponents() == 1 && responseModel(body, name).isInSeries();
+  const vtkIdType count = bends ? signs->GetNumberOfTuples() : 0;
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    vtkDataArray* mode = body->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str());
+    if (!mode || !hasShape(mode, 3, body->GetNumberOfPoints()))
+    {
+      break;
+    }
+    modes.push_back(mode);
+  }
+  return modes;
+}
+
+std::string checkBody(vtkPolyData* body, const std::string& name)
+{
+  const std::string fault = checkTriangles(body);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const vtkIdType points = body->GetNumberOfPoints();
+  const auto describe = [points](vtkDataArray* array, int components)
+  {
+    return std::string("array '") + array->GetName() + "' must have " + std::to_string(components) +
+      " components and " + std::to_string(points) + " tuples, but has " +
+      std::to_string(array->GetNumberOfComponents()) + " and " +
+      std::to_string(array->GetNumberOfTuples());
+  };
+  vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
+  if (layers && !hasShape(layers, 1, points))
+  {
+    return describe(layers, 1);
+  }
+  for (vtkIdType k = 0;; ++k)
+  {
+    vtkDataArray* mode = body->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str());
+    if (!mode || !hasShape(mode, 3, points))
+    {
+      return mode ? describe(mode, 3) : std::string();
+    }
+  }
+}
+
+bool isTriangle(vtkPolyData* body, vtkIdType cell)
+{
+  const vtkIdType first = firstTriangle(body);
+  return cell >= first && cell < first + body->GetNumberOfPolys();
+}
+
+FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string& name)
+{
+  FieldTriangle triangle;
+  vtkNew<vtkIdList> corners;
+  body->GetPolys()->GetCellAtId(cell - firstTriangle(body), corners);
+  vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
+  const bool hasLayers = layers && hasShape(layers, 1, body->GetNumberOfPoints());
+  const std::vector<vtkDataArray*> modes = globalModeArrays(body, name);
+  vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
+  triangle.modes.resize(modes.size());
+  for (std::size_t k = 0; k < modes.size(); ++k)
+  {
+    triangle.modes[k].sign = signs->GetTuple1(static_cast<vtkIdType>(k));
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const vtkIdType corner = corners->GetId(static_cast<vtkIdType>(i));
+    body->GetPoint(corner, triangle.corners[i].data());
+    triangle.thickness[i] = hasLayers ? layers->GetTuple1(corner) : 0.0;
+    for (std::size_t k = 0; k < modes.size(); ++k)
+    {
+      modes[k]->GetTuple(corner, triangle.modes[k].vectors[i].data());
+    }
+  }
+  vtkDataArray* base = body->GetFieldData()->GetArray((name + "LayerBase").c_str());
+  const bool slips = base && base->GetNumberOfValues() == 1 && base->GetTuple1(0) == 1.0;
+  triangle.base = slips ? LayerBase::Slip : LayerBase::Bonded;
+  return triangle;
+}
+
+/// The linked mesh of the own piece, where it meets the others, and of which state it is.
+class BodyField::LinkedPiece
+{
+public:
+  LinkedPiece(const Ranks& ranks, vtkPolyData* body)
+    : Mesh(makeBodyMesh(body))
+    , Seam(ranks, body)
+    , SeamNormals(seamNormals(this->Mesh, this->Seam))
+    , PointsTime(body->GetPoints()->GetMTime())
+    , PolysTime(body->GetPolys()->GetMTime())
+  {
+  }
+  // Modification times are unique, so the two name this pair.
+  bool isOf(vtkPolyData* body) const
+  {
+    return this->PointsTime == body->GetPoints()->GetMTime() &&
+      this->PolysTime == body->GetPolys()->GetMTime();
+  }
+
+  const BodyMesh Mesh;
+  const BodySeam Seam;
+  const std::vector<Vector3> SeamNormals;
+
+private:
+  vtkMTimeType PointsTime;
+  vtkMTimeType PolysTime;
+};
+
+BodyField::BodyField() = default;
+BodyField::~BodyField() = default;
+
+std::string BodyField::displace(vtkPolyData* body, const FieldContact& contact,
+  const Request& request, vtkFloatArray* displacement)
+{
+  return this->displace(Ranks(nullptr), body, contact, 0, request, displacement);
+}
+
+std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact,
+  int rank, const Request& request, vtkFloatArray* displacement)
+{
+  this->Warnings.clear();
+  displacement->SetName("ContactDisplacement");
+  displacement->SetNumberOfComponents(3);
+  displacement->SetNumberOfTuples(body->GetNumberOfPoints());
+  displacement->Fill(0.0);
+  if (contact.cell < 0 || !(contact.deflection > 0.0))
+  {
+    return {};
+  }
+  const bool isHere = rank == ranks.own();
+  const std::string& name = request.responseName;
+  // Only one rank has the triangle; all need the field.
+  const FieldTriangle triangle =
+    spread(ranks, isHere, isHere ? fieldTriangle(body, contact.cell, name) : FieldTriangle());
+  ContactField field;
+  if (body->GetNumberOfPoints() > 0)
+  {
+    field = ContactField(triangle, *request.tool, contact, request.settings, this->Kernel);
+    if (!field.fault().empty())
+    {
+      this->Warnings.push_back(field.fault());
+    }
+    const ResponseModel model = responseModel(body, name);
+    if (model.isInSeries() && field.modeWeights().empty() && model.text != this->WarnedOfModel)
+    {
+      this->Warnings.emplace_back("The response has a global compliance, but the body no "
+                                  "GlobalMode0...; the field shows the local part alone, at the "
+                                  "whole deflection");
+      this->WarnedOfModel = model.text; // a live display asks for the field many times a second
+    }
+  }
+  if (ranks.any(!this->Piece || !this->Piece->isOf(body)))
+  {
+    this->Piece = std::make_unique<const LinkedPiece>(ranks, body);
+  }
+  const BodyMesh& mesh = this->Piece->Mesh;
+  const BodySeam& seam = this->Piece->Seam;
+  SurfacePatch patch(mesh, contact.point, contact.normal, request.settings.reach);
+  for (std::size_t i = 0; i < seam.places().size(); ++i)
+  {
+    patch.setNormal(seam.places()[i].point, this->Piece->SeamNormals[i]);
+  }
+  if (isHere)
+  {
+    const auto id = static_cast<std::int32_t>(contact.cell - firstTriangle(body));
+    for (const std::int32_t corner : mesh.corners(id))
+    {
+      patch.enter(corner);
+    }
+  }
+  const auto cross = [&ranks, &seam](SurfacePatch& pending)
+  {
+    std::vector<char> reached;
+    for (const BodySeam::Place& place : seam.places())
+    {
+      reached.push_back(pending.has(place.point) ? 1 : 0);
+    }
+    reached = seam.combined(reached, char{ 0 }, [](char a, char b) { return std::max(a, b); });
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      if (reached[i])
+      {
+        pending.enter(seam.places()[i].point);
+      }
+    }
+    return ranks.any(pending.isPending());
+  };
+  std::vector<vtkSmartPointer<vtkDataArray>> kept;
+  const auto modes = viewModes(globalModeArrays(body, name), kept);
+  const FilterThreads threads;
+  const bool isFinite = contactField(
+    field, contact.normal, modes, patch, mesh.pointCount(), displacement->GetPointer(0), cross);
+  return ranks.firstFault(isFinite
+      ? std::string()
+      : "The global modes are too large: they displace the body to infinity");
+}
+} // namespace palpate

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BodyField_h
+#define BodyField_h
+
+#include "palpateResponseModule.h" // For export macro
+
+#include "Laws/ContactField.h" // For palpate::ContactField
+#include "vtkType.h"           // For vtkIdType
+
+#include <memory> // For std::shared_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkDataArray;
+class vtkFloatArray;
+class vtkPolyData;
+
+namespace palpate
+{
+class AxisymmetricTool;
+class Ranks;
+
+/**
+ * The displacement of a body around one contact after another: its arrays as ContactField takes
+ * them. They are the response's `LayerThickness` and `LayerBase`, and, where its model has a global
+ * compliance, the modes (point arrays `GlobalMode0`..., field array `GlobalModeSign`).
+ *
+ * Keeps the links of the mesh, O(n log n), as long as points and triangles are the same, and the
+ * solution of the last layer.
+ */
+class PALPATERESPONSE_EXPORT BodyField
+{
+public:
+  BodyField();
+  ~BodyField();
+  BodyField(const BodyField&) = delete;
+  BodyField& operator=(const BodyField&) = delete;
+
+  struct Request
+  {
+    const AxisymmetricTool* tool = nullptr; ///< not needed without a piece of the body
+    std::string responseName;
+    FieldSettings settings;
+  };
+  /// Makes `ContactDisplacement` (float 3, mm) of a body that has passed checkBody: zero without
+  /// contact. The cell of the contact is a triangle of the body on `rank`. Collective. What is
+  /// wrong, the same on all ranks, or "".
+  std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
+    const Request& request, vtkFloatArray* displacement);
+  /// Of a body that is all here.
+  std::string displace(vtkPolyData* body, const FieldContact& contact, const Request& request,
+    vtkFloatArray* displacement);
+  /// What displace() left out, in sentences; that the modes are missing it says once.
+  const std::vector<std::string>& warnings() const { return this->Warnings; }
+
+private:
+  class LinkedPiece;
+
+  std::unique_ptr<const LinkedPiece> Piece;
+  std::shared_ptr<const LayerKernel> Kernel;
+  std::vector<std::string> Warnings;
+  std::string WarnedOfModel;
+};
+
+/// The triangle `cell` of a body, with what a field of the response `name` reads there.
+PALPATERESPONSE_EXPORT FieldTriangle fieldTriangle(
+  vtkPolyData* body, vtkIdType cell, const std::string& name);
+
+/// The modes that bend with the response `name` of a body: none unless it has a global compliance.
+PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
+  vtkPolyData* body, const std::string& name);
+
+/// Whether a cell is one of the triangles of a body.
+PALPATERESPONSE_EXPORT bool isTriangle(vtkPolyData* body, vtkIdType cell);
+
+/// What is wrong with triangles, or with point arrays that bend a body or tell the layer under it;
+/// "" if nothing. Where this is not asked, an array without a value per point is taken for none.
+PALPATERESPONSE_EXPORT std::string checkBody(vtkPolyData* body, const std::string& name);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ToolSurface_h
+#define ToolSurface_h
+
+#include <string>
+
+class vtkPolyData;
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// How much of a tool is drawn, > 0.
+struct ToolSurfaceSize
+{
+  double length;        ///< mm
+  double maximumRadius; ///< mm, where the profile widens for ever
+  int resolution = 64;  ///< facets around
+};
+
+/// The surface of a tool: triangles with normals, tip at the origin, axis along +z. What is wrong,
+/// or "".
+std::string makeToolSurface(
+  const AxisymmetricTool& tool, const ToolSurfaceSize& size, vtkPolyData* output);
+} // namespace palpate
+
+#endif
