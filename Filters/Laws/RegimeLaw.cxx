@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/RegimeLaw.h"
 
+#include "Contact/ParallelRanges.h"
+#include "Contact/ResponseField.h"
+#include "Laws/BodyMaterial.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include <cmath>
@@ -12,6 +15,30 @@ namespace
 // Of the logarithm of the size: the central difference errs by step²/6, about 2e-5.
 constexpr double SizeStep = 0.01;
 constexpr int Samples = 8; // of laws that are never stored
+constexpr double ResponseAgreement = 0.02;
+
+/// Where the stored response is not of the material that gives `forces` at `depths`, or "".
+std::string compare(const ResponseArrays& arrays, const std::vector<double>& depths,
+  const std::vector<double>& forces)
+{
+  const ResponseField stored(arrays);
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
+    const double range = arrays.range[i];
+    if (!stored.isValid(point) || depths[i] < 0.01 * range || depths[i] > range)
+    {
+      continue;
+    }
+    const double force = stored.evaluate(point, depths[i]).force;
+    if (std::abs(force - forces[i]) > ResponseAgreement * forces[i])
+    {
+      return "point " + std::to_string(i) + " at " + std::to_string(depths[i]) + " mm gives " +
+        std::to_string(force) + " N, the material given here " + std::to_string(forces[i]) + " N";
+    }
+  }
+  return {};
+}
 } // namespace
 
 RegimeLaw::RegimeLaw(const AxisymmetricTool& tool, const MaterialRange& range, double deepest)
@@ -55,5 +82,43 @@ SpotRegime RegimeLaw::regime(const ContactSpot& spot, double depth, double force
   found.verdict =
     std::isnan(found.index) ? RegimeVerdict::ShapeMatters : regimeVerdict(found.sensitivity);
   return found;
+}
+
+std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
+  const std::vector<double>& depths, double deepest, const ResponseArrays* stored,
+  const RegimeSpans& spans)
+{
+  const RegimeLaw law(tool, material.range(), deepest);
+  if (!law.complete())
+  {
+    return "Tool '" + tool.specification() + "' cannot be scaled";
+  }
+  const ContactSpots spots = material.spots();
+  std::vector<double> forces(depths.size());
+  forRanges(depths.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        forces[i] = law.force(spots.at(i), depths[i]);
+      }
+    });
+  const std::string fault = stored ? compare(*stored, depths, forces) : std::string();
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  forRanges(depths.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const SpotRegime found = law.regime(spots.at(i), depths[i], forces[i]);
+        spans.index[i] = static_cast<float>(found.index);
+        spans.sensitivity[i] = static_cast<float>(found.sensitivity);
+        spans.verdict[i] = static_cast<std::uint8_t>(found.verdict);
+      }
+    });
+  return {};
 }
 } // namespace palpate

@@ -9,11 +9,16 @@
 #include "Mechanics/PalpateExport.h"
 #include "Laws/ResponseLaw.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace palpate
 {
+class BodyMaterial;
+struct ResponseArrays;
+
 /// How local a contact is, and whether the tool's shape matters (ContactRegime.h). NaN where there
 /// is no stable contact; the verdict is ShapeMatters there.
 struct SpotRegime
@@ -49,6 +54,25 @@ private:
   std::unique_ptr<AxisymmetricTool> Larger;
   std::vector<ResponseLaw> Laws;
 };
+
+/// Where the regime of a body goes, one value per point.
+struct RegimeSpans
+{
+  float* index;
+  float* sensitivity;
+  std::uint8_t* verdict;
+};
+
+/**
+ * The regime of a tool pressed `depths[i]` (mm, > 0) deep at each point of a body. `stored`, unless
+ * null, is the response of the same tool on it: its force there must agree to 2 % (its storage
+ * error in series; depths below a hundredth of its range are not compared), since a regime of
+ * another body than the one that is felt is worse than none. Returns what is wrong, naming the
+ * point, or "". The same bits for any number of threads.
+ */
+PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
+  const std::vector<double>& depths, double deepest, const ResponseArrays* stored,
+  const RegimeSpans& spans);
 } // namespace palpate
 
 #endif

@@ -7,10 +7,12 @@
 #include "Laws/ValidityRule.h"
 
 #include <cstddef>
+#include <functional>
 
 namespace palpate
 {
 class AxisymmetricTool;
+class BodyMaterial;
 class ResponseLaw;
 
 /// Where the arrays of a response lie that is being made: per point one value, of force (N) and
@@ -50,6 +52,23 @@ private:
   float Range;
   ValidityRule Rule;
 };
+
+/// What is to be known of a response besides its arrays.
+struct MadeResponse
+{
+  bool complete = false;   ///< not given up on the way
+  double exponent = 0.0;   ///< that stores it best
+  std::size_t without = 0; ///< points whose status is not Valid
+};
+
+/// A tool pressed at each of `points` points of a body: fills the spans, whose status must be set.
+/// `range` (mm): one that the tool's checkDepth allows. `curvature(i)` as in ResponseFiller; it may
+/// be asked from several threads. `goOn(share)` is told how much is done, and stops it by false.
+/// The same bits for any number of threads.
+PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
+  double range, double bodyWidth, std::size_t points,
+  const std::function<double(std::size_t)>& curvature, const ResponseSpans& spans,
+  const std::function<bool(double)>& goOn = {});
 } // namespace palpate
 
 #endif

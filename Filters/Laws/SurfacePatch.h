@@ -55,8 +55,8 @@ private:
 };
 
 /// Visits the patch around a contact on a triangle of the whole body: always its corners.
-void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle, const Vector3& contact,
-  const Vector3& normal, double reach, const PatchVisitor& visitor);
+PALPATE_EXPORT void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle,
+  const Vector3& contact, const Vector3& normal, double reach, const PatchVisitor& visitor);
 } // namespace palpate
 
 #endif

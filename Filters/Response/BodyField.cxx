@@ -225,12 +225,6 @@ private:
 BodyField::BodyField() = default;
 BodyField::~BodyField() = default;
 
-std::string BodyField::displace(vtkPolyData* body, const FieldContact& contact,
-  const Request& request, vtkFloatArray* displacement)
-{
-  return this->displace(Ranks(nullptr), body, contact, 0, request, displacement);
-}
-
 std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact,
   int rank, const Request& request, vtkFloatArray* displacement)
 {

@@ -47,9 +47,6 @@ public:
   /// wrong, the same on all ranks, or "".
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// Of a body that is all here.
-  std::string displace(vtkPolyData* body, const FieldContact& contact, const Request& request,
-    vtkFloatArray* displacement);
   /// What displace() left out, in sentences; that the modes are missing it says once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 

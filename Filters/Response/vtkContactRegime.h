@@ -46,17 +46,9 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <string> // For std::string
-#include <vector> // For std::vector
 
 class vtkContactTool;
 class vtkMultiProcessController;
-
-namespace palpate
-{
-class AxisymmetricTool;
-class BodyMaterial;
-class Ranks;
-} // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkContactRegime : public vtkPolyDataAlgorithm
 {
@@ -115,12 +107,6 @@ protected:
 private:
   vtkContactRegime(const vtkContactRegime&) = delete;
   void operator=(const vtkContactRegime&) = delete;
-
-  /// What is wrong with Deflection, or with the Range of the body, or "".
-  std::string FindDepths(vtkPolyData* body, std::vector<double>& depths);
-  /// Where the response on the body is not of the material that gives these forces, or "".
-  std::string Compare(vtkPolyData* body, const palpate::AxisymmetricTool& tool,
-    const std::vector<double>& depths, const std::vector<double>& forces);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactTool> Tool;

@@ -3,6 +3,7 @@
 
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/ReducedModulus.h"
+#include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include "vtkNew.h"
@@ -76,28 +77,36 @@ palpate::ToolSpecification vtkContactTool::MakeSpecification()
   return specification;
 }
 
-const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
+std::string vtkContactTool::FindFault()
 {
   if (this->KernelTime == this->GetMTime())
   {
-    return this->Kernel.get();
+    return {};
   }
   this->Kernel.reset();
   if (this->Shape < Flat || this->Shape > Profile)
   {
-    vtkErrorMacro(<< "Shape " << this->Shape
-                  << " is unknown: give 0 Flat, 1 Paraboloid, 2 Sphere, 3 Cone, 4 TruncatedCone, "
-                     "5 BluntedCone, 6 RoundedFlat, 7 PowerLaw or 8 Profile.");
-    return nullptr;
+    return palpate::joined("Shape ", this->Shape,
+      " is unknown: give 0 Flat, 1 Paraboloid, 2 Sphere, 3 Cone, 4 TruncatedCone, 5 BluntedCone, "
+      "6 RoundedFlat, 7 PowerLaw or 8 Profile");
   }
   const palpate::ToolSpecification specification = this->MakeSpecification();
   this->Kernel = palpate::makeTool(specification);
   if (!this->Kernel)
   {
-    vtkErrorMacro(<< "Invalid tool: " << palpate::checkTool(specification) << ".");
-    return nullptr;
+    return "Invalid tool: " + palpate::checkTool(specification);
   }
   this->KernelTime = this->GetMTime();
+  return {};
+}
+
+const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
+{
+  const std::string fault = this->FindFault();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+  }
   return this->Kernel.get();
 }
 

@@ -203,6 +203,8 @@ public:
    * object, valid until it is changed.
    */
   const palpate::AxisymmetricTool* GetKernel();
+  /** Why there is no kernel, or "": the same without an error. */
+  std::string FindFault();
 
   /** The profile's points count. */
   vtkMTimeType GetMTime() override;

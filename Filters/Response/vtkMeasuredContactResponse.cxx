@@ -5,19 +5,19 @@
 #include "Mechanics/Identification/CurvesFile.h"
 #include "Response/Measured/CurvesFromTable.h"
 #include "Response/FilterStage.h"
-#include "Response/InnerMessages.h"
+#include "Response/BodyLaws.h"
 #include "Response/Measured/MeasuredMaterial.h"
 #include "Mechanics/Identification/MeasuredSite.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/Measured/SiteMeasurement.h"
 #include "Response/Measured/SiteRegistration.h"
 #include "Response/Measured/SiteTables.h"
+#include "Response/Pieces/OwnPiece.h"
 #include "vtkContactTool.h"
-#include "vtkToolContactResponse.h"
 
-#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -323,42 +323,33 @@ std::string vtkMeasuredContactResponse::JudgeSites(const Measurement& measuremen
 /// False after an error, which has been passed on.
 bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* output)
 {
-  vtkNew<vtkToolContactResponse> response;
-  palpate::InnerMessages complaints;
-  palpate::listen(response, complaints);
-  palpate::listen(response->GetExecutive(), complaints);
-  response->SetInputData(body);
-  response->SetTool(this->Tool);
-  response->SetPoissonRatio(this->PoissonRatio);
-  response->SetLayerBase(this->LayerBase);
-  response->ComplianceExcludesLayerOn(); // no site has both; between sites, each has its share
-  response->SetMaximumDeflection(this->MaximumDeflection);
-  response->SetNumberOfSamples(this->NumberOfSamples);
-  response->SetResponseName(this->ResponseName);
-  const auto use = [&](int index, const char* name)
-  { response->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name); };
   const auto anywhere = [body](const char* name)
-  { return body->GetPointData()->GetArray(name)->GetMaxNorm() > 0.0; };
-  use(0, palpate::MeasuredMaterial::YoungArray);
-  if (anywhere(palpate::MeasuredMaterial::ThicknessArray))
+  { return std::string(body->GetPointData()->GetArray(name)->GetMaxNorm() > 0.0 ? name : ""); };
+  palpate::LawRequest request;
+  request.tool = this->Tool;
+  request.responseName = this->ResponseName;
+  request.deflection = this->MaximumDeflection;
+  request.samples = this->NumberOfSamples;
+  request.material.poissonsRatio = this->PoissonRatio;
+  request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
+  // No site has both; between sites, each has its share.
+  request.material.complianceExcludesLayer = true;
+  request.arrays = palpate::materialArrays(body,
+    { palpate::MeasuredMaterial::YoungArray, anywhere(palpate::MeasuredMaterial::ThicknessArray),
+      anywhere(palpate::MeasuredMaterial::ComplianceArray), "" });
+  const palpate::Ranks ranks(vtkMultiProcessController::GetGlobalController());
+  std::string warning;
+  const std::string fault = palpate::attachResponse(ranks, palpate::ownPiece(body, ranks), request,
+    palpate::FilterStage{ this, IdentifiedShare, 1.0 }, output, warning);
+  if (!fault.empty())
   {
-    use(1, palpate::MeasuredMaterial::ThicknessArray);
-  }
-  if (anywhere(palpate::MeasuredMaterial::ComplianceArray))
-  {
-    use(2, palpate::MeasuredMaterial::ComplianceArray);
-  }
-  palpate::runWithin(response, { this, IdentifiedShare, 1.0 });
-  if (!complaints.error.empty())
-  {
-    vtkErrorMacro(<< complaints.error << ".");
+    vtkErrorMacro(<< fault << ".");
     return false;
   }
-  if (!complaints.warning.empty())
+  if (!warning.empty())
   {
-    vtkWarningMacro(<< complaints.warning << ".");
+    vtkWarningMacro(<< warning << ".");
   }
-  output->ShallowCopy(response->GetOutput());
   output->GetPointData()->RemoveArray(palpate::MeasuredMaterial::YoungArray);
   return true;
 }

@@ -125,8 +125,6 @@ private:
   vtkResponseChoice(const vtkResponseChoice&) = delete;
   void operator=(const vtkResponseChoice&) = delete;
 
-  std::string CheckSettings() const;
-
   double Tolerance = 0.01;
   double Share = 1.0;
   double Deflection = 0.0;

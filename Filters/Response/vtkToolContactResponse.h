@@ -173,8 +173,6 @@ private:
   vtkToolContactResponse(const vtkToolContactResponse&) = delete;
   void operator=(const vtkToolContactResponse&) = delete;
 
-  bool CheckProperties();
-
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;

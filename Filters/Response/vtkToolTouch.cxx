@@ -90,7 +90,8 @@ void addField(vtkPolyData* to, const char* name, const double* values, int compo
 vtkStandardNewMacro(vtkToolTouch);
 
 vtkToolTouch::vtkToolTouch()
-  : Touched(std::make_unique<palpate::TouchedBody>())
+  : Settings(vtkSmartPointer<vtkContactSettings>::New())
+  , Touched(std::make_unique<palpate::TouchedBody>())
   , Field(std::make_unique<palpate::BodyField>())
 {
   this->SetNumberOfOutputPorts(4);
@@ -106,21 +107,21 @@ int vtkToolTouch::FillOutputPortInformation(int port, vtkInformation* info)
 
 void vtkToolTouch::SetSettings(vtkContactSettings* settings)
 {
-  if (this->GetSettings() != settings)
+  if (this->Settings != settings)
   {
-    this->Prober->SetSettings(settings);
+    this->Settings = settings ? settings : vtkSmartPointer<vtkContactSettings>::New().Get();
     this->Modified();
   }
 }
 
 vtkContactSettings* vtkToolTouch::GetSettings()
 {
-  return this->Prober->GetSettings();
+  return this->Settings;
 }
 
 vtkMTimeType vtkToolTouch::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->GetSettings()->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
 }
 
 void vtkToolTouch::SetTipPosition(double x, double y, double z)
@@ -194,7 +195,7 @@ bool vtkToolTouch::CheckSettings()
   }
   else
   {
-    return true;
+    return !this->Fail(this->Settings->GetFault());
   }
   return false;
 }
@@ -264,8 +265,8 @@ void vtkToolTouch::Probe(palpate::Touch& touch)
   vtkPolyData* probed = this->Probed;
   probed->ShallowCopy(singleTip(touch.tip));
   palpate::ContactArrays arrays(1);
-  palpate::touchWithTips(*this->Contact, probed, {}, depth,
-    [&](vtkIdType tip, const palpate::ToolContactForce& contact, const Vector3&) {
+  palpate::touchWithTips(*this->Contact, probed, this->Settings->GetKernel(), depth,
+    [&](vtkIdType tip, const palpate::Contact& contact, const Vector3&) {
       arrays.store(tip, contact, this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines());
     });
   arrays.attach(probed);
@@ -296,9 +297,9 @@ bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
   const double radius =
     touch.touches() ? this->Tool->GetContactRadius(touch.deflection) : 0.0; // mm
   palpate::ChosenTip tip;
-  palpate::chooseTip(palpate::Ranks(nullptr), this->Probed, 0, tip);
+  palpate::chooseTip(palpate::Ranks(), this->Probed, 0, tip);
   vtkNew<vtkFloatArray> displacement;
-  const std::string fault = this->Field->displace(this->Body, tip.contact,
+  const std::string fault = this->Field->displace(palpate::Ranks(), this->Body, tip.contact, 0,
     { this->Tool->GetKernel(), this->ResponseName,
       { this->PoissonRatio, std::isfinite(radius) ? this->Reach * radius : 0.0 } },
     displacement);
@@ -429,7 +430,7 @@ void vtkToolTouch::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Snap: " << this->Snap << "\n";
   os << indent << "Indentation: " << this->Indentation << " mm\n";
   os << indent << "Settings:\n";
-  this->GetSettings()->PrintSelf(os, indent.GetNextIndent());
+  this->Settings->PrintSelf(os, indent.GetNextIndent());
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "Reach: " << this->Reach << " contact radii\n";
   os << indent << "ForceScale: " << this->ForceScale << " mm/N\n";

@@ -181,6 +181,7 @@ private:
   /// Reports a fault, unless it is "".
   bool Fail(const std::string& fault);
 
+  vtkSmartPointer<vtkContactSettings> Settings; ///< never null
   double TipPosition[3] = { 0.0, 0.0, 0.0 };
   bool TipIsSet = false;
   bool Snap = true;

@@ -76,7 +76,7 @@ std::string BlindTrial::chooseResponse(const TouchScene& scene, const TrialChoic
   {
     return "alternative '" + choice.name + "': the material of this body is not to be changed";
   }
-  const std::string error = attachResponse(scene, tool, law, maximumDeflection, responses);
+  const std::string error = addToolResponse(scene, tool, law, maximumDeflection, responses);
   this->ResponseNames.push_back(responses.names.back());
   return error;
 }

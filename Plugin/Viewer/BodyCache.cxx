@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyCache.h"
 
+#include "Response/BodyLaws.h"
 #include "Response/FlatBodyConversion.h"
 #include "ResponseSet.h"
 
@@ -8,7 +9,6 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkToolContactResponse.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +20,7 @@ namespace palpate
 namespace
 {
 const char* const CacheResponse = "Cached";
+constexpr double CacheDepth = 2.0; // mm; any would do
 const char* const Thickness = "LayerThickness";
 
 /// The file that holds this scan, or "" where there is no place for one.
@@ -86,20 +87,22 @@ std::string store(vtkPolyData* body, const std::string& file)
     return "cannot make folder '" + folder.string() + "': " + failed.message();
   }
   vtkNew<vtkContactTool> tool;
-  vtkNew<vtkToolContactResponse> attach;
-  attach->SetTool(tool);
-  attach->SetResponseName(CacheResponse);
-  attach->SetInputData(body);
-  const std::string error = updateQuietly(attach);
+  LawRequest request;
+  request.tool = tool;
+  request.responseName = CacheResponse;
+  request.deflection = CacheDepth;
+  vtkNew<vtkPolyData> made;
+  std::string warning;
+  const std::string error = attachResponse(Ranks(), body, request, {}, made, warning);
   if (vtkDataArray* thickness = body->GetPointData()->GetArray(Thickness))
   {
     const std::string place = std::string(CacheResponse) + "Validity";
     vtkNew<vtkFloatArray> carried;
     carried->DeepCopy(thickness);
     carried->SetName(place.c_str());
-    attach->GetOutput()->GetPointData()->AddArray(carried);
+    made->GetPointData()->AddArray(carried);
   }
-  return error.empty() ? writeFlatBody(attach->GetOutput(), CacheResponse, file) : error;
+  return error.empty() ? writeFlatBody(made, CacheResponse, file) : error;
 }
 } // namespace
 

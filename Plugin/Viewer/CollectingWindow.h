@@ -51,7 +51,8 @@ private:
     keepFirst(this->warning, text);
   }
 
-  /** Of "ERROR: In file, line n\nclass (address): message\n\n" the message. */
+  /** Of "ERROR: In file, line n\nclass (address): message\n\n" the message: VTK hands over nothing
+   * but the whole text. */
   static void keepFirst(std::string& kept, const std::string& text)
   {
     if (kept.empty())

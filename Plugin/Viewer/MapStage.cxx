@@ -4,13 +4,12 @@
 #include "PictureSize.h"
 #include "ResponseSet.h"
 #include "Interaction/Display/SceneLight.h"
+#include "Response/BodyLaws.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkContactRegime.h"
 #include "vtkContactTool.h"
-#include "vtkDataObject.h"
 #include "vtkPointData.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -43,29 +42,16 @@ vtkSmartPointer<vtkPolyData> judgeBody(
   vtkNew<vtkPolyData> bare;
   bare->SetPoints(body->GetPoints());
   bare->SetPolys(body->GetPolys());
-  vtkNew<vtkContactRegime> regime;
   const ContactLaw law = lawOf(scene);
-  regime->SetInputData(bare);
-  regime->SetTool(tool);
-  regime->SetDeflection(scene.depth);
-  regime->SetYoungsModulus(law.youngsModulus);
-  regime->SetPoissonRatio(law.poissonsRatio);
-  regime->SetLayerThickness(law.layer.thickness);
-  const auto use = [&](int index, const char* name)
-  {
-    bare->GetPointData()->AddArray(body->GetPointData()->GetArray(name));
-    regime->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-  };
-  if (law.layer.scanned)
-  {
-    use(1, "LayerThickness");
-  }
-  if (scene.solid)
-  {
-    use(2, "GlobalCompliance");
-  }
-  error = updateQuietly(regime);
-  return error.empty() ? regime->GetOutput() : nullptr;
+  auto judged = vtkSmartPointer<vtkPolyData>::New();
+  error = attachRegime(Ranks(), bare,
+    { tool, "", scene.depth,
+      { law.youngsModulus, law.poissonsRatio, law.layer.thickness, LayerBase::Bonded, false },
+      materialArrays(body,
+        { "", law.layer.scanned ? "LayerThickness" : "", scene.solid ? "GlobalCompliance" : "",
+          "" }) },
+    judged);
+  return error.empty() ? judged : nullptr;
 }
 
 MapStage::MapStage(const std::string& name, bool onScreen)

@@ -19,19 +19,13 @@ std::string chooseModel(const ViewerOptions& options, const TouchScene& scene,
   const LeastFormRequest request{ responses.body, responses.names.front(), options.tolerance,
     scene.depth, scene.solid ? "GlobalCompliance" : "", responses.tools.front(),
     scene.youngsModulus, scene.poissonsRatio };
-  std::string error;
-  const LeastForm form = findLeastForm(request,
-    [&error](vtkAlgorithm* filter)
-    {
-      error = updateQuietly(filter);
-      return error.empty();
-    });
-  if (error.empty())
+  const LeastForm form = findLeastForm(request);
+  if (form.error.empty())
   {
     choice.body = form.body;
     choice.reason = form.reason;
   }
   choice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return error;
+  return form.error;
 }
 } // namespace palpate

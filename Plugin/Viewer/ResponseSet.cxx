@@ -2,13 +2,12 @@
 #include "ResponseSet.h"
 
 #include "CollectingWindow.h"
+#include "Response/BodyLaws.h"
 #include "Response/FlatBodyConversion.h"
 #include "Contact/WholeFile.h"
 
-#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkToolContactResponse.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <chrono>
@@ -31,16 +30,21 @@ double responseBytes(vtkPolyData* body, const std::string& name)
   }
   return bytes;
 }
+
+void warn(const std::string& warning)
+{
+  if (!warning.empty())
+  {
+    std::fprintf(stderr, "palpate: warning: %s\n", warning.c_str());
+  }
+}
 } // namespace
 
 std::string updateQuietly(vtkAlgorithm* algorithm)
 {
   const QuietScope quiet;
   algorithm->Update();
-  if (!quiet.window->firstWarning().empty())
-  {
-    std::fprintf(stderr, "palpate: warning: %s\n", quiet.window->firstWarning().c_str());
-  }
+  warn(quiet.window->firstWarning());
   return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 
@@ -49,7 +53,7 @@ ContactLaw lawOf(const TouchScene& scene)
   return { scene.youngsModulus, scene.poissonsRatio, scene.layer };
 }
 
-std::string attachResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
+std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
   double maximumDeflection, ResponseSet& responses)
 {
   auto shape = vtkSmartPointer<vtkContactTool>::New();
@@ -66,28 +70,19 @@ std::string attachResponse(const TouchScene& scene, const std::string& tool, con
   {
     return {};
   }
-  vtkNew<vtkToolContactResponse> attach;
-  attach->SetTool(shape);
-  attach->SetInputData(responses.body);
-  attach->SetYoungsModulus(law.youngsModulus);
-  attach->SetPoissonRatio(law.poissonsRatio);
-  attach->SetMaximumDeflection(maximumDeflection);
-  attach->SetResponseName(name);
-  attach->SetLayerThickness(law.layer.thickness);
-  if (law.layer.scanned)
-  {
-    attach->SetInputArrayToProcess(
-      1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "LayerThickness");
-  }
-  if (scene.solid)
-  {
-    attach->SetInputArrayToProcess(
-      2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
-  }
-  const std::string error = updateQuietly(attach);
+  const auto body = vtkSmartPointer<vtkPolyData>::New();
+  std::string warning;
+  const std::string error = attachResponse(Ranks(), responses.body,
+    { shape, name, maximumDeflection,
+      { law.youngsModulus, law.poissonsRatio, law.layer.thickness, LayerBase::Bonded, false },
+      materialArrays(responses.body,
+        { "", law.layer.scanned ? "LayerThickness" : "", scene.solid ? "GlobalCompliance" : "",
+          "" }) },
+    {}, body, warning);
+  warn(warning);
   if (error.empty())
   {
-    responses.body = attach->GetOutput();
+    responses.body = body;
   }
   return error;
 }
@@ -102,7 +97,7 @@ std::string attachResponses(
   for (const std::string& tool : scene.tools)
   {
     const std::string error =
-      attachResponse(scene, tool, lawOf(scene), maximumDeflection, responses);
+      addToolResponse(scene, tool, lawOf(scene), maximumDeflection, responses);
     if (!error.empty())
     {
       return error;

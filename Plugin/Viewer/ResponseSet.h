@@ -41,7 +41,7 @@ struct ContactLaw
 ContactLaw lawOf(const TouchScene& scene);
 
 /// Adds the response of one more tool, or of another law. Returns an error, or "".
-std::string attachResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
+std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
   double maximumDeflection, ResponseSet& responses);
 
 /// Attaches them as the options say and writes what --save and --export ask for. Returns an error,

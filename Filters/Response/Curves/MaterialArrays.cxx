@@ -15,70 +15,83 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <array>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace palpate
 {
-namespace
+MaterialArrays arraysToProcess(vtkAlgorithm* filter, const std::function<vtkDataArray*(int)>& find)
 {
-/// The values of array to process `index`, none if it was never set; an error if it is not there or
-/// misshapen.
-std::string fetch(vtkAlgorithm* filter, vtkPolyData* body,
-  const std::function<vtkDataArray*(int)>& find, int index, PointValues& given)
-{
+  MaterialArrays arrays;
   vtkInformationVector* wanted =
     filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-  if (!wanted || index >= wanted->GetNumberOfInformationObjects() ||
-    !wanted->GetInformationObject(index)->Has(vtkAlgorithm::INPUT_PORT()))
+  const int count = wanted ? wanted->GetNumberOfInformationObjects() : 0;
+  for (int index = 0; index < std::min(count, static_cast<int>(arrays.size())); ++index)
   {
-    return {}; // never set: the constant property holds
+    vtkInformation* which = wanted->GetInformationObject(index);
+    if (!which->Has(vtkAlgorithm::INPUT_PORT()))
+    {
+      continue; // never set: the constant property holds
+    }
+    const std::string name = which->Has(vtkDataObject::FIELD_NAME())
+      ? which->Get(vtkDataObject::FIELD_NAME())
+      : "active attribute";
+    if (!name.empty()) // an empty name takes the setting back
+    {
+      arrays[static_cast<std::size_t>(index)] = { name, find(index) };
+    }
   }
-  vtkInformation* which = wanted->GetInformationObject(index);
-  const char* name = which->Has(vtkDataObject::FIELD_NAME())
-    ? which->Get(vtkDataObject::FIELD_NAME())
-    : "active attribute";
-  if (!*name)
-  {
-    return {}; // an empty name takes the setting back
-  }
-  vtkDataArray* array = find(index);
-  if (!array)
-  {
-    return joined("Array to process ", index, " ('", name, "') is not on the input's points");
-  }
-  if (array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != body->GetNumberOfPoints())
-  {
-    return joined("Array '", array->GetName(), "' must have 1 component and ",
-      body->GetNumberOfPoints(), " tuples, but has ", array->GetNumberOfComponents(), " and ",
-      array->GetNumberOfTuples());
-  }
-  given.name = array->GetName() ? array->GetName() : name;
-  given.values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < given.values.size(); ++i)
-  {
-    given.values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
-  }
-  return {};
+  return arrays;
 }
-} // namespace
 
-std::string readMaterial(vtkAlgorithm* filter, vtkPolyData* body,
-  const std::function<vtkDataArray*(int)>& find, BodyMaterial& material)
+MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 4>& names)
 {
-  std::string wrong = material.checkConstants();
+  MaterialArrays arrays;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    arrays[i] = { names[i],
+      names[i].empty() ? nullptr : body->GetPointData()->GetArray(names[i].c_str()) };
+  }
+  return arrays;
+}
+
+std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material)
+{
+  const std::string wrong = material.checkConstants();
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
   BodyMaterial::Values values;
   const std::array<PointValues*, 4> wanted = { &values.youngsModulus, &values.thickness,
     &values.compliance, &values.poissonsRatio };
-  for (std::size_t index = 0; index < wanted.size() && wrong.empty(); ++index)
+  const vtkIdType points = body->GetNumberOfPoints();
+  for (std::size_t index = 0; index < wanted.size(); ++index)
   {
-    wrong = fetch(filter, body, find, static_cast<int>(index), *wanted[index]);
+    const auto& [name, array] = arrays[index];
+    PointValues& given = *wanted[index];
+    if (name.empty())
+    {
+      continue;
+    }
+    if (!array)
+    {
+      return joined("Array to process ", index, " ('", name, "') is not on the input's points");
+    }
+    if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
+    {
+      return joined("Array '", array->GetName(), "' must have 1 component and ", points,
+        " tuples, but has ", array->GetNumberOfComponents(), " and ", array->GetNumberOfTuples());
+    }
+    given.name = array->GetName() ? array->GetName() : name;
+    given.values.resize(static_cast<std::size_t>(points));
+    for (std::size_t i = 0; i < given.values.size(); ++i)
+    {
+      given.values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+    }
   }
-  return wrong.empty()
-    ? material.take(std::move(values), static_cast<std::size_t>(body->GetNumberOfPoints()))
-    : wrong;
+  return material.take(std::move(values), static_cast<std::size_t>(points));
 }
 
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)

@@ -2,6 +2,8 @@
 #ifndef Ranks_h
 #define Ranks_h
 
+#include "palpateResponseModule.h"
+
 #include "vtkSmartPointer.h"
 
 #include <cstring>
@@ -20,11 +22,11 @@ namespace palpate
  * All calls but own, count and areAlone are collective: every rank must make them, in the same
  * order. With one rank, or without a controller, they give back what is given and cost nothing.
  */
-class Ranks
+class PALPATERESPONSE_EXPORT Ranks
 {
 public:
   /// `controller` may be null: a single rank. It must outlive this.
-  explicit Ranks(vtkMultiProcessController* controller);
+  explicit Ranks(vtkMultiProcessController* controller = nullptr);
 
   bool areAlone() const noexcept { return this->Count == 1; }
   int count() const noexcept { return this->Count; }

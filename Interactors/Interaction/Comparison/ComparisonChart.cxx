@@ -3,11 +3,11 @@
 
 #include "Contact/ResponseContract.h"
 #include "Interaction/Display/DisplayColors.h"
-#include "Response/InnerMessages.h"
+#include "Contact/ResponseField.h"
+#include "Response/BodyConversion.h"
 #include "Interaction/Comparison/PointCopy.h"
 #include "vtkContactTool.h"
 #include "vtkResponseChart.h"
-#include "vtkResponseCurves.h"
 
 #include "vtkAxis.h"
 #include "vtkChartXY.h"
@@ -31,6 +31,7 @@ namespace palpate
 {
 namespace
 {
+constexpr int CurveRows = 101;
 constexpr float MarkSize = 13.0F;
 constexpr float DepthWidth = 1.5F;
 constexpr Color DepthColor = { 0.45, 0.45, 0.48 };
@@ -87,21 +88,26 @@ std::string ComparisonChart::drawCurves(
   this->PointPlot = nullptr;
   for (const ComparedTool& compared : tools)
   {
-    vtkNew<vtkResponseCurves> curves;
-    InnerMessages messages;
-    listen(curves, messages);
-    curves->SetInputData(one);
-    curves->SetResponseName(compared.responseName);
-    curves->AddPointId(0);
-    curves->Update();
-    if (!messages.error.empty())
+    std::string fault;
+    const auto response = makeResponseField(one, compared.responseName, fault);
+    if (!response)
     {
-      return messages.error;
+      return "Wrong body: " + fault;
+    }
+    if (!response->isValid(0))
+    {
+      return "point " + std::to_string(point) + " has no response '" + compared.responseName + "'";
+    }
+    std::vector<std::array<double, 2>> curve;
+    for (int row = 0; row < CurveRows; ++row)
+    {
+      const double depth = response->range(0) * row / (CurveRows - 1);
+      curve.push_back({ depth, response->evaluate(0, depth).force });
     }
     vtkDataArray* validity = one->GetPointData()->GetArray(
       palpate::arrayName(compared.responseName, palpate::ResponseArray::Validity).c_str());
     this->Chart->AddCurve(
-      curves->GetOutput(), compared.tool->GetDescription(), validity->GetTuple1(0));
+      makeTable(curve), compared.tool->GetDescription(), validity->GetTuple1(0));
   }
   this->drawDepth(deflection);
   this->drawPoint();

@@ -2,8 +2,7 @@
 #include "Interaction/Comparison/ComparisonColumn.h"
 
 #include "Interaction/Display/DisplayColors.h"
-#include "Response/InnerMessages.h"
-#include "vtkContactRegime.h"
+#include "Response/BodyLaws.h"
 #include "vtkContactScene.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"
@@ -13,7 +12,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkDataObject.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -288,24 +286,16 @@ std::string ComparisonColumn::makeMap()
   {
     return "there is no body, or no tool";
   }
-  vtkNew<vtkContactRegime> regime;
-  InnerMessages messages;
-  listen(regime, messages);
-  regime->SetInputData(this->Body);
-  regime->SetTool(this->Tools[this->ShownTool].tool);
-  regime->SetResponseName(this->Tools[this->ShownTool].responseName);
-  regime->SetDeflection(this->Deflection);
-  regime->SetYoungsModulus(this->Material.youngsModulus);
-  regime->SetPoissonRatio(this->Material.poissonRatio);
-  const std::array<const char*, 2> arrays = { "LayerThickness", "GlobalCompliance" };
-  for (std::size_t i = 0; i < arrays.size(); ++i)
-  {
-    const bool there = this->Body->GetPointData()->HasArray(arrays[i]) != 0;
-    regime->SetInputArrayToProcess(static_cast<int>(i) + 1, 0, 0,
-      vtkDataObject::FIELD_ASSOCIATION_POINTS, there ? arrays[i] : "");
-  }
-  regime->Update();
-  this->MapIsMade = messages.error.empty() && this->Map->SetBody(regime->GetOutput());
-  return messages.error;
+  const auto given = [this](const char* name)
+  { return std::string(this->Body->GetPointData()->HasArray(name) != 0 ? name : ""); };
+  const ComparedTool& shown = this->Tools[this->ShownTool];
+  vtkNew<vtkPolyData> judged;
+  const std::string fault = attachRegime(Ranks(), this->Body,
+    { shown.tool, shown.responseName, this->Deflection,
+      { this->Material.youngsModulus, this->Material.poissonRatio, 0.0, LayerBase::Bonded, false },
+      materialArrays(this->Body, { "", given("LayerThickness"), given("GlobalCompliance"), "" }) },
+    judged);
+  this->MapIsMade = fault.empty() && this->Map->SetBody(judged);
+  return fault;
 }
 } // namespace palpate

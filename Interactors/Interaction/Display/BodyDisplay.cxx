@@ -2,6 +2,7 @@
 #include "Interaction/Display/BodyDisplay.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Pieces/Ranks.h"
 #include "Interaction/Display/DentMapper.h"
 #include "Interaction/Display/ModeAttributes.h"
 #include "Mechanics/ReducedModulus.h"
@@ -339,7 +340,7 @@ void BodyDisplay::showByPoints()
   this->IsDented = !field.isEmpty() || !field.modeWeights().empty();
   this->Displaced->ShallowCopy(this->Body);
   vtkNew<vtkFloatArray> displacement;
-  fault = this->Field.displace(this->Body, this->IsDented ? contact : FieldContact(),
+  fault = this->Field.displace(Ranks(), this->Body, this->IsDented ? contact : FieldContact(), 0,
     { this->PressedTool ? this->PressedTool->GetKernel() : nullptr, this->ResponseName,
       { this->PoissonRatio, DeflectionShader::reachOf(field) } },
     displacement);

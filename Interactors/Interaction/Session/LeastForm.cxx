@@ -1,46 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Session/LeastForm.h"
 
-#include "vtkContactRegime.h"
-#include "vtkDataObject.h"
+#include "Response/BodyLaws.h"
+
 #include "vtkNew.h"
-#include "vtkResponseChoice.h"
 
 namespace palpate
 {
-LeastForm findLeastForm(
-  const LeastFormRequest& request, const std::function<bool(vtkAlgorithm*)>& run)
+LeastForm findLeastForm(const LeastFormRequest& request)
 {
-  vtkNew<vtkResponseChoice> choose;
-  choose->SetInputData(request.body);
-  vtkNew<vtkContactRegime> regime;
+  LeastForm form;
+  vtkNew<vtkPolyData> judged;
+  judged->ShallowCopy(request.body);
   if (!request.complianceArray.empty())
   {
-    regime->SetInputData(request.body);
-    regime->SetResponseName(request.name);
-    regime->SetTool(request.tool);
-    regime->SetDeflection(request.deflection);
-    regime->SetYoungsModulus(request.youngsModulus);
-    regime->SetPoissonRatio(request.poissonRatio);
-    regime->SetInputArrayToProcess(
-      2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, request.complianceArray.c_str());
-    if (!run(regime))
-    {
-      return {};
-    }
-    choose->SetInputData(regime->GetOutput());
+    form.error = attachRegime(Ranks(), request.body,
+      { request.tool, request.name, request.deflection,
+        { request.youngsModulus, request.poissonRatio, 0.0, LayerBase::Bonded, false },
+        materialArrays(request.body, { "", "", request.complianceArray, "" }) },
+      judged);
   }
-  choose->SetResponseName(request.name);
-  choose->SetTolerance(request.tolerance);
-  choose->SetDeflection(request.deflection);
-  if (!run(choose))
+  ChoiceSettings settings;
+  settings.tolerance = request.tolerance;
+  settings.depth = request.deflection;
+  const auto body = vtkSmartPointer<vtkPolyData>::New();
+  AttachedChoice attached;
+  if (form.error.empty())
   {
-    return {};
+    form.error = attachChoice(judged, request.name, settings, body, attached);
   }
-  LeastForm form;
-  form.body = vtkSmartPointer<vtkPolyData>::New(); // and not the filter's
-  form.body->ShallowCopy(choose->GetOutput());
-  form.reason = choose->GetReason();
+  form.body = form.error.empty() ? body : nullptr;
+  form.reason = attached.reason;
   return form;
 }
 } // namespace palpate

@@ -8,10 +8,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <string>
-
-class vtkAlgorithm;
 
 namespace palpate
 {
@@ -36,12 +33,11 @@ struct LeastForm
 {
   vtkSmartPointer<vtkPolyData> body; ///< null after an error
   std::string reason;
+  std::string error;
 };
 
-/// By vtkContactRegime and vtkResponseChoice. `run` updates each of them, hears its errors and says
-/// whether to go on. On any thread.
-PALPATEINTERACTION_EXPORT LeastForm findLeastForm(
-  const LeastFormRequest& request, const std::function<bool(vtkAlgorithm*)>& run);
+/// By attachRegime and attachChoice (BodyLaws.h). On any thread.
+PALPATEINTERACTION_EXPORT LeastForm findLeastForm(const LeastFormRequest& request);
 } // namespace palpate
 
 #endif

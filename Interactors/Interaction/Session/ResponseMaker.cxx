@@ -2,15 +2,12 @@
 #include "Interaction/Session/ResponseMaker.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/BodyLaws.h"
 #include "Haptics/Devices/DeviceFit.h"
 #include "Interaction/Session/LeastForm.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
-#include "vtkExecutive.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkToolContactResponse.h"
 
 #include <cmath>
 
@@ -18,47 +15,6 @@ namespace palpate
 {
 namespace
 {
-/// What filter and tool complain about, so that nothing is printed by another thread.
-struct Heard
-{
-  MadeResponses& made;
-  const std::function<bool()>& stale;
-
-  void listen(vtkObject* object)
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(this);
-    command->SetCallback(&Heard::hear);
-    for (const unsigned long event :
-      { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
-    {
-      object->AddObserver(event, command);
-    }
-  }
-
-  static void hear(vtkObject* caller, unsigned long event, void* data, void* text)
-  {
-    auto* heard = static_cast<Heard*>(data);
-    if (event == vtkCommand::ProgressEvent)
-    {
-      if (heard->stale())
-      {
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-      return;
-    }
-    std::string& kept = event == vtkCommand::ErrorEvent ? heard->made.error : heard->made.warning;
-    if (kept.empty() && !caller->IsA("vtkExecutive"))
-    {
-      // "ERROR: In file, line n\nclass (address): message\n\n"
-      kept = static_cast<const char*>(text);
-      const std::size_t start = kept.find("): ");
-      kept.erase(0, start == std::string::npos ? 0 : start + 3);
-      kept.erase(kept.find_last_not_of(" \n.") + 1);
-    }
-  }
-};
-
 /// A compliance is inversely proportional to the modulus, a mode to the root of it.
 void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
 {
@@ -90,66 +46,51 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
   }
 }
 
-void attachResponse(
-  const ResponseRequest& request, std::size_t tool, MadeResponses& made, Heard& heard)
+void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses& made,
+  const std::function<bool()>& stale)
 {
-  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkNew<vtkToolContactResponse> attach;
-  heard.listen(attach);
-  heard.listen(attach->GetExecutive());
-  heard.listen(request.tools[tool]);
-  attach->SetTool(request.tools[tool]);
-  attach->SetInputData(made.body);
-  attach->SetYoungsModulus(request.youngsModulus);
-  attach->SetPoissonRatio(request.poissonRatio);
-  attach->SetMaximumDeflection(request.maximumDeflection);
-  attach->SetLayerThickness(request.layerThickness);
-  attach->SetResponseName(request.names[tool]);
-  if (!request.thicknessArray.empty())
+  made.error = request.tools[tool]->FindFault(); // and not from GetKernel: it prints
+  if (!made.error.empty())
   {
-    attach->SetInputArrayToProcess(1, 0, 0, points, request.thicknessArray.c_str());
+    return;
   }
-  if (!request.complianceArray.empty())
-  {
-    attach->SetInputArrayToProcess(2, 0, 0, points, request.complianceArray.c_str());
-  }
-  attach->Update();
-  request.tools[tool]->RemoveAllObservers();
-  made.body = vtkSmartPointer<vtkPolyData>::New(); // and not the filter's
-  made.body->ShallowCopy(attach->GetOutput());
+  const LawRequest law{ request.tools[tool], request.names[tool], request.maximumDeflection,
+    { request.youngsModulus, request.poissonRatio, request.layerThickness, LayerBase::Bonded,
+      false },
+    materialArrays(made.body, { "", request.thicknessArray, request.complianceArray, "" }) };
+  const auto body = vtkSmartPointer<vtkPolyData>::New();
+  std::string warning;
+  made.error = attachResponse(
+    Ranks(), made.body, law, [&stale](double) { return !stale(); }, body, warning);
+  made.warning = made.warning.empty() ? warning : made.warning;
+  made.body = body;
 }
 
 /// The body with the form of a tool's response that is felt; null after an error.
 vtkSmartPointer<vtkPolyData> feltForm(
-  const ResponseRequest& request, std::size_t tool, MadeResponses& made, Heard& heard)
+  const ResponseRequest& request, std::size_t tool, MadeResponses& made)
 {
   if (request.tolerance == 0.0)
   {
     return made.body;
   }
-  const LeastFormRequest wanted{ made.body, request.names[tool], request.tolerance,
-    request.choiceDeflection, request.complianceArray, request.tools[tool], request.youngsModulus,
-    request.poissonRatio };
-  const LeastForm form = findLeastForm(wanted,
-    [&](vtkAlgorithm* filter)
-    {
-      heard.listen(filter);
-      heard.listen(filter->GetExecutive());
-      filter->Update();
-      return made.error.empty() && !heard.stale();
-    });
+  const LeastForm form =
+    findLeastForm({ made.body, request.names[tool], request.tolerance, request.choiceDeflection,
+      request.complianceArray, request.tools[tool], request.youngsModulus, request.poissonRatio });
+  made.error = form.error;
   made.choices.push_back(form.reason);
   return form.body;
 }
 
 /// As the session would make them. One after the other: each is threaded.
-void makeKernels(const ResponseRequest& request, MadeResponses& made, Heard& heard)
+void makeKernels(
+  const ResponseRequest& request, MadeResponses& made, const std::function<bool()>& stale)
 {
   std::shared_ptr<const ContactBody> surface = request.surface;
   for (std::size_t i = 0; i < request.names.size(); ++i)
   {
-    const vtkSmartPointer<vtkPolyData> felt = feltForm(request, i, made, heard);
-    if (!felt || heard.stale() || !made.error.empty())
+    const vtkSmartPointer<vtkPolyData> felt = stale() ? nullptr : feltForm(request, i, made);
+    if (!felt || stale() || !made.error.empty())
     {
       return;
     }
@@ -172,7 +113,6 @@ void makeKernels(const ResponseRequest& request, MadeResponses& made, Heard& hea
 MadeResponses makeResponses(const ResponseRequest& request, const std::function<bool()>& stale)
 {
   MadeResponses made;
-  Heard heard{ made, stale };
   made.from = request.body;
   made.tools = request.tools;
   made.poissonRatio = request.poissonRatio;
@@ -181,7 +121,7 @@ MadeResponses makeResponses(const ResponseRequest& request, const std::function<
   scaleGlobal(made.body, request);
   for (std::size_t i = 0; !request.stored && i < request.tools.size(); ++i)
   {
-    attachResponse(request, i, made, heard);
+    addResponse(request, i, made, stale);
     if (stale() || !made.error.empty())
     {
       break;
@@ -189,7 +129,7 @@ MadeResponses makeResponses(const ResponseRequest& request, const std::function<
   }
   if (made.error.empty())
   {
-    makeKernels(request, made, heard);
+    makeKernels(request, made, stale);
   }
   if (!made.error.empty())
   {

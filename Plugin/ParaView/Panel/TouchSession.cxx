@@ -20,7 +20,7 @@ constexpr double Lift = 3.0;   // mm above the surface, where a simulated hand i
 constexpr double Hover = 10.0; // mm above the surface, where a device's hand begins
 constexpr double Leap = 0.1;   // of the body's size: so far off a simulated hand is lifted
 
-/// The session's errors as text, without class and address.
+/// The session's errors as text, without class and address: VTK hands over nothing but all of it.
 void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
 {
   std::string error = static_cast<const char*>(text);

@@ -32,7 +32,7 @@ class Listener:
 
 
 def words(text):
-    """The message of "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n"."""
+    """The message of "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n": VTK hands over nothing but all."""
     return text.partition("): ")[2].strip() or text.strip()
 
 

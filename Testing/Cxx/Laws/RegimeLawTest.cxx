@@ -3,10 +3,14 @@
 #include "Laws/RegimeLaw.h"
 
 #include "Paraboloid.h"
+#include "Contact/ResponseField.h"
+#include "Laws/BodyMaterial.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 using namespace palpate;
 using palpate::testing::Paraboloid;
@@ -75,4 +79,73 @@ TEST(RegimeLaw, OnALayerTheShapeMattersMore)
   const SpotRegime found = law.regime(spot, 1.0, law.force(spot, 1.0));
   EXPECT_LT(found.index, 0.0); // stiffened by the base
   EXPECT_GT(found.sensitivity, 0.5);
+}
+
+TEST(RegimeLaw, AWholeBodyHalfOfWhichGivesWay)
+{
+  constexpr std::size_t count = 20000; // several threads
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  BodyMaterial::Values values;
+  values.compliance.name = "C";
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    values.compliance.values.push_back(i % 2 == 0 ? 0.0 : 400.0);
+  }
+  BodyMaterial material({ 0.06, 0.0, 0.0, LayerBase::Bonded, false });
+  ASSERT_EQ(material.take(std::move(values), count), "");
+  std::vector<float> index(count);
+  std::vector<float> sensitivity(count);
+  std::vector<std::uint8_t> verdict(count);
+  ASSERT_EQ(regime(*tool, material, std::vector<double>(count, 1.0), 1.0, nullptr,
+              { index.data(), sensitivity.data(), verdict.data() }),
+    "");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto wanted =
+      i % 2 == 0 ? RegimeVerdict::ShapeMatters : RegimeVerdict::PointForceSuffices;
+    ASSERT_EQ(verdict[i], static_cast<std::uint8_t>(wanted)) << i;
+    ASSERT_EQ(index[i] > 0.5F, i % 2 != 0) << i;
+    ASSERT_EQ(sensitivity[i] > 0.4F, i % 2 == 0) << i;
+  }
+}
+
+TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
+{
+  constexpr int samples = 8;
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  BodyMaterial material({ 0.06, 0.0, 0.0, LayerBase::Bonded, false });
+  ASSERT_EQ(material.take({}, 2), "");
+  std::vector<float> force;
+  std::vector<float> stiffness;
+  for (const double modulus : { 0.06, 0.0615 }) // 2.5 % off
+  {
+    for (int i = 1; i <= samples; ++i)
+    {
+      const double depth = Deepest * i * i / (samples * samples);
+      force.push_back(static_cast<float>(paraboloid.force(depth, modulus)));
+      stiffness.push_back(static_cast<float>(1.5 * paraboloid.force(depth, modulus) / depth));
+    }
+  }
+  const std::array<float, 6> normal = { 0, 0, 1, 0, 0, 1 };
+  const std::array<float, 2> range = { Deepest, Deepest };
+  const std::array<std::uint8_t, 2> status = { 0, 0 };
+  ResponseArrays stored;
+  stored.points = 2;
+  stored.samples = samples;
+  stored.exponent = 1.5;
+  stored.force = force.data();
+  stored.stiffness = stiffness.data();
+  stored.normal = normal.data();
+  stored.range = range.data();
+  stored.status = status.data();
+  std::array<float, 2> index{};
+  std::array<float, 2> sensitivity{};
+  std::array<std::uint8_t, 2> verdict{};
+  const RegimeSpans spans{ index.data(), sensitivity.data(), verdict.data() };
+  EXPECT_NE(
+    regime(*tool, material, { 1.0, 1.0 }, 1.0, &stored, spans).find("point 1"), std::string::npos);
+  // Shallower than a hundredth of the range nothing is compared.
+  EXPECT_EQ(regime(*tool, material, { 1.0, 0.01 }, 1.0, &stored, spans), "");
 }

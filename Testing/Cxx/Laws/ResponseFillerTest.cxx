@@ -3,10 +3,12 @@
 #include "Laws/ResponseFiller.h"
 
 #include "Paraboloid.h"
+#include "Laws/BodyMaterial.h"
 #include "Laws/ResponseLaw.h"
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 using namespace palpate;
@@ -20,12 +22,13 @@ constexpr float Untouched = -7.0F;
 
 struct Arrays
 {
-  std::vector<float> force = std::vector<float>(Points * Samples, Untouched);
+  std::size_t points = Points;
+  std::vector<float> force = std::vector<float>(points * Samples, Untouched);
   std::vector<float> stiffness = force;
-  std::vector<float> range = std::vector<float>(Points, Untouched);
+  std::vector<float> range = std::vector<float>(points, Untouched);
   std::vector<float> validity = range;
-  std::vector<unsigned char> status = std::vector<unsigned char>(Points, 0);
-  std::vector<unsigned char> limit = std::vector<unsigned char>(Points, 99);
+  std::vector<unsigned char> status = std::vector<unsigned char>(points, 0);
+  std::vector<unsigned char> limit = std::vector<unsigned char>(points, 99);
 
   ResponseSpans spans()
   {
@@ -80,4 +83,48 @@ TEST_F(Filling, WhereNoTriangleHasAnAreaItIsDegenerate)
   this->fill(2, -1.0);
   EXPECT_EQ(this->Into.status[2], static_cast<unsigned char>(ResponseStatus::Degenerate));
   EXPECT_EQ(this->Into.force[2 * Samples], 0.0F);
+}
+
+TEST_F(Filling, AWholeBodyOfManyModuli)
+{
+  constexpr std::size_t count = 40000; // several threads and blocks
+  BodyMaterial::Values values;
+  values.youngsModulus.name = "E";
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    values.youngsModulus.values.push_back(0.1 + 1e-6 * static_cast<double>(i));
+  }
+  BodyMaterial material({ 0.1, 0.0, 0.0, LayerBase::Bonded, false });
+  ASSERT_EQ(material.take(std::move(values), count), "");
+  Arrays into{ count };
+  into.status[7] = static_cast<unsigned char>(ResponseStatus::NotFinite);
+  double last = 0.0;
+  const MadeResponse made = response(
+    *this->Tool, material, 2.0, 100.0, count, [](std::size_t i) { return i == 9 ? -1.0 : 0.0; },
+    into.spans(),
+    [&last](double share)
+    {
+      EXPECT_GT(share, last);
+      last = share;
+      return true;
+    });
+  EXPECT_TRUE(made.complete);
+  EXPECT_EQ(last, 1.0);
+  EXPECT_EQ(made.without, 2U);
+  EXPECT_EQ(made.exponent, 1.5); // of a paraboloid: its curve is stored without an error
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double wanted = i == 7 || i == 9 ? 0.0 : Shape.force(2.0, 0.1 + 1e-6 * i);
+    ASSERT_NEAR(into.force[(i + 1) * Samples - 1], wanted, 1e-6 * wanted) << i;
+  }
+}
+
+TEST_F(Filling, IsGivenUpWhenToldTo)
+{
+  BodyMaterial material({ 0.1, 0.0, 0.0, LayerBase::Bonded, false });
+  ASSERT_EQ(material.take({}, Points), "");
+  const MadeResponse made = response(
+    *this->Tool, material, 2.0, 100.0, Points, [](std::size_t) { return 0.0; }, this->Into.spans(),
+    [](double) { return false; });
+  EXPECT_FALSE(made.complete);
 }

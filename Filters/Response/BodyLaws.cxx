@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/BodyLaws.h"
+
+#include "Contact/Reduction/ChoiceReason.h"
+#include "Laws/RegimeLaw.h"
+#include "Laws/ResponseFiller.h"
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/BodyConversion.h"
+#include "Response/Curves/CurvatureBound.h"
+#include "Response/Curves/PointNormals.h"
+#include "Response/Curves/ResponseStorage.h"
+#include "Response/FilterThreads.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Response/ReplacedCurves.h"
+#include "Response/ResponseTool.h"
+#include "vtkContactTool.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+/// The middle one of the three lengths of the whole body's box, mm: no circle much wider fits it.
+double widthOf(vtkPolyData* body, const Ranks& ranks)
+{
+  std::array<double, 6> bounds{};
+  body->GetBounds(bounds.data());
+  const bool hasBounds = vtkMath::AreBoundsInitialized(bounds.data()) != 0;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::array<double, 3> length{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    length[axis] = ranks.largest(hasBounds ? bounds[2 * axis + 1] : -none) -
+      ranks.smallest(hasBounds ? bounds[2 * axis] : none);
+  }
+  std::sort(length.begin(), length.end());
+  return length[1];
+}
+
+std::string checkRequest(const LawRequest& request)
+{
+  constexpr int mostSamples = ResponseSampling::LargestCount;
+  if (!request.tool)
+  {
+    return "A Tool is required: call SetTool";
+  }
+  if (!request.tool->GetKernel())
+  {
+    return "The Tool is invalid";
+  }
+  if (!(std::isfinite(request.deflection) &&
+        request.deflection > static_cast<double>(std::numeric_limits<float>::min())))
+  {
+    return joined(
+      "MaximumDeflection must be positive and finite (mm), but is ", request.deflection);
+  }
+  if (request.samples < 2 || request.samples > mostSamples)
+  {
+    return joined(
+      "NumberOfSamples must lie between 2 and ", mostSamples, ", but is ", request.samples);
+  }
+  return request.responseName.empty() ? "ResponseName must not be empty" : "";
+}
+
+struct RegimeStorage
+{
+  vtkNew<vtkFloatArray> index;
+  vtkNew<vtkFloatArray> sensitivity;
+  vtkNew<vtkUnsignedCharArray> verdict;
+
+  explicit RegimeStorage(vtkIdType points)
+  {
+    const auto allocate = [points](vtkDataArray* array, const char* name)
+    {
+      array->SetName(name);
+      array->SetNumberOfTuples(points);
+    };
+    allocate(this->index, "RegimeIndex");
+    allocate(this->sensitivity, "ToolSensitivity");
+    allocate(this->verdict, "RegimeVerdict");
+  }
+};
+
+/// What is wrong with the deflection, or with the Range of the body, or "".
+std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector<double>& depths)
+{
+  std::ostringstream text;
+  if (!(std::isfinite(request.deflection) && request.deflection >= 0.0))
+  {
+    text << "Deflection must be finite and not negative (mm, 0 for half of Range), but is "
+         << request.deflection;
+    return text.str();
+  }
+  depths.assign(static_cast<std::size_t>(body->GetNumberOfPoints()), request.deflection);
+  if (request.deflection > 0.0 || depths.empty())
+  {
+    return {};
+  }
+  vtkDataArray* range = body->GetPointData()->GetArray(
+    arrayName(request.responseName, ResponseArray::Range).c_str());
+  if (!range || range->GetNumberOfComponents() != 1 ||
+    range->GetNumberOfTuples() != body->GetNumberOfPoints())
+  {
+    text << "Deflection is 0, which means half of the point array '" << request.responseName
+         << "Range', but the input has none with a value per point: attach a response, or set "
+            "Deflection";
+    return text.str();
+  }
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    depths[i] = 0.5 * range->GetTuple1(static_cast<vtkIdType>(i));
+    if (!(depths[i] > 0.0 && std::isfinite(depths[i])))
+    {
+      text << "Array '" << request.responseName << "Range': value of point " << i
+           << " must be positive and finite (mm), but is " << 2.0 * depths[i];
+      return text.str();
+    }
+  }
+  return {};
+}
+
+/// The laws in place of the curves there were.
+void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseChoice& choice)
+{
+  removeCurves(body, name);
+  const int columns = static_cast<int>(choice.basis.size()) / choice.laws;
+  addFloats(body, name, ResponseArray::Basis, columns, choice.basis);
+  addFloats(body, name, ResponseArray::Coefficient, choice.laws, choice.coefficient);
+  if (choice.need == ResponseNeed::PointForce)
+  {
+    vtkNew<vtkDoubleArray> exponent;
+    exponent->SetName(arrayName(name, ResponseArray::Exponent).c_str());
+    exponent->InsertNextValue(choice.exponent);
+    body->GetFieldData()->AddArray(exponent);
+    const ResponseModel model = responseModel(body, name);
+    describeModel(
+      body, name, { model.text + "; as a spring per point", model.parts | SpringPart });
+  }
+}
+
+/// Verdicts of the regime, and validities, where they are on the body; "" or what is wrong with
+/// them.
+std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvidence& evidence)
+{
+  vtkPointData* points = body->GetPointData();
+  if (vtkAbstractArray* found = points->GetAbstractArray("RegimeVerdict"))
+  {
+    auto* verdict = vtkUnsignedCharArray::SafeDownCast(found);
+    if (!verdict || verdict->GetNumberOfComponents() != 1)
+    {
+      return "Array 'RegimeVerdict' must be unsigned char with 1 component, but is " +
+        std::string(found->GetDataTypeAsString()) + " with " +
+        std::to_string(found->GetNumberOfComponents());
+    }
+    evidence.verdict = verdict->GetPointer(0);
+  }
+  std::string error;
+  if (points->HasArray(arrayName(name, ResponseArray::Validity).c_str()))
+  {
+    viewValidity(body, name, evidence.validity, evidence.limit, error);
+  }
+  return error;
+}
+
+/// The depth (mm) that regime and validity are looked at; 0 for half of Range. "" or what is wrong.
+std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double& depth)
+{
+  vtkDataArray* at = body->GetFieldData()->GetArray("RegimeDeflection");
+  if (!at || at->GetNumberOfValues() != 1 || !body->GetPointData()->HasArray("RegimeVerdict"))
+  {
+    return {};
+  }
+  const double found = at->GetTuple1(0);
+  if (depth == 0.0)
+  {
+    // The largest, where the regime followed Range; as it is done here without it.
+    const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
+    depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
+    return {};
+  }
+  std::ostringstream text;
+  text << "RegimeVerdict is that of " << found << " mm (RegimeDeflection), but Deflection is "
+       << depth << " mm";
+  return std::abs(found - depth) <= 1e-6 * depth ? std::string() : text.str();
+}
+
+std::string checkSettings(const ChoiceSettings& settings)
+{
+  std::ostringstream text;
+  if (!(settings.tolerance > 0.0))
+  {
+    text << "Tolerance must be above 0, but is " << settings.tolerance;
+  }
+  else if (!(settings.share > 0.0 && settings.share <= 1.0))
+  {
+    text << "Share must be above 0 and at most 1, but is " << settings.share;
+  }
+  else if (!(settings.depth >= 0.0 && std::isfinite(settings.depth)))
+  {
+    text << "Deflection must be finite and not negative (mm), but is " << settings.depth;
+  }
+  else if (settings.mostLaws < 1 || settings.mostLaws > 16)
+  {
+    text << "MaximumNumberOfLaws must lie between 1 and 16, but is " << settings.mostLaws;
+  }
+  return text.str();
+}
+} // namespace
+
+std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
+  const std::function<bool(double)>& goOn, vtkPolyData* output, std::string& warning)
+{
+  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  if (!ranks.any(hasPiece))
+  {
+    return {};
+  }
+  std::string fault = ranks.firstFault(hasPiece ? checkTriangles(body) : std::string());
+  if (!fault.empty())
+  {
+    return "Wrong input: " + fault;
+  }
+  fault = checkRequest(request);
+  BodyMaterial material(request.material);
+  if (fault.empty())
+  {
+    fault =
+      ranks.firstFault(hasPiece ? readMaterial(body, request.arrays, material) : std::string());
+  }
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  agreeOnRange(ranks, hasPiece, material);
+  const AxisymmetricTool& tool = *request.tool->GetKernel();
+  fault = tool.checkDepth(request.deflection);
+  if (!fault.empty())
+  {
+    return "MaximumDeflection: " + fault;
+  }
+  const std::string& name = request.responseName;
+  const vtkIdType count = body->GetNumberOfPoints();
+  ResponseStorage storage(name, count, request.samples);
+  const BodySeam seam(ranks, body);
+  fault = fillPointNormals(body, seam, storage.Normal, storage.Status);
+  if (!fault.empty())
+  {
+    return "Wrong input: " + fault;
+  }
+  const CurvatureBound curvature(body, seam, storage.Normal->GetPointer(0));
+  const double width = widthOf(body, ranks);
+  if (!hasPiece)
+  {
+    return {};
+  }
+  const FilterThreads threads;
+  const MadeResponse made = response(
+    tool, material, request.deflection, width, static_cast<std::size_t>(count),
+    [&curvature](std::size_t i)
+    { return static_cast<double>(curvature.at(static_cast<vtkIdType>(i))); },
+    storage.spans(), goOn);
+  if (!made.complete)
+  {
+    output->Initialize();
+    return {};
+  }
+  if (made.without > 0)
+  {
+    warning =
+      joined(made.without, " of ", count, " points have no response: see array '", name, "Status'");
+  }
+  copyWithOwnFields(body, output);
+  storage.attach(output);
+  describeResponse(
+    output, name, { made.exponent, request.samples, tool.specification(), material.describe(),
+      material.modelParts() });
+  attachLayers(material, name, output);
+  return {};
+}
+
+std::string attachRegime(
+  const Ranks& ranks, vtkPolyData* body, const LawRequest& request, vtkPolyData* output)
+{
+  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  if (!ranks.any(hasPiece))
+  {
+    return {};
+  }
+  // Once all agree that nothing is wrong, a rank without a piece has nothing to do but to agree.
+  const std::string& name = request.responseName;
+  std::string fault;
+  vtkSmartPointer<vtkContactTool> tool;
+  std::vector<double> depths;
+  BodyMaterial material(request.material);
+  if (hasPiece)
+  {
+    tool = findTool(request.tool, body, name, fault);
+    fault = fault.empty() && !tool->GetKernel() ? "The Tool is invalid" : fault;
+    fault = fault.empty() ? findDepths(body, request, depths) : fault;
+    fault = fault.empty() ? readMaterial(body, request.arrays, material) : fault;
+  }
+  double deepest = depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
+  deepest = ranks.largest(deepest);
+  if (hasPiece && fault.empty())
+  {
+    fault = tool->GetKernel()->checkDepth(deepest);
+  }
+  fault = ranks.firstFault(fault);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  agreeOnRange(ranks, hasPiece, material);
+  RegimeStorage storage(body->GetNumberOfPoints());
+  if (hasPiece)
+  {
+    ResponseArrays stored;
+    std::string noResponse;
+    const bool isStored = responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
+      viewResponse(body, name, stored, noResponse);
+    const FilterThreads threads;
+    fault = regime(*tool->GetKernel(), material, depths, deepest, isStored ? &stored : nullptr,
+      { storage.index->GetPointer(0), storage.sensitivity->GetPointer(0),
+        storage.verdict->GetPointer(0) });
+    if (!fault.empty() && fault.rfind("point", 0) == 0)
+    {
+      fault = "Response '" + name + "' is of another material: " + fault;
+    }
+  }
+  fault = ranks.firstFault(fault);
+  if (!fault.empty() || !hasPiece)
+  {
+    return fault;
+  }
+  copyWithOwnFields(body, output);
+  output->GetPointData()->AddArray(storage.index);
+  output->GetPointData()->AddArray(storage.sensitivity);
+  output->GetPointData()->AddArray(storage.verdict);
+  vtkNew<vtkDoubleArray> at;
+  at->SetName("RegimeDeflection");
+  at->InsertNextValue(deepest);
+  output->GetFieldData()->AddArray(at);
+  return {};
+}
+
+std::string attachChoice(vtkPolyData* body, const std::string& responseName,
+  const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached)
+{
+  std::string fault = checkSettings(settings);
+  ResponseArrays arrays;
+  std::string missing;
+  if (fault.empty() && !viewResponse(body, responseName, arrays, missing))
+  {
+    fault = "No response '" + responseName + "' on the body: " + missing;
+  }
+  ChoiceEvidence evidence;
+  fault = fault.empty() ? readEvidence(body, responseName, evidence) : fault;
+  ChoiceSettings used = settings;
+  fault = fault.empty() ? chooseDepth(body, arrays, used.depth) : fault;
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const FilterThreads threads;
+  attached.choice = chooseResponse(arrays, evidence, used);
+  attached.numbersPerPointBefore = arrays.basis ? arrays.laws : 2 * arrays.samples;
+  attached.reason = choiceReason(attached.choice, used, attached.numbersPerPointBefore);
+  copyWithOwnFields(body, output);
+  if (attached.choice.need != ResponseNeed::PerVertex)
+  {
+    replaceCurves(output, responseName, attached.choice);
+  }
+  addText(output, responseName + "Choice", attached.reason);
+  return {};
+}
+} // namespace palpate

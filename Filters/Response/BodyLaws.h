@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * The laws of the room beside, called on a body: each fetches the arrays, checks them, calls, and
+ * attaches what comes back. The filters are these calls in a pipeline; whoever is no pipeline makes
+ * them directly. What is wrong comes back in words, or "".
+ */
+#ifndef BodyLaws_h
+#define BodyLaws_h
+
+#include "palpateResponseModule.h" // For export macro
+
+#include "Contact/Reduction/ResponseChoice.h" // For palpate::ResponseChoice
+#include "Laws/BodyMaterial.h"                // For palpate::BodyMaterial
+#include "Response/Curves/MaterialArrays.h"   // For palpate::MaterialArrays
+#include "Response/Pieces/Ranks.h"            // For palpate::Ranks
+
+#include <functional> // For std::function
+#include <string>     // For std::string
+
+class vtkContactTool;
+class vtkPolyData;
+
+namespace palpate
+{
+/// A tool pressed into a material.
+struct LawRequest
+{
+  vtkContactTool* tool = nullptr;
+  std::string responseName = "Response";
+  /// mm. Of a response: of the last sample; of a regime: that it is of, 0 for half of each point's
+  /// range.
+  double deflection = 0.0;
+  BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
+  MaterialArrays arrays;
+  int samples = 8; ///< of a response
+};
+
+/// The body with its response, see vtkToolContactResponse; nothing if `goOn(share)` ends it. Also a
+/// warning, or "". Collective; `body` is the own piece.
+PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* body,
+  const LawRequest& request, const std::function<bool(double)>& goOn, vtkPolyData* output,
+  std::string& warning);
+
+/// The body with its regime, see vtkContactRegime; without a tool that of the response. Collective;
+/// `body` is the own piece.
+PALPATERESPONSE_EXPORT std::string attachRegime(
+  const Ranks& ranks, vtkPolyData* body, const LawRequest& request, vtkPolyData* output);
+
+/// A choice, in numbers and words.
+struct AttachedChoice
+{
+  ResponseChoice choice;
+  std::string reason;
+  int numbersPerPointBefore = 0;
+};
+
+/// The body with the least form of its response, see vtkResponseChoice.
+PALPATERESPONSE_EXPORT std::string attachChoice(vtkPolyData* body, const std::string& responseName,
+  const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached);
+} // namespace palpate
+
+#endif
