@@ -39,7 +39,6 @@ int modelPartsOfText(const std::string& model)
 {
   const auto says = [&model](const char* word) { return model.find(word) != std::string::npos; };
   return (says("half-space") ? HalfSpacePart : 0) | (says("layer") ? LayerPart : 0) |
-    (says("compliance") ? GlobalCompliancePart : 0) |
-    (says("spring per point") ? SpringPart : 0);
+    (says("compliance") ? GlobalCompliancePart : 0) | (says("spring per point") ? SpringPart : 0);
 }
 } // namespace palpate

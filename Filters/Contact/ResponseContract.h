@@ -59,6 +59,7 @@ enum ModelPart : int
 /// The parts of a response that was saved without them, from its text; 0: nothing known.
 PALPATE_EXPORT int modelPartsOfText(const std::string& model);
 
+/// The arrays of a response, in the order of the table.
 enum class ResponseArray : std::uint8_t
 {
   Force,
@@ -81,11 +82,13 @@ enum class ResponseArray : std::uint8_t
 /// One array of a response: with the response's name before `suffix` it is the array's name.
 struct ContractArray
 {
+  /// Point data, or field data.
   enum class Place : std::uint8_t
   {
     Points,
     Fields
   };
+  /// Of its values.
   enum class Type : std::uint8_t
   {
     Float,

@@ -30,6 +30,7 @@ struct FieldContact
 /// The triangle of a contact, and what is known at its corners.
 struct FieldTriangle
 {
+  /// A global mode of the body at the corners.
   struct Mode
   {
     double sign = 0.0; ///< s_k

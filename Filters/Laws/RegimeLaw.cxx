@@ -2,7 +2,6 @@
 #include "Laws/RegimeLaw.h"
 
 #include "Contact/ParallelRanges.h"
-#include "Contact/ResponseField.h"
 #include "Laws/BodyMaterial.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
@@ -18,14 +17,14 @@ constexpr int Samples = 8; // of laws that are never stored
 constexpr double ResponseAgreement = 0.02;
 
 /// Where the stored response is not of the material that gives `forces` at `depths`, or "".
-std::string compare(const ResponseArrays& arrays, const std::vector<double>& depths,
+std::string compare(const StoredResponse& given, const std::vector<double>& depths,
   const std::vector<double>& forces)
 {
-  const ResponseField stored(arrays);
+  const ResponseField stored(given.arrays);
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     const auto point = static_cast<std::int32_t>(i);
-    const double range = arrays.range[i];
+    const double range = given.arrays.range[i];
     if (!stored.isValid(point) || depths[i] < 0.01 * range || depths[i] > range)
     {
       continue;
@@ -33,8 +32,9 @@ std::string compare(const ResponseArrays& arrays, const std::vector<double>& dep
     const double force = stored.evaluate(point, depths[i]).force;
     if (std::abs(force - forces[i]) > ResponseAgreement * forces[i])
     {
-      return "point " + std::to_string(i) + " at " + std::to_string(depths[i]) + " mm gives " +
-        std::to_string(force) + " N, the material given here " + std::to_string(forces[i]) + " N";
+      return "Response '" + given.name + "' is of another material: point " + std::to_string(i) +
+        " at " + std::to_string(depths[i]) + " mm gives " + std::to_string(force) +
+        " N, the material given here " + std::to_string(forces[i]) + " N";
     }
   }
   return {};
@@ -85,7 +85,7 @@ SpotRegime RegimeLaw::regime(const ContactSpot& spot, double depth, double force
 }
 
 std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
-  const std::vector<double>& depths, double deepest, const ResponseArrays* stored,
+  const std::vector<double>& depths, double deepest, const StoredResponse* stored,
   const RegimeSpans& spans)
 {
   const RegimeLaw law(tool, material.range(), deepest);

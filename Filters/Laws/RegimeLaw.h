@@ -4,6 +4,7 @@
 
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/ContactRegime.h"
+#include "Contact/ResponseField.h"
 #include "Laws/ContactSpot.h"
 #include "Laws/MaterialRange.h"
 #include "Mechanics/PalpateExport.h"
@@ -17,7 +18,6 @@
 namespace palpate
 {
 class BodyMaterial;
-struct ResponseArrays;
 
 /// How local a contact is, and whether the tool's shape matters (ContactRegime.h). NaN where there
 /// is no stable contact; the verdict is ShapeMatters there.
@@ -63,6 +63,13 @@ struct RegimeSpans
   std::uint8_t* verdict;
 };
 
+/// A response that a body has, and its name.
+struct StoredResponse
+{
+  ResponseArrays arrays;
+  std::string name;
+};
+
 /**
  * The regime of a tool pressed `depths[i]` (mm, > 0) deep at each point of a body. `stored`, unless
  * null, is the response of the same tool on it: its force there must agree to 2 % (its storage
@@ -71,7 +78,7 @@ struct RegimeSpans
  * point, or "". The same bits for any number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
-  const std::vector<double>& depths, double deepest, const ResponseArrays* stored,
+  const std::vector<double>& depths, double deepest, const StoredResponse* stored,
   const RegimeSpans& spans);
 } // namespace palpate
 

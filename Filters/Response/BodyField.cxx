@@ -114,7 +114,8 @@ std::vector<vtkDataArray*> globalModeArrays(vtkPolyData* body, const std::string
 {
   std::vector<vtkDataArray*> modes;
   vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
-  const bool bends = signs && signs->GetNumberOfComponents() == 1 && responseModel(body, name).isInSeries();
+  const bool bends =
+    signs && signs->GetNumberOfComponents() == 1 && responseModel(body, name).isInSeries();
   const vtkIdType count = bends ? signs->GetNumberOfTuples() : 0;
   for (vtkIdType k = 0; k < count; ++k)
   {

@@ -112,8 +112,8 @@ std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector
   {
     return {};
   }
-  vtkDataArray* range = body->GetPointData()->GetArray(
-    arrayName(request.responseName, ResponseArray::Range).c_str());
+  vtkDataArray* range =
+    body->GetPointData()->GetArray(arrayName(request.responseName, ResponseArray::Range).c_str());
   if (!range || range->GetNumberOfComponents() != 1 ||
     range->GetNumberOfTuples() != body->GetNumberOfPoints())
   {
@@ -149,8 +149,7 @@ void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseCho
     exponent->InsertNextValue(choice.exponent);
     body->GetFieldData()->AddArray(exponent);
     const ResponseModel model = responseModel(body, name);
-    describeModel(
-      body, name, { model.text + "; as a spring per point", model.parts | SpringPart });
+    describeModel(body, name, { model.text + "; as a spring per point", model.parts | SpringPart });
   }
 }
 
@@ -287,8 +286,8 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   copyWithOwnFields(body, output);
   storage.attach(output);
-  describeResponse(
-    output, name, { made.exponent, request.samples, tool.specification(), material.describe(),
+  describeResponse(output, name,
+    { made.exponent, request.samples, tool.specification(), material.describe(),
       material.modelParts() });
   attachLayers(material, name, output);
   return {};
@@ -330,18 +329,15 @@ std::string attachRegime(
   RegimeStorage storage(body->GetNumberOfPoints());
   if (hasPiece)
   {
-    ResponseArrays stored;
+    StoredResponse stored{ {}, name };
     std::string noResponse;
-    const bool isStored = responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
-      viewResponse(body, name, stored, noResponse);
+    const bool isStored =
+      responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
+      viewResponse(body, name, stored.arrays, noResponse);
     const FilterThreads threads;
     fault = regime(*tool->GetKernel(), material, depths, deepest, isStored ? &stored : nullptr,
       { storage.index->GetPointer(0), storage.sensitivity->GetPointer(0),
         storage.verdict->GetPointer(0) });
-    if (!fault.empty() && fault.rfind("point", 0) == 0)
-    {
-      fault = "Response '" + name + "' is of another material: " + fault;
-    }
   }
   fault = ranks.firstFault(fault);
   if (!fault.empty() || !hasPiece)

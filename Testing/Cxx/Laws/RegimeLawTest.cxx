@@ -131,7 +131,8 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   const std::array<float, 6> normal = { 0, 0, 1, 0, 0, 1 };
   const std::array<float, 2> range = { Deepest, Deepest };
   const std::array<std::uint8_t, 2> status = { 0, 0 };
-  ResponseArrays stored;
+  StoredResponse given{ {}, "Soft" };
+  ResponseArrays& stored = given.arrays;
   stored.points = 2;
   stored.samples = samples;
   stored.exponent = 1.5;
@@ -144,8 +145,9 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   std::array<float, 2> sensitivity{};
   std::array<std::uint8_t, 2> verdict{};
   const RegimeSpans spans{ index.data(), sensitivity.data(), verdict.data() };
-  EXPECT_NE(
-    regime(*tool, material, { 1.0, 1.0 }, 1.0, &stored, spans).find("point 1"), std::string::npos);
+  EXPECT_EQ(regime(*tool, material, { 1.0, 1.0 }, 1.0, &given, spans)
+              .find("Response 'Soft' is of another material: point 1 at 1"),
+    0U);
   // Shallower than a hundredth of the range nothing is compared.
-  EXPECT_EQ(regime(*tool, material, { 1.0, 0.01 }, 1.0, &stored, spans), "");
+  EXPECT_EQ(regime(*tool, material, { 1.0, 0.01 }, 1.0, &given, spans), "");
 }
