@@ -30,7 +30,7 @@ def run_commands():
 
 
 def study_names():
-    match = re.search(r"^readonly studies=\((.*?)\)", (TOP / "run").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    match = re.search(r"^readonly studies=\((.*?)\)", (TOP / "Plugin/Run/measure.sh").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
     return set(match.group(1).split())
 
 

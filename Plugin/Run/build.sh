@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Sourced by ./run: configures and builds, and shows how far that is.
+
+is_ci()
+{
+  case ${CI:-} in
+    '' | 0 | false | FALSE | no) return 1 ;;
+  esac
+}
+
+# Compiled through ccache, where it is installed: release and plain-vtk share the kernels, and a second
+# clone, whose paths do not count, waits for what is new in it only.
+export CCACHE_BASEDIR=$source_dir CCACHE_NOHASHDIR=1
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+
+# Whether the packages of a group are there, or cannot be asked about.
+has_group()
+{
+  is_debian_like || return 0
+  local entry
+  while read -r entry; do
+    [ -n "${optional_packages[$entry]:-}" ] || return 1
+  done < <(unmet "$1")
+}
+
+on_if() { if "$@"; then echo ON; else echo OFF; fi; }
+
+# What is built follows what is installed. None of it changes how anything is compiled, so that nothing is
+# compiled anew when more is installed.
+cmake_options()
+{
+  echo "-DPALPATE_BUILD_PLUGIN=$(on_if has_group plugin)"
+  echo "-DBUILD_TESTING=$(on_if has_group gtest)"
+  if have ccache; then
+    printf -- '-DCMAKE_%s_COMPILER_LAUNCHER=ccache\n' C CXX
+  fi
+}
+
+# configure PRESET: only the first time, and when presets, options or installed packages have changed.
+# Changes of CMakeLists.txt are seen by ninja.
+configure()
+{
+  local preset=$1 options stamp=$build_dir/$1/configured-by-run log=$build_dir/$1/configure.log
+  mapfile -t options < <(cmake_options)
+  if [ -e "$build_dir/$preset/build.ninja" ] && [ "${options[*]}" = "$(cat "$stamp" 2>/dev/null)" ] &&
+    [ ! "$source_dir/CMakePresets.json" -nt "$stamp" ] && [ ! /var/lib/dpkg/status -nt "$stamp" ]; then
+    return 0
+  fi
+  mkdir -p "$build_dir/$preset" || return 1
+  progress "configuring $preset"
+  (cd "$source_dir" && cmake --preset "$preset" "${options[@]}") >"$log" 2>&1 || {
+    done_with "error: could not configure $preset (log: $log):"
+    grep -A 15 'CMake Error' "$log" | head -n 60 >&2
+    return 1
+  }
+  echo "${options[*]}" >"$stamp"
+}
+
+# Reads ninja's lines "[done/all] what" and shows how far it is and what is left.
+show_build()
+{
+  local line start=$SECONDS finished all left
+  while read -r line; do
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+    finished=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+    ((finished > 0)) || continue
+    left=$(((SECONDS - start) * (all - finished) / finished))
+    progress "building $1: $finished of $all, about $(minutes $left) left"
+  done
+}
+
+# build PRESET TARGETS [COMMAND]: with COMMAND, cmake runs under it. What the compiler says is shown where
+# it fails; in continuous integration a warning is a failure too.
+build()
+{
+  local preset=$1 targets=$2 start=$SECONDS log=$build_dir/$1/build.log status
+  configure "$preset" || return 1
+  (cd "$source_dir" && "${@:3}" cmake --build --preset "$preset" --target $targets) 2>&1 |
+    tee "$log" | show_build "$preset"
+  status=${PIPESTATUS[0]}
+  if [ "$status" -ne 0 ]; then
+    done_with "error: could not build $preset (log: $log):"
+    sed -n '/^FAILED: /,/^\[/p' "$log" | grep -vE '^(\[|ccache |/usr/bin/c)' | head -n 60 >&2
+    [ -n "$(sed -n '/^FAILED: /p' "$log")" ] || tail -n 20 "$log" >&2
+    return 1
+  fi
+  if is_ci && grep -q ' warning: ' "$log"; then
+    done_with "error: the compiler warns in $preset (log: $log):"
+    grep -A 4 ' warning: ' "$log" | head -n 60 >&2
+    return 1
+  fi
+  ((SECONDS - start < 3)) || done_with "built $preset in $(minutes $((SECONDS - start))) (log: $log)"
+}
+
+# What every job starts with. All of this talks on the error stream: the output is the job's alone.
+build_release()
+{
+  prepare_system "$1"
+  build release "${needs[$1]#*:}" || exit 1
+}
