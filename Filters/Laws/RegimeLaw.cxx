@@ -17,8 +17,8 @@ constexpr int Samples = 8; // of laws that are never stored
 constexpr double ResponseAgreement = 0.02;
 
 /// Where the stored response is not of the material that gives `forces` at `depths`, or "".
-std::string compare(
-  const NamedResponse& given, const std::vector<double>& depths, const std::vector<double>& forces)
+std::string compare(const ComparedResponse& given, const std::vector<double>& depths,
+  const std::vector<double>& forces)
 {
   const ResponseField stored(given.arrays);
   for (std::size_t i = 0; i < depths.size(); ++i)
@@ -85,7 +85,7 @@ SpotRegime RegimeLaw::regime(const ContactSpot& spot, double depth, double force
 }
 
 std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
-  const std::vector<double>& depths, double deepest, const NamedResponse* stored,
+  const std::vector<double>& depths, double deepest, const ComparedResponse* stored,
   const RegimeSpans& spans)
 {
   const RegimeLaw law(tool, material.range(), deepest);

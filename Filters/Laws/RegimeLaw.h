@@ -64,7 +64,7 @@ struct RegimeSpans
 };
 
 /// A response that a body has, and its name.
-struct NamedResponse
+struct ComparedResponse
 {
   ResponseArrays arrays;
   std::string name;
@@ -78,7 +78,7 @@ struct NamedResponse
  * point, or "". The same bits for any number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
-  const std::vector<double>& depths, double deepest, const NamedResponse* stored,
+  const std::vector<double>& depths, double deepest, const ComparedResponse* stored,
   const RegimeSpans& spans);
 } // namespace palpate
 

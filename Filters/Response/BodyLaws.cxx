@@ -329,7 +329,7 @@ std::string attachRegime(
   RegimeStorage storage(body->GetNumberOfPoints());
   if (hasPiece)
   {
-    NamedResponse stored{ {}, name };
+    ComparedResponse stored{ {}, name };
     std::string noResponse;
     const bool isStored =
       responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&

@@ -131,7 +131,7 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   const std::array<float, 6> normal = { 0, 0, 1, 0, 0, 1 };
   const std::array<float, 2> range = { Deepest, Deepest };
   const std::array<std::uint8_t, 2> status = { 0, 0 };
-  NamedResponse given{ {}, "Soft" };
+  ComparedResponse given{ {}, "Soft" };
   ResponseArrays& stored = given.arrays;
   stored.points = 2;
   stored.samples = samples;
