@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/FiniteStrain/FiniteBody.h"
+
+#include "Mechanics/FiniteStrain/GradedMesh.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/ReducedModulus.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using Dual = SecondOrder<5>;
+
+constexpr double Growth = 1.6;
+constexpr double FarAway = 1000.0;      // contact radii to where a half-space is held
+constexpr double PenaltyFactor = 300.0; // of E* per contact radius
+constexpr double ElementsPerFillet = 5.0;
+
+constexpr int GaussCount = 3;
+constexpr std::array<double, 3> GaussNode = { -0.774596669241483377, 0.0, 0.774596669241483377 };
+constexpr std::array<double, 3> GaussWeight = { 5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0 };
+
+/// The three quadratic shape functions on [-1, 1] and their slopes.
+std::array<double, 3> shapes(double x)
+{
+  return { 0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0) };
+}
+std::array<double, 3> slopes(double x)
+{
+  return { x - 0.5, -2.0 * x, x + 0.5 };
+}
+
+/// Shape functions of the nine nodes at a Gauss point of an element and what a displacement
+/// gradient needs: H = B u.
+struct ElementPoint
+{
+  Eigen::Matrix<double, 5, 18> b = Eigen::Matrix<double, 5, 18>::Zero();
+  Eigen::Vector3d pressure; ///< the linear functions of the volume change
+  double weight;            ///< mm³
+};
+
+template <class Element>
+ElementPoint pointOf(const Element& element, int i, int k)
+{
+  const double x = GaussNode[static_cast<std::size_t>(i)];
+  const double y = GaussNode[static_cast<std::size_t>(k)];
+  const auto nx = shapes(x);
+  const auto ny = shapes(y);
+  const auto sx = slopes(x);
+  const auto sy = slopes(y);
+  const double r = element.r + 0.5 * element.dr * (1.0 + x);
+  ElementPoint point;
+  point.pressure = { 1.0, x, y };
+  point.weight = GaussWeight[static_cast<std::size_t>(i)] *
+    GaussWeight[static_cast<std::size_t>(k)] * 0.25 * element.dr * element.dz * 2.0 * Pi * r;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    for (std::size_t m = 0; m < 3; ++m)
+    {
+      const auto node = static_cast<Eigen::Index>(2 * (3 * j + m));
+      const double byR = sx[m] * ny[j] * 2.0 / element.dr;
+      const double byZ = nx[m] * sy[j] * 2.0 / element.dz;
+      point.b(0, node) = byR;
+      point.b(1, node) = byZ;
+      point.b(2, node + 1) = byR;
+      point.b(3, node + 1) = byZ;
+      point.b(4, node) = nx[m] * ny[j] / r;
+    }
+  }
+  return point;
+}
+
+StrainEnergy::Gradient<double> gradientOf(const Eigen::Matrix<double, 5, 1>& h)
+{
+  return { h[0], h[1], h[2], h[3], h[4] };
+}
+} // namespace
+
+FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
+  : Tool(tool)
+{
+  const double a = problem.contactRadius;
+  const double edge = problem.edge * a;
+  double thickness = 0.0;
+  std::vector<double> interfaces;
+  this->IsLinear = true;
+  for (const FiniteLayer& layer : problem.layers)
+  {
+    const double e = layer.youngsModulus;
+    const double nu = layer.poissonsRatio;
+    this->Materials.push_back({ StrainEnergy(layer.model, e / (2.0 * (1.0 + nu)), layer.parameter),
+      e / (3.0 * (1.0 - 2.0 * nu)) });
+    this->IsLinear = this->IsLinear && layer.model == StrainModel::Linear;
+    thickness += layer.thickness;
+    interfaces.push_back(thickness);
+  }
+  const FiniteLayer& top = problem.layers.front();
+  this->Penalty = PenaltyFactor * reducedModulus(top.youngsModulus, top.poissonsRatio) / a;
+  const bool isHalfSpace = std::isinf(thickness);
+  interfaces.pop_back();
+  const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;
+  const double bottom = isHalfSpace ? above + FarAway * a : thickness;
+  const double width = isHalfSpace ? above + FarAway * a : 2.0 * a + 10.0 * thickness;
+
+  std::vector<FineRange> across = { { 0.0, 1.1 * a, edge } };
+  std::vector<FineRange> down = { { 0.0, 1.05 * a, edge } };
+  for (const auto& [from, to] : tool.fillets())
+  {
+    const double fine = std::min(edge, (to - from) / ElementsPerFillet);
+    across.push_back({ from - (to - from), to + (to - from), fine });
+    down.push_back({ 0.0, 0.0, fine });
+  }
+  const std::vector<double> rs = gradedDivision(width, across, Growth);
+  const std::vector<double> zs = gradedDivision(bottom, down, Growth, interfaces);
+  const auto columns = static_cast<int>(2 * rs.size() - 1);
+  const auto rows = static_cast<int>(2 * zs.size() - 1);
+  const auto nodeAt = [columns](int column, int row) { return row * columns + column; };
+
+  this->UnknownOf.assign(static_cast<std::size_t>(2 * columns * rows), 0);
+  for (int row = 0; row < rows; ++row) // from the surface down
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      const auto node = static_cast<std::size_t>(2 * nodeAt(column, row));
+      const bool isBottom = row == rows - 1;
+      const bool isOuter = column == columns - 1;
+      const bool isHeldR =
+        column == 0 || isOuter || (isBottom && !(problem.slipBase && !isHalfSpace));
+      const bool isHeldZ = isBottom || (isOuter && isHalfSpace);
+      this->UnknownOf[node] = isHeldR ? -1 : static_cast<int>(this->Unknowns++);
+      this->UnknownOf[node + 1] = isHeldZ ? -1 : static_cast<int>(this->Unknowns++);
+    }
+  }
+  for (std::size_t k = 0; k + 1 < zs.size(); ++k)
+  {
+    const double middle = 0.5 * (zs[k] + zs[k + 1]);
+    const auto layer = static_cast<std::size_t>(
+      std::upper_bound(interfaces.begin(), interfaces.end(), middle) - interfaces.begin());
+    for (std::size_t i = 0; i + 1 < rs.size(); ++i)
+    {
+      Element element{ {}, rs[i], rs[i + 1] - rs[i], zs[k + 1] - zs[k], layer };
+      for (int j = 0; j < 3; ++j)
+      {
+        for (int m = 0; m < 3; ++m)
+        {
+          // The element's y grows with z, upwards.
+          element.nodes[static_cast<std::size_t>(3 * j + m)] =
+            nodeAt(static_cast<int>(2 * i) + m, static_cast<int>(2 * k) + 2 - j);
+        }
+      }
+      this->Elements.push_back(element);
+    }
+  }
+  for (std::size_t i = 0; i + 1 < rs.size(); ++i)
+  {
+    const double length = rs[i + 1] - rs[i];
+    for (std::size_t g = 0; g < GaussCount; ++g)
+    {
+      const double r = rs[i] + 0.5 * length * (1.0 + GaussNode[g]);
+      const auto column = static_cast<int>(2 * i);
+      this->Surface.push_back({ { column, column + 1, column + 2 }, shapes(GaussNode[g]), r,
+        GaussWeight[g] * 0.5 * length * 2.0 * Pi * r });
+    }
+  }
+  this->makePattern();
+}
+
+void FiniteBody::makePattern()
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto each = [this](const Element& element, auto&& visit)
+  {
+    for (int i = 0; i < ElementUnknowns; ++i)
+    {
+      const int row = this->UnknownOf[static_cast<std::size_t>(
+        2 * element.nodes[static_cast<std::size_t>(i / 2)] + i % 2)];
+      for (int k = 0; k <= i; ++k)
+      {
+        const int column = this->UnknownOf[static_cast<std::size_t>(
+          2 * element.nodes[static_cast<std::size_t>(k / 2)] + k % 2)];
+        visit(row, column);
+      }
+    }
+  };
+  for (const Element& element : this->Elements)
+  {
+    each(element,
+      [&entries](int row, int column)
+      {
+        if (row >= 0 && column >= 0)
+        {
+          entries.emplace_back(std::max(row, column), std::min(row, column), 0.0);
+        }
+      });
+  }
+  this->Tangent.resize(this->Unknowns, this->Unknowns);
+  this->Tangent.setFromTriplets(entries.begin(), entries.end());
+  this->Tangent.makeCompressed();
+  const int* outer = this->Tangent.outerIndexPtr();
+  const int* inner = this->Tangent.innerIndexPtr();
+  this->ValueOf.reserve(this->Elements.size() * ElementUnknowns * (ElementUnknowns + 1) / 2);
+  for (const Element& element : this->Elements)
+  {
+    each(element,
+      [&](int row, int column)
+      {
+        int found = -1;
+        if (row >= 0 && column >= 0)
+        {
+          const int low = std::min(row, column);
+          found = static_cast<int>(
+            std::lower_bound(inner + outer[low], inner + outer[low + 1], std::max(row, column)) -
+            inner);
+        }
+        this->ValueOf.push_back(found);
+      });
+  }
+}
+
+FiniteBody::ElementVector FiniteBody::gather(const Element& element, const Vector& u) const
+{
+  ElementVector values;
+  for (int i = 0; i < ElementUnknowns; ++i)
+  {
+    const int unknown = this->UnknownOf[static_cast<std::size_t>(
+      2 * element.nodes[static_cast<std::size_t>(i / 2)] + i % 2)];
+    values[i] = unknown < 0 ? 0.0 : u[unknown];
+  }
+  return values;
+}
+
+double FiniteBody::energyOf(
+  const Element& element, const ElementVector& u, double* leastVolume) const
+{
+  const Material& material = this->Materials[element.layer];
+  double stored = 0.0;
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < GaussCount; ++i)
+  {
+    for (int k = 0; k < GaussCount; ++k)
+    {
+      const ElementPoint point = pointOf(element, i, k);
+      const auto h = gradientOf(point.b * u);
+      const double j = material.energy.volumeChange(h);
+      if (!material.energy.isLinear() && !(j > -1.0))
+      {
+        return HUGE_VAL;
+      }
+      if (leastVolume)
+      {
+        *leastVolume = std::min(*leastVolume, 1.0 + j);
+      }
+      stored += point.weight * material.energy.isochoric(h, j);
+      change += point.weight * j * point.pressure;
+      mass += point.weight * point.pressure * point.pressure.transpose();
+    }
+  }
+  return stored + 0.5 * material.bulkModulus * change.dot(mass.ldlt().solve(change));
+}
+
+void FiniteBody::linearize(const Element& element, const ElementVector& u,
+  const Eigen::Vector3d* lagged, ElementVector& gradient, ElementMatrix& tangent,
+  PressureStep& step) const
+{
+  const Material& material = this->Materials[element.layer];
+  std::array<ElementPoint, 9> points;
+  std::array<Dual, 9> volume;
+  std::array<Dual, 9> isochoric;
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, 3, ElementUnknowns> changeOf =
+    Eigen::Matrix<double, 3, ElementUnknowns>::Zero();
+  for (std::size_t g = 0; g < 9; ++g)
+  {
+    ElementPoint& point = points[g];
+    point = pointOf(element, static_cast<int>(g / 3), static_cast<int>(g % 3));
+    const Eigen::Matrix<double, 5, 1> h = point.b * u;
+    StrainEnergy::Gradient<Dual> strain;
+    for (int i = 0; i < 5; ++i)
+    {
+      strain[static_cast<std::size_t>(i)] = Dual::variable(h[i], i);
+    }
+    volume[g] = material.energy.volumeChange(strain);
+    isochoric[g] = material.energy.isochoric(strain, volume[g]);
+    change += point.weight * volume[g].value * point.pressure;
+    mass += point.weight * point.pressure * point.pressure.transpose();
+    changeOf += point.weight * point.pressure * (volume[g].gradient.transpose() * point.b);
+  }
+  const Eigen::LDLT<Eigen::Matrix3d> solver = mass.ldlt();
+  const Eigen::Vector3d pressure = material.bulkModulus * solver.solve(change);
+  gradient = changeOf.transpose() * pressure;
+  step.now = pressure;
+  step.byUnknown = material.bulkModulus * solver.solve(changeOf);
+  tangent = changeOf.transpose() * step.byUnknown;
+  for (std::size_t g = 0; g < 9; ++g)
+  {
+    const ElementPoint& point = points[g];
+    const double p = (lagged ? *lagged : pressure).dot(point.pressure);
+    gradient += point.weight * point.b.transpose() * isochoric[g].gradient;
+    const Eigen::Matrix<double, 5, 5> stiff =
+      point.weight * (isochoric[g].hessian + p * volume[g].hessian);
+    const Eigen::Matrix<double, 5, ElementUnknowns> half = stiff * point.b;
+    tangent.noalias() += point.b.transpose() * half;
+  }
+}
+
+Eigen::Vector2d FiniteBody::displacementAt(const SurfacePoint& point, const Vector& u) const
+{
+  Eigen::Vector2d value = Eigen::Vector2d::Zero();
+  for (std::size_t m = 0; m < 3; ++m)
+  {
+    for (std::size_t c = 0; c < 2; ++c)
+    {
+      const int unknown = this->UnknownOf[2 * static_cast<std::size_t>(point.nodes[m]) + c];
+      value[static_cast<Eigen::Index>(c)] += unknown < 0 ? 0.0 : point.shape[m] * u[unknown];
+    }
+  }
+  return value;
+}
+
+FiniteBody::Gap FiniteBody::gapAt(
+  const SurfacePoint& point, const Eigen::Vector2d& displacement, double depth) const
+{
+  if (this->IsLinear)
+  {
+    return { this->Tool.height(point.r) - depth - displacement.y(), { 0.0, -1.0 },
+      Eigen::Matrix2d::Zero(), -1.0, Eigen::Vector2d::Zero() };
+  }
+  const ToolOutline::Distance distance =
+    this->Tool.distance({ point.r + displacement.x(), displacement.y() + depth });
+  return { distance.value, distance.gradient, distance.hessian, distance.gradient.y(),
+    distance.hessian.col(1) };
+}
+
+double FiniteBody::energy(const Vector& u, double depth) const
+{
+  double sum = 0.0;
+  for (const Element& element : this->Elements)
+  {
+    sum += this->energyOf(element, this->gather(element, u), nullptr);
+    if (!std::isfinite(sum))
+    {
+      return HUGE_VAL;
+    }
+  }
+  for (const SurfacePoint& point : this->Surface)
+  {
+    const double gap = this->gapAt(point, this->displacementAt(point, u), depth).value;
+    sum += gap < 0.0 ? 0.5 * this->Penalty * point.weight * gap * gap : 0.0;
+  }
+  return sum;
+}
+
+void FiniteBody::linearize(const Vector& u, double depth, Vector& gradient)
+{
+  gradient.setZero(this->Unknowns);
+  double* values = this->Tangent.valuePtr();
+  std::fill_n(values, this->Tangent.nonZeros(), 0.0);
+  ElementVector force;
+  ElementMatrix tangent;
+  std::size_t entry = 0;
+  this->Steps.resize(this->Elements.size());
+  for (std::size_t e = 0; e < this->Elements.size(); ++e)
+  {
+    const Element& element = this->Elements[e];
+    this->linearize(element, this->gather(element, u),
+      this->Pressures.empty() ? nullptr : &this->Pressures[e], force, tangent, this->Steps[e]);
+    for (int i = 0; i < ElementUnknowns; ++i)
+    {
+      const int row = this->UnknownOf[static_cast<std::size_t>(
+        2 * element.nodes[static_cast<std::size_t>(i / 2)] + i % 2)];
+      if (row >= 0)
+      {
+        gradient[row] += force[i];
+      }
+      for (int k = 0; k <= i; ++k, ++entry)
+      {
+        if (this->ValueOf[entry] >= 0)
+        {
+          values[this->ValueOf[entry]] += tangent(i, k);
+        }
+      }
+    }
+  }
+  this->Gaps.resize(this->Surface.size());
+  for (std::size_t p = 0; p < this->Surface.size(); ++p)
+  {
+    const SurfacePoint& point = this->Surface[p];
+    const Gap gap = this->gapAt(point, this->displacementAt(point, u), depth);
+    this->Gaps[p] = gap;
+    if (!(gap.value < 0.0))
+    {
+      continue;
+    }
+    const double scale = this->Penalty * point.weight;
+    const Eigen::Vector2d slope = scale * gap.value * gap.gradient;
+    const double lagged = this->Pressures.empty() ? gap.value : this->ContactPressures[p];
+    const Eigen::Matrix2d bend =
+      scale * (gap.gradient * gap.gradient.transpose() + lagged * gap.hessian);
+    for (std::size_t m = 0; m < 3; ++m)
+    {
+      for (Eigen::Index c = 0; c < 2; ++c)
+      {
+        const int row =
+          this
+            ->UnknownOf[2 * static_cast<std::size_t>(point.nodes[m]) + static_cast<std::size_t>(c)];
+        if (row < 0)
+        {
+          continue;
+        }
+        gradient[row] += point.shape[m] * slope[c];
+        for (std::size_t n = 0; n < 3; ++n)
+        {
+          for (Eigen::Index d = 0; d < 2; ++d)
+          {
+            const int column = this->UnknownOf[2 * static_cast<std::size_t>(point.nodes[n]) +
+              static_cast<std::size_t>(d)];
+            if (column >= 0 && column <= row)
+            {
+              this->Tangent.coeffRef(row, column) += point.shape[m] * point.shape[n] * bend(c, d);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+void FiniteBody::follow(const Vector& step)
+{
+  this->Pressures.resize(this->Elements.size());
+  for (std::size_t e = 0; e < this->Elements.size(); ++e)
+  {
+    this->Pressures[e] =
+      this->Steps[e].now + this->Steps[e].byUnknown * this->gather(this->Elements[e], step);
+  }
+  this->ContactPressures.resize(this->Surface.size());
+  for (std::size_t p = 0; p < this->Surface.size(); ++p)
+  {
+    const Gap& gap = this->Gaps[p];
+    this->ContactPressures[p] =
+      std::min(0.0, gap.value + gap.gradient.dot(this->displacementAt(this->Surface[p], step)));
+  }
+}
+
+FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
+{
+  FinitePoint found;
+  found.depth = depth;
+  for (const Element& element : this->Elements)
+  {
+    found.energy += this->energyOf(element, this->gather(element, u), &found.leastVolume);
+  }
+  double lastRadius = 0.0;
+  double lastGap = 0.0;
+  for (const SurfacePoint& point : this->Surface)
+  {
+    const Eigen::Vector2d displacement = this->displacementAt(point, u);
+    const Gap gap = this->gapAt(point, displacement, depth);
+    const double radius = point.r + (this->IsLinear ? 0.0 : displacement.x());
+    if (gap.value < 0.0)
+    {
+      found.force += this->Penalty * point.weight * gap.value * gap.byDepth;
+      // What the penalty holds itself, and what the body would hold more without it.
+      found.energy += this->Penalty * point.weight * gap.value * gap.value;
+      found.contactRadius = radius;
+    }
+    else if (lastGap < 0.0 && std::isfinite(gap.value))
+    {
+      found.contactRadius = lastRadius + (radius - lastRadius) * lastGap / (lastGap - gap.value);
+    }
+    lastRadius = radius;
+    lastGap = gap.value;
+  }
+  return found;
+}
+
+FiniteBody::Course FiniteBody::course(const Vector& u, double depth, const Solver& solver) const
+{
+  Vector byDepth = Vector::Zero(this->Unknowns);
+  Vector byUnknown = Vector::Zero(this->Unknowns);
+  double slope = 0.0;
+  for (const SurfacePoint& point : this->Surface)
+  {
+    const Gap gap = this->gapAt(point, this->displacementAt(point, u), depth);
+    if (!(gap.value < 0.0))
+    {
+      continue;
+    }
+    const double scale = this->Penalty * point.weight;
+    slope += scale * gap.value * gap.byDepth;
+    const Eigen::Vector2d mixed =
+      scale * (gap.byDepth * gap.gradient + gap.value * gap.gradientByDepth);
+    const Eigen::Vector2d first = scale * gap.value * gap.gradient;
+    for (std::size_t m = 0; m < 3; ++m)
+    {
+      for (std::size_t c = 0; c < 2; ++c)
+      {
+        const int row = this->UnknownOf[2 * static_cast<std::size_t>(point.nodes[m]) + c];
+        if (row >= 0)
+        {
+          byDepth[row] += point.shape[m] * mixed[static_cast<Eigen::Index>(c)];
+          byUnknown[row] += point.shape[m] * first[static_cast<Eigen::Index>(c)];
+        }
+      }
+    }
+  }
+  Course found{ -solver.solve(byDepth), slope };
+  found.penaltySlope += byUnknown.dot(found.motion);
+  return found;
+}
+} // namespace palpate

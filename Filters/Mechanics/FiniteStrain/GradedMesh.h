@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_GradedMesh_h
+#define palpate_GradedMesh_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+/// A place where a division is to be fine: elements no longer than `size` between the ends.
+struct FineRange
+{
+  double from;
+  double to;
+  double size;
+};
+
+/**
+ * Divides 0 ≤ x ≤ end into elements: as long as the finest range allows that they lie in, and
+ * growing by `growth` (> 1) times from one to the next away from these. `through`: positions that
+ * must be ends of elements, ascending, within (0, end). Returns all ends, 0 and `end` among them.
+ */
+PALPATE_EXPORT std::vector<double> gradedDivision(double end, const std::vector<FineRange>& fine,
+  double growth, const std::vector<double>& through = {});
+} // namespace palpate
+
+#endif

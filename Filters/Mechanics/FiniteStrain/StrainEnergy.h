@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_StrainEnergy_h
+#define palpate_StrainEnergy_h
+
+#include "Mechanics/FiniteStrain/SecondOrder.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+#include <string>
+
+namespace palpate
+{
+/// How the stress of a soft body grows with strain.
+enum class StrainModel
+{
+  Linear,   ///< small strain
+  NeoHooke, ///< W = μ/2 (Ī₁-3)
+  Ogden, ///< one term: W = 2μ/α² (Σ λ̄^α - 3); α = 2 is Neo-Hooke; large α > 0 stiffens in tension,
+         ///< α < 0 in compression
+  Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as of skin and arteries
+};
+
+/**
+ * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution;
+ * with the volumetric K/2 (J-1)² it is the whole energy (which its elements project, see
+ * FiniteStrainBody). μ = E/2(1+ν), K = E/3(1-2ν): at small strain all are Hooke's.
+ *
+ * Written in the displacement gradient H = F-1, and so that neither the energy nor the stress of a
+ * small strain is a difference of large numbers: far from a contact, where elements are huge, the
+ * round-off of such a difference would be more than what is looked for.
+ */
+class PALPATE_EXPORT StrainEnergy
+{
+public:
+  /// ∂u_r/∂r, ∂u_r/∂z, ∂u_z/∂r, ∂u_z/∂z, u_r/r.
+  template <class Number>
+  using Gradient = std::array<Number, 5>;
+
+  /// `parameter`: α of Ogden, b of Demiray. checkStrainEnergy says which are allowed.
+  StrainEnergy(StrainModel model, double shearModulus, double parameter = 0.0)
+    : Model(model)
+    , ShearModulus(shearModulus)
+    , Parameter(parameter)
+  {
+  }
+
+  bool isLinear() const noexcept { return this->Model == StrainModel::Linear; }
+
+  /// J - 1; of a linear material the trace. At -1 and below the body has turned inside out.
+  template <class Number>
+  Number volumeChange(const Gradient<Number>& h) const;
+  /// Where J > 0. `volumeChange` is that of h.
+  template <class Number>
+  Number isochoric(const Gradient<Number>& h, const Number& volumeChange) const;
+
+private:
+  StrainModel Model;
+  double ShearModulus;
+  double Parameter;
+};
+
+/// "" or which parameter of the model is out of its range: α not 0 and |α| ≤ 50, 0 < b ≤ 50.
+PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
+} // namespace palpate
+
+#endif
