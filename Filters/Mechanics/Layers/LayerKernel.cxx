@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Layers/LayerKernel.h"
 
+#include "Mechanics/Layers/LayerStack.h"
+
 #include "Mechanics/Numerics/ChebyshevRule.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
@@ -18,6 +20,7 @@ namespace
 {
 constexpr double LargestOmega = 20.0; // e^(-2ω) has fallen below 1e-17
 constexpr int OmegaPanels = 20;
+constexpr double LeastOmega = 1.0 / 4096; // of a stack: deep layers are felt at small ω
 
 // Ranges of a/h, narrow enough that a polynomial of degree 15 through Chebyshev points follows the
 // solution to 1e-10 even where a layer is nearly incompressible.
@@ -57,19 +60,46 @@ struct SampledTransform
 
   SampledTransform(double nu, LayerBase base)
   {
-    const GaussLegendre rule(32);
-    const double width = LargestOmega / OmegaPanels;
-    for (int panel = 0; panel < OmegaPanels; ++panel)
+    this->addPanels([nu, base](double w) { return transformAt(w, nu, base); }, 0.0);
+  }
+
+  explicit SampledTransform(const LayerStack& stack)
+  {
+    const auto at = [&stack](double w)
     {
-      for (Eigen::Index i = 0; i < rule.nodes().size(); ++i)
-      {
-        const double w = width * (panel + 0.5 * (1.0 + rule.nodes()[i]));
-        const double weight = 0.5 * width * rule.weights()[i];
-        const Transform at = transformAt(w, nu, base);
-        this->omega.push_back(w);
-        this->normal.push_back(weight * at.normal);
-        this->radial.push_back(weight * at.radial);
-      }
+      const StackTransform found = stackTransform(stack, w);
+      return Transform{ found.normal, found.radial };
+    };
+    this->addPanel(at, 0.0, LeastOmega);
+    for (double end = LeastOmega; end < 1.0; end *= 2.0)
+    {
+      this->addPanel(at, end, 2.0 * end);
+    }
+    this->addPanels(at, 1.0);
+  }
+
+  template <class Function>
+  void addPanels(const Function& at, double from)
+  {
+    const double width = LargestOmega / OmegaPanels;
+    for (int panel = static_cast<int>(from / width); panel < OmegaPanels; ++panel)
+    {
+      this->addPanel(at, width * panel, width * (panel + 1));
+    }
+  }
+
+  template <class Function>
+  void addPanel(const Function& function, double from, double to)
+  {
+    static const GaussLegendre rule(32);
+    for (Eigen::Index i = 0; i < rule.nodes().size(); ++i)
+    {
+      const double w = from + (to - from) * 0.5 * (1.0 + rule.nodes()[i]);
+      const double weight = 0.5 * (to - from) * rule.weights()[i];
+      const Transform at = function(w);
+      this->omega.push_back(w);
+      this->normal.push_back(weight * at.normal);
+      this->radial.push_back(weight * at.radial);
     }
   }
 
@@ -110,7 +140,19 @@ LayerKernel::LayerKernel(double poissonsRatio, LayerBase base)
   : PoissonsRatio(poissonsRatio)
   , Base(base)
 {
-  const SampledTransform transform(poissonsRatio, base);
+  this->tabulate(SampledTransform(poissonsRatio, base));
+}
+
+LayerKernel::LayerKernel(const LayerStack& stack)
+  : PoissonsRatio(stack.layers.front().poissonsRatio)
+  , Base(stack.base)
+{
+  this->tabulate(SampledTransform(stack));
+}
+
+template <class SampledTransform>
+void LayerKernel::tabulate(const SampledTransform& transform)
+{
   // M and L are analytic within |Im s| < 2: pieces of length 1. They fall as 1/s² and 1/s only, and
   // are asked for as far as LayerSurface reaches.
   const double end = 4.0 * LargestRatio;

@@ -11,6 +11,8 @@
 
 namespace palpate
 {
+struct LayerStack;
+
 /// How a layer rests on its rigid base.
 enum class LayerBase
 {
@@ -35,8 +37,8 @@ enum class LayerBase
  *
  * It is solved by Nyström's method at 48 Gauss nodes for two right-hand sides that depend on a/h
  * alone, tabulated over a/h when the kernel is built: about 20 ms. 0 <= ν <= 0.5,
- * a/h <= LargestRatio; the table agrees with the direct solution to 1e-10. Immutable and safe to
- * use from any number of threads.
+ * a/h <= LargestRatio; the table agrees with the direct solution to 1e-10. A stack of layers has
+ * another W and V, and the same equation. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {
@@ -53,6 +55,8 @@ public:
   };
 
   LayerKernel(double poissonsRatio, LayerBase base);
+  /// On a stack without fault (LayerStack.h): h, ν and E* are those of its top layer. About 50 ms.
+  explicit LayerKernel(const LayerStack& stack);
 
   double poissonsRatio() const noexcept { return this->PoissonsRatio; }
   LayerBase base() const noexcept { return this->Base; }
@@ -77,6 +81,9 @@ public:
   static double interpolate(const Samples& samples, double t);
 
 private:
+  template <class SampledTransform>
+  void tabulate(const SampledTransform& transform);
+
   using Matrix = Eigen::Matrix<double, NodeCount, NodeCount>;
   Matrix scaledSystem(double ratio) const;
 
