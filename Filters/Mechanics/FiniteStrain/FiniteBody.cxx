@@ -62,7 +62,7 @@ ElementPoint pointOf(const Element& element, int i, int k)
   {
     for (std::size_t m = 0; m < 3; ++m)
     {
-      const auto node = static_cast<Eigen::Index>(2 * (3 * j + m));
+      const auto node = 2 * static_cast<Eigen::Index>(3 * j + m);
       const double byR = sx[m] * ny[j] * 2.0 / element.dr;
       const double byZ = nx[m] * sy[j] * 2.0 / element.dz;
       point.b(0, node) = byR;
@@ -117,16 +117,16 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   }
   const std::vector<double> rs = gradedDivision(width, across, Growth);
   const std::vector<double> zs = gradedDivision(bottom, down, Growth, interfaces);
-  const auto columns = static_cast<int>(2 * rs.size() - 1);
-  const auto rows = static_cast<int>(2 * zs.size() - 1);
+  const auto columns = 2 * static_cast<int>(rs.size()) - 1;
+  const auto rows = 2 * static_cast<int>(zs.size()) - 1;
   const auto nodeAt = [columns](int column, int row) { return row * columns + column; };
 
-  this->UnknownOf.assign(static_cast<std::size_t>(2 * columns * rows), 0);
+  this->UnknownOf.assign(2 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
   for (int row = 0; row < rows; ++row) // from the surface down
   {
     for (int column = 0; column < columns; ++column)
     {
-      const auto node = static_cast<std::size_t>(2 * nodeAt(column, row));
+      const auto node = 2 * static_cast<std::size_t>(nodeAt(column, row));
       const bool isBottom = row == rows - 1;
       const bool isOuter = column == columns - 1;
       const bool isHeldR =
@@ -149,8 +149,8 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
         for (int m = 0; m < 3; ++m)
         {
           // The element's y grows with z, upwards.
-          element.nodes[static_cast<std::size_t>(3 * j + m)] =
-            nodeAt(static_cast<int>(2 * i) + m, static_cast<int>(2 * k) + 2 - j);
+          element.nodes[3 * static_cast<std::size_t>(j) + static_cast<std::size_t>(m)] =
+            nodeAt(2 * static_cast<int>(i) + m, 2 * static_cast<int>(k) + 2 - j);
         }
       }
       this->Elements.push_back(element);
@@ -162,12 +162,18 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
     for (std::size_t g = 0; g < GaussCount; ++g)
     {
       const double r = rs[i] + 0.5 * length * (1.0 + GaussNode[g]);
-      const auto column = static_cast<int>(2 * i);
+      const int column = 2 * static_cast<int>(i);
       this->Surface.push_back({ { column, column + 1, column + 2 }, shapes(GaussNode[g]), r,
         GaussWeight[g] * 0.5 * length * 2.0 * Pi * r });
     }
   }
   this->makePattern();
+}
+
+int FiniteBody::unknownOf(const Element& element, int i) const
+{
+  const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i) / 2]);
+  return this->UnknownOf[2 * node + static_cast<std::size_t>(i) % 2];
 }
 
 void FiniteBody::makePattern()
@@ -177,12 +183,10 @@ void FiniteBody::makePattern()
   {
     for (int i = 0; i < ElementUnknowns; ++i)
     {
-      const int row = this->UnknownOf[static_cast<std::size_t>(
-        2 * element.nodes[static_cast<std::size_t>(i / 2)] + i % 2)];
+      const int row = this->unknownOf(element, i);
       for (int k = 0; k <= i; ++k)
       {
-        const int column = this->UnknownOf[static_cast<std::size_t>(
-          2 * element.nodes[static_cast<std::size_t>(k / 2)] + k % 2)];
+        const int column = this->unknownOf(element, k);
         visit(row, column);
       }
     }
@@ -227,8 +231,7 @@ FiniteBody::ElementVector FiniteBody::gather(const Element& element, const Vecto
   ElementVector values;
   for (int i = 0; i < ElementUnknowns; ++i)
   {
-    const int unknown = this->UnknownOf[static_cast<std::size_t>(
-      2 * element.nodes[static_cast<std::size_t>(i / 2)] + i % 2)];
+    const int unknown = this->unknownOf(element, i);
     values[i] = unknown < 0 ? 0.0 : u[unknown];
   }
   return values;
@@ -265,7 +268,7 @@ double FiniteBody::energyOf(
 }
 
 void FiniteBody::linearize(const Element& element, const ElementVector& u,
-  const Eigen::Vector3d* lagged, ElementVector& gradient, ElementMatrix& tangent,
+  const Eigen::Vector3d* followed, ElementVector& gradient, ElementMatrix& tangent,
   PressureStep& step) const
 {
   const Material& material = this->Materials[element.layer];
@@ -301,7 +304,7 @@ void FiniteBody::linearize(const Element& element, const ElementVector& u,
   for (std::size_t g = 0; g < 9; ++g)
   {
     const ElementPoint& point = points[g];
-    const double p = (lagged ? *lagged : pressure).dot(point.pressure);
+    const double p = (followed ? *followed : pressure).dot(point.pressure);
     gradient += point.weight * point.b.transpose() * isochoric[g].gradient;
     const Eigen::Matrix<double, 5, 5> stiff =
       point.weight * (isochoric[g].hessian + p * volume[g].hessian);
@@ -373,8 +376,7 @@ void FiniteBody::linearize(const Vector& u, double depth, Vector& gradient)
       this->Pressures.empty() ? nullptr : &this->Pressures[e], force, tangent, this->Steps[e]);
     for (int i = 0; i < ElementUnknowns; ++i)
     {
-      const int row = this->UnknownOf[static_cast<std::size_t>(
-        2 * element.nodes[static_cast<std::size_t>(i / 2)] + i % 2)];
+      const int row = this->unknownOf(element, i);
       if (row >= 0)
       {
         gradient[row] += force[i];
@@ -391,42 +393,45 @@ void FiniteBody::linearize(const Vector& u, double depth, Vector& gradient)
   this->Gaps.resize(this->Surface.size());
   for (std::size_t p = 0; p < this->Surface.size(); ++p)
   {
-    const SurfacePoint& point = this->Surface[p];
-    const Gap gap = this->gapAt(point, this->displacementAt(point, u), depth);
-    this->Gaps[p] = gap;
-    if (!(gap.value < 0.0))
+    this->Gaps[p] = this->gapAt(this->Surface[p], this->displacementAt(this->Surface[p], u), depth);
+    if (this->Gaps[p].value < 0.0)
+    {
+      this->addContact(p, gradient);
+    }
+  }
+}
+
+/// The penalty of a point inside the tool.
+void FiniteBody::addContact(std::size_t p, Vector& gradient)
+{
+  const SurfacePoint& point = this->Surface[p];
+  const Gap& gap = this->Gaps[p];
+  const double scale = this->Penalty * point.weight;
+  const Eigen::Vector2d slope = scale * gap.value * gap.gradient;
+  const double pressing = this->Pressures.empty() ? gap.value : this->ContactPressures[p];
+  const Eigen::Matrix2d bend =
+    scale * (gap.gradient * gap.gradient.transpose() + pressing * gap.hessian);
+  const auto unknownAt = [&](int i)
+  {
+    const auto node = static_cast<std::size_t>(point.nodes[static_cast<std::size_t>(i) / 2]);
+    return this->UnknownOf[2 * node + static_cast<std::size_t>(i) % 2];
+  };
+  for (int i = 0; i < 6; ++i)
+  {
+    const int row = unknownAt(i);
+    if (row < 0)
     {
       continue;
     }
-    const double scale = this->Penalty * point.weight;
-    const Eigen::Vector2d slope = scale * gap.value * gap.gradient;
-    const double lagged = this->Pressures.empty() ? gap.value : this->ContactPressures[p];
-    const Eigen::Matrix2d bend =
-      scale * (gap.gradient * gap.gradient.transpose() + lagged * gap.hessian);
-    for (std::size_t m = 0; m < 3; ++m)
+    const double shape = point.shape[static_cast<std::size_t>(i) / 2];
+    gradient[row] += shape * slope[i % 2];
+    for (int k = 0; k < 6; ++k)
     {
-      for (Eigen::Index c = 0; c < 2; ++c)
+      const int column = unknownAt(k);
+      if (column >= 0 && column <= row)
       {
-        const int row =
-          this
-            ->UnknownOf[2 * static_cast<std::size_t>(point.nodes[m]) + static_cast<std::size_t>(c)];
-        if (row < 0)
-        {
-          continue;
-        }
-        gradient[row] += point.shape[m] * slope[c];
-        for (std::size_t n = 0; n < 3; ++n)
-        {
-          for (Eigen::Index d = 0; d < 2; ++d)
-          {
-            const int column = this->UnknownOf[2 * static_cast<std::size_t>(point.nodes[n]) +
-              static_cast<std::size_t>(d)];
-            if (column >= 0 && column <= row)
-            {
-              this->Tangent.coeffRef(row, column) += point.shape[m] * point.shape[n] * bend(c, d);
-            }
-          }
-        }
+        this->Tangent.coeffRef(row, column) +=
+          shape * point.shape[static_cast<std::size_t>(k) / 2] * bend(i % 2, k % 2);
       }
     }
   }

@@ -95,10 +95,13 @@ private:
 
   ElementVector gather(const Element& element, const Vector& u) const;
   double energyOf(const Element& element, const ElementVector& u, double* leastVolume) const;
-  void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* pressure,
+  /// With the pressure that the last step has followed, or null.
+  void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* followed,
     ElementVector& gradient, ElementMatrix& tangent, PressureStep& step) const;
   Eigen::Vector2d displacementAt(const SurfacePoint& point, const Vector& u) const;
   Gap gapAt(const SurfacePoint& point, const Eigen::Vector2d& displacement, double depth) const;
+  void addContact(std::size_t p, Vector& gradient);
+  int unknownOf(const Element& element, int i) const;
   void makePattern();
 
   const ToolOutline& Tool;

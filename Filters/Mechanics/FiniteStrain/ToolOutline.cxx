@@ -18,6 +18,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: 1e-6 of its size off
 constexpr double SteepestSlope = 6.0; // from there on straight: no contact is steeper
 constexpr double CornerAngle = 0.02;  // radians; less is no corner but a sampled curve
+constexpr double LargestCut = 0.35;   // of a part, by the fillet at either end of it
 constexpr double SlopeStep = 1e-6;    // of a part's length: differences of profiles of six digits
 
 double cross(const Vector2d& a, const Vector2d& b)
@@ -31,11 +32,60 @@ Vector2d leftOf(const Vector2d& direction)
   return { -direction.y(), direction.x() };
 }
 
-Vector2d along(double slope)
-{
-  return Vector2d(1.0, slope).normalized();
-}
 } // namespace
+
+class ToolOutline::Part
+{
+public:
+  Part(const AxisymmetricTool& tool, double from, double to)
+    : Tool(tool)
+    , From(from)
+    , To(to)
+    , End(to)
+  {
+    if (this->isSteepAt(to - 2.0 * SlopeStep * (to - from)))
+    {
+      double low = from;
+      for (int i = 0; i < 60; ++i)
+      {
+        const double middle = 0.5 * (low + this->End);
+        (this->isSteepAt(middle) ? this->End : low) = middle;
+      }
+    }
+  }
+
+  double from() const { return this->From; }
+  double length() const { return this->To - this->From; }
+  /// Where it is too steep to be followed further, as the sides of a sphere; or where it ends.
+  double end() const { return this->End; }
+  bool isSteep() const { return this->End < this->To; }
+
+  Node at(double r) const
+  {
+    return { { r, this->Tool.profile(r) }, Vector2d(1.0, this->slopeAt(r)).normalized() };
+  }
+
+private:
+  bool isSteepAt(double r) const { return this->slopeAt(r) > SteepestSlope; }
+
+  /// By differences within the part: of second order, at its ends one-sided.
+  double slopeAt(double r) const
+  {
+    const double step = SlopeStep * (this->To - this->From);
+    const auto f = [this](double x) { return this->Tool.profile(x); };
+    if (r - step < this->From || r + step > this->To)
+    {
+      const double s = r - step < this->From ? step : -step;
+      return (-3.0 * f(r) + 4.0 * f(r + s) - f(r + 2.0 * s)) / (2.0 * s);
+    }
+    return (f(r + step) - f(r - step)) / (2.0 * step);
+  }
+
+  const AxisymmetricTool& Tool;
+  double From;
+  double To;
+  double End;
+};
 
 ToolOutline::ToolOutline(const AxisymmetricTool& tool, double reach, double fillet)
 {
@@ -50,106 +100,83 @@ ToolOutline::ToolOutline(const AxisymmetricTool& tool, double reach, double fill
     }
   }
   ends.push_back(end);
-
-  // Smooth parts between the kinks, their slopes at both ends by differences inside.
-  const auto slopeAt = [&tool](double r, double from, double to)
-  {
-    const double step = SlopeStep * (to - from);
-    const double low = std::max(from, r - step);
-    const double high = std::min(to, r + step);
-    if (low == from || high == to) // one-sided, of second order
-    {
-      const double s = low == from ? step : -step;
-      return (-3.0 * tool.profile(r) + 4.0 * tool.profile(r + s) - tool.profile(r + 2.0 * s)) /
-        (2.0 * s);
-    }
-    return (tool.profile(high) - tool.profile(low)) / (high - low);
-  };
-  Node last{ { 0.0, 0.0 }, { 1.0, 0.0 } };
-  bool begun = false;
+  Node last{ { 0.0, tool.profile(0.0) }, { 1.0, 0.0 } };
   for (std::size_t k = 0; k + 1 < ends.size(); ++k)
   {
-    const double from = ends[k];
-    double to = ends[k + 1];
-    const double length = to - from;
-    const auto nodeAt = [&](double r)
+    const Part part(tool, ends[k], ends[k + 1]);
+    last = this->addCorner(part, fillet, last, k == 0);
+    last = this->addPart(part, last);
+    if (ends[k + 1] == wall && !part.isSteep())
     {
-      // The walls of a sphere: its slope grows without bound before the end.
-      return Node{ { r, tool.profile(r) }, along(slopeAt(r, from, ends[k + 1])) };
-    };
-    const bool isSteep = nodeAt(to - 2.0 * SlopeStep * length).direction.y() >
-      SteepestSlope * nodeAt(to - 2.0 * SlopeStep * length).direction.x();
-    if (isSteep)
-    {
-      double low = from;
-      for (int i = 0; i < 60; ++i)
-      {
-        const double middle = 0.5 * (low + to);
-        const Node node = nodeAt(middle);
-        (node.direction.y() > SteepestSlope * node.direction.x() ? to : low) = middle;
-      }
-    }
-    const Node first = nodeAt(from);
-    const double turn = std::asin(std::clamp(cross(last.direction, first.direction), -1.0, 1.0));
-    const bool hasCorner = std::abs(turn) > CornerAngle;
-    // At the axis the other half of the tool makes the corner twice as sharp.
-    const double cut = hasCorner
-      ? std::min(fillet * std::tan(0.5 * std::abs(turn) * (begun ? 1.0 : 2.0)), 0.4 * length)
-      : 0.0;
-    double start = from;
-    if (hasCorner && !begun)
-    {
-      const double angle = turn; // the sphere that touches the flank
-      const double r = std::min(fillet * std::sin(angle), 0.4 * length);
-      const double radius = r / std::sin(angle);
-      const Node flank = nodeAt(from + r);
-      const Node tip{ { 0.0, flank.point.y() - radius * (1.0 - std::cos(angle)) }, { 1.0, 0.0 } };
-      this->addFillet(tip, flank);
-      last = flank;
-      start = from + r;
-    }
-    else if (hasCorner)
-    {
-      const Node after = nodeAt(from + cut * first.direction.x());
-      this->addFillet({ last.point - cut * last.direction, last.direction }, after);
-      last = after;
-      start = after.point.x();
-    }
-    else if (!begun)
-    {
-      last = first;
-    }
-    begun = true;
-    // What the next corner needs of this part is taken off when it comes: parts end unjoined.
-    const bool isLast = k + 2 == ends.size();
-    const double slopeBegin = nodeAt(start).direction.y();
-    const double slopeEnd = nodeAt(to).direction.y();
-    const double slopeMiddle = nodeAt(0.5 * (start + to)).direction.y();
-    const bool isStraight =
-      std::abs(slopeBegin - slopeEnd) < 1e-7 && std::abs(slopeBegin - slopeMiddle) < 1e-7;
-    const int pieces = isStraight ? 2 : PiecesPerSmooth;
-    for (int i = 1; i <= pieces; ++i)
-    {
-      // Closer towards the axis, where a power law bends most.
-      const double t = static_cast<double>(i) / pieces;
-      const double r = start + (to - start) * (isStraight ? (i == 1 ? 0.6 : 1.0) : t * t);
-      const Node node = nodeAt(r);
-      this->join(last, node);
-      last = node;
-    }
-    if (isLast && to == wall && !isSteep)
-    {
-      const double turnUp = std::acos(std::clamp(last.direction.y(), -1.0, 1.0));
-      const double cutUp = std::min(fillet * std::tan(0.5 * turnUp), 0.35 * length);
-      const Node up{ { wall, last.point.y() + cutUp }, { 0.0, 1.0 } };
-      if (turnUp > CornerAngle)
-      {
-        this->addFillet({ last.point - cutUp * last.direction, last.direction }, up);
-      }
-      last = up;
+      last = this->addWall(part, fillet, last);
     }
   }
   this->Arcs.push_back({ last.point, last.direction, 0.0, Infinite });
+}
+
+ToolOutline::Node ToolOutline::addCorner(
+  const Part& part, double fillet, const Node& last, bool isApex)
+{
+  const Node first = part.at(part.from());
+  const double turn = std::asin(std::clamp(cross(last.direction, first.direction), -1.0, 1.0));
+  if (std::abs(turn) <= CornerAngle)
+  {
+    return isApex ? first : last;
+  }
+  const double longest = LargestCut * part.length();
+  if (isApex) // the sphere that touches the flank
+  {
+    const double r = std::min(fillet * std::sin(turn), longest);
+    Node flank = part.at(part.from() + r);
+    const double rise = r / std::sin(turn) * (1.0 - std::cos(turn));
+    this->addFillet({ { 0.0, flank.point.y() - rise }, { 1.0, 0.0 } }, flank);
+    return flank;
+  }
+  const double cut = std::min(fillet * std::tan(0.5 * std::abs(turn)), longest);
+  Node after = part.at(part.from() + cut * first.direction.x());
+  this->addFillet({ last.point - cut * last.direction, last.direction }, after);
+  return after;
+}
+
+ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
+{
+  const double start = last.point.x();
+  const double middle = 0.5 * (start + part.end());
+  const double begin = part.at(start).direction.y();
+  const bool isStraight = std::abs(begin - part.at(part.end()).direction.y()) < 1e-7 &&
+    std::abs(begin - part.at(middle).direction.y()) < 1e-7;
+  Node from = last;
+  const auto goTo = [&](double r)
+  {
+    const Node node = part.at(r);
+    this->join(from, node);
+    from = node;
+  };
+  if (isStraight)
+  {
+    goTo(start + (1.0 - LargestCut) * (part.end() - start)); // the next corner may cut the rest
+    goTo(part.end());
+    return from;
+  }
+  for (int i = 1; i <= PiecesPerSmooth; ++i)
+  {
+    // Closer towards the axis, where a power law bends most.
+    const double t = static_cast<double>(i) / PiecesPerSmooth;
+    goTo(start + (part.end() - start) * t * t);
+  }
+  return from;
+}
+
+ToolOutline::Node ToolOutline::addWall(const Part& part, double fillet, const Node& last)
+{
+  const double turn = std::acos(std::clamp(last.direction.y(), -1.0, 1.0));
+  const double cut = std::min(fillet * std::tan(0.5 * turn), LargestCut * part.length());
+  Node up{ { last.point.x(), last.point.y() + cut }, { 0.0, 1.0 } };
+  if (turn > CornerAngle)
+  {
+    this->addFillet({ last.point - cut * last.direction, last.direction }, up);
+  }
+  return up;
 }
 
 /// Cuts the last arcs back to where the fillet begins.

@@ -57,6 +57,12 @@ private:
     Eigen::Vector2d direction;
   };
 
+  /// A smooth part of the profile.
+  class Part;
+  /// Each goes on from the end of what there is, `last`, and says where its own end is.
+  Node addCorner(const Part& part, double fillet, const Node& last, bool isApex);
+  Node addPart(const Part& part, const Node& last);
+  Node addWall(const Part& part, double fillet, const Node& last);
   void addFillet(const Node& before, const Node& after);
   void join(const Node& from, const Node& to);
   void addArc(const Node& from, const Eigen::Vector2d& to);
