@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/FlatBodyFile.h"
 
-#include "Contact/WholeFile.h"
+#include "Mechanics/Files/WholeFile.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <limits>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace palpate
 {
@@ -248,11 +243,6 @@ std::array<const void*, SectionCount> sectionsOf(const FlatBody& body)
     body.limit };
 }
 
-std::string systemError(const std::string& what, const std::string& path)
-{
-  return "cannot " + what + " '" + path + "': " + std::strerror(errno);
-}
-
 void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
 {
   const auto data = sectionsOf(body);
@@ -274,22 +264,6 @@ void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
 }
 } // namespace
 
-FlatBodyFile::~FlatBodyFile()
-{
-  this->close();
-}
-
-void FlatBodyFile::close() noexcept
-{
-  if (this->Mapping)
-  {
-    munmap(this->Mapping, this->Size);
-  }
-  this->Mapping = nullptr;
-  this->Size = 0;
-  this->Body = FlatBody();
-}
-
 std::string FlatBodyFile::write(const std::string& path, const FlatBody& body)
 {
   Header header = makeHeader(body);
@@ -306,43 +280,31 @@ std::string FlatBodyFile::write(const std::string& path, const FlatBody& body)
 
 std::string FlatBodyFile::open(const std::string& path)
 {
-  this->close();
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0)
+  this->Body = FlatBody();
+  const std::string error = this->File.open(path);
+  if (!error.empty())
   {
-    return systemError("open", path);
+    return error;
   }
-  struct stat status = {};
-  const bool known = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-  const auto size = known ? static_cast<std::size_t>(status.st_size) : 0;
-  void* mapping =
-    size >= FirstHeaderSize ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0) : MAP_FAILED;
-  ::close(file);
-  if (size < FirstHeaderSize)
+  const std::size_t size = this->File.size();
+  std::string fault = "is not a Palpate body file: it is too short or no file";
+  if (size >= FirstHeaderSize)
   {
-    return "'" + path + "' is not a Palpate body file: it is too short or no file";
-  }
-  if (mapping == MAP_FAILED)
-  {
-    return systemError("map", path);
-  }
-  this->Mapping = mapping;
-  this->Size = size;
-
-  Header header{};
-  std::memcpy(&header, mapping, std::min(size, sizeof header));
-  std::string fault = faultOf(header, size);
-  if (fault.empty())
-  {
-    this->Body = view(header, static_cast<const unsigned char*>(mapping));
-    if (checksumOf(sectionsOf(this->Body), header) != header.checksum)
+    Header header{};
+    std::memcpy(&header, this->File.bytes(), std::min(size, sizeof header));
+    fault = faultOf(header, size);
+    if (fault.empty())
     {
-      fault = "is damaged: its checksum is wrong";
+      this->Body = view(header, this->File.bytes());
+      fault = checksumOf(sectionsOf(this->Body), header) == header.checksum
+        ? ""
+        : "is damaged: its checksum is wrong";
     }
   }
   if (!fault.empty())
   {
-    this->close();
+    this->Body = FlatBody();
+    this->File.close();
     return "'" + path + "' " + fault;
   }
   return {};

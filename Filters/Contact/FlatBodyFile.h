@@ -3,6 +3,7 @@
 #define palpate_FlatBodyFile_h
 
 #include "Contact/ContactBody.h"
+#include "Mechanics/Files/MappedFile.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseField.h"
 
@@ -43,11 +44,6 @@ class PALPATE_EXPORT FlatBodyFile
 public:
   static constexpr std::uint32_t Version = 2;
 
-  FlatBodyFile() = default;
-  ~FlatBodyFile();
-  FlatBodyFile(const FlatBodyFile&) = delete;
-  FlatBodyFile& operator=(const FlatBodyFile&) = delete;
-
   /// Writes a new file, then puts it in the place of an old one, so that a failure leaves the old
   /// one whole. Returns an error that names the file, or "".
   static std::string write(const std::string& path, const FlatBody& body);
@@ -59,10 +55,7 @@ public:
   const FlatBody& body() const noexcept { return this->Body; }
 
 private:
-  void close() noexcept;
-
-  void* Mapping = nullptr;
-  std::size_t Size = 0;
+  MappedFile File;
   FlatBody Body;
 };
 

@@ -2,6 +2,7 @@
 #include "vtkTrajectoryReader.h"
 
 #include "Haptics/Devices/TrajectoryFile.h"
+#include "Mechanics/Files/CsvReader.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 namespace
@@ -56,19 +56,8 @@ vtkTrajectoryReader::~vtkTrajectoryReader()
 
 int vtkTrajectoryReader::CanReadFile(const char* fileName)
 {
-  std::ifstream file(fileName ? fileName : "");
-  std::string line;
-  while (std::getline(file, line))
-  {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first != std::string::npos && line[first] != '#')
-    {
-      return line.find("time_s") != std::string::npos && line.find("tip_x_mm") != std::string::npos
-        ? 1
-        : 0;
-    }
-  }
-  return 0;
+  palpate::CsvReader csv(fileName ? fileName : "");
+  return csv.header({ "time_s", "tip_x_mm" }, 2) ? 1 : 0;
 }
 
 std::string vtkTrajectoryReader::Read()

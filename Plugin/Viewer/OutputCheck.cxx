@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputCheck.h"
 
-#include "Contact/WholeFile.h"
+#include "Mechanics/Files/WholeFile.h"
 
 namespace palpate
 {

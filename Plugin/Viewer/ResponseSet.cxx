@@ -4,7 +4,7 @@
 #include "CollectingWindow.h"
 #include "Response/BodyLaws.h"
 #include "Response/FlatBodyConversion.h"
-#include "Contact/WholeFile.h"
+#include "Mechanics/Files/WholeFile.h"
 
 #include "vtkNew.h"
 #include "vtkPointData.h"

@@ -2,17 +2,19 @@
 #ifndef palpate_testing_ReferenceTable_h
 #define palpate_testing_ReferenceTable_h
 
+#include "Mechanics/Files/CsvReader.h"
+
 #include <cstddef>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::testing
 {
 /**
- * A table of Data/Reference: comma separated, one head line, fields with commas in double quotes.
+ * A table of Data/Reference: its first line names the columns.
  * Throws (so that the test fails) when the file, a column or a number is missing.
  */
 class ReferenceTable
@@ -20,20 +22,20 @@ class ReferenceTable
 public:
   explicit ReferenceTable(const std::string& name)
   {
-    std::ifstream file(std::string(PALPATE_DATA_DIR "/Reference/") + name);
-    std::string line;
-    while (std::getline(file, line))
+    for (CsvReader csv(std::string(PALPATE_DATA_DIR "/Reference/") + name); csv.next();)
     {
-      if (this->Columns.empty())
+      std::vector<std::string> fields;
+      for (std::size_t i = 0; i < csv.size(); ++i)
       {
-        for (const std::string& column : split(line))
-        {
-          this->Columns.emplace(column, this->Columns.size());
-        }
+        fields.emplace_back(csv.text(i));
       }
-      else if (!line.empty())
+      if (!this->Columns.empty())
       {
-        this->Rows.push_back(split(line));
+        this->Rows.push_back(std::move(fields));
+      }
+      for (std::size_t i = 0; this->Rows.empty() && i < fields.size(); ++i)
+      {
+        this->Columns.emplace(fields[i], i);
       }
     }
     if (this->Rows.empty())
@@ -53,28 +55,6 @@ public:
   }
 
 private:
-  static std::vector<std::string> split(const std::string& line)
-  {
-    std::vector<std::string> fields(1);
-    bool quoted = false;
-    for (const char c : line)
-    {
-      if (c == '"')
-      {
-        quoted = !quoted;
-      }
-      else if (c == ',' && !quoted)
-      {
-        fields.emplace_back();
-      }
-      else if (c != '\r')
-      {
-        fields.back() += c;
-      }
-    }
-    return fields;
-  }
-
   std::map<std::string, std::size_t> Columns;
   std::vector<std::vector<std::string>> Rows;
 };

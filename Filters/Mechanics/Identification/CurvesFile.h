@@ -22,8 +22,9 @@ namespace palpate
  *   A,10,0,50,0.02,0.0013,0.1,loading
  *
  * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out; columns may stand in
- * any order. Other comments of the head are skipped. The rows of a site share its position; they
- * are in the order in which they were taken, and time does not decrease.
+ * any order, among others that are passed over (CsvReader), as are other comments. The rows of a
+ * site share its position; they are in the order in which they were taken, and time does not
+ * decrease.
  *
  * Returns an error "file:line: what is wrong", or "". After an error `curves` is unchanged.
  */

@@ -11,9 +11,9 @@ namespace palpate
 {
 /**
  * Reads a tool's profile from text: a line r_mm,f_mm per point, the distance from the axis and the
- * height above the tip, from the tip (0,0) outward. Blank lines and lines that start with '#' are
- * skipped, and the first line may be a header. Returns what is wrong, naming the file and the line,
- * and then leaves the points as they were; empty if nothing is.
+ * height above the tip, from the tip (0,0) outward; the first line may be a header (CsvReader).
+ * Returns what is wrong, naming the file and the line, and then leaves the points as they were;
+ * empty if nothing is.
  */
 std::string readProfile(const std::string& file, std::vector<ProfilePoint>& points);
 } // namespace palpate

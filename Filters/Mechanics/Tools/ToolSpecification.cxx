@@ -248,13 +248,6 @@ std::unique_ptr<AxisymmetricTool> scaledTool(const AxisymmetricTool& tool, doubl
   return makeTool(s);
 }
 
-std::string shortestDecimals(double value)
-{
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return std::string(buffer.data(), end);
-}
-
 std::string formatTool(const std::string& name, std::initializer_list<double> values)
 {
   std::string text = name;

@@ -3,6 +3,7 @@
 #define palpate_ToolSpecification_h
 
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/ProfileTool.h"
 
@@ -66,8 +67,6 @@ PALPATE_EXPORT bool parseTool(
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
   const AxisymmetricTool& tool, double factor);
 
-/// The shortest decimals that read back to the same bits.
-PALPATE_EXPORT std::string shortestDecimals(double value);
 /// "name:v1,v2" in shortest decimals.
 PALPATE_EXPORT std::string formatTool(
   const std::string& name, std::initializer_list<double> values);

@@ -43,11 +43,8 @@ std::string curvesFromTable(
         "' stands where the names of the columns should: read a file without the comments of its "
         "head, or give the file itself";
     }
-    if (title.compare(0, 3, "vtk") != 0)
-    {
-      columns.push_back(column);
-      readings.columns.push_back(title);
-    }
+    columns.push_back(column);
+    readings.columns.push_back(title);
   }
   readings.name = name;
   readings.tool = tool;

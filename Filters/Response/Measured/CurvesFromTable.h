@@ -11,8 +11,8 @@ class vtkTable;
 namespace palpate
 {
 /// The readings of one tool from a table with the columns of a file of curves (CurvesFile.h), as a
-/// reader of .csv files makes it; columns whose names begin with `vtk` are passed over. `name`
-/// stands for the file in errors. Returns what is wrong, with the row, or "".
+/// reader of .csv files makes it; other columns are passed over. `name` stands for the file in
+/// errors. Returns what is wrong, with the row, or "".
 std::string curvesFromTable(
   vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves);
 } // namespace palpate

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Measured/SiteRegistration.h"
 
+#include "Mechanics/Files/CsvReader.h"
+#include "Mechanics/Files/NumberText.h"
+
 #include "vtkLandmarkTransform.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -9,10 +12,10 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <charconv>
+#include <cctype>
 #include <cmath>
-#include <fstream>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 namespace palpate
@@ -22,26 +25,44 @@ namespace
 constexpr double RigidTolerance = 1e-3;
 constexpr double InLine = 1e-3; // of the length of a row of points
 
-const char* const PairColumns = "from_x_mm,from_y_mm,from_z_mm,to_x_mm,to_y_mm,to_z_mm";
+const std::vector<std::string_view> PairColumns = { "from_x_mm", "from_y_mm", "from_z_mm",
+  "to_x_mm", "to_y_mm", "to_z_mm" };
 
-/// The numbers of a line, separated by blanks or commas; false if there is anything else.
-bool readNumbers(std::string line, std::vector<double>& numbers)
+/// The numbers of a row, parted by blanks or commas; false if there is anything else.
+bool readNumbers(const CsvReader& csv, std::vector<double>& numbers)
 {
-  std::replace(line.begin(), line.end(), ',', ' ');
-  std::istringstream words(line);
-  std::string word;
-  while (words >> word)
+  for (std::size_t i = 0; i < csv.size(); ++i)
   {
-    double value = 0.0;
-    const char* const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
+    std::istringstream words{ std::string(csv.text(i)) };
+    for (std::string word; words >> word;)
     {
-      return false;
+      numbers.emplace_back();
+      if (!readNumber(word, numbers.back()))
+      {
+        return false;
+      }
     }
-    numbers.push_back(value);
   }
   return true;
+}
+
+void readPair(CsvReader& csv, std::vector<double>& numbers)
+{
+  for (std::size_t i = 0; i < PairColumns.size(); ++i)
+  {
+    numbers.push_back(csv.number(i));
+  }
+}
+
+void readMatrixRow(CsvReader& csv, std::vector<double>& numbers)
+{
+  const std::size_t before = numbers.size();
+  if (!readNumbers(csv, numbers) || numbers.size() != before + 4)
+  {
+    csv.fail(std::string("expected 4 finite numbers") +
+      (before == 0 ? ", or the columns from_x_mm,from_y_mm,from_z_mm,to_x_mm,to_y_mm,to_z_mm"
+                   : ""));
+  }
 }
 
 std::string fromMatrix(const std::vector<double>& numbers, SiteRegistration& registration)
@@ -128,34 +149,22 @@ std::string fromPairs(const std::vector<double>& numbers, SiteRegistration& regi
 
 std::string readRegistration(const std::string& path, SiteRegistration& registration)
 {
-  std::ifstream file(path);
-  if (!file)
-  {
-    return path + ": cannot be opened";
-  }
+  CsvReader csv(path);
   std::vector<double> numbers;
-  bool pairs = false;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number)
+  bool isRow = csv.next();
+  const bool pairs = isRow && !csv.text(0).empty() &&
+    std::isalpha(static_cast<unsigned char>(csv.text(0).front())) != 0;
+  if (pairs)
   {
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (line.empty() || line.front() == '#')
-    {
-      continue;
-    }
-    const std::string at = path + ":" + std::to_string(number) + ": ";
-    if (!pairs && numbers.empty() && line == PairColumns)
-    {
-      pairs = true;
-      continue;
-    }
-    const std::size_t before = numbers.size();
-    const std::size_t wanted = pairs ? 6 : 4;
-    if (!readNumbers(line, numbers) || numbers.size() != before + wanted)
-    {
-      return at + "expected " + std::to_string(wanted) + " finite numbers" +
-        (before == 0 && !pairs ? std::string(", or the columns ") + PairColumns : std::string());
-    }
+    isRow = csv.columns(PairColumns, PairColumns.size()) && csv.next();
+  }
+  for (; isRow; isRow = csv.next())
+  {
+    pairs ? readPair(csv, numbers) : readMatrixRow(csv, numbers);
+  }
+  if (!csv.fault().empty())
+  {
+    return csv.fault();
   }
   SiteRegistration read;
   const std::string fault = pairs ? fromPairs(numbers, read) : fromMatrix(numbers, read);

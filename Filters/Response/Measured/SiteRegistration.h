@@ -24,7 +24,7 @@ struct SiteRegistration
  *   rigid: rows of unit length, at right angles, right-handed, to 1e-3;
  * - pairs of points: a CSV with the columns from_x_mm,from_y_mm,from_z_mm,to_x_mm,to_y_mm,to_z_mm,
  * at least three that are not in line. The motion is that of vtkLandmarkTransform, rigid (Horn
- * 1987). Lines that begin with # are skipped. Returns an error that names file and line, or "".
+ * 1987). Returns an error that names file and line, or "".
  */
 std::string readRegistration(const std::string& path, SiteRegistration& registration);
 } // namespace palpate

@@ -37,10 +37,9 @@ PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::v
 PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const Trajectory& trajectory);
 
 /**
- * Reads what writeTrajectory has written to the same bits, and files of others: columns may stand
- * in any order, names and numbers in double quotes, other columns are skipped, and so are empty
- * lines and lines that begin with #. Required are time_s and the three of tip_*_mm; of the
- * contact's ten all or none; of the device's thirteen all or none.
+ * Reads what writeTrajectory has written to the same bits, and files of others (CsvReader):
+ * columns may stand in any order, among others. Required are time_s and the three of tip_*_mm; of
+ * the contact's ten all or none; of the device's thirteen all or none.
  *
  * Errors, as "file:line: what is wrong", and "" for none: a column that is missing or there twice,
  * a line with too few or too many fields, a number that is not finite or none at all, a state,

@@ -1,42 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Trials/TrialLog.h"
 
+#include "Mechanics/Files/CsvReader.h"
+#include "Mechanics/Files/CsvRow.h"
+
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
-const char* const FirstLine = "# palpate trial 1";
+const char* const FirstLine = "palpate trial 1";
 const char* const Columns = "trial,x,y,answer,chosen,correct,seconds,switches";
+enum Column : std::size_t
+{
+  Number,
+  X,
+  Y,
+  Answer,
+  Chosen,
+  Correct,
+  Seconds,
+  Switches,
+  ColumnCount
+};
 constexpr std::size_t Letters = 26;
-
-template <class Number>
-std::string written(Number value)
-{
-  char buffer[40];
-  return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
-}
-
-template <class Number>
-bool read(std::string_view text, Number& value)
-{
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
-bool read(std::string_view text, double& value)
-{
-  return read<double>(text, value) && std::isfinite(value);
-}
 
 bool isOneLine(const std::string& text)
 {
@@ -53,72 +47,60 @@ int chosenBy(const TrialAnswer& answer)
   return answer.choseX ? answer.trial.x : answer.trial.y;
 }
 
+/// As it stands in a row: empty where no answer is right.
+const char* correctText(const TrialHead& head, const TrialAnswer& answer)
+{
+  const int right = isRight(head, answer);
+  return right < 0 ? "" : right == 1 ? "1" : "0";
+}
+
 std::string headText(const TrialHead& head)
 {
-  std::string text = std::string(FirstLine) + "\n# question: " + head.question +
+  std::string text = "# " + std::string(FirstLine) + "\n# question: " + head.question +
     "\n# right answer: " + (head.hasRightAnswer ? "the larger intensity" : "none") + "\n";
   for (std::size_t i = 0; i < head.alternatives.size(); ++i)
   {
     const std::string letter = letterOf(static_cast<int>(i));
     text.append("# alternative ").append(letter).append(": ").append(head.alternatives[i].name);
     text.append("\n# intensity ").append(letter).append(": ");
-    text.append(written(head.alternatives[i].intensity)).append("\n");
+    text.append(shortestDecimals(head.alternatives[i].intensity)).append("\n");
   }
-  return text + "# seed: " + written(head.seed) + "\n# force factor: " + written(head.forceFactor) +
-    "\n# device: " + head.device + "\n# started: " + head.started + "\n" + Columns + "\n";
+  return text + "# seed: " + shortestDecimals(head.seed) +
+    "\n# force factor: " + shortestDecimals(head.forceFactor) + "\n# device: " + head.device +
+    "\n# started: " + head.started + "\n" + Columns + "\n";
 }
 
-/// What stands after `key` in a line that begins with it.
-bool takeValue(std::string_view line, std::string_view key, std::string_view& value)
+/// One line of the head after the first; false if it is none.
+bool readHeadLine(const CsvComment& line, TrialHead& head)
 {
-  if (line.substr(0, key.size()) != key)
+  auto& alternatives = head.alternatives;
+  const auto isOf = [&line](const char* what, std::size_t alternative)
+  { return alternative < Letters && line.key == what + letterOf(static_cast<int>(alternative)); };
+  if (isOf("alternative ", alternatives.size())) // letters in their order
   {
-    return false;
-  }
-  value = line.substr(key.size());
-  return true;
-}
-
-/// One line of the head; false if it is none.
-bool readHeadLine(std::string_view line, TrialHead& head)
-{
-  std::string_view value;
-  if (takeValue(line, "# question: ", value))
-  {
-    head.question = value;
+    alternatives.push_back({ std::string(line.value), 0.0 });
     return true;
   }
-  if (takeValue(line, "# right answer: ", value))
+  if (!alternatives.empty() && isOf("intensity ", alternatives.size() - 1))
   {
-    head.hasRightAnswer = value == "the larger intensity";
-    return head.hasRightAnswer || value == "none";
+    return readNumber(line.value, alternatives.back().intensity);
   }
-  if (takeValue(line, "# alternative ", value))
+  if (line.key == "right answer")
   {
-    // Letters in their order.
-    const bool isNext = head.alternatives.size() < Letters &&
-      takeValue(value, letterOf(static_cast<int>(head.alternatives.size())) + ": ", value);
-    head.alternatives.push_back({ std::string(value), 0.0 });
-    return isNext;
+    head.hasRightAnswer = line.value == "the larger intensity";
+    return head.hasRightAnswer || line.value == "none";
   }
-  if (takeValue(line, "# intensity ", value))
+  for (const auto& [key, text] : { std::pair{ "question", &head.question },
+         std::pair{ "device", &head.device }, std::pair{ "started", &head.started } })
   {
-    return !head.alternatives.empty() &&
-      takeValue(value, letterOf(static_cast<int>(head.alternatives.size()) - 1) + ": ", value) &&
-      read(value, head.alternatives.back().intensity);
+    if (line.key == key)
+    {
+      *text = line.value;
+      return true;
+    }
   }
-  if (takeValue(line, "# device: ", value))
-  {
-    head.device = value;
-    return true;
-  }
-  if (takeValue(line, "# started: ", value))
-  {
-    head.started = value;
-    return true;
-  }
-  return (takeValue(line, "# seed: ", value) && read(value, head.seed)) ||
-    (takeValue(line, "# force factor: ", value) && read(value, head.forceFactor));
+  return (line.key == "seed" && readNumber(line.value, head.seed)) ||
+    (line.key == "force factor" && readNumber(line.value, head.forceFactor));
 }
 
 bool readLetter(std::string_view text, std::size_t alternatives, int& number)
@@ -128,34 +110,24 @@ bool readLetter(std::string_view text, std::size_t alternatives, int& number)
 }
 
 /// The row of trial `number`, which must agree with itself.
-bool readRow(std::string_view line, const TrialHead& head, int number, TrialAnswer& answer)
+bool readRow(const CsvReader& csv, const TrialHead& head, int number, TrialAnswer& answer)
 {
-  std::vector<std::string_view> words;
-  for (std::size_t begin = 0; begin <= line.size();)
-  {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = end + 1;
-  }
   int trial = 0;
   int chosen = 0;
-  if (words.size() != 8 || !read(words[0], trial) || trial != number ||
-    !readLetter(words[1], head.alternatives.size(), answer.trial.x) ||
-    !readLetter(words[2], head.alternatives.size(), answer.trial.y) ||
-    !(words[3] == "X" || words[3] == "Y") ||
-    !readLetter(words[4], head.alternatives.size(), chosen) || !read(words[6], answer.seconds) ||
-    !read(words[7], answer.switches))
+  const std::size_t count = head.alternatives.size();
+  if (!readNumber(csv.text(Number), trial) || trial != number ||
+    !readLetter(csv.text(X), count, answer.trial.x) ||
+    !readLetter(csv.text(Y), count, answer.trial.y) ||
+    !(csv.text(Answer) == "X" || csv.text(Answer) == "Y") ||
+    !readLetter(csv.text(Chosen), count, chosen) ||
+    !readNumber(csv.text(Seconds), answer.seconds) ||
+    !readNumber(csv.text(Switches), answer.switches))
   {
     return false;
   }
-  answer.choseX = words[3] == "X";
-  const int right = isRight(head, answer);
+  answer.choseX = csv.text(Answer) == "X";
   return answer.trial.x != answer.trial.y && chosen == chosenBy(answer) && answer.seconds >= 0.0 &&
-    answer.switches >= 0 &&
-    words[5] ==
-    (right < 0       ? ""
-        : right == 1 ? "1"
-                     : "0");
+    answer.switches >= 0 && csv.text(Correct) == correctText(head, answer);
 }
 } // namespace
 
@@ -214,15 +186,16 @@ std::string TrialLog::open(const std::string& path, const TrialHead& head)
 
 std::string TrialLog::append(const TrialAnswer& answer)
 {
-  const int right = isRight(this->Head, answer);
-  std::ostringstream row;
-  row << ++this->Rows << ',' << letterOf(answer.trial.x) << ',' << letterOf(answer.trial.y) << ','
-      << (answer.choseX ? 'X' : 'Y') << ',' << letterOf(chosenBy(answer)) << ','
-      << (right < 0       ? ""
-             : right == 1 ? "1"
-                          : "0")
-      << ',' << written(answer.seconds) << ',' << answer.switches << '\n';
-  return this->write(row.str());
+  return this->write(CsvRow()
+                       .number(++this->Rows)
+                       .text(letterOf(answer.trial.x))
+                       .text(letterOf(answer.trial.y))
+                       .text(answer.choseX ? "X" : "Y")
+                       .text(letterOf(chosenBy(answer)))
+                       .text(correctText(this->Head, answer))
+                       .number(answer.seconds)
+                       .number(answer.switches)
+                       .line());
 }
 
 std::string TrialLog::write(const std::string& text)
@@ -255,50 +228,38 @@ std::string TrialLog::fail(int reason)
 
 std::string readTrialLog(const std::string& path, TrialRecord& record)
 {
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-  {
-    return "cannot read the trial log '" + path + "'";
-  }
+  CsvReader csv(path);
   TrialRecord result;
-  std::string line;
+  bool isFirst = true;
   bool inHead = true;
-  int number = 0;
-  while (std::getline(file, line))
+  csv.comment = [&](std::string_view text) -> std::string
   {
-    ++number;
+    const bool isGood = std::exchange(isFirst, false)
+      ? text == FirstLine
+      : inHead && readHeadLine(CsvComment(text), result.head);
+    return isGood ? "" : "not a line of the head of a trial log";
+  };
+  const bool isBegun = csv.header(
+    { "trial", "x", "y", "answer", "chosen", "correct", "seconds", "switches" }, ColumnCount);
+  inHead = false;
+  if (isBegun && (isFirst || result.head.alternatives.size() < 2))
+  {
+    csv.fail("the head of a trial log, or an alternative of it, is missing");
+  }
+  while (csv.next())
+  {
+    result.answers.emplace_back();
     // A row without an end of line was being written when all ended.
-    bool isGood = !file.eof();
-    if (number == 1)
+    if (!csv.endsLine() ||
+      !readRow(csv, result.head, static_cast<int>(result.answers.size()), result.answers.back()))
     {
-      isGood = isGood && line == FirstLine;
-    }
-    else if (inHead && line == Columns)
-    {
-      inHead = false;
-      isGood = isGood && result.head.alternatives.size() > 1;
-    }
-    else if (inHead)
-    {
-      isGood = isGood && readHeadLine(line, result.head);
-    }
-    else
-    {
-      result.answers.emplace_back();
-      isGood = isGood &&
-        readRow(line, result.head, static_cast<int>(result.answers.size()), result.answers.back());
-    }
-    if (!isGood)
-    {
-      std::string error = path + ":" + std::to_string(number);
-      return error.append(": not a line of a trial log here: '").append(line).append("'");
+      csv.fail("not an answer to this trial");
     }
   }
-  if (file.bad() || inHead)
+  if (csv.fault().empty())
   {
-    return path + ": ends within the head of a trial log";
+    record = std::move(result);
   }
-  record = std::move(result);
-  return {};
+  return csv.fault();
 }
 } // namespace palpate

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/WindowPicture.h"
 
-#include "Contact/WholeFile.h"
+#include "Mechanics/Files/WholeFile.h"
 
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"

@@ -217,15 +217,15 @@ TEST(TrialLog, BadFilesAreNamedWithTheirLine)
     std::string text;
     const char* place;
   } wrong[] = {
-    { "", "ends within the head" }, { "time_s,tip_x_mm\n", ":1:" },
+    { "", ":0: there is no line with the names of the columns" }, { "time_s,tip_x_mm\n", ":1:" },
     { replaced("trial 1\n", "trial 2\n"), ":1:" },
     { replaced("larger intensity", "louder one"), ":3:" },
     { replaced("alternative B", "alternative C"), ":6:" },
     { replaced("intensity B: 2.5", "intensity B: nan"), ":7:" },
     { replaced("seed: 18446744073709551615", "seed: 18446744073709551616"), ":8:" },
     { replaced("# started", "# ended"), ":11:" },
-    { good.substr(0, good.find("# seed")), "ends within the head" },
-    { replaced("# alternative B: friction=0.3\n# intensity B: 2.5\n", ""), ":10:" },
+    { good.substr(0, good.find("# seed")), ":7: there is no line" },
+    { replaced("# alternative B: friction=0.3\n# intensity B: 2.5\n", ""), ":10: the head" },
     { replaced("1,A,B,X,A,0,", "2,A,B,X,A,0,"), ":13:" }, // not the first
     { replaced("1,A,B,X,A,0,", "1,A,B,X,B,0,"), ":13:" }, // chose X, which was A
     { replaced("1,A,B,X,A,0,", "1,A,B,X,A,1,"), ":13:" }, // the weaker is not right

@@ -86,7 +86,7 @@ TEST(CurvesFile, RefusesTheHead)
   refuse(
     Head + "site,x_mm,y_mm,z_mm,deflection_mm\n" + row, "press.csv:2: column 'force_N' is missing");
   refuse(Head + "site,x_mm,y_mm,z_mm,deflection_mm,force_mN\n" + row,
-    "press.csv:2: column 'force_mN' is not known");
+    "press.csv:2: column 'force_N' is missing");
   refuse(Head + "site,x_mm,x_mm,y_mm,z_mm,deflection_mm,force_N\n" + row,
     "press.csv:2: column 'x_mm' stands there twice");
   MeasuredCurves curves;
@@ -155,6 +155,6 @@ TEST(CurvesFile, ReadsTablesAsItReadsFiles)
   wrong.rowCount = 0;
   refuse(wrong, "table: there are no readings");
   wrong = table;
-  wrong.columns.back() = "phases";
-  refuse(wrong, "table: column 'phases' is not known");
+  wrong.columns.front() = "force_mN";
+  refuse(wrong, "table: column 'force_N' is missing");
 }

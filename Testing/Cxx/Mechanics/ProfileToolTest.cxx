@@ -187,11 +187,11 @@ TEST_F(ProfileFileTest, ReadsHeaderCommentsAndBlankLines)
 
 TEST_F(ProfileFileTest, WhatIsWrongIsNamedWithItsLine)
 {
-  this->expectNamed("r,f\n0,0\n1,x\n2,1\n", this->File.path() + ":3: '1,x'");
+  this->expectNamed("r,f\n0,0\n1,x\n2,1\n", this->File.path() + ":3: column 2: 'x'");
   this->expectNamed("0,0\n1\n", ":2: '1'");
-  this->expectNamed("0,0\n1,2,3\n", ":2: '1,2,3'");
-  this->expectNamed("0,0\nr,f\n1,1\n", ":2: 'r,f'");
-  this->expectNamed("r,f\nr,f\n0,0\n1,1\n", ":2: 'r,f'");
+  this->expectNamed("0,0\n1,2,3\n", ":2: '1' is not a profile point");
+  this->expectNamed("0,0\nr,f\n1,1\n", ":2: column 1: 'r'");
+  this->expectNamed("r,f\nr,f\n0,0\n1,1\n", ":2: column 1: 'r'");
   this->expectNamed("0;0\n1;1\n", ":1: '0;0'");
   this->expectNamed("# c\n0,0\n2,1\n1,2\n", ":4: ");
   this->expectNamed("0.1,0\n1,1\n", ":1: ");
@@ -201,7 +201,7 @@ TEST_F(ProfileFileTest, WhatIsWrongIsNamedWithItsLine)
   palpate::ToolSpecification kept;
   std::string error;
   EXPECT_FALSE(palpate::parseTool("profile:/nowhere/tip.csv", kept, error));
-  EXPECT_NE(error.find("cannot read the profile '/nowhere/tip.csv'"), std::string::npos) << error;
+  EXPECT_NE(error.find("/nowhere/tip.csv: cannot be opened"), std::string::npos) << error;
   EXPECT_FALSE(palpate::parseTool("profile:" + ::testing::TempDir(), kept, error)); // a folder
 }
 

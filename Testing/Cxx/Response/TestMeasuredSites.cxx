@@ -167,7 +167,7 @@ void checkRegistration(const std::string& folder)
   refuse("1 0 0 0\n0 1 0 0\n0 0 1 0\n", { "16 numbers", "12" });
   refuse("1 0 0 0\n0 1 nan 0\n", { "wrong.txt:2", "4 finite numbers" });
   refuse("1 0 0\n", { "wrong.txt:1", "4 finite numbers", "from_x_mm" });
-  refuse(columns + "0,0,0,1,2,3\n1,2\n", { "wrong.txt:3", "6 finite numbers" });
+  refuse(columns + "0,0,0,1,2,3\n1,2\n", { "wrong.txt:3", "2 fields instead of 6" });
   refuse(columns + "0,0,0,1,2,3\n1,0,0,2,2,3\n2,0,0,3,2,3\n", { "three pairs", "not in line" });
   filter->SetRegistrationFile("/nowhere/matrix.txt");
   filter->Update();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A file is replaced by one that is whole, or stays what it was.
-#include "Contact/WholeFile.h"
+#include "Mechanics/Files/WholeFile.h"
 
 #include "FileSizeLimit.h"
 #include "ScratchFile.h"

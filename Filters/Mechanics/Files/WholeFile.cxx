@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Contact/WholeFile.h"
+#include "Mechanics/Files/WholeFile.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MappedFile_h
+#define palpate_MappedFile_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <cstddef>
+#include <string>
+
+namespace palpate
+{
+/// A file as memory that may be read: what is touched of it is loaded, and shared with whoever else
+/// maps it. A file that is cut short meanwhile ends the program that reads on (SIGBUS): replace one
+/// by WholeFile.
+class PALPATE_EXPORT MappedFile
+{
+public:
+  MappedFile() = default;
+  ~MappedFile() { this->close(); }
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  /// Returns "cannot open 'PATH': " or "cannot map 'PATH': " and the system's reason, or "". What
+  /// is empty or no file (a folder, a pipe) has no bytes.
+  std::string open(const std::string& path);
+  void close() noexcept;
+
+  /// Aligned to a page; null while there are none.
+  const unsigned char* bytes() const noexcept { return static_cast<unsigned char*>(this->Bytes); }
+  std::size_t size() const noexcept { return this->Size; }
+
+private:
+  void* Bytes = nullptr;
+  std::size_t Size = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_NumberText_h
+#define palpate_NumberText_h
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace palpate
+{
+/// Whether all of the text is one number, and a finite one; else `value` may be anything.
+template <class Number>
+bool readNumber(std::string_view text, Number& value)
+{
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  const bool isWhole = read.ec == std::errc() && read.ptr == end;
+  if constexpr (std::is_floating_point_v<Number>)
+  {
+    return isWhole && std::isfinite(value);
+  }
+  return isWhole;
+}
+
+/// The shortest decimals that read back to the same bits.
+template <class Number>
+std::string shortestDecimals(Number value)
+{
+  char buffer[40];
+  return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
+}
+} // namespace palpate
+
+#endif
