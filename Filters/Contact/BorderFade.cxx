@@ -69,7 +69,7 @@ BorderFade BorderFade::at(const PackedMesh& mesh, std::int32_t triangle, const V
   }
   const double beyond = std::sqrt(std::max(0.0, offset.squaredNorm() - fade.depth * fade.depth));
   const double left = beyond < fade.depth ? 1.0 - beyond / fade.depth : 0.0;
-  fade.share = left * left * (3.0 - 2.0 * left);
+  fade.fraction = left * left * (3.0 - 2.0 * left);
   return fade;
 }
 } // namespace palpate

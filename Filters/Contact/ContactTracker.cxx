@@ -174,7 +174,7 @@ bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noex
   }
   const TriangleProjection& border = result.place.projection;
   return BorderFade::at(this->Mesh, result.place.triangle, border.weights, tip - border.point)
-           .share > 0.0;
+           .fraction > 0.0;
 }
 
 ContactTracker::Result ContactTracker::search(const Vector3& tip) noexcept

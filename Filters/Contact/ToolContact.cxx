@@ -79,14 +79,14 @@ Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
   place.normal = this->Body.surface.faceNormal(place.triangle);
   place.weightGradients.setZero();
   Contact result;
-  if (!(left.share > 0.0) || !this->hasResponse(place) || !this->blend(place, response, result))
+  if (!(left.fraction > 0.0) || !this->hasResponse(place) || !this->blend(place, response, result))
   {
     this->Resistance.reset();
     return withoutForce(ContactState::LostAtBorder);
   }
-  result.normalForce *= left.share;
-  result.stiffness *= left.share;
-  result.force *= left.share;
+  result.normalForce *= left.fraction;
+  result.stiffness *= left.fraction;
+  result.force *= left.fraction;
   this->addFriction(response, result);
   result.state = ContactState::LostAtBorder;
   return result;

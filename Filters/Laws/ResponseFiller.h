@@ -63,7 +63,7 @@ struct MadeResponse
 
 /// A tool pressed at each of `points` points of a body: fills the spans, whose status must be set.
 /// `range` (mm): one that the tool's checkDepth allows. `curvature(i)` as in ResponseFiller; it may
-/// be asked from several threads. `goOn(share)` is told how much is done, and stops it by false.
+/// be asked from several threads. `goOn(fraction)` is told how much is done, and stops it by false.
 /// The same bits for any number of threads.
 PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
   double range, double bodyWidth, std::size_t points,

@@ -20,7 +20,7 @@ inline bool isAborted(vtkAlgorithm* filter)
 #endif
 }
 
-/// A share of a filter's work: reports progress within [from, to] and tells whether to go on.
+/// A fraction of a filter's work: reports progress within [from, to] and tells whether to go on.
 struct FilterStage
 {
   vtkAlgorithm* filter;

@@ -72,7 +72,7 @@ void vtkHapticSession::SetDevice(std::unique_ptr<palpate::HapticDevice> device)
     vtkErrorMacro(<< "The device given is null.");
     return;
   }
-  *this->Chosen = { palpate::SessionDevice::OfTheCaller, std::move(device), {} };
+  *this->Chosen = { palpate::SessionDevice::OfTheCaller, std::move(device), {}, {} };
   this->Modified();
 }
 
@@ -92,14 +92,18 @@ bool vtkHapticSession::GetDeviceOutputsForce()
 
 double vtkHapticSession::GetDeviceForceLimit()
 {
-  const auto& device = this->Chosen->device;
-  const auto limits = device ? device->specification() : palpate::stiffHand();
+  const auto limits = this->Chosen->specification(this->Rate);
   return std::min(this->ForceLimit, limits.maximumForce);
 }
 
 bool vtkHapticSession::IsDevicePhysical()
 {
   return this->Chosen->kind == palpate::SessionDevice::Opened;
+}
+
+bool vtkHapticSession::IsDeviceSimulated()
+{
+  return this->Chosen->isSimulated();
 }
 
 std::string vtkHapticSession::ListDevices()

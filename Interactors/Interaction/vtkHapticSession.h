@@ -14,6 +14,13 @@
  *   a polyline with a point array `Time` (s, not decreasing); with RealTime it follows SteerTo, as
  *   from a mouse. It is good for 10 N. Neither stiffness nor energy limits it, as no loop is closed
  *   through a hand that does not move with the force.
+ * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves, m dv/dt =
+ *   F + hand - b v: of mass m (kg, default 0.1) and viscous damping b (N s/m, 1), held by a hand of
+ *   stiffness k (N/m, 300) and hand-damping (N s/m, 5) towards where the path, or SteerTo, says. It
+ *   closes a loop, so that stiffness cap and passivity control act as on a real device of this
+ *   damping: no spring above b/(T/2 + delays), T being 1/Rate. It is good for 10 N. Also friction
+ * (N), encoder-step (m), force-delay, sample-delay (s) and hand-force (N): see palpate::readPlant.
+ * What is not named, and of "plant" all, has its default.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that speaks the same reports, "unix:/PATH" or "udp:PORT";
@@ -129,6 +136,8 @@ public:
   double GetDeviceForceLimit();
   /** Whether it is plugged in or bridged, rather than simulated, replayed or given by C++. */
   bool IsDevicePhysical();
+  /** Whether it follows SetPath, with RealTime SteerTo: "simulated" and "plant". */
+  bool IsDeviceSimulated();
   /** The devices that are plugged in, a line each, or why there is none. */
   static std::string ListDevices();
 
@@ -212,7 +221,7 @@ public:
   void ClearFitResponses();
   ///@}
 
-  /** Path of the simulated device: a polyline in the body's frame with a point array `Time`. */
+  /** Path of a simulated device: a polyline in the body's frame with a point array `Time`. */
   void SetPath(vtkPolyData* path);
 
   ///@{
@@ -249,7 +258,7 @@ public:
   vtkBooleanMacro(LockMemory, bool);
   ///@}
 
-  /** Device "simulated" with RealTime: where the hand is to go, mm, body frame. Before Start: where
+  /** A simulated device with RealTime: where the hand is to go, mm, body frame. Before Start: where
    * it begins. */
   void SteerTo(const double tip[3]);
 
@@ -373,7 +382,6 @@ private:
   bool ReadMapping(Started& started);
   bool ReadSafety(Started& started);
   bool MakeDevice(Started& started);
-  bool MakeHandOnPath(Started& started);
   std::unique_ptr<palpate::ServoScene> MakeScene(
     const palpate::SafetySettings& safety, double scale);
   bool FitToDevice(const palpate::SafetySettings& safety, double scale, double& factor);

@@ -22,6 +22,29 @@
 namespace
 {
 constexpr double FreeMargin = 10.0; // mm around a body that is fitted into a workspace
+
+/// A polyline with times as the hand's way. Returns what is wrong, or "".
+std::string readPath(
+  vtkPolyData* line, const palpate::WorkspaceMapping& mapping, std::vector<palpate::WayPoint>& path)
+{
+  vtkDataArray* times = line ? line->GetPointData()->GetArray("Time") : nullptr;
+  if (!times || line->GetNumberOfPoints() == 0)
+  {
+    return "The simulated device needs a path with a point array 'Time' (s)";
+  }
+  for (vtkIdType i = 0; i < line->GetNumberOfPoints(); ++i)
+  {
+    Eigen::Vector3d position;
+    line->GetPoint(i, position.data());
+    path.push_back({ times->GetTuple1(i), mapping.toDevice(position) });
+    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
+      (i > 0 && path[path.size() - 2].time > path.back().time))
+    {
+      return "Point " + std::to_string(i) + " of the path is not finite or goes back in time";
+    }
+  }
+  return {};
+}
 } // namespace
 
 bool vtkHapticSession::Start()
@@ -123,10 +146,9 @@ bool vtkHapticSession::ReadMapping(Started& started)
   {
     double bounds[6];
     this->Body->GetBounds(bounds);
-    const auto& device = this->Chosen->device;
     mapping =
       mapping.fitted({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] },
-        device ? device->specification().workspace : palpate::stiffHand().workspace, FreeMargin);
+        this->Chosen->specification(this->Rate).workspace, FreeMargin);
   }
   if (const palpate::SettingFault fault = mapping.fault())
   {
@@ -158,52 +180,40 @@ bool vtkHapticSession::ReadSafety(Started& started)
 
 bool vtkHapticSession::MakeDevice(Started& started)
 {
+  const palpate::DeviceSpecification limits = this->Chosen->specification(this->Rate);
+  const palpate::HeldPlant& held = this->Chosen->held;
+  const bool isStiff = this->Chosen->isStiff();
   started.device = this->Chosen->device;
   if (this->Chosen->kind == palpate::SessionDevice::Replay)
   {
-    const auto replay = std::make_shared<palpate::ReplayDevice>(
-      this->Chosen->trajectory, started.mapping, palpate::stiffHand());
+    const auto replay =
+      std::make_shared<palpate::ReplayDevice>(this->Chosen->trajectory, started.mapping, limits);
     started.pathDuration = replay->duration();
     started.device = replay;
   }
-  else if (this->Chosen->kind == palpate::SessionDevice::Simulated && this->RealTime)
+  else if (this->Chosen->isSimulated() && this->RealTime)
   {
-    const auto hand = std::make_shared<palpate::SteeredDevice>(
-      started.mapping.toDevice(Eigen::Vector3d(this->Steered)), palpate::stiffHand());
+    const Eigen::Vector3d start = started.mapping.toDevice(Eigen::Vector3d(this->Steered));
+    const auto hand = isStiff
+      ? std::make_shared<palpate::SimulatedDevice>(start, limits)
+      : std::make_shared<palpate::SimulatedDevice>(held.plant, held.hand, start, limits);
     started.steered = hand.get();
     started.device = hand;
   }
-  else if (this->Chosen->kind == palpate::SessionDevice::Simulated)
+  else if (this->Chosen->isSimulated())
   {
-    return this->MakeHandOnPath(started);
-  }
-  return true;
-}
-
-bool vtkHapticSession::MakeHandOnPath(Started& started)
-{
-  vtkDataArray* times = this->Path ? this->Path->GetPointData()->GetArray("Time") : nullptr;
-  if (!times || this->Path->GetNumberOfPoints() == 0)
-  {
-    vtkErrorMacro(<< "The simulated device needs a path with a point array 'Time' (s).");
-    return false;
-  }
-  std::vector<palpate::WayPoint> path;
-  for (vtkIdType i = 0; i < this->Path->GetNumberOfPoints(); ++i)
-  {
-    Eigen::Vector3d position;
-    this->Path->GetPoint(i, position.data());
-    path.push_back({ times->GetTuple1(i), started.mapping.toDevice(position) });
-    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
-      (i > 0 && path[path.size() - 2].time > path.back().time))
+    std::vector<palpate::WayPoint> path;
+    const std::string fault = readPath(this->Path, started.mapping, path);
+    if (!fault.empty())
     {
-      vtkErrorMacro(<< "Point " << i << " of the path is not finite or goes back in time.");
+      vtkErrorMacro(<< fault << ".");
       return false;
     }
+    started.pathDuration = path.back().time;
+    started.device = isStiff
+      ? std::make_shared<palpate::SimulatedDevice>(std::move(path), limits)
+      : std::make_shared<palpate::SimulatedDevice>(held.plant, held.hand, std::move(path), limits);
   }
-  started.pathDuration = path.back().time;
-  started.device =
-    std::make_shared<palpate::SimulatedDevice>(std::move(path), palpate::stiffHand());
   return true;
 }
 

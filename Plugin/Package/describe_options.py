@@ -17,7 +17,7 @@ WORDS = {
     "--tool": "flat: sphere: paraboloid: cone: truncated: blunted: rounded: power: profile:",
     "--layer": "scan none",
     "--length-unit": "mm cm m",
-    "--device": "simulated replay: hid: bridge:",
+    "--device": "simulated plant: replay: hid: bridge:",
     "--fixed": "x- x+ y- y+ z- z+",
 }
 

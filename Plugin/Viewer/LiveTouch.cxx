@@ -116,11 +116,6 @@ LiveTouch::LiveTouch(
   this->Style->SetPressDepth(scene.depth);
   this->Style->SetOutputFolder(options.output);
   this->Interactor->SetInteractorStyle(this->Style);
-  if (options.device == "simulated") // no other follows the mouse
-  {
-    this->Renderer->AddViewProp(this->Hint);
-    this->onFrame([this] { this->placeHelp(); });
-  }
 }
 
 void LiveTouch::showHelp(const std::string& text)
@@ -148,6 +143,12 @@ void LiveTouch::open()
   const std::array<double, 3> tip = site.above(this->Style->GetHoverHeight());
   const double none[3] = { 0.0, 0.0, 0.0 };
   this->Interactor->Initialize();
+  if (this->Session->IsDeviceSimulated()) // no other follows the mouse
+  {
+    this->Renderer->AddViewProp(this->Hint);
+    this->onFrame([this] { this->placeHelp(); });
+    this->placeHelp();
+  }
   if (this->HasPanel)
   {
     this->Panel->On();

@@ -120,15 +120,14 @@ std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scen
     error = makePath(scene, path);
   }
   vtkNew<vtkHapticSession> session;
-  const bool isSimulated = options.device == "simulated";
   if (error.empty())
   {
     session->SetBody(responses.body);
     session->SetPath(repeated(path, 2 * trial.numberOfTrials()));
     session->SetRate(options.rate);
-    session->SetRealTime(!isSimulated);
     session->RecordingOff();
     error = chooseDevice(options, responses, session);
+    session->SetRealTime(!session->IsDeviceSimulated());
   }
   if (error.empty())
   {
@@ -139,8 +138,9 @@ std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scen
   {
     error = trial.open(options, scene, responses, session);
   }
-  const double seconds =
-    isSimulated && error.empty() ? path->GetPointData()->GetArray("Time")->GetRange()[1] : 0.0;
+  const double seconds = session->IsDeviceSimulated() && error.empty()
+    ? path->GetPointData()->GetArray("Time")->GetRange()[1]
+    : 0.0;
   bool hasEnded = false;
   while (error.empty() && !hasEnded && !trial.isOver())
   {

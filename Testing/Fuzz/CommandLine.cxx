@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any words as the viewer's command line: the program ends and says why, or goes on with options
 // that it can use. Input: the words, a line each. Files and devices are named, not opened.
+#include "Contact/SettingTable.h"
 #include "Haptics/Devices/BridgeSocket.h"
+#include "Haptics/Simulation/SimulatedPlant.h"
 #include "Require.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 #include "ViewerOptions.h"
@@ -104,7 +106,7 @@ void checkTouch(const ViewerOptions& options)
   require(isPositive(options.maximumDeflection), "a range");
   require(areFinite(options.site) && areFinite(options.slideTo), "a place");
   require(options.rate >= 1.0 && options.rate <= 1e5, "a rate");
-  require(!options.contact.fault(), "the contact's settings are sound");
+  require(!faultOfContact(options.contact), "the contact's settings are sound");
   require(isPositive(options.scale) && isPositive(options.tolerance), "scale and tolerance");
 }
 
@@ -117,7 +119,7 @@ void checkTrial(const ViewerOptions& options)
   for (const TrialChoice& choice : options.trial)
   {
     require(names.insert(choice.name).second, "no alternative is given twice");
-    require(!choice.contact.fault(), "an alternative's settings are sound");
+    require(!faultOfContact(choice.contact), "an alternative's settings are sound");
     require(!choice.youngsModulus || isPositive(*choice.youngsModulus), "its modulus");
     require(!choice.layer || isNotNegative(choice.layer->thickness), "its layer");
     require(choice.tool.empty() ||
@@ -136,6 +138,13 @@ void checkBridge(const std::string& device)
     std::string error;
     const auto socket = BridgeSocket::open(device.substr(kind.size()), error);
     require((socket == nullptr) == !error.empty(), "a refused address has words");
+  }
+  const std::string plant = "plant:";
+  if (device.rfind(plant, 0) == 0)
+  {
+    HeldPlant held;
+    readPlant(device.substr(plant.size()), held);
+    require(fault(held).empty(), "a plant that was read has its settings in range");
   }
 }
 } // namespace

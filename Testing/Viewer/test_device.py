@@ -29,6 +29,18 @@ class Device(SessionCase):
         self.assertAlmostEqual(table["deflection_mm"].max(), 1.0, delta=0.05)  # facets of the sphere
         self.assertAlmostEqual(table["tip_z_mm"][500], 27.0, places=12)  # half-way in time
 
+    def test_a_plant_yields_to_the_force(self):
+        path = bodies.write(bodies.sphere(), self.folder / "body.vtp")
+        depth = {}
+        for device in ("simulated", "plant:stiffness=100", "plant:stiffness=1000,mass=0.05"):
+            result = run(path, "--device", device, "--output", self.output)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            depth[device] = read(self.output / "trajectory.csv")[1]["deflection_mm"].max()
+        stiff, soft, firm = depth.values()
+        self.assertLess(0, soft)
+        self.assertLess(soft, firm)
+        self.assertLess(firm, stiff)
+
     def test_list_devices_needs_no_display_and_no_body(self):
         result = run("--list-devices", environment={"DISPLAY": None})
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -43,6 +55,7 @@ class Device(SessionCase):
                              ("hid:/dev/nowhere", "/dev/nowhere"), ("bridge:", "bridge:ADDRESS"),
                              ("bridge:nowhere", "nowhere"), ("replay:", "replay:FILE"),
                              ("replay:nowhere.csv", "nowhere.csv"),
+                             ("plant:", "plant:SETTINGS"), ("plant:mass=0", "from 1e-06 to 1e+09 kg"),
                              (f"replay:{broken}", "broken.csv:2")):
             with self.subTest(device=device):
                 self.refuse_after_drawing(path, device, word)

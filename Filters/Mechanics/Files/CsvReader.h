@@ -103,7 +103,7 @@ private:
 PALPATE_EXPORT std::string_view trimmed(std::string_view text);
 
 /// What stands before and after the first colon of a comment, "key: value", trimmed.
-struct CsvComment
+struct PALPATE_EXPORT CsvComment
 {
   explicit CsvComment(std::string_view text);
   std::string_view key;

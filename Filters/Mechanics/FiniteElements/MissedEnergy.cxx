@@ -35,7 +35,7 @@ double MissedEnergy::of(const Eigen::Vector3d& point, std::size_t element) const
   return this->Weights[element] / (square * square * square);
 }
 
-double MissedEnergy::share(const Eigen::Vector3d& point, const LocalPatch& patch) const
+double MissedEnergy::fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const
 {
   double inner = 0.0;
   double outer = 0.0;

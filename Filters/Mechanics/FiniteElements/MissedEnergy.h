@@ -13,7 +13,7 @@ public:
   explicit MissedEnergy(const VolumeMesh& mesh);
 
   /// What to add of (outer - inner) to the self-term of the outer cut; 0 for quadratic elements.
-  double share(const Eigen::Vector3d& point, const LocalPatch& patch) const;
+  double fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const;
 
 private:
   double of(const Eigen::Vector3d& point, std::size_t element) const;

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/// Shares of the work: patches and cut-outs, self-terms, body.
+/// Fractions of the work: patches and cut-outs, self-terms, body.
 constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;
 
@@ -65,7 +65,7 @@ struct Site
   PatchStatus status = PatchStatus::Valid;
   std::array<PatchLoad, 2> loads;
   PatchKey key{};
-  double missedShare = 0.0;
+  double missedFraction = 0.0;
 };
 
 bool isFixedAlong(const ElasticBody& body, std::int32_t node, const Eigen::Vector3d& direction)
@@ -112,14 +112,14 @@ SparseLoad sparseLoad(
   const ElasticBody& body, const Eigen::Vector3d& normal, const PatchLoad& patch)
 {
   SparseLoad load;
-  for (const auto& [node, share] : patch.nodes)
+  for (const auto& [node, weight] : patch.nodes)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const int unknown = body.unknown(node, axis);
       if (unknown >= 0 && normal[axis] != 0.0)
       {
-        load.emplace_back(unknown, -share * normal[axis]);
+        load.emplace_back(unknown, -weight * normal[axis]);
       }
     }
   }
@@ -142,7 +142,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
           {
             const LocalPatch patch = patchCutAt(body, points[i], radius, site.loads);
             site.key = patchKey(patch);
-            site.missedShare = missed.share(body.surface().position(points[i]), patch);
+            site.missedFraction = missed.fraction(body.surface().position(points[i]), patch);
           }
         }))
   {
@@ -213,7 +213,7 @@ PatchCompliances patchCompliances(const ElasticBody& body, const std::vector<std
     std::array<double, 2> structural{};
     for (std::size_t k = 0; k < 2; ++k)
     {
-      const double self = cuts[1][k] + site.missedShare * (cuts[1][k] - cuts[0][k]);
+      const double self = cuts[1][k] + site.missedFraction * (cuts[1][k] - cuts[0][k]);
       structural[k] = whole[2 * i + k] - self / modulus;
     }
     result.compliance[point] = (4.0 * structural[0] - structural[1]) / 3.0;
@@ -238,9 +238,9 @@ Eigen::Matrix3Xd patchForces(const ElasticBody& body, std::int32_t point, double
     forces.col(surface.node(point)) = inward;
     return forces;
   }
-  for (const auto& [node, share] : load.nodes)
+  for (const auto& [node, weight] : load.nodes)
   {
-    forces.col(node) = share * inward;
+    forces.col(node) = weight * inward;
   }
   return forces;
 }

@@ -301,7 +301,7 @@ LocalPatch cutOut(const VolumeMesh& mesh, const MeshTopology& topology, const Bo
   for (std::size_t k = 0; k < 2; ++k)
   {
     patch.loads[k].complete = loads[k].complete;
-    for (const auto& [node, share] : loads[k].nodes)
+    for (const auto& [node, weight] : loads[k].nodes)
     {
       const auto at = number.find(node);
       if (at == number.end())
@@ -309,7 +309,7 @@ LocalPatch cutOut(const VolumeMesh& mesh, const MeshTopology& topology, const Bo
         patch.loads[k].complete = false;
         continue;
       }
-      patch.loads[k].nodes.emplace_back(at->second, share);
+      patch.loads[k].nodes.emplace_back(at->second, weight);
     }
     std::sort(patch.loads[k].nodes.begin(), patch.loads[k].nodes.end());
     for (std::size_t q = 0; q < DiscRule::Count; ++q)
@@ -352,10 +352,10 @@ PatchKey patchKey(const LocalPatch& patch)
   }
   for (const PatchLoad& load : patch.loads)
   {
-    for (const auto& [node, share] : load.nodes)
+    for (const auto& [node, weight] : load.nodes)
     {
       stream.add(static_cast<long long>(node));
-      stream.add(std::llround(share * 1e9));
+      stream.add(std::llround(weight * 1e9));
     }
   }
   return stream.key();

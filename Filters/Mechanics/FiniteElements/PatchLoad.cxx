@@ -83,13 +83,13 @@ const DiscRule& DiscRule::standard()
     // Gauss-Legendre in the square of the radius, eight angles, every other ring turned.
     const std::array<double, 3> square = { 0.5 - 0.5 * std::sqrt(0.6), 0.5,
       0.5 + 0.5 * std::sqrt(0.6) };
-    const std::array<double, 3> share = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
+    const std::array<double, 3> ofRing = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
     for (std::size_t i = 0; i < Count; ++i)
     {
       const std::size_t ring = i / 8;
       const double angle = Pi * (static_cast<double>(i % 8) / 4.0 + (ring == 1 ? 0.125 : 0.0));
       made.at[i] = std::sqrt(square[ring]) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      made.weights[i] = share[ring] / 8.0;
+      made.weights[i] = ofRing[ring] / 8.0;
     }
     return made;
   }();

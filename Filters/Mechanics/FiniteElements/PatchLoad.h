@@ -38,7 +38,7 @@ struct PatchLoad
 {
   /// False when the disc wraps an edge or leaves the surface.
   bool complete = false;
-  /// Shares of the force by node; they sum to 1. Nodes ascend.
+  /// Weights of the force by node; they sum to 1. Nodes ascend.
   std::vector<std::pair<std::int32_t, double>> nodes;
   /// Where the quadrature puts the force, mm; beside `DiscRule::weights`.
   std::array<Eigen::Vector3d, DiscRule::Count> places;

@@ -130,12 +130,12 @@ TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    for (const auto& [node, share] : patch.loads[k].nodes)
+    for (const auto& [node, weight] : patch.loads[k].nodes)
     {
       const int row = dof[3 * static_cast<std::size_t>(node) + 2];
       if (row >= 0)
       {
-        right(row, static_cast<Eigen::Index>(k)) += share;
+        right(row, static_cast<Eigen::Index>(k)) += weight;
       }
     }
   }
@@ -191,10 +191,10 @@ SelfTerms patchSelfTerms(const LocalPatch& patch)
     for (std::size_t k = 0; k < 2; ++k)
     {
       terms[cut][k] = 0.0;
-      for (const auto& [node, share] : patch.loads[k].nodes)
+      for (const auto& [node, weight] : patch.loads[k].nodes)
       {
         terms[cut][k] +=
-          share * moved(3 * static_cast<Eigen::Index>(node) + 2, static_cast<Eigen::Index>(k));
+          weight * moved(3 * static_cast<Eigen::Index>(node) + 2, static_cast<Eigen::Index>(k));
       }
     }
   }

@@ -18,10 +18,10 @@ constexpr double DentIsWhole = 0.642787610; // cos 50°
 constexpr std::array<double, 2> PatchWeights = { 4.0 / 3.0, -1.0 / 3.0 };
 
 /// How much of the dent is seen at each point of the surface, 0 to 1.
-std::vector<double> dentShares(const BodySurface& surface, std::int32_t point)
+std::vector<double> dentFades(const BodySurface& surface, std::int32_t point)
 {
-  std::vector<double> shares(static_cast<std::size_t>(surface.pointTotal()), 0.0);
-  std::vector<unsigned char> seen(shares.size(), 0);
+  std::vector<double> fades(static_cast<std::size_t>(surface.pointTotal()), 0.0);
+  std::vector<unsigned char> seen(fades.size(), 0);
   std::vector<std::int32_t> front = { point };
   seen[static_cast<std::size_t>(point)] = 1;
   while (!front.empty())
@@ -31,7 +31,7 @@ std::vector<double> dentShares(const BodySurface& surface, std::int32_t point)
     const double facing = std::clamp(
       (surface.normal(at).dot(surface.normal(point)) - DentEnds) / (DentIsWhole - DentEnds), 0.0,
       1.0);
-    shares[static_cast<std::size_t>(at)] = facing * facing * (3.0 - 2.0 * facing);
+    fades[static_cast<std::size_t>(at)] = facing * facing * (3.0 - 2.0 * facing);
     for (const std::int32_t* t = surface.trianglesBegin(at); t != surface.trianglesEnd(at); ++t)
     {
       for (const std::int32_t next : surface.triangle(*t))
@@ -45,7 +45,7 @@ std::vector<double> dentShares(const BodySurface& surface, std::int32_t point)
       }
     }
   }
-  return shares;
+  return fades;
 }
 
 /// The surface of the half-space at a point of the body, for E = 1 MPa; not nearer than `nearest`
@@ -97,19 +97,19 @@ Eigen::Matrix3Xd RegularField::at(std::int32_t point) const
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, this->Body.mesh().nodes.cols());
   for (std::size_t k = 0; k < 2; ++k)
   {
-    for (const auto& [node, share] : loads[k].nodes)
+    for (const auto& [node, weight] : loads[k].nodes)
     {
-      forces.col(node) -= PatchWeights[k] * share * surface.normal(point);
+      forces.col(node) -= PatchWeights[k] * weight * surface.normal(point);
     }
   }
   const Eigen::Matrix3Xd whole = this->Body.displacement(forces);
 
-  const std::vector<double> shares = dentShares(surface, point);
+  const std::vector<double> fades = dentFades(surface, point);
   const double modulus = this->Body.materialAt(surface.node(point)).youngsModulus;
   Eigen::Matrix3Xd dent = Eigen::Matrix3Xd::Zero(3, surface.pointTotal());
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
-    if (i != point && shares[static_cast<std::size_t>(i)] > 0.0)
+    if (i != point && fades[static_cast<std::size_t>(i)] > 0.0)
     {
       dent.col(i) = dentAt(surface, point, i, patch.spacing, patch.poissonRatio);
     }
@@ -121,11 +121,11 @@ Eigen::Matrix3Xd RegularField::at(std::int32_t point) const
   Eigen::Matrix3Xd field(3, surface.pointTotal());
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
-    const double share = shares[static_cast<std::size_t>(i)];
+    const double fade = fades[static_cast<std::size_t>(i)];
     field.col(i) = whole.col(surface.node(i));
-    if (share > 0.0)
+    if (fade > 0.0)
     {
-      field.col(i) -= share / modulus * dent.col(i);
+      field.col(i) -= fade / modulus * dent.col(i);
     }
   }
   return field;

@@ -7,10 +7,12 @@
  * in blocks of neighbours in that tree, which share most of their path.
  *
  * Supernodal: CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008), ordered by METIS, its supernodes
- * walked with BLAS. Simplicial: Eigen's, ordered by minimum degree; it needs no other library and
- * is some hundred times slower on large bodies. Both give the same within 1e-9. The same bits for
- * any number of threads, of BLAS too where that is OpenBLAS: it is held to one meanwhile, as
- * several would sum in another order.
+ * walked with BLAS. CHOLMOD's own forward solution of blocks of as many loads, which goes over all
+ * of L each time, takes 2.9 times as long for one load and 6.6 times for the 900 of a face
+ * (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's, ordered by minimum
+ * degree; it needs no other library and is some hundred times slower on large bodies. Both give the
+ * same within 1e-9. The same bits for any number of threads, of BLAS too where that is OpenBLAS: it
+ * is held to one meanwhile, as several would sum in another order.
  */
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h
@@ -27,7 +29,7 @@ namespace palpate
 /// The unknowns a load acts on, and with what force (N).
 using SparseLoad = std::vector<std::pair<int, double>>;
 
-/// Told the share that is done; returns false to stop.
+/// Told the fraction that is done; returns false to stop.
 using WorkObserver = std::function<bool(double)>;
 
 /// A factorised stiffness matrix K, asked for bᵀK⁻¹b and K⁻¹b.

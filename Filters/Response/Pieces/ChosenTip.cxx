@@ -54,7 +54,7 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, Chos
 }
 
 /// What one rank has read, on all.
-void share(const Ranks& ranks, bool isOwn, ChosenTip& chosen)
+void broadcast(const Ranks& ranks, bool isOwn, ChosenTip& chosen)
 {
   using Record = std::array<double, 10>;
   const FieldContact& own = chosen.contact;
@@ -100,7 +100,7 @@ std::string chooseTip(const Ranks& ranks, vtkPolyData* tips, vtkIdType index, Ch
     ranks.firstFault(isOwn ? readTip(tips, tip - first, ranks, chosen) : std::string());
   if (fault.empty() && !ranks.areAlone())
   {
-    share(ranks, isOwn, chosen);
+    broadcast(ranks, isOwn, chosen);
   }
   return fault;
 }

@@ -111,10 +111,6 @@ std::string keepRows(WholeFile& file, std::size_t rows)
 }
 } // namespace
 
-const char* const TrajectoryColumns =
-  "time_s,tip_x_mm,tip_y_mm,tip_z_mm,contact_x_mm,contact_y_mm,contact_z_mm,deflection_mm,"
-  "normal_force_N,friction_x_N,friction_y_N,friction_z_N,ideal_force_N,state";
-
 std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks)
 {
   Trajectory trajectory;

@@ -12,9 +12,6 @@
 
 namespace palpate
 {
-/// The columns of a trajectory file, in order: time, tip, contact.
-extern const char* const TrajectoryColumns;
-
 /**
  * Writes one line per tick as CSV: time, tip, contact point, deflection, normal force, friction,
  * ideal force (magnitude of the total, before any limit of the device), contact state. Body frame;

@@ -14,6 +14,14 @@ SimulatedDevice::SimulatedDevice(
 {
 }
 
+SimulatedDevice::SimulatedDevice(
+  const Eigen::Vector3d& start, const DeviceSpecification& specification)
+  : Limits(specification)
+  , Path({})
+  , Target(std::make_unique<SteeredTarget>(start))
+{
+}
+
 SimulatedDevice::SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand,
   std::vector<WayPoint> path, const DeviceSpecification& specification)
   : Limits(specification)
@@ -41,6 +49,12 @@ DeviceSample SimulatedDevice::read(double time) noexcept
     return this->Motion->read(time);
   }
   DeviceSample sample;
+  if (this->Target)
+  {
+    sample.valid = this->Target->moveOn(time);
+    sample.position = this->Target->position();
+    return sample;
+  }
   sample.valid = !this->Path.isEmpty() && std::isfinite(time);
   if (sample.valid)
   {
@@ -66,6 +80,10 @@ void SimulatedDevice::steerTo(const Eigen::Vector3d& target) noexcept
   if (this->Motion)
   {
     this->Motion->steerTo(target);
+  }
+  else if (this->Target)
+  {
+    this->Target->steerTo(target);
   }
 }
 

@@ -18,8 +18,8 @@ namespace palpate
  * A device without hardware, in one of two kinds. Deterministic to the bit in virtual time: nothing
  * counts but what it was made of, the times read and the forces written. FaultyDevice adds faults.
  *
- * A **stiff hand** follows a path in time, whatever it feels: the sample depends on the path and
- * the time alone.
+ * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever it feels: the
+ * sample depends on these and the time alone.
  *
  * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant), and is
  * held by a spring and a damper (HandModel) that follow a path, or steerTo: it gives way to the
@@ -30,7 +30,7 @@ namespace palpate
  * gives the last reading again, not fresh. The velocity told is the mass's own, or, with an encoder
  * step, the difference of the last two readings.
  *
- * Settings out of range (`fault` of SimulatedPlant and HandModel; a path that is not finite or goes
+ * Settings out of range (`fault` of HeldPlant; a path that is not finite or goes
  * back in time; a rate that is not of 0 to 100000 Hz): no sample is valid and status() says why.
  * Read and write a plant from one thread, steerTo from one other; none waits or allocates. A tick
  * costs a microsecond; with friction or a limited hand some ten per axis when something stops,
@@ -44,6 +44,9 @@ public:
   /// A stiff hand.
   explicit SimulatedDevice(
     std::vector<WayPoint> path, const DeviceSpecification& specification = {});
+  /// A stiff hand that is steered, as by a mouse.
+  explicit SimulatedDevice(
+    const Eigen::Vector3d& start, const DeviceSpecification& specification = {});
   /// A plant in a hand that follows a path (of a script or a file, or a single place to rest).
   SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand, std::vector<WayPoint> path,
     const DeviceSpecification& specification = {});
@@ -52,7 +55,7 @@ public:
     const DeviceSpecification& specification = {});
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// Not valid while `time` is not finite, or a stiff hand's path is empty.
+  /// Not valid while `time` or the target is not finite, or a stiff hand's path is empty.
   DeviceSample read(double time) noexcept override;
   /// Finite or not, a stiff hand takes any force; a plant refuses one that is not finite, and feels
   /// none then.
@@ -74,6 +77,7 @@ public:
 private:
   DeviceSpecification Limits;
   TimedPath Path;                          ///< of a stiff hand
+  std::unique_ptr<SteeredTarget> Target;   ///< of a stiff hand without a path
   std::unique_ptr<SimulatedMotion> Motion; ///< null: a stiff hand
   double Duration = 0.0;
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();

@@ -20,7 +20,7 @@ std::size_t pendingForces(const SimulatedPlant& plant, double rate)
 std::string faultOf(
   const SimulatedPlant& plant, const HandModel& hand, const TimedPath& path, double rate)
 {
-  for (const std::string& fault : { palpate::fault(plant), palpate::fault(hand), path.fault() })
+  for (const std::string& fault : { palpate::fault({ plant, hand }), path.fault() })
   {
     if (!fault.empty())
     {

@@ -1,57 +1,108 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Simulation/SimulatedPlant.h"
 
-#include <cstddef>
-#include <limits>
+#include "Mechanics/Files/NumberText.h"
+
+#include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace palpate
 {
 namespace
 {
-constexpr double LeastMass = 1e-6;   // kg
-constexpr double Most = 1e9;         // beyond any device, and squares of it do not overflow
-constexpr double LongestDelay = 1.0; // s
+constexpr double Most = 1e9; // beyond any device, and squares of it do not overflow
+constexpr double Endless = std::numeric_limits<double>::infinity();
 
 struct Setting
 {
   const char* name;
-  double value;
+  const char* unit;
   double least;
   double most;
+  double* value;
 };
 
-/// NaN is outside any bounds.
-template <std::size_t Count>
-std::string outside(const Setting (&settings)[Count])
+std::array<Setting, 9> settingsOf(HeldPlant& held)
 {
-  for (const Setting& setting : settings)
+  SimulatedPlant& plant = held.plant;
+  HandModel& hand = held.hand;
+  return { { { "mass", "kg", 1e-6, Most, &plant.mass },
+    { "damping", "N s/m", 0.0, Most, &plant.damping },
+    { "friction", "N", 0.0, Most, &plant.friction },
+    { "encoder-step", "m", 0.0, Most, &plant.encoderStep },
+    { "force-delay", "s", 0.0, 1.0, &plant.forceDelay },
+    { "sample-delay", "s", 0.0, 1.0, &plant.sampleDelay },
+    { "stiffness", "N/m", 0.0, Most, &hand.stiffness },
+    { "hand-damping", "N s/m", 0.0, Most, &hand.damping },
+    { "hand-force", "N", 0.0, Endless, &hand.maximumForce } } };
+}
+} // namespace
+
+std::string fault(HeldPlant held)
+{
+  for (const Setting& setting : settingsOf(held))
   {
-    if (!(setting.value >= setting.least && setting.value <= setting.most))
+    if (!(*setting.value >= setting.least && *setting.value <= setting.most)) // NaN is outside
     {
       std::ostringstream text;
-      text << setting.name << " must be from " << setting.least << " to " << setting.most
-           << ", not " << setting.value;
+      text << setting.name << " must be from " << setting.least << " to " << setting.most << " "
+           << setting.unit << ", not " << *setting.value;
       return text.str();
     }
   }
   return {};
 }
 
-} // namespace
-
-std::string fault(const SimulatedPlant& plant)
+std::string readPlant(std::string_view text, HeldPlant& held)
 {
-  return outside({ { "mass", plant.mass, LeastMass, Most }, { "damping", plant.damping, 0.0, Most },
-    { "friction", plant.friction, 0.0, Most }, { "encoderStep", plant.encoderStep, 0.0, Most },
-    { "forceDelay", plant.forceDelay, 0.0, LongestDelay },
-    { "sampleDelay", plant.sampleDelay, 0.0, LongestDelay } });
+  HeldPlant read;
+  auto settings = settingsOf(read);
+  std::string given = ",";
+  for (bool isEnd = text.empty(); !isEnd;)
+  {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string_view part = text.substr(0, comma);
+    const std::size_t sign = std::min(part.find('='), part.size());
+    const std::string name(part.substr(0, sign));
+    const auto setting = std::find_if(
+      settings.begin(), settings.end(), [&name](const Setting& one) { return name == one.name; });
+    if (setting == settings.end())
+    {
+      std::string known;
+      for (const Setting& one : settings)
+      {
+        known += std::string(known.empty() ? "" : ", ") + one.name + " (" + one.unit + ")";
+      }
+      return "'" + name + "' is no setting of a plant; it has " + known;
+    }
+    if (given.find("," + name + ",") != std::string::npos)
+    {
+      return name + " is given twice";
+    }
+    given += name + ",";
+    const std::string_view number = part.substr(std::min(sign + 1, part.size()));
+    if (!readNumber(number, *setting->value))
+    {
+      return name + ": '" + std::string(number) + "' is not a finite number";
+    }
+    isEnd = comma == text.size();
+    text.remove_prefix(isEnd ? comma : comma + 1);
+  }
+  const std::string wrong = fault(read);
+  if (wrong.empty())
+  {
+    held = read;
+  }
+  return wrong;
 }
 
-std::string fault(const HandModel& hand)
+DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate)
 {
-  return outside({ { "hand's stiffness", hand.stiffness, 0.0, Most },
-    { "hand's damping", hand.damping, 0.0, Most },
-    { "hand's maximumForce", hand.maximumForce, 0.0, std::numeric_limits<double>::infinity() } });
+  DeviceSpecification device;
+  device.rate = rate;
+  device.maximumStiffness = plant.damping / (0.5 / rate + plant.forceDelay + plant.sampleDelay);
+  device.maximumDamping = plant.damping;
+  return device;
 }
 } // namespace palpate

@@ -2,10 +2,12 @@
 #ifndef palpate_SimulatedPlant_h
 #define palpate_SimulatedPlant_h
 
+#include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace palpate
 {
@@ -42,9 +44,40 @@ struct HandModel
   double maximumForce = std::numeric_limits<double>::infinity(); ///< N, on each axis
 };
 
-/// What is wrong, naming the setting and its value; or "".
-PALPATE_EXPORT std::string fault(const SimulatedPlant& plant);
-PALPATE_EXPORT std::string fault(const HandModel& hand);
+/// A device and the hand that holds it.
+struct HeldPlant
+{
+  SimulatedPlant plant;
+  HandModel hand;
+};
+
+/// What is wrong, naming the setting, its range and its value; or "".
+PALPATE_EXPORT std::string fault(HeldPlant held);
+
+/**
+ * Reads "mass=0.1,damping=1,stiffness=300", each as often as once, in any order; what is not named
+ * has its default, with "" all. Returns what is wrong, and leaves `held` as it was, or "".
+ *
+ * | name           | of                           | unit  | range       | default |
+ * |----------------|------------------------------|-------|-------------|---------|
+ * | `mass`         | device, apparent             | kg    | 1e-6 to 1e9 | 0.1     |
+ * | `damping`      | device, viscous              | N s/m | 0 to 1e9    | 1       |
+ * | `friction`     | device, Coulomb's            | N     | 0 to 1e9    | 0       |
+ * | `encoder-step` | device                       | m     | 0 to 1e9    | 0       |
+ * | `force-delay`  | device                       | s     | 0 to 1      | 0       |
+ * | `sample-delay` | device                       | s     | 0 to 1      | 0       |
+ * | `stiffness`    | hand, towards where it means | N/m   | 0 to 1e9    | 300     |
+ * | `hand-damping` | hand                         | N s/m | 0 to 1e9    | 5       |
+ * | `hand-force`   | hand, the most               | N     | from 0      | endless |
+ */
+PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
+
+/**
+ * What the maker of such a device would state for ticks at `rate` (Hz), not knowing who holds it:
+ * 10 N; the stiffest spring that a sampled loop renders passively, b/(T/2 + delays) (Colgate and
+ * Schenkel 1997; stability with delays: Diolaiti et al. 2006), N/m; and a damper of b.
+ */
+PALPATE_EXPORT DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate);
 } // namespace palpate
 
 #endif

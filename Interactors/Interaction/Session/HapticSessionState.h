@@ -5,7 +5,7 @@
 
 #include "Interaction/Session/BodyKernels.h"
 #include "Interaction/Session/SessionRun.h"
-#include "Haptics/Devices/SteeredDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 #include "vtkHapticSession.h"
 
 #include <memory>
@@ -25,8 +25,8 @@ struct vtkHapticSession::Started
   std::shared_ptr<palpate::HapticDevice> device;
   palpate::SafetySettings safety;
   std::unique_ptr<palpate::SessionRun> run;
-  palpate::SteeredDevice* steered = nullptr; ///< the device, if the hand is steered
-  double pathDuration = 0.0;                 ///< s
+  palpate::SimulatedDevice* steered = nullptr; ///< the device, if the hand is steered
+  double pathDuration = 0.0;                   ///< s
 };
 
 #endif

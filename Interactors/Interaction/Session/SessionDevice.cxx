@@ -31,7 +31,7 @@ std::string use(
   {
     return error;
   }
-  device = { SessionDevice::Opened, std::move(opened), {} };
+  device = { SessionDevice::Opened, std::move(opened), {}, {} };
   return {};
 }
 } // namespace
@@ -47,6 +47,16 @@ std::string openSessionDevice(const std::string& name, SessionDevice& device)
   const std::string kind = name.substr(0, colon);
   const std::string rest = colon == std::string::npos ? std::string() : name.substr(colon + 1);
   std::string error;
+  if (kind == "plant" && (colon == std::string::npos || !rest.empty()))
+  {
+    SessionDevice made{ SessionDevice::Plant, nullptr, {}, {} };
+    error = readPlant(rest, made.held);
+    if (error.empty())
+    {
+      device = std::move(made);
+    }
+    return error;
+  }
   if (kind == "replay" && !rest.empty())
   {
     return openReplay(rest, device);
@@ -61,12 +71,21 @@ std::string openSessionDevice(const std::string& name, SessionDevice& device)
     auto opened = BridgeDevice::open(rest, error);
     return use(std::move(opened), error, device);
   }
-  return "is none of \"simulated\", \"replay:FILE\", \"hid:PATH\", \"bridge:ADDRESS\"";
+  return "is none of \"simulated\", \"plant:SETTINGS\", \"replay:FILE\", \"hid:PATH\", "
+         "\"bridge:ADDRESS\"";
 }
 
-DeviceSpecification stiffHand()
+DeviceSpecification SessionDevice::specification(double rate) const
 {
-  DeviceSpecification hand;
+  if (this->device)
+  {
+    return this->device->specification();
+  }
+  if (this->kind == Plant)
+  {
+    return specificationOf(this->held.plant, rate);
+  }
+  DeviceSpecification hand; // a stiff one: of any stiffness, and it may be silent
   hand.maximumStiffness = std::numeric_limits<double>::infinity();
   hand.maximumDamping = std::numeric_limits<double>::infinity();
   hand.sampleTimeOut = std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 
 #include "Haptics/Devices/HapticDevice.h"
 #include "Haptics/Devices/Trajectory.h"
+#include "Haptics/Simulation/SimulatedPlant.h"
 
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ struct SessionDevice
   enum Kind
   {
     Simulated,
+    Plant,
     Replay,
     Opened,     ///< hid, bridge: of this world, so only in real time
     OfTheCaller ///< given by C++
@@ -24,17 +26,19 @@ struct SessionDevice
   Kind kind = Simulated;
   std::shared_ptr<HapticDevice> device; ///< null where it is made at Start
   Trajectory trajectory;                ///< of Replay
+  HeldPlant held;                       ///< of Plant
 
   /// A hand that goes its way whatever it feels: no loop is closed through it.
   bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
+  /// A hand that follows a path, or is steered.
+  bool isSimulated() const { return this->kind == Simulated || this->kind == Plant; }
+  /// At `rate`, Hz; of what is made at Start as it will be.
+  DeviceSpecification specification(double rate) const;
 };
 
-/// Reads "simulated", "replay:FILE", "hid:PATH" or "bridge:ADDRESS", and opens it. Returns what is
-/// wrong, and leaves `device` as it was, or "".
+/// Reads "simulated", "plant", "plant:SETTINGS" (readPlant), "replay:FILE", "hid:PATH" or
+/// "bridge:ADDRESS", and opens it. Returns what is wrong, and leaves `device` as it was, or "".
 std::string openSessionDevice(const std::string& name, SessionDevice& device);
-
-/// What a stiff hand is good for: 10 N, any stiffness, and it may be silent.
-DeviceSpecification stiffHand();
 } // namespace palpate
 
 #endif

@@ -65,8 +65,9 @@ TouchForm::TouchForm(QWidget* contents)
   : body(wrapped("body", "The source that is touched: the active one."))
   , response(named<QComboBox>("response", "Which of the responses on the body, and of which tool."))
   , device(named<QComboBox>("device",
-      "The device: simulated (it follows the handle in the view), one that was found, or typed: "
-      "hid:PATH, bridge:unix:/PATH, bridge:udp:PORT, replay:FILE."))
+      "The device: simulated (it follows the handle in the view), plant (the same, and the force "
+      "moves it; plant:mass=0.1,damping=1,stiffness=300), one that was found, or typed: hid:PATH, "
+      "bridge:unix:/PATH, bridge:udp:PORT, replay:FILE."))
   , find(named<QToolButton>("find", "Look again for devices that are plugged in."))
   , depth(named<QDoubleSpinBox>(
       "depth", "How far the simulated device presses, mm. 0: half of the range of the response."))
@@ -87,7 +88,7 @@ TouchForm::TouchForm(QWidget* contents)
   this->device->setEditable(true);
   this->device->lineEdit()->setObjectName("text");
   this->device->setInsertPolicy(QComboBox::NoInsert);
-  this->device->addItem("simulated");
+  this->device->addItems({ "simulated", "plant" });
   this->device->setMinimumContentsLength(12);
   this->device->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   this->response->setMinimumContentsLength(12);
@@ -128,7 +129,7 @@ void TouchForm::listDevices()
   const QString typed = this->device->currentText();
   const DeviceList found = palpate::listDevices();
   this->device->clear();
-  this->device->addItem("simulated");
+  this->device->addItems({ "simulated", "plant" });
   for (const ListedDevice& one : found.devices)
   {
     const std::string name = one.entry.name.empty() ? one.address : one.entry.name;

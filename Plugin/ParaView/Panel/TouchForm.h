@@ -40,7 +40,7 @@ struct TouchForm
   QLabel* servo;      ///< ticks per second, and missed
   QLabel* grant;      ///< what the system granted the servo thread
 
-  /// "simulated", and what is plugged in; the text that was there stays.
+  /// "simulated", "plant", and what is plugged in; the text that was there stays.
   void listDevices();
   QString chosenDevice() const;
   /// Body and responses of a source.

@@ -139,7 +139,6 @@ bool TouchSession::begin(PreparedTouch& made)
   hear->SetCallback(hearErrors);
   this->Session->AddObserver(vtkCommand::ErrorEvent, hear);
 
-  this->Simulated = this->Device == "simulated";
   if (made.request.sight)
   {
     this->Handle.position = made.start;
@@ -213,7 +212,8 @@ bool TouchSession::steer(const TouchHandle& handle)
     return true;
   }
   this->Handle = handle;
-  if (this->Now != State::Touching || !this->Simulated || !handle.position.allFinite())
+  if (this->Now != State::Touching || !this->Session->IsDeviceSimulated() ||
+    !handle.position.allFinite())
   {
     return true;
   }

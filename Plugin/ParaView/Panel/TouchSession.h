@@ -24,7 +24,7 @@ namespace palpate
  * thread of its own; start and replace return at once, and collect, called once a frame, goes on
  * when that is done. A body that replaces another is felt from then on; until then the old one is.
  *
- * The hand of the device "simulated" goes where steer says. It begins above the surface, since no
+ * A simulated hand goes where steer says. It begins above the surface, since no
  * force is given before the tip has been outside; when it is sent far off it is lifted and put down
  * there, rather than drawn through the body. Devices of this world begin 10 mm above the place of
  * the handle, their x to the right and y up in the view.
@@ -93,7 +93,6 @@ private:
   std::string Warning;
   std::string Complaint; ///< of the session
   std::string Device;
-  bool Simulated = false;
   TouchHandle Handle;
   Sight View;
   TouchPlace Place;

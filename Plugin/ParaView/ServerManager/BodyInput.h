@@ -2,9 +2,9 @@
 /**
  * The body of a proxy: whatever ParaView has, on its way to a filter that takes triangles in mm.
  *
- * A thin subclass of the filter has one of these. It says on the port that it takes any data, and
- * in RequestData runs the filter's own RequestData on replaced inputs. What is no body is an error
- * of vtkBodySurface that names the filter to use before.
+ * A thin subclass of the filter has one of these, by palpateBodyInputMacro. It says on the port
+ * that it takes any data, and in RequestData runs the filter's own RequestData on replaced inputs.
+ * What is no body is an error of vtkBodySurface that names the filter to use before.
  */
 #ifndef palpate_BodyInput_h
 #define palpate_BodyInput_h
@@ -14,7 +14,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h" // For vtkMTimeType
 
-#include <vector> // For std::vector
+#include <algorithm> // For std::max
+#include <vector>    // For std::vector
 
 class vtkInformation;
 class vtkInformationVector;
@@ -48,5 +49,51 @@ private:
   std::vector<vtkInformationVector*> Inputs;
 };
 } // namespace palpate
+
+/**
+ * All that makes a filter take any surface or volume, composite or not, in any unit of length (0
+ * mm, the default, 1 cm, 2 m): in the class of its subclass, at the end.
+ */
+#define palpateBodyInputMacro()                                                                    \
+public:                                                                                            \
+  void SetLengthUnit(int unit)                                                                     \
+  {                                                                                                \
+    this->Body.surface()->SetLengthUnit(unit);                                                     \
+  }                                                                                                \
+  int GetLengthUnit()                                                                              \
+  {                                                                                                \
+    return this->Body.surface()->GetLengthUnit();                                                  \
+  }                                                                                                \
+  vtkMTimeType GetMTime() override                                                                 \
+  {                                                                                                \
+    return std::max(this->Superclass::GetMTime(), this->Body.surface()->GetMTime());               \
+  }                                                                                                \
+                                                                                                   \
+protected:                                                                                         \
+  int FillInputPortInformation(int port, vtkInformation* info) override                            \
+  {                                                                                                \
+    const int known = this->Superclass::FillInputPortInformation(port, info);                      \
+    if (port == 0)                                                                                 \
+    {                                                                                              \
+      palpate::BodyInput::admit(info);                                                             \
+    }                                                                                              \
+    return known;                                                                                  \
+  }                                                                                                \
+  int RequestUpdateExtent(                                                                         \
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override  \
+  {                                                                                                \
+    const int done = this->Superclass::RequestUpdateExtent(request, input, output);                \
+    palpate::BodyInput::askForGhosts(input, output);                                               \
+    return done;                                                                                   \
+  }                                                                                                \
+  int RequestData(                                                                                 \
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override  \
+  {                                                                                                \
+    vtkInformationVector** replaced = this->Body.replace(input, this->GetNumberOfInputPorts());    \
+    return replaced ? this->Superclass::RequestData(request, replaced, output) : 0;                \
+  }                                                                                                \
+                                                                                                   \
+private:                                                                                           \
+  palpate::BodyInput Body
 
 #endif

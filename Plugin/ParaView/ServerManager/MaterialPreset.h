@@ -36,4 +36,38 @@ private:
 };
 } // namespace palpate
 
+/**
+ * A Material by name in a filter's subclass, at the end of its class: it takes the place of
+ * YoungsModulus and PoissonRatio, which are kept for Custom.
+ */
+#define palpateMaterialPresetMacro()                                                               \
+public:                                                                                            \
+  void SetMaterial(int material)                                                                   \
+  {                                                                                                \
+    this->Preset.choose(material);                                                                 \
+    this->TakeMaterial();                                                                          \
+  }                                                                                                \
+  int GetMaterial()                                                                                \
+  {                                                                                                \
+    return this->Preset.chosen();                                                                  \
+  }                                                                                                \
+  void SetYoungsModulus(double modulus) override                                                   \
+  {                                                                                                \
+    this->Preset.youngsModulus = modulus;                                                          \
+    this->TakeMaterial();                                                                          \
+  }                                                                                                \
+  void SetPoissonRatio(double ratio) override                                                      \
+  {                                                                                                \
+    this->Preset.poissonRatio = ratio;                                                             \
+    this->TakeMaterial();                                                                          \
+  }                                                                                                \
+                                                                                                   \
+private:                                                                                           \
+  void TakeMaterial()                                                                              \
+  {                                                                                                \
+    this->Superclass::SetYoungsModulus(this->Preset.youngsModulusInForce());                       \
+    this->Superclass::SetPoissonRatio(this->Preset.poissonRatioInForce());                         \
+  }                                                                                                \
+  palpate::MaterialPreset Preset
+
 #endif

@@ -9,7 +9,7 @@
 #ifndef vtkPVContactRegime_h
 #define vtkPVContactRegime_h
 
-#include "MaterialPreset.h"             // For palpate::MaterialPreset
+#include "MaterialPreset.h"             // For its macro
 #include "palpateServerManagerModule.h" // For export macro
 #include "vtkContactRegime.h"
 
@@ -19,18 +19,6 @@ public:
   static vtkPVContactRegime* New();
   vtkTypeMacro(vtkPVContactRegime, vtkContactRegime);
 
-  ///@{
-  /** 0, the default, is Custom; the others are MaterialPreset's. */
-  void SetMaterial(int material);
-  int GetMaterial();
-  ///@}
-
-  ///@{
-  /** Of Custom; in force only then. */
-  void SetYoungsModulus(double modulus) override;
-  void SetPoissonRatio(double ratio) override;
-  ///@}
-
 protected:
   vtkPVContactRegime() = default;
   ~vtkPVContactRegime() override = default;
@@ -39,9 +27,7 @@ private:
   vtkPVContactRegime(const vtkPVContactRegime&) = delete;
   void operator=(const vtkPVContactRegime&) = delete;
 
-  void TakeMaterial();
-
-  palpate::MaterialPreset Preset;
+  palpateMaterialPresetMacro();
 };
 
 #endif

@@ -10,7 +10,7 @@
 #ifndef vtkPVMeasuredContactResponse_h
 #define vtkPVMeasuredContactResponse_h
 
-#include "BodyInput.h"                  // For palpate::BodyInput
+#include "BodyInput.h"                  // For its macro
 #include "palpateServerManagerModule.h" // For export macro
 #include "vtkMeasuredContactResponse.h"
 
@@ -20,29 +20,15 @@ public:
   static vtkPVMeasuredContactResponse* New();
   vtkTypeMacro(vtkPVMeasuredContactResponse, vtkMeasuredContactResponse);
 
-  ///@{
-  /** The unit of the input's coordinates: 0 mm (default), 1 cm, 2 m. */
-  void SetLengthUnit(int unit);
-  int GetLengthUnit();
-  ///@}
-
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkPVMeasuredContactResponse() = default;
   ~vtkPVMeasuredContactResponse() override = default;
-
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
   vtkPVMeasuredContactResponse(const vtkPVMeasuredContactResponse&) = delete;
   void operator=(const vtkPVMeasuredContactResponse&) = delete;
 
-  palpate::BodyInput Body;
+  palpateBodyInputMacro();
 };
 
 #endif

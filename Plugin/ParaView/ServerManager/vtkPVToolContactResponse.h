@@ -12,8 +12,8 @@
 #ifndef vtkPVToolContactResponse_h
 #define vtkPVToolContactResponse_h
 
-#include "BodyInput.h"                  // For palpate::BodyInput
-#include "MaterialPreset.h"             // For palpate::MaterialPreset
+#include "BodyInput.h"                  // For its macro
+#include "MaterialPreset.h"             // For its macro
 #include "palpateServerManagerModule.h" // For export macro
 #include "vtkToolContactResponse.h"
 
@@ -23,44 +23,16 @@ public:
   static vtkPVToolContactResponse* New();
   vtkTypeMacro(vtkPVToolContactResponse, vtkToolContactResponse);
 
-  ///@{
-  /** The unit of the input's coordinates: 0 mm (default), 1 cm, 2 m. */
-  void SetLengthUnit(int unit);
-  int GetLengthUnit();
-  ///@}
-
-  ///@{
-  /** 0, the default, is Custom; the others are MaterialPreset's. */
-  void SetMaterial(int material);
-  int GetMaterial();
-  ///@}
-
-  ///@{
-  /** Of Custom; in force only then. */
-  void SetYoungsModulus(double modulus) override;
-  void SetPoissonRatio(double ratio) override;
-  ///@}
-
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkPVToolContactResponse() = default;
   ~vtkPVToolContactResponse() override = default;
-
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
   vtkPVToolContactResponse(const vtkPVToolContactResponse&) = delete;
   void operator=(const vtkPVToolContactResponse&) = delete;
 
-  void TakeMaterial();
-
-  palpate::BodyInput Body;
-  palpate::MaterialPreset Preset;
+  palpateBodyInputMacro();
+  palpateMaterialPresetMacro();
 };
 
 #endif

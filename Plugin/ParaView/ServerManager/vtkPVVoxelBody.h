@@ -10,7 +10,7 @@
 #ifndef vtkPVVoxelBody_h
 #define vtkPVVoxelBody_h
 
-#include "BodyInput.h"                  // For palpate::BodyInput
+#include "BodyInput.h"                  // For its macro
 #include "palpateServerManagerModule.h" // For export macro
 #include "vtkVoxelBody.h"
 
@@ -20,29 +20,15 @@ public:
   static vtkPVVoxelBody* New();
   vtkTypeMacro(vtkPVVoxelBody, vtkVoxelBody);
 
-  ///@{
-  /** The unit of the input's coordinates: 0 mm (default), 1 cm, 2 m. */
-  void SetLengthUnit(int unit);
-  int GetLengthUnit();
-  ///@}
-
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkPVVoxelBody() = default;
   ~vtkPVVoxelBody() override = default;
-
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
   vtkPVVoxelBody(const vtkPVVoxelBody&) = delete;
   void operator=(const vtkPVVoxelBody&) = delete;
 
-  palpate::BodyInput Body;
+  palpateBodyInputMacro();
 };
 
 #endif

@@ -142,8 +142,10 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
 {
   app
     .add_option("--device", options.device,
-      "what the hand holds: simulated (a path, or with --window the mouse), replay:FILE (a "
-      "trajectory), hid:PATH, bridge:ADDRESS (unix:/PATH or udp:PORT)")
+      "what the hand holds: simulated (a path, or with --window the mouse), "
+      "plant:mass=0.1,damping=1,"
+      "stiffness=300 (the same as a device that the force moves: kg, N s/m, N/m of the hand), "
+      "replay:FILE (a trajectory), hid:PATH, bridge:ADDRESS (unix:/PATH or udp:PORT)")
     ->capture_default_str();
   app
     .add_option("--scale", options.scale,

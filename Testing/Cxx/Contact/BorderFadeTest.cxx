@@ -38,7 +38,7 @@ struct Sheet
   double force(const Vector3& tip) const
   {
     const BorderFade left = this->fade(tip);
-    return left.share * 10.0 * std::pow(left.depth, 1.5);
+    return left.fraction * 10.0 * std::pow(left.depth, 1.5);
   }
 
   PackedMesh mesh;
@@ -89,7 +89,7 @@ TEST(BorderFade, AsTheHeaderSays)
       {
         const BorderFade left = plate.fade(tip);
         EXPECT_NEAR(left.depth, h, 1e-13);
-        EXPECT_NEAR(left.share, share, 1e-12);
+        EXPECT_NEAR(left.fraction, share, 1e-12);
       }
     }
   }
@@ -149,7 +149,7 @@ TEST(BorderFade, RoundABentBorder)
     // The facets lie up to 10 (1 - cos 4.5°) = 0.031 mm inside the pipe.
     EXPECT_GE(left.depth, 1.0 - 1e-6);
     EXPECT_LE(left.depth, 1.032);
-    EXPECT_NEAR(left.share, share, 1.5 * 0.5 * 0.032 + 1e-6); // dshare/dh = 1.5 l/h²
+    EXPECT_NEAR(left.fraction, share, 1.5 * 0.5 * 0.032 + 1e-6); // dshare/dh = 1.5 l/h²
   }
   EXPECT_LE(largestStep(sheet, 20000,
               [](double t)
@@ -170,8 +170,8 @@ TEST(BorderFade, NeverMoreThanAllNeverLessThanNothing)
       std::fmod(0.5698402910 * i, 1.0) * 30.0 - 5.0,
       std::fmod(0.4301597090 * i, 1.0) * 20.0 - 15.0);
     const BorderFade left = sheet.fade(tip);
-    EXPECT_GE(left.share, 0.0);
-    EXPECT_LE(left.share, 1.0);
+    EXPECT_GE(left.fraction, 0.0);
+    EXPECT_LE(left.fraction, 1.0);
     EXPECT_TRUE(std::isfinite(left.depth));
   }
 }

@@ -4,7 +4,7 @@
 
 #include "SampleResponses.h"
 #include "StandingDevice.h"
-#include "Haptics/Devices/SteeredDevice.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -156,25 +156,25 @@ TEST(ServoLoop, SettingsThatCannotBeAreNamed)
   EXPECT_EQ(faultOf(1e3, 0.0, 0), "");
 }
 
-TEST(SteeredDevice, ApproachesItsTargetExponentially)
+TEST(SteeredHand, ApproachesItsTargetExponentially)
 {
-  SteeredDevice device(Vector3d::Zero());
+  SimulatedDevice device(Vector3d::Zero());
   EXPECT_EQ(device.read(0.0).position, Vector3d::Zero());
   device.steerTo(Vector3d(0.01, 0.0, -0.02));
   // After one time constant 1 - 1/e of the way, whatever the steps (rounding of 30 products).
   for (int i = 1; i <= 30; ++i)
   {
-    device.read(i * SteeredDevice::TimeConstant / 30.0);
+    device.read(i * SteeredTarget::TimeConstant / 30.0);
   }
-  const DeviceSample sample = device.read(SteeredDevice::TimeConstant);
+  const DeviceSample sample = device.read(SteeredTarget::TimeConstant);
   EXPECT_TRUE(sample.valid);
   EXPECT_NEAR(sample.position.x(), 0.01 * (1.0 - std::exp(-1.0)), 1e-15);
   EXPECT_NEAR(sample.position.z(), -0.02 * (1.0 - std::exp(-1.0)), 1e-15);
 }
 
-TEST(SteeredDevice, ATargetThatIsNotFiniteGivesNoSample)
+TEST(SteeredHand, ATargetThatIsNotFiniteGivesNoSample)
 {
-  SteeredDevice device(Vector3d(0.0, 0.0, 0.01));
+  SimulatedDevice device(Vector3d(0.0, 0.0, 0.01));
   device.read(0.0);
   device.steerTo(Vector3d(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0));
   EXPECT_FALSE(device.read(0.001).valid);

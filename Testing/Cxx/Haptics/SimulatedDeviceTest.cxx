@@ -69,7 +69,7 @@ TEST(SimulatedDevice, JumpsWhereTimesCoincide)
 
 TEST(SimulatedDevice, EmptyPath)
 {
-  SimulatedDevice device({});
+  SimulatedDevice device(std::vector<palpate::WayPoint>{});
   EXPECT_FALSE(device.read(0.0).valid);
   EXPECT_EQ(device.read(0.0).position, Vector3d::Zero());
   EXPECT_EQ(device.duration(), 0.0);
@@ -108,7 +108,7 @@ TEST(SimulatedDevice, StatesTheSpecificationItWasGiven)
   palpate::DeviceSpecification given;
   given.maximumForce = 3.3;
   given.rate = 4000.0;
-  const SimulatedDevice device({}, given);
+  const SimulatedDevice device(std::vector<palpate::WayPoint>{}, given);
   EXPECT_EQ(device.specification().maximumForce, 3.3);
   EXPECT_EQ(device.specification().rate, 4000.0);
 }

@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace palpate::testing;
@@ -286,19 +288,22 @@ TEST(SimulatedPlant, WrongSettingsAreNamed)
   const HandModel hand;
   SimulatedPlant plant;
   plant.mass = 0.0;
-  EXPECT_EQ(status(plant, hand, {}, 1e3), "not simulated: mass must be from 1e-06 to 1e+09, not 0");
+  EXPECT_EQ(
+    status(plant, hand, {}, 1e3), "not simulated: mass must be from 1e-06 to 1e+09 kg, not 0");
   plant = {};
   plant.damping = -1.0;
-  EXPECT_EQ(status(plant, hand, {}, 1e3), "not simulated: damping must be from 0 to 1e+09, not -1");
+  EXPECT_EQ(
+    status(plant, hand, {}, 1e3), "not simulated: damping must be from 0 to 1e+09 N s/m, not -1");
   plant = {};
   plant.sampleDelay = 2.0;
-  EXPECT_EQ(status(plant, hand, {}, 1e3), "not simulated: sampleDelay must be from 0 to 1, not 2");
+  EXPECT_EQ(
+    status(plant, hand, {}, 1e3), "not simulated: sample-delay must be from 0 to 1 s, not 2");
   plant = {};
   plant.encoderStep = NaN;
   EXPECT_EQ(
-    status(plant, hand, {}, 1e3), "not simulated: encoderStep must be from 0 to 1e+09, not nan");
+    status(plant, hand, {}, 1e3), "not simulated: encoder-step must be from 0 to 1e+09 m, not nan");
   EXPECT_EQ(status({}, { -5.0, 0.0 }, {}, 1e3),
-    "not simulated: hand's stiffness must be from 0 to 1e+09, not -5");
+    "not simulated: stiffness must be from 0 to 1e+09 N/m, not -5");
   EXPECT_EQ(
     status({}, hand, { { 0.0, { NaN, 0, 0 } } }, 1e3), "not simulated: way point 0 is not finite");
   EXPECT_EQ(status({}, hand, { { 1.0, { 0, 0, 0 } }, { 0.0, { 0, 0, 0 } } }, 1e3),
@@ -306,4 +311,62 @@ TEST(SimulatedPlant, WrongSettingsAreNamed)
   EXPECT_EQ(status({}, hand, {}, 0.0), "not simulated: rate must be above 0, to 100000 Hz");
   SimulatedDevice fine({}, hand, std::vector<SimulatedDevice::WayPoint>{});
   EXPECT_EQ(fine.status(), "connected");
+}
+
+TEST(SimulatedPlant, IsReadFromText)
+{
+  palpate::HeldPlant held;
+  ASSERT_EQ(palpate::readPlant("", held), "");
+  EXPECT_EQ(held.plant.mass, 0.1);
+  EXPECT_EQ(held.hand.stiffness, 300.0);
+  ASSERT_EQ(palpate::readPlant("stiffness=1e3,mass=0.2,damping=3,friction=0.5,encoder-step=1e-5,"
+                               "force-delay=0.001,sample-delay=0.002,hand-damping=0,hand-force=20",
+              held),
+    "");
+  EXPECT_EQ(held.plant.mass, 0.2);
+  EXPECT_EQ(held.plant.damping, 3.0);
+  EXPECT_EQ(held.plant.friction, 0.5);
+  EXPECT_EQ(held.plant.encoderStep, 1e-5);
+  EXPECT_EQ(held.plant.forceDelay, 0.001);
+  EXPECT_EQ(held.plant.sampleDelay, 0.002);
+  EXPECT_EQ(held.hand.stiffness, 1000.0);
+  EXPECT_EQ(held.hand.damping, 0.0);
+  EXPECT_EQ(held.hand.maximumForce, 20.0);
+  const std::string known =
+    " is no setting of a plant; it has mass (kg), damping (N s/m), friction "
+    "(N), encoder-step (m), force-delay (s), sample-delay (s), stiffness "
+    "(N/m), hand-damping (N s/m), hand-force (N)";
+  const std::pair<const char*, std::string> wrong[] = {
+    { ",", "''" + known },
+    { "mass=1,", "''" + known },
+    { "Mass=1", "'Mass'" + known },
+    { "mass=1,damping=1,mass=1", "mass is given twice" },
+    { "mass", "mass: '' is not a finite number" },
+    { "mass=", "mass: '' is not a finite number" },
+    { "mass=1kg", "mass: '1kg' is not a finite number" },
+    { "hand-force=inf", "hand-force: 'inf' is not a finite number" },
+    { "mass=0", "mass must be from 1e-06 to 1e+09 kg, not 0" },
+    { "damping=-1", "damping must be from 0 to 1e+09 N s/m, not -1" },
+    { "force-delay=2", "force-delay must be from 0 to 1 s, not 2" },
+    { "hand-force=-1", "hand-force must be from 0 to inf N, not -1" },
+  };
+  for (const auto& [text, error] : wrong)
+  {
+    EXPECT_EQ(palpate::readPlant(text, held), error) << text;
+    EXPECT_EQ(held.plant.mass, 0.2); // as it was
+  }
+}
+
+TEST(SimulatedPlant, StatesWhatASampledLoopMayRender)
+{
+  // b > KT/2 (Colgate and Schenkel 1997); StabilityLimitTest has where such loops break indeed: at
+  // 2003.339 N/m, with a tick of delay at 668.513.
+  EXPECT_EQ(palpate::specificationOf(SimulatedPlant(), 1000.0).maximumStiffness, 2000.0);
+  SimulatedPlant late;
+  late.forceDelay = 0.0005;
+  late.sampleDelay = 0.0005;
+  const DeviceSpecification device = palpate::specificationOf(late, 1000.0);
+  EXPECT_NEAR(device.maximumStiffness, 2000.0 / 3.0, 1e-9);
+  EXPECT_EQ(device.maximumDamping, 1.0);
+  EXPECT_EQ(device.rate, 1000.0);
 }

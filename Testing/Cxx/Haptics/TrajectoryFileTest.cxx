@@ -133,6 +133,9 @@ std::string faultOf(const std::string& text)
 }
 
 const std::string Head = "time_s,tip_x_mm,tip_y_mm,tip_z_mm\n";
+const std::string Columns =
+  "time_s,tip_x_mm,tip_y_mm,tip_z_mm,contact_x_mm,contact_y_mm,contact_z_mm,deflection_mm,"
+  "normal_force_N,friction_x_N,friction_y_N,friction_z_N,ideal_force_N,state";
 } // namespace
 
 TEST(TrajectoryFile, ReadsWhatItWroteToTheSameBits)
@@ -153,9 +156,8 @@ TEST(TrajectoryFile, ReadsWhatItWroteToTheSameBits)
       {
         ASSERT_TRUE(same(read.rows[i], written.rows[i])) << i;
       }
-      const std::string columns = palpate::TrajectoryColumns;
-      EXPECT_EQ(firstLine(file.path()) == columns, hasContact && !hasDevice);
-      EXPECT_EQ(firstLine(file.path()).rfind(columns, 0) == 0, hasContact);
+      EXPECT_EQ(firstLine(file.path()) == Columns, hasContact && !hasDevice);
+      EXPECT_EQ(firstLine(file.path()).rfind(Columns, 0) == 0, hasContact);
     }
   }
 }
@@ -184,7 +186,7 @@ TEST(TrajectoryFile, TicksOfAServoStep)
   std::ostringstream text;
   text << stream.rdbuf();
   EXPECT_EQ(text.str(),
-    std::string(palpate::TrajectoryColumns) +
+    Columns +
       "\n0,0.1,-0.2,0.3333333333333333,5,6,1e-300,0.7,4,0,3,0,5,1\n"
       "0.001,0.1,-0.2,0.3333333333333333,5,6,1e-300,0.7,4,0,3,0,5,1\n"
       "0.002,0,0,0,0,0,0,0,0,0,0,0,0,5\n"
@@ -236,7 +238,7 @@ TEST(TrajectoryFile, ErrorsNameFileAndLine)
   EXPECT_EQ(faultOf(Head + "0,1e999,2,3\n"), "t.csv:2: tip_x_mm: '1e999' is not a finite number");
   EXPECT_EQ(faultOf(Head + "\n1,1,2,3\n0.5,1,2,3\n"), "t.csv:4: time_s decreases");
 
-  const std::string whole = std::string(palpate::TrajectoryColumns) + "\n";
+  const std::string whole = Columns + "\n";
   EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0,5\n"), "");
   for (const char* const state : { "6", "-1", "0.5" })
   {

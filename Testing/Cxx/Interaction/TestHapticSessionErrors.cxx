@@ -26,7 +26,8 @@ void checkRefused(
 
 void checkDevices(vtkHapticSession* session, Messages& messages)
 {
-  for (const char* device : { "Simulated", "", "hid", "hid:", "replay:", "bridge:", "mouse:0" })
+  for (const char* device :
+    { "Simulated", "", "hid", "hid:", "replay:", "bridge:", "plant:", "mouse:0" })
   {
     PALPATE_CHECK(!session->SetDevice(device));
     PALPATE_CHECK_TEXT(messages.takeErrors(), device, "simulated", "hid:PATH");
@@ -36,6 +37,8 @@ void checkDevices(vtkHapticSession* session, Messages& messages)
     PALPATE_CHECK(!session->SetDevice(device));
     PALPATE_CHECK_TEXT(messages.takeErrors(), device, "nowhere");
   }
+  PALPATE_CHECK(!session->SetDevice("plant:weight=1"));
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "plant:weight=1", "'weight'", "mass (kg)");
   PALPATE_CHECK(session->SetDevice("simulated") && messages.none());
 }
 

@@ -99,7 +99,7 @@ struct Stage
   std::vector<palpate::DeviceSample> samples = samplesOf(this->path);
   std::shared_ptr<const palpate::ContactBody> kernel;
   std::unique_ptr<palpate_body, decltype(&palpate_body_free)> flat{ nullptr, &palpate_body_free };
-  double maximumForce = palpate::SimulatedDevice({}).specification().maximumForce;
+  double maximumForce = palpate::DeviceSpecification().maximumForce;
 
   explicit Stage(const std::string& file)
   {
