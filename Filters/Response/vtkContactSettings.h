@@ -37,7 +37,6 @@
 #include "Contact/ContactSettings.h"
 #include "palpateResponseModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For vtkSmartPointer, in the macro
 
 #include <string> // For std::string
 
@@ -199,92 +198,5 @@ private:
 
   palpate::ContactSettings Values;
 };
-
-/**
- * In a class with a member `vtkSmartPointer<vtkContactSettings> Settings`, never null: the object,
- * and its properties as the class's own. Null gives one with the defaults. GetMTime has to count
- * it.
- */
-#define palpateContactSettingsMacro()                                                              \
-  virtual void SetSettings(vtkContactSettings* settings)                                           \
-  {                                                                                                \
-    if (this->Settings != settings)                                                                \
-    {                                                                                              \
-      this->Settings = settings;                                                                   \
-      if (!settings)                                                                               \
-      {                                                                                            \
-        this->Settings = vtkSmartPointer<vtkContactSettings>::New();                               \
-      }                                                                                            \
-      this->Modified();                                                                            \
-    }                                                                                              \
-  }                                                                                                \
-  vtkContactSettings* GetSettings()                                                                \
-  {                                                                                                \
-    return this->Settings;                                                                         \
-  }                                                                                                \
-  void SetForceForm(int form)                                                                      \
-  {                                                                                                \
-    this->Settings->SetForceForm(form);                                                            \
-  }                                                                                                \
-  int GetForceForm()                                                                               \
-  {                                                                                                \
-    return this->Settings->GetForceForm();                                                         \
-  }                                                                                                \
-  void SetContactSurface(int surface)                                                              \
-  {                                                                                                \
-    this->Settings->SetContactSurface(surface);                                                    \
-  }                                                                                                \
-  int GetContactSurface()                                                                          \
-  {                                                                                                \
-    return this->Settings->GetContactSurface();                                                    \
-  }                                                                                                \
-  void SetFrictionCoefficient(double value)                                                        \
-  {                                                                                                \
-    this->Settings->SetFrictionCoefficient(value);                                                 \
-  }                                                                                                \
-  double GetFrictionCoefficient()                                                                  \
-  {                                                                                                \
-    return this->Settings->GetFrictionCoefficient();                                               \
-  }                                                                                                \
-  void SetFrictionModel(int model)                                                                 \
-  {                                                                                                \
-    this->Settings->SetFrictionModel(model);                                                       \
-  }                                                                                                \
-  int GetFrictionModel()                                                                           \
-  {                                                                                                \
-    return this->Settings->GetFrictionModel();                                                     \
-  }                                                                                                \
-  void SetTangentialStiffness(double value)                                                        \
-  {                                                                                                \
-    this->Settings->SetTangentialStiffness(value);                                                 \
-  }                                                                                                \
-  double GetTangentialStiffness()                                                                  \
-  {                                                                                                \
-    return this->Settings->GetTangentialStiffness();                                               \
-  }                                                                                                \
-  void SetFrictionBreakaway(double share)                                                          \
-  {                                                                                                \
-    this->Settings->SetFrictionBreakaway(share);                                                   \
-  }                                                                                                \
-  double GetFrictionBreakaway()                                                                    \
-  {                                                                                                \
-    return this->Settings->GetFrictionBreakaway();                                                 \
-  }                                                                                                \
-  void SetFrictionStickRadius(double share)                                                        \
-  {                                                                                                \
-    this->Settings->SetFrictionStickRadius(share);                                                 \
-  }                                                                                                \
-  double GetFrictionStickRadius()                                                                  \
-  {                                                                                                \
-    return this->Settings->GetFrictionStickRadius();                                               \
-  }                                                                                                \
-  void SetPoissonRatio(double ratio)                                                               \
-  {                                                                                                \
-    this->Settings->SetPoissonRatio(ratio);                                                        \
-  }                                                                                                \
-  double GetPoissonRatio()                                                                         \
-  {                                                                                                \
-    return this->Settings->GetPoissonRatio();                                                      \
-  }
 
 #endif

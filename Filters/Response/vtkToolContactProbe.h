@@ -62,7 +62,7 @@
 #define vtkToolContactProbe_h
 
 #include "palpateResponseModule.h" // For export macro
-#include "vtkContactSettings.h"    // For its macro
+#include "vtkContactSettings.h"    // For its enumerations
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
@@ -108,8 +108,36 @@ public:
 
   ///@{
   /** How the contact feels: an object that others may share, and its properties, which
-   * vtkContactSettings explains. Default: one of its own. */
-  palpateContactSettingsMacro();
+   * vtkContactSettings explains. Default, and in place of null: one of its own. */
+  virtual void SetSettings(vtkContactSettings* settings)
+  {
+    if (this->Settings != settings)
+    {
+      this->Settings = settings;
+      if (!settings)
+      {
+        this->Settings = vtkSmartPointer<vtkContactSettings>::New();
+      }
+      this->Modified();
+    }
+  }
+  vtkContactSettings* GetSettings() { return this->Settings; }
+  void SetForceForm(int form) { this->Settings->SetForceForm(form); }
+  int GetForceForm() { return this->Settings->GetForceForm(); }
+  void SetContactSurface(int surface) { this->Settings->SetContactSurface(surface); }
+  int GetContactSurface() { return this->Settings->GetContactSurface(); }
+  void SetFrictionCoefficient(double value) { this->Settings->SetFrictionCoefficient(value); }
+  double GetFrictionCoefficient() { return this->Settings->GetFrictionCoefficient(); }
+  void SetFrictionModel(int model) { this->Settings->SetFrictionModel(model); }
+  int GetFrictionModel() { return this->Settings->GetFrictionModel(); }
+  void SetTangentialStiffness(double value) { this->Settings->SetTangentialStiffness(value); }
+  double GetTangentialStiffness() { return this->Settings->GetTangentialStiffness(); }
+  void SetFrictionBreakaway(double share) { this->Settings->SetFrictionBreakaway(share); }
+  double GetFrictionBreakaway() { return this->Settings->GetFrictionBreakaway(); }
+  void SetFrictionStickRadius(double share) { this->Settings->SetFrictionStickRadius(share); }
+  double GetFrictionStickRadius() { return this->Settings->GetFrictionStickRadius(); }
+  void SetPoissonRatio(double ratio) { this->Settings->SetPoissonRatio(ratio); }
+  double GetPoissonRatio() { return this->Settings->GetPoissonRatio(); }
   void SetForceFormToPaper() { this->SetForceForm(Paper); }
   void SetForceFormToNormalizedDirection() { this->SetForceForm(NormalizedDirection); }
   void SetForceFormToEnergyConsistent() { this->SetForceForm(EnergyConsistent); }

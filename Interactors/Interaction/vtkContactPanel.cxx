@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactPanel.h"
 
+#include "Interaction/Panel/ContactControls.h"
 #include "Interaction/Panel/PanelLook.h"
 #include "Interaction/Panel/PanelSheet.h"
-#include "vtkContactScene.h"
 #include "vtkContactSetup.h"
-#include "vtkContactTool.h"
-#include "vtkHapticSession.h"
+#include "vtkFrameClock.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkLiveCharts.h"
 
@@ -15,78 +14,16 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
-#include <array>
-#include <iomanip>
-#include <sstream>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace
 {
 using palpate::PanelButton;
-using palpate::PanelScale;
 using palpate::PanelSlider;
 
-constexpr PanelScale RadiusScale{ 0.5, 20.0, true, 0.01 };
-constexpr PanelScale AngleScale{ 10.0, 85.0, false, 1.0 };
-constexpr PanelScale ModulusScale{ 0.001, 10.0, true, 0.01 };
-constexpr PanelScale PoissonScale{ 0.0, 0.5, false, 0.01 };
-constexpr PanelScale FrictionScale{ 0.0, 1.0, false, 0.01 };
-constexpr PanelScale ExaggerationScale{ 1.0, 64.0, true, 0.1 };
-constexpr double Priority = 1.0; // of the panel among the observers of a frame: before others
-
-const std::array<const char*, 4> ModelNames = { "Half-space", "Layer", "In series", "Stored" };
-
-std::string digits(double value, int count)
-{
-  std::ostringstream written;
-  written << std::setprecision(count) << value;
-  return written.str();
-}
-
-std::string decimals(double value, int count)
-{
-  std::ostringstream written;
-  written << std::fixed << std::setprecision(count) << value;
-  return written.str();
-}
-
-/// What a tool's description says, in the width of a button.
-std::string toolText(vtkContactTool* tool)
-{
-  std::string text = tool->GetDescription();
-  const std::array<std::pair<const char*, const char*>, 3> shorter = { { { ", radius ", ", " },
-    { ", half angle ", ", " }, { " degrees", "°" } } };
-  for (const auto& [words, instead] : shorter)
-  {
-    const std::size_t place = text.find(words);
-    if (place != std::string::npos)
-    {
-      text.replace(place, std::string(words).size(), instead);
-    }
-  }
-  return text;
-}
-
-std::string modulusText(double value)
-{
-  return value < 1.0 ? digits(1000.0 * value, 3) + " kPa" : digits(value, 3) + " MPa";
-}
-std::string radiusText(double value)
-{
-  return digits(value, 3) + " mm";
-}
-std::string angleText(double value)
-{
-  return digits(value, 3) + "°";
-}
-std::string ratioText(double value)
-{
-  return decimals(value, 2);
-}
-std::string exaggerationText(double value)
-{
-  return digits(value, 2) + " times";
-}
+constexpr float Priority = 1.0F; // of the panel among the observers of a frame: before others
 } // namespace
 
 struct vtkContactPanel::Parts
@@ -94,28 +31,14 @@ struct vtkContactPanel::Parts
   vtkSmartPointer<vtkRenderer> renderer;
   vtkSmartPointer<vtkContactSetup> setup;
   vtkSmartPointer<vtkInteractorStyleHaptic> style;
+  vtkSmartPointer<vtkFrameClock> clock;
   vtkSmartPointer<vtkLiveCharts> charts;
-
-  palpate::PanelSheet sheet;
-  std::vector<PanelButton*> tools;
-  std::array<PanelButton*, 4> models{};
-  PanelSlider* size = nullptr;
-  PanelSlider* modulus = nullptr;
-  PanelSlider* poisson = nullptr;
-  PanelSlider* friction = nullptr;
-  PanelSlider* exaggeration = nullptr;
-  PanelButton* compare = nullptr;
-  PanelButton* showCharts = nullptr;
-  PanelButton* timing = nullptr;
-  PanelButton* session = nullptr;
-  PanelButton* record = nullptr;
-
-  bool sizeIsAngle = false;
-  double shownForce = 0.0; ///< to which the scales of force were fitted, N
   vtkNew<vtkCallbackCommand> follow;
 
-  vtkHapticSession* haptics() { return this->style ? this->style->GetSession() : nullptr; }
-  vtkContactScene* scene() { return this->style ? this->style->GetScene() : nullptr; }
+  std::unique_ptr<palpate::ContactControls> controls; ///< null until On
+  palpate::PanelSheet sheet;
+  std::vector<std::pair<palpate::ControlQuantity, PanelSlider*>> sliders;
+  std::vector<std::pair<palpate::ControlButton, PanelButton*>> buttons;
 };
 
 vtkStandardNewMacro(vtkContactPanel);
@@ -128,10 +51,9 @@ vtkContactPanel::vtkContactPanel()
     [](vtkObject*, unsigned long event, void* client, void* data)
     {
       auto* panel = static_cast<vtkContactPanel*>(client);
-      vtkLiveCharts* charts = panel->Kept->charts;
       switch (event)
       {
-        case vtkInteractorStyleHaptic::FrameEvent:
+        case vtkFrameClock::FrameEvent:
           panel->Update();
           break;
         case vtkInteractorStyleHaptic::ToolChosenEvent:
@@ -144,10 +66,7 @@ vtkContactPanel::vtkContactPanel()
           panel->SetChartsVisibility(!panel->GetChartsVisibility());
           break;
         case vtkInteractorStyleHaptic::HistogramEvent:
-          if (charts)
-          {
-            charts->SetHistogramVisibility(!charts->GetHistogramVisibility());
-          }
+          panel->Kept->controls->toggleTiming();
           break;
         default:
           break;
@@ -180,6 +99,11 @@ void vtkContactPanel::SetStyle(vtkInteractorStyleHaptic* style)
   this->Kept->style = style;
 }
 
+void vtkContactPanel::SetClock(vtkFrameClock* clock)
+{
+  this->Kept->clock = clock;
+}
+
 void vtkContactPanel::SetCharts(vtkLiveCharts* charts)
 {
   this->Kept->charts = charts;
@@ -188,22 +112,31 @@ void vtkContactPanel::SetCharts(vtkLiveCharts* charts)
 void vtkContactPanel::On()
 {
   Parts& kept = *this->Kept;
-  if (!kept.renderer || !kept.setup || !kept.haptics() || !kept.scene() ||
-    !kept.style->GetInteractor() || !kept.setup->GetOutput())
+  if (!kept.renderer || !kept.setup || !kept.style || !kept.style->GetSession() ||
+    !kept.style->GetScene() || !kept.style->GetInteractor() || !kept.setup->GetOutput())
   {
     vtkErrorMacro(<< "A panel needs a renderer, a setup with an output, and a style with session, "
                   << "scene and interactor.");
     return;
   }
   this->Off();
+  const bool compared = this->GetCompare();
+  const bool hadCharts = this->GetChartsVisibility();
+  kept.controls = std::make_unique<palpate::ContactControls>(kept.setup, kept.style, kept.charts,
+    [this](int tool) { this->InvokeEvent(ToolShownEvent, &tool); });
+  kept.controls->setCompares(compared);
+  kept.controls->setShowsCharts(hadCharts);
   this->MakeControls();
-  kept.shownForce = kept.setup->GetLargestForce();
   kept.sheet.show(kept.renderer, kept.style->GetInteractor());
-  for (const unsigned long event : { vtkInteractorStyleHaptic::FrameEvent,
-         vtkInteractorStyleHaptic::ToolChosenEvent, vtkInteractorStyleHaptic::CompareEvent,
-         vtkInteractorStyleHaptic::ChartsEvent, vtkInteractorStyleHaptic::HistogramEvent })
+  for (const unsigned long event :
+    { vtkInteractorStyleHaptic::ToolChosenEvent, vtkInteractorStyleHaptic::CompareEvent,
+      vtkInteractorStyleHaptic::ChartsEvent, vtkInteractorStyleHaptic::HistogramEvent })
   {
     kept.style->AddObserver(event, kept.follow, Priority);
+  }
+  if (kept.clock)
+  {
+    kept.clock->AddObserver(vtkFrameClock::FrameEvent, kept.follow, Priority);
   }
   this->ShowValues();
   kept.sheet.place();
@@ -211,140 +144,63 @@ void vtkContactPanel::On()
 
 void vtkContactPanel::Off()
 {
-  if (this->Kept->style)
+  Parts& kept = *this->Kept;
+  if (kept.style)
   {
-    this->Kept->style->RemoveObserver(this->Kept->follow);
+    kept.style->RemoveObserver(kept.follow);
   }
-  this->Kept->sheet.clear();
+  if (kept.clock)
+  {
+    kept.clock->RemoveObserver(kept.follow);
+  }
+  kept.sheet.clear();
+  kept.sliders.clear();
+  kept.buttons.clear();
 }
 
 void vtkContactPanel::MakeControls()
 {
   Parts& kept = *this->Kept;
-  kept.tools.clear();
-  kept.models = {};
-  if (kept.setup->GetModel() == vtkContactSetup::Stored)
+  for (palpate::ControlRow& row : kept.controls->rows())
   {
-    kept.size = kept.modulus = kept.poisson = nullptr;
-  }
-  this->MakeSetupControls();
-  this->MakeShowControls();
-}
-
-void vtkContactPanel::MakeSetupControls()
-{
-  Parts& kept = *this->Kept;
-  palpate::PanelSheet& sheet = kept.sheet;
-  const bool isStored = kept.setup->GetModel() == vtkContactSetup::Stored;
-  const auto read = [this] { this->ReadControls(); };
-  const auto fit = [this] { this->FitScales(); };
-  sheet.addHeading("TOOL");
-  for (int tool = 0; tool < kept.setup->GetNumberOfTools(); ++tool)
-  {
-    kept.tools.push_back(sheet.addButton("", [this, tool] { this->ChooseTool(tool); }));
-  }
-  if (!isStored)
-  {
-    kept.size = sheet.addSlider(read, fit);
-    kept.sizeIsAngle = true;
-    kept.size->setMeaning("Half angle", AngleScale, angleText);
-    sheet.addHeading("MATERIAL");
-    kept.modulus = sheet.addSlider(read, fit);
-    kept.modulus->setMeaning("Young's modulus", ModulusScale, modulusText);
-    kept.poisson = sheet.addSlider(read, fit);
-    kept.poisson->setMeaning("Poisson's ratio", PoissonScale, ratioText);
-  }
-  else
-  {
-    sheet.addHeading("CONTACT");
-  }
-  kept.friction = sheet.addSlider(read, [] {});
-  kept.friction->setMeaning("Friction", FrictionScale, ratioText);
-  if (isStored)
-  {
-    return;
-  }
-  sheet.addHeading("MODEL OF THE BODY");
-  int count = 0;
-  for (int model = 0; model < static_cast<int>(ModelNames.size()); ++model)
-  {
-    count += kept.setup->HasModel(model) && model != vtkContactSetup::Stored ? 1 : 0;
-  }
-  for (int model = 0; model < vtkContactSetup::Stored; ++model)
-  {
-    if (kept.setup->HasModel(model))
+    if (const auto* heading = std::get_if<std::string>(&row))
     {
-      const auto index = static_cast<std::size_t>(model);
-      kept.models[index] = sheet.addButton(
-        ModelNames[index], [this, model] { this->Kept->setup->SetModel(model); }, count);
+      kept.sheet.addHeading(*heading);
+    }
+    else if (auto* quantity = std::get_if<palpate::ControlQuantity>(&row))
+    {
+      const std::size_t index = kept.sliders.size();
+      const auto change = [&kept, index]
+      {
+        const auto& [changed, slider] = kept.sliders[index];
+        if (slider->isHeld())
+        {
+          changed.change(slider->quantity());
+        }
+      };
+      const auto release = [&kept, setsForces = quantity->setsForces]
+      {
+        if (setsForces)
+        {
+          kept.controls->fitScales();
+        }
+      };
+      PanelSlider* slider = kept.sheet.addSlider(change, release);
+      slider->setMeaning(quantity->name, quantity->scale, quantity->write);
+      kept.sliders.emplace_back(std::move(*quantity), slider);
+    }
+    else
+    {
+      auto& buttons = std::get<std::vector<palpate::ControlButton>>(row);
+      for (palpate::ControlButton& button : buttons)
+      {
+        PanelButton* made =
+          kept.sheet.addButton(button.label(), button.press, static_cast<int>(buttons.size()));
+        kept.buttons.emplace_back(std::move(button), made);
+      }
     }
   }
-}
-
-void vtkContactPanel::MakeShowControls()
-{
-  Parts& kept = *this->Kept;
-  palpate::PanelSheet& sheet = kept.sheet;
-  vtkInteractorStyleHaptic* style = kept.style;
-  sheet.addHeading("VIEW");
-  kept.exaggeration = sheet.addSlider([this] { this->ReadControls(); }, [] {});
-  kept.exaggeration->setMeaning("Dent drawn deeper", ExaggerationScale, exaggerationText);
-  kept.compare = kept.showCharts = kept.timing = nullptr;
-  if (kept.charts)
-  {
-    kept.showCharts = sheet.addButton(
-      "Charts", [this] { this->SetChartsVisibility(!this->ChartsVisibility); }, 2);
-    kept.timing = sheet.addButton(
-      "Timing",
-      [this]
-      {
-        vtkLiveCharts* charts = this->Kept->charts;
-        charts->SetHistogramVisibility(!charts->GetHistogramVisibility());
-      },
-      2);
-    kept.compare = sheet.addButton(
-      "Compare", [this] { this->SetCompare(!this->Compare); }, 2);
-  }
-  sheet.addButton(
-    "Keys: ?", [style] { style->SetHelpVisibility(!style->GetHelpVisibility()); },
-    kept.charts ? 2 : 1);
-  sheet.addHeading("SESSION");
-  kept.session = sheet.addButton(
-    "Stop", [style] { style->ToggleSession(); }, 3);
-  kept.record = sheet.addButton(
-    "Record", [style] { style->ToggleRecording(); }, 3);
-  sheet.addButton(
-    "Picture", [style] { style->WritePicture(); }, 3);
-  sheet.addStatus();
-}
-
-/// What the sliders say goes to those they are for; responses follow at the next frame.
-void vtkContactPanel::ReadControls()
-{
-  Parts& kept = *this->Kept;
-  vtkContactSetup* setup = kept.setup;
-  if (kept.size && kept.size->isHeld())
-  {
-    setup->SetToolSize(kept.size->quantity());
-  }
-  if (kept.modulus && kept.modulus->isHeld())
-  {
-    setup->SetYoungsModulus(kept.modulus->quantity());
-  }
-  if (kept.poisson && kept.poisson->isHeld())
-  {
-    setup->SetPoissonRatio(kept.poisson->quantity());
-  }
-  if (kept.friction->isHeld() &&
-    kept.friction->quantity() != kept.haptics()->GetFrictionCoefficient())
-  {
-    kept.haptics()->SetFrictionCoefficient(kept.friction->quantity());
-    kept.haptics()->ApplyChanges();
-  }
-  if (kept.exaggeration->isHeld())
-  {
-    kept.scene()->SetExaggeration(kept.exaggeration->quantity());
-  }
+  kept.sheet.addStatus();
 }
 
 void vtkContactPanel::Update()
@@ -354,148 +210,67 @@ void vtkContactPanel::Update()
   {
     return;
   }
-  kept.setup->Request();
-  if (kept.setup->Collect())
+  // While a slider is held the scales of force stay, so that the change is seen.
+  const bool isNew = kept.controls->update();
+  if (isNew &&
+    std::none_of(kept.sliders.begin(), kept.sliders.end(),
+      [](const auto& each) { return each.first.setsForces && each.second->isHeld(); }))
   {
-    this->ApplyResponses();
+    kept.controls->fitScales();
   }
   this->ShowValues();
-  this->ShowStatus();
+  kept.sheet.setStatus(kept.controls->status());
   kept.sheet.place();
 }
 
-void vtkContactPanel::ApplyResponses()
+void vtkContactPanel::ShowValues()
 {
-  Parts& kept = *this->Kept;
-  kept.setup->ApplyTo(kept.haptics());
-  kept.setup->ShowIn(kept.scene());
-  if (!kept.size || !(kept.size->isHeld() || kept.modulus->isHeld() || kept.poisson->isHeld()))
+  for (const auto& [quantity, slider] : this->Kept->sliders)
   {
-    this->FitScales();
+    slider->SetVisibility(quantity.isOffered());
+    slider->setQuantity(quantity.read());
   }
-}
-
-/// While a slider is held the scales of force stay, so that the change is seen; then they are
-/// chosen anew if forces have become much larger or smaller.
-void vtkContactPanel::FitScales()
-{
-  constexpr double muchLarger = 1.5;
-  constexpr double muchSmaller = 0.3;
-  Parts& kept = *this->Kept;
-  const double force = kept.setup->GetLargestForce();
-  const double ratio = force / kept.shownForce;
-  if (force > 0.0 && !kept.setup->IsBusy() && !(ratio < muchLarger && ratio > muchSmaller))
+  for (const auto& [button, shown] : this->Kept->buttons)
   {
-    kept.shownForce = force;
-    kept.scene()->SetLargestForce(force);
-    if (kept.charts)
-    {
-      kept.charts->ResetRanges();
-    }
+    shown->setLabel(button.label());
+    shown->setOn(button.isOn());
   }
 }
 
 void vtkContactPanel::ChooseTool(int tool)
 {
-  Parts& kept = *this->Kept;
-  if (kept.setup->GetTool(tool) && tool != kept.setup->GetChosenTool())
+  if (this->Kept->controls)
   {
-    kept.setup->SetChosenTool(tool);
-    kept.setup->ApplyTo(kept.haptics());
-    kept.setup->ShowIn(kept.scene());
-    this->InvokeEvent(ToolShownEvent, &tool);
+    this->Kept->controls->chooseTool(tool);
   }
 }
 
 void vtkContactPanel::SetCompare(bool compare)
 {
-  vtkLiveCharts* charts = this->Kept->charts;
-  if (compare == this->Compare || !charts)
+  if (this->Kept->controls && compare != this->GetCompare())
   {
-    return;
-  }
-  this->Compare = compare;
-  charts->RemoveAllComparedResponses();
-  for (int tool = 0; compare && tool < this->Kept->setup->GetNumberOfTools(); ++tool)
-  {
-    charts->AddComparedResponse(this->Kept->setup->GetResponseName(tool));
-  }
-  this->Modified();
-}
-
-void vtkContactPanel::SetChartsVisibility(bool visible)
-{
-  if (this->Kept->charts && visible != this->ChartsVisibility)
-  {
-    this->ChartsVisibility = visible;
+    this->Kept->controls->setCompares(compare);
     this->Modified();
   }
 }
 
-void vtkContactPanel::ShowValues()
+bool vtkContactPanel::GetCompare()
 {
-  Parts& kept = *this->Kept;
-  vtkContactSetup* setup = kept.setup;
-  for (int tool = 0; tool < static_cast<int>(kept.tools.size()); ++tool)
-  {
-    PanelButton* button = kept.tools[static_cast<std::size_t>(tool)];
-    button->setLabel(std::to_string(tool + 1) + "   " + toolText(setup->GetTool(tool)));
-    button->setOn(tool == setup->GetChosenTool());
-  }
-  if (kept.size)
-  {
-    if (setup->IsToolSizeAngle() != kept.sizeIsAngle)
-    {
-      kept.sizeIsAngle = setup->IsToolSizeAngle();
-      kept.size->setMeaning(kept.sizeIsAngle ? "Half angle" : "Radius",
-        kept.sizeIsAngle ? AngleScale : RadiusScale, kept.sizeIsAngle ? angleText : radiusText);
-    }
-    kept.size->SetVisibility(setup->HasToolSize());
-    kept.size->setQuantity(setup->GetToolSize());
-    kept.modulus->setQuantity(setup->GetYoungsModulus());
-    kept.poisson->setQuantity(setup->GetPoissonRatio());
-  }
-  kept.friction->setQuantity(kept.haptics()->GetFrictionCoefficient());
-  kept.exaggeration->setQuantity(kept.scene()->GetExaggeration());
-  for (int model = 0; model < static_cast<int>(kept.models.size()); ++model)
-  {
-    if (PanelButton* button = kept.models[static_cast<std::size_t>(model)])
-    {
-      button->setOn(model == setup->GetModel());
-    }
-  }
-  if (kept.charts)
-  {
-    kept.showCharts->setOn(this->ChartsVisibility);
-    kept.timing->setOn(kept.charts->GetHistogramVisibility());
-    kept.compare->setOn(this->Compare);
-  }
-  kept.session->setLabel(
-    kept.haptics()->GetState() == vtkHapticSession::Stopped ? "Start" : "Stop");
-  kept.record->setOn(kept.style->IsRecording());
+  return this->Kept->controls && this->Kept->controls->compares();
 }
 
-void vtkContactPanel::ShowStatus()
+void vtkContactPanel::SetChartsVisibility(bool visible)
 {
-  Parts& kept = *this->Kept;
-  std::string status = kept.style->GetNotice();
-  if (kept.style->IsRecording())
+  if (this->Kept->controls && visible != this->GetChartsVisibility())
   {
-    status = "recording: " +
-      decimals(
-        static_cast<double>(kept.style->GetNumberOfRecordedTicks()) / kept.haptics()->GetRate(),
-        1) +
-      " s";
+    this->Kept->controls->setShowsCharts(visible);
+    this->Modified();
   }
-  if (!kept.setup->GetError().empty())
-  {
-    status = kept.setup->GetError();
-  }
-  if (kept.setup->IsBusy())
-  {
-    status = "computing the responses ...";
-  }
-  kept.sheet.setStatus(status);
+}
+
+bool vtkContactPanel::GetChartsVisibility()
+{
+  return !this->Kept->controls || this->Kept->controls->showsCharts();
 }
 
 bool vtkContactPanel::FindButton(const std::string& label, int position[2])
@@ -540,7 +315,7 @@ std::string vtkContactPanel::GetStatus()
 void vtkContactPanel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Compare: " << this->Compare << "\n";
-  os << indent << "ChartsVisibility: " << this->ChartsVisibility << "\n";
+  os << indent << "Compare: " << this->GetCompare() << "\n";
+  os << indent << "ChartsVisibility: " << this->GetChartsVisibility() << "\n";
   os << indent << "Status: " << this->GetStatus() << "\n";
 }

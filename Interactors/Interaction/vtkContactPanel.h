@@ -8,15 +8,15 @@
  * drawn, whether tools are compared, charts, the session, record and picture. (Mahvash and Hayward
  * 2002, figure 9, live.) Made of vtkSliderWidget and vtkButtonWidget.
  *
- * Give it a renderer of a window with an interactor, a setup, and the style that has session and
- * scene; charts if there are any. Then On. It follows the style's frames (FrameEvent): asks the
+ * Give it a renderer of a window with an interactor, a setup, and the style that has session, scene
+ * and files; the clock, and charts if there are any. Then On. At each frame of the clock it asks the
  * setup for new responses when something has been changed, by the panel or by a program, hands
  * those that are ready to session, scene and charts, and shows how everything is set now. The
  * window never waits for responses: until they are there the old ones are felt and shown.
  *
  * All that it does can be done without it: by methods of vtkContactSetup (tool, size, material,
- * model), vtkHapticSession (friction), vtkContactScene (exaggeration), vtkLiveCharts (comparison)
- * and vtkInteractorStyleHaptic (session, record, picture, help). What the body or the setup cannot
+ * model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration), vtkLiveCharts
+ * (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic (help). What the body or the setup cannot
  * have is not offered; with Model Stored only what is shown can be changed.
  */
 #ifndef vtkContactPanel_h
@@ -30,6 +30,7 @@
 #include <string> // For std::string
 
 class vtkContactSetup;
+class vtkFrameClock;
 class vtkInteractorStyleHaptic;
 class vtkLiveCharts;
 class vtkRenderer;
@@ -51,8 +52,10 @@ public:
   void SetRenderer(vtkRenderer* renderer);
   /** What is touched. Its output must be there: call its Update before On. */
   void SetSetup(vtkContactSetup* setup);
-  /** Who has session, scene and interactor. */
+  /** Who has session, scene and interactor; and files, for Record and Picture. */
   void SetStyle(vtkInteractorStyleHaptic* style);
+  /** Whose frames it follows; without, call Update. */
+  void SetClock(vtkFrameClock* clock);
   /** Optional: what Compare, Charts and Timing change. */
   void SetCharts(vtkLiveCharts* charts);
 
@@ -62,7 +65,7 @@ public:
   void Off();
   ///@}
 
-  /** What happens once a frame, see above; for programs without the style's timer. */
+  /** What happens once a frame, see above. */
   void Update();
 
   /** Puts a tool of the setup, from 0, into the hand: in session, scene and charts. Nothing happens
@@ -73,12 +76,12 @@ public:
   /** Whether the charts compare all tools at the contact, instead of showing the three curves of
    * the triangle. Default off. Key c. */
   void SetCompare(bool compare);
-  vtkGetMacro(Compare, bool);
+  bool GetCompare();
   ///@}
   ///@{
   /** Whether there are charts. Default on. Key g. */
   void SetChartsVisibility(bool visible);
-  vtkGetMacro(ChartsVisibility, bool);
+  bool GetChartsVisibility();
   ///@}
 
   ///@{
@@ -102,16 +105,7 @@ private:
   void operator=(const vtkContactPanel&) = delete;
 
   void MakeControls();
-  void MakeSetupControls();
-  void MakeShowControls();
-  void ReadControls();
-  void ApplyResponses();
-  void FitScales();
   void ShowValues();
-  void ShowStatus();
-
-  bool Compare = false;
-  bool ChartsVisibility = true;
 
   struct Parts;
   std::unique_ptr<Parts> Kept;

@@ -2,19 +2,20 @@
 #include "vtkContactScene.h"
 
 #include "Interaction/Display/BodyDisplay.h"
-#include "Interaction/Display/ColorLegend.h"
 #include "Interaction/Display/ContactCircle.h"
 #include "Interaction/Display/ContactReading.h"
 #include "Interaction/Display/ContactValidity.h"
-#include "Interaction/Display/DisplayColors.h"
 #include "Interaction/Display/ForceScale.h"
 #include "Interaction/Display/ForceTrail.h"
+#include "Interaction/Display/PlaceMarker.h"
 #include "Interaction/Display/RoundNumber.h"
 #include "Interaction/Display/SceneCamera.h"
 #include "Interaction/Display/SceneCaption.h"
+#include "Interaction/Display/SceneLegends.h"
 #include "Interaction/Display/SceneLight.h"
 #include "Interaction/Display/ShownContact.h"
 #include "vtkContactTool.h"
+#include "vtkFrameClock.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticToolRepresentation.h"
 
@@ -23,62 +24,35 @@
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkLookupTable.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
-#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <vector>
 
 namespace
 {
-constexpr double ArrowLength = 40.0; // mm, of the largest force
-constexpr double MarkerRadius = 2.0; // mm
-constexpr int LegendSize = 15;
-constexpr double LegendWidth = 175.0;   // pixels
-constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that they stay put
-constexpr double LegendBottom = 0.15;
-constexpr double LegendTop = 0.97;
+constexpr double ArrowLength = 40.0;    // mm, of the largest force
+constexpr float AfterTheOthers = -1.0F; // of the scene among the observers of a frame
 } // namespace
 
 vtkStandardNewMacro(vtkContactScene);
 
 vtkContactScene::vtkContactScene()
-  : Colors(vtkSmartPointer<vtkLookupTable>::New())
-  , ForceColors(vtkSmartPointer<vtkLookupTable>::New())
-  , Body(std::make_unique<palpate::BodyDisplay>(this->Colors))
+  : Legends(std::make_unique<palpate::SceneLegends>())
+  , Body(std::make_unique<palpate::BodyDisplay>(this->Legends->displacementColors()))
   , Circle(std::make_unique<palpate::ContactCircle>())
-  , Trail(std::make_unique<palpate::ForceTrail>(this->ForceColors))
+  , Trail(std::make_unique<palpate::ForceTrail>(this->Legends->forceColors()))
   , Scale(std::make_unique<palpate::ForceScale>())
   , Caption(std::make_unique<palpate::SceneCaption>())
-  , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
-  , TrailLegend(vtkSmartPointer<vtkScalarBarActor>::New())
   , ToolRepresentation(vtkSmartPointer<vtkHapticToolRepresentation>::New())
-  , Marker(vtkSmartPointer<vtkActor>::New())
+  , Marker(palpate::makePlaceMarker())
   , Shown(std::make_unique<palpate::ShownContact>())
 {
-  palpate::fillColors(this->Colors, palpate::DeflectionColors);
-  this->Colors->SetVectorModeToMagnitude();
-  palpate::fillColors(this->ForceColors, palpate::TrailColors);
-  palpate::styleLegend(this->Legend, this->Colors, "Displacement (mm)", LegendSize);
-  palpate::styleLegend(this->TrailLegend, this->ForceColors, "Force (N)", LegendSize);
-  this->TrailLegend->SetLabelFormat("%.4g");
-  vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(MarkerRadius);
-  ball->SetThetaResolution(24);
-  ball->SetPhiResolution(24);
-  vtkNew<vtkPolyDataMapper> ballMapper;
-  ballMapper->SetInputConnection(ball->GetOutputPort());
-  this->Marker->SetMapper(ballMapper);
-  this->Marker->GetProperty()->SetColor(
-    palpate::ToolColor[0], palpate::ToolColor[1], palpate::ToolColor[2]);
-  this->Marker->VisibilityOff();
   this->SetLargestDeflection(1.0);
   this->SetLargestForce(1.0);
   this->SwitchTrail();
@@ -86,6 +60,7 @@ vtkContactScene::vtkContactScene()
 
 vtkContactScene::~vtkContactScene()
 {
+  this->Follow(nullptr, nullptr);
   if (this->Renderer)
   {
     this->Renderer->RemoveObserver(this->RenderObserver);
@@ -96,16 +71,13 @@ void vtkContactScene::SetRenderer(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
   palpate::lightScene(renderer);
-  renderer->AddActor(this->Body->actor());
-  renderer->AddActor(this->Trail->actor());
-  renderer->AddActor(this->Circle->actor());
-  renderer->AddViewProp(this->ToolRepresentation);
-  renderer->AddActor(this->Marker);
-  renderer->AddViewProp(this->Legend);
-  renderer->AddViewProp(this->TrailLegend);
-  renderer->AddViewProp(this->Caption->actor());
-  renderer->AddViewProp(this->Scale->arrow());
-  renderer->AddViewProp(this->Scale->label());
+  const std::initializer_list<vtkProp*> props = { this->Body->actor(), this->Trail->actor(),
+    this->Circle->actor(), this->ToolRepresentation, this->Marker, this->Legends->displacement(),
+    this->Legends->force(), this->Caption->actor(), this->Scale->arrow(), this->Scale->label() };
+  for (vtkProp* prop : props)
+  {
+    renderer->AddViewProp(prop);
+  }
   this->RenderObserver =
     renderer->AddObserver(vtkCommand::StartEvent, this, &vtkContactScene::Arrange);
 }
@@ -138,14 +110,9 @@ void vtkContactScene::SetResponseName(const std::string& name)
   this->Body->setResponseName(name);
 }
 
-std::string vtkContactScene::GetResponseName()
-{
-  return this->ResponseName;
-}
-
 void vtkContactScene::SetLargestDeflection(double largest)
 {
-  this->Colors->SetTableRange(0.0, largest);
+  this->Legends->displacementColors()->SetTableRange(0.0, largest);
 }
 
 void vtkContactScene::SetLargestForce(double largest)
@@ -153,7 +120,7 @@ void vtkContactScene::SetLargestForce(double largest)
   const double scale = palpate::roundDown(ArrowLength / largest);
   this->ToolRepresentation->SetForceScale(scale);
   this->Scale->choose(largest, scale);
-  this->ForceColors->SetTableRange(0.0, palpate::roundUp(largest));
+  this->Legends->forceColors()->SetTableRange(0.0, palpate::roundUp(largest));
 }
 
 void vtkContactScene::SetExaggeration(double factor)
@@ -186,52 +153,17 @@ void vtkContactScene::SetRemark(const std::string& remark)
   this->Caption->setRemark(remark);
 }
 
-void vtkContactScene::SetComponentsVisibility(bool visible)
-{
-  this->ToolRepresentation->SetComponentsVisibility(visible);
-}
-
-bool vtkContactScene::GetComponentsVisibility()
-{
-  return this->ToolRepresentation->GetComponentsVisibility();
-}
-
-void vtkContactScene::SetAppliedForceVisibility(bool visible)
-{
-  this->ToolRepresentation->SetAppliedForceVisibility(visible);
-}
-
-bool vtkContactScene::GetAppliedForceVisibility()
-{
-  return this->ToolRepresentation->GetAppliedForceVisibility();
-}
-
-void vtkContactScene::SetContactCircleVisibility(bool visible)
-{
-  this->CircleVisible = visible;
-}
-
-bool vtkContactScene::GetContactCircleVisibility()
-{
-  return this->CircleVisible;
-}
-
 void vtkContactScene::SetTrailVisibility(bool visible)
 {
-  this->TrailVisible = visible;
+  this->TrailVisibility = visible;
   this->SwitchTrail();
-}
-
-bool vtkContactScene::GetTrailVisibility()
-{
-  return this->TrailVisible;
 }
 
 void vtkContactScene::SetBlind(bool blind)
 {
   this->Blind = blind;
   this->ToolRepresentation->SetVisibility(!blind);
-  this->Legend->SetVisibility(!blind);
+  this->Legends->displacement()->SetVisibility(!blind);
   this->Scale->setVisibility(!blind);
   this->Marker->SetVisibility(blind);
   this->SwitchTrail();
@@ -250,37 +182,22 @@ bool vtkContactScene::ShowTrail(vtkPolyData* probed)
     }
     palpate::findValidity(this->BodyData, this->ResponseName, contacts[i]);
   }
-  this->Trail->clear();
-  this->TrailIsLive = false;
-  std::for_each(contacts.begin(), contacts.end(),
-    [this](const palpate::ShownContact& contact) { this->Trail->add(contact); });
-  this->Trail->draw();
+  this->Trail->show(contacts);
   this->SwitchTrail();
   return true;
-}
-
-void vtkContactScene::SetTrailLength(int contacts)
-{
-  this->TrailLength = std::max(contacts, 0);
-}
-
-int vtkContactScene::GetTrailLength()
-{
-  return this->TrailLength;
 }
 
 void vtkContactScene::ClearTrail()
 {
   this->Trail->clear();
-  this->Trail->draw();
   this->SwitchTrail();
 }
 
 void vtkContactScene::SwitchTrail()
 {
-  const bool visible = this->TrailVisible && !this->Blind && !this->Trail->isEmpty();
+  const bool visible = this->TrailVisibility && !this->Blind && !this->Trail->isEmpty();
   this->Trail->actor()->SetVisibility(visible);
-  this->TrailLegend->SetVisibility(visible);
+  this->Legends->force()->SetVisibility(visible);
 }
 
 bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
@@ -297,28 +214,35 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
   return true;
 }
 
-void vtkContactScene::ShowSession(vtkHapticSession* session)
+void vtkContactScene::Follow(vtkFrameClock* clock, vtkHapticSession* session)
 {
-  const double asItWas[3] = { 0.0, 0.0, 0.0 };
-  this->ShowSession(session, asItWas);
+  if (this->Clock)
+  {
+    this->Clock->RemoveObserver(this->FrameObserver);
+  }
+  this->Clock = session ? clock : nullptr;
+  this->Followed = session;
+  if (this->Clock)
+  {
+    this->FrameObserver = this->Clock->AddObserver(
+      vtkFrameClock::FrameEvent, this, &vtkContactScene::ShowFrame, AfterTheOthers);
+  }
 }
 
-void vtkContactScene::ShowSession(vtkHapticSession* session, const double freeDirection[3])
+void vtkContactScene::ShowFrame()
+{
+  this->ShowSession(this->Followed);
+}
+
+void vtkContactScene::ShowSession(vtkHapticSession* session)
 {
   palpate::ShownContact contact = palpate::readSession(session);
   if (!contact.touches())
   {
-    contact.tick.contact.normal = Eigen::Vector3d(freeDirection);
+    contact.tick.contact.normal = Eigen::Vector3d(this->FreeDirection);
   }
   palpate::findValidity(session->GetBody(), session->GetResponseName(), contact);
-  if (!this->TrailIsLive)
-  {
-    this->Trail->clear();
-    this->TrailIsLive = true;
-  }
-  this->Trail->add(contact);
-  this->Trail->keep(static_cast<std::size_t>(this->TrailLength));
-  this->Trail->draw();
+  this->Trail->follow(contact, static_cast<std::size_t>(this->TrailLength));
   this->SwitchTrail();
   this->Show(contact);
 }
@@ -340,7 +264,7 @@ void vtkContactScene::ShowContact(const double tip[3], const double contactPoint
 void vtkContactScene::Show(const palpate::ShownContact& contact)
 {
   *this->Shown = contact;
-  this->Shown->hasApplied &= this->GetAppliedForceVisibility();
+  this->Shown->hasApplied &= this->ToolRepresentation->GetAppliedForceVisibility();
   if (contact.touches() || !this->HasTouched)
   {
     std::copy_n(contact.tick.contact.contactPoint.data(), 3, this->Contact);
@@ -385,12 +309,7 @@ void vtkContactScene::ShowCircle(const palpate::ShownContact& contact)
   const double depth = this->GetExaggeration() * this->Body->circleDepth();
   const palpate::Contact& felt = contact.tick.contact;
   this->Circle->show(felt.contactPoint - depth * felt.normal, felt.normal,
-    this->CircleVisible ? this->ContactRadius : 0.0, !contact.isValid());
-}
-
-double vtkContactScene::GetContactRadius()
-{
-  return this->ContactRadius;
+    this->ContactCircleVisibility ? this->ContactRadius : 0.0, !contact.isValid());
 }
 
 double vtkContactScene::GetValidity()
@@ -408,46 +327,18 @@ void vtkContactScene::SetFieldRadius(double radius)
   this->Body->setFieldRadius(radius);
 }
 
-double vtkContactScene::GetLegendShare()
-{
-  // The same size in pixels, however narrow the viewport.
-  const int width = this->Renderer ? std::max(this->Renderer->GetSize()[0], 1) : 1;
-  return std::min(1.0, LegendWidth / static_cast<double>(width));
-}
-
 void vtkContactScene::Arrange()
 {
   if (!this->Renderer)
   {
     return;
   }
-  const int* size = this->Renderer->GetSize();
   if (this->Renderer->IsActiveCameraCreated())
   {
     this->Scale->place(this->Renderer, Eigen::Vector3d(this->Contact));
   }
-  this->Caption->write(size[0] - this->Scale->width());
-  // The legends in a column at the right edge, above caption and scale.
-  const double share = this->GetLegendShare();
-  const double reserved = std::max(CaptionHeight, this->Caption->height());
-  const double low = std::min(std::max(reserved / std::max(size[1], 1), LegendBottom), 0.4);
-  const bool two = this->TrailLegend->GetVisibility() != 0;
-  const auto place = [share](vtkScalarBarActor* legend, double bottom, double top)
-  {
-    legend->GetPositionCoordinate()->SetValue(1.0 - share, bottom);
-    legend->SetWidth(0.85 * share);
-    legend->SetHeight(top - bottom);
-  };
-  const double middle = 0.5 * (low + LegendTop);
-  if (two)
-  {
-    place(this->TrailLegend, low, middle - 0.02);
-    place(this->Legend, middle + 0.02, LegendTop);
-  }
-  else
-  {
-    place(this->Legend, std::max(low, 0.25), std::max(low, 0.25) + 0.5);
-  }
+  this->Caption->write(this->Renderer->GetSize()[0] - this->Scale->width());
+  this->Legends->place(this->Renderer, this->Caption->height()); // above caption and scale
 }
 
 void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
@@ -462,13 +353,13 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   }
   all.GetBounds(bounds);
   palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },
-    this->GetLegendShare());
+    palpate::SceneLegends::share(this->Renderer));
 }
 
 void vtkContactScene::LookAtContact(double distance, const double direction[3], const double up[3])
 {
   palpate::lookAtPoint(this->Renderer, Eigen::Vector3d(this->Contact), distance,
-    { Eigen::Vector3d(direction), Eigen::Vector3d(up) }, this->GetLegendShare());
+    { Eigen::Vector3d(direction), Eigen::Vector3d(up) }, palpate::SceneLegends::share(this->Renderer));
 }
 
 vtkHapticToolRepresentation* vtkContactScene::GetToolRepresentation()
@@ -493,12 +384,12 @@ vtkActor* vtkContactScene::GetCircleActor()
 
 vtkScalarBarActor* vtkContactScene::GetLegend()
 {
-  return this->Legend;
+  return this->Legends->displacement();
 }
 
 vtkScalarBarActor* vtkContactScene::GetTrailLegend()
 {
-  return this->TrailLegend;
+  return this->Legends->force();
 }
 
 void vtkContactScene::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,7 +5,7 @@
  *
  * Give it a renderer, a body with responses and the tool. ShowTip puts one tip of
  * vtkToolContactProbe's output (or vtkHapticSession::GetRecording) on stage, ShowSession the newest
- * tick of a session.
+ * tick of a session, and Follow does so at each frame of a clock.
  *
  * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration,
  *   coloured by its magnitude with a legend in mm.
@@ -35,9 +35,9 @@
 
 class vtkActor;
 class vtkContactTool;
+class vtkFrameClock;
 class vtkHapticSession;
 class vtkHapticToolRepresentation;
-class vtkLookupTable;
 class vtkPolyData;
 class vtkRenderer;
 class vtkScalarBarActor;
@@ -49,6 +49,7 @@ class ContactCircle;
 class ForceScale;
 class ForceTrail;
 class SceneCaption;
+class SceneLegends;
 struct ShownContact;
 } // namespace palpate
 
@@ -72,7 +73,7 @@ public:
   ///@{
   /** Prefix of the response that is touched, for its validity and its field. Default "Response". */
   void SetResponseName(const std::string& name);
-  std::string GetResponseName();
+  vtkGetMacro(ResponseName, std::string);
   ///@}
 
   /** Legend of the deflection field: 0 to `largest` mm. Default 1. */
@@ -98,17 +99,12 @@ public:
   void SetRemark(const std::string& remark);
 
   ///@{
-  /** Which parts are drawn, from the next contact shown on: the parts of the force (normal,
-   * friction), the applied force where it differs, the circle of contact, the trail with its
-   * legend. Default on. */
-  void SetComponentsVisibility(bool visible);
-  bool GetComponentsVisibility();
-  void SetAppliedForceVisibility(bool visible);
-  bool GetAppliedForceVisibility();
-  void SetContactCircleVisibility(bool visible);
-  bool GetContactCircleVisibility();
+  /** Which parts are drawn, from the next contact shown on: the circle of contact, the trail with its
+   * legend; for those of the force see GetToolRepresentation. Default on. */
+  vtkSetMacro(ContactCircleVisibility, bool);
+  vtkGetMacro(ContactCircleVisibility, bool);
   void SetTrailVisibility(bool visible);
-  bool GetTrailVisibility();
+  vtkGetMacro(TrailVisibility, bool);
   ///@}
 
   /**
@@ -124,8 +120,8 @@ public:
   /** The live trail: how many of the last contacts of ShowSession it keeps, at least 0.05 mm apart;
    * 0 for none. Default 600: 20 s of motion at 30 pictures per second. It takes the place of a
    * trail of ShowTrail. */
-  void SetTrailLength(int contacts);
-  int GetTrailLength();
+  vtkSetClampMacro(TrailLength, int, 0, VTK_INT_MAX);
+  vtkGetMacro(TrailLength, int);
   void ClearTrail();
   ///@}
 
@@ -133,15 +129,16 @@ public:
    * Without an array FrictionForce or AppliedForce there is no friction, or no applied force. */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
-  ///@{
-  /**
-   * Shows the newest tick of a session, with friction, applied force, its reasons and the validity
-   * of the session's response at the contact, and adds it to the trail. Where nothing is touched
-   * the tool stands along `freeDirection`, of any length but zero; default: as it last did.
-   */
+  /** Shows the newest tick of a session, with friction, applied force, its reasons and the validity
+   * of the session's response at the contact, and adds it to the trail. */
   void ShowSession(vtkHapticSession* session);
-  void ShowSession(vtkHapticSession* session, const double freeDirection[3]);
-  ///@}
+  /** The same at each frame of the clock, after those who observe it with no priority; null: at none
+   * any more. */
+  void Follow(vtkFrameClock* clock, vtkHapticSession* session);
+  /** Along which direction, of any length, the tool stands where the session touches nothing; zero
+   * (default): as it last did. */
+  vtkSetVector3Macro(FreeDirection, double);
+  vtkGetVector3Macro(FreeDirection, double);
 
   /**
    * Shows a contact given by numbers: tip, contact point, unit normal and force on the tool,
@@ -153,7 +150,7 @@ public:
   ///@{
   /** Of the contact shown: radius of its circle, mm (0: none); the depth its response is valid to,
    * mm (infinite: none is known); and whether the deflection is within it. */
-  double GetContactRadius();
+  vtkGetMacro(ContactRadius, double);
   double GetValidity();
   bool IsValid();
   ///@}
@@ -191,29 +188,29 @@ private:
   void Show(const palpate::ShownContact& contact);
   void ShowBlind(const palpate::ShownContact& contact);
   void ShowCircle(const palpate::ShownContact& contact);
-  double GetLegendShare(); ///< of the width of the viewport
   void SwitchTrail();
   void Arrange();
+  void ShowFrame();
 
   vtkSmartPointer<vtkRenderer> Renderer;
   unsigned long RenderObserver = 0;
   vtkSmartPointer<vtkPolyData> BodyData;
   std::string ResponseName = "Response";
-  vtkSmartPointer<vtkLookupTable> Colors;
-  vtkSmartPointer<vtkLookupTable> ForceColors;
+  vtkSmartPointer<vtkFrameClock> Clock;
+  vtkSmartPointer<vtkHapticSession> Followed;
+  unsigned long FrameObserver = 0;
+  double FreeDirection[3] = { 0.0, 0.0, 0.0 };
+  std::unique_ptr<palpate::SceneLegends> Legends;
   std::unique_ptr<palpate::BodyDisplay> Body;
   std::unique_ptr<palpate::ContactCircle> Circle;
   std::unique_ptr<palpate::ForceTrail> Trail;
   std::unique_ptr<palpate::ForceScale> Scale;
   std::unique_ptr<palpate::SceneCaption> Caption;
-  vtkSmartPointer<vtkScalarBarActor> Legend;
-  vtkSmartPointer<vtkScalarBarActor> TrailLegend;
   vtkSmartPointer<vtkHapticToolRepresentation> ToolRepresentation;
   vtkSmartPointer<vtkActor> Marker; ///< of a contact that is shown blind
   bool Blind = false;
-  bool CircleVisible = true;
-  bool TrailVisible = true;
-  bool TrailIsLive = false;
+  bool ContactCircleVisibility = true;
+  bool TrailVisibility = true;
   int TrailLength = 600;
   std::unique_ptr<palpate::ShownContact> Shown; ///< the contact last shown
   bool HasTouched = false;

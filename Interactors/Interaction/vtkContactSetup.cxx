@@ -349,11 +349,12 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
   {
     session->SetSettings(this->Settings);
   }
-  session->SetPoissonRatio(this->Kept->made.poissonRatio);
-  session->ClearFitResponses();
+  session->GetSettings()->SetPoissonRatio(this->Kept->made.poissonRatio);
+  vtkHapticSafety* safety = session->GetSafety();
+  safety->ClearFitResponses();
   for (int i = 0; i < this->GetNumberOfTools(); ++i)
   {
-    session->AddFitResponse(this->GetResponseName(i));
+    safety->AddFitResponse(this->GetResponseName(i));
   }
   return session->ApplyChanges();
 }

@@ -2,25 +2,24 @@
 // What is set, and what is read; vtkHapticSessionStart.cxx is what happens in between.
 #include "vtkHapticSession.h"
 
-#include "Haptics/Devices/DeviceList.h"
-#include "Interaction/Session/HapticSessionState.h"
 #include "Haptics/Safety/SafetyText.h"
-#include "Interaction/Session/SessionDevice.h"
-#include "Interaction/Session/TickRecording.h"
+#include "Interaction/Session/HapticSessionState.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 vtkStandardNewMacro(vtkHapticSession);
 
 vtkHapticSession::vtkHapticSession()
   : Settings(vtkSmartPointer<vtkContactSettings>::New())
-  , Chosen(std::make_unique<palpate::SessionDevice>())
+  , Device(vtkSmartPointer<vtkHapticDevice>::New())
+  , Safety(vtkSmartPointer<vtkHapticSafety>::New())
+  , Recorder(vtkSmartPointer<vtkHapticRecorder>::New())
   , Known(std::make_unique<Kernels>())
 {
 }
@@ -47,89 +46,54 @@ vtkPolyData* vtkHapticSession::GetBody()
   return this->Body;
 }
 
-void vtkHapticSession::SetPath(vtkPolyData* path)
+template <class Part>
+void vtkHapticSession::Exchange(vtkSmartPointer<Part>& held, Part* part)
 {
-  this->Path = path;
-  this->Modified();
-}
-
-bool vtkHapticSession::SetDevice(const std::string& device)
-{
-  const std::string error = palpate::openSessionDevice(device, *this->Chosen);
-  if (!error.empty())
+  if (held != part)
   {
-    vtkErrorMacro(<< "Device '" << device << "': " << error << ".");
-    return false;
+    held = part ? vtkSmartPointer<Part>(part) : vtkSmartPointer<Part>::New();
+    this->Modified();
   }
-  this->Modified();
-  return true;
 }
 
-void vtkHapticSession::SetDevice(std::unique_ptr<palpate::HapticDevice> device)
+void vtkHapticSession::SetSettings(vtkContactSettings* settings)
 {
-  if (!device)
-  {
-    vtkErrorMacro(<< "The device given is null.");
-    return;
-  }
-  *this->Chosen = { palpate::SessionDevice::OfTheCaller, std::move(device), {}, {} };
-  this->Modified();
+  this->Exchange(this->Settings, settings);
 }
 
-std::string vtkHapticSession::GetDeviceStatus()
+vtkContactSettings* vtkHapticSession::GetSettings()
 {
-  if (this->Run)
-  {
-    return this->Run->run->device().status();
-  }
-  return this->Chosen->device ? this->Chosen->device->status() : "not started";
+  return this->Settings;
 }
 
-bool vtkHapticSession::GetDeviceOutputsForce()
+void vtkHapticSession::SetDevice(vtkHapticDevice* device)
 {
-  return this->Chosen->device && this->Chosen->device->specification().outputsForce;
+  this->Exchange(this->Device, device);
 }
 
-double vtkHapticSession::GetDeviceForceLimit()
+vtkHapticDevice* vtkHapticSession::GetDevice()
 {
-  const auto limits = this->Chosen->specification(this->Rate);
-  return std::min(this->ForceLimit, limits.maximumForce);
+  return this->Device;
 }
 
-bool vtkHapticSession::IsDevicePhysical()
+void vtkHapticSession::SetSafety(vtkHapticSafety* safety)
 {
-  return this->Chosen->kind == palpate::SessionDevice::Opened;
+  this->Exchange(this->Safety, safety);
 }
 
-bool vtkHapticSession::IsDeviceSimulated()
+vtkHapticSafety* vtkHapticSession::GetSafety()
 {
-  return this->Chosen->isSimulated();
+  return this->Safety;
 }
 
-std::string vtkHapticSession::ListDevices()
+void vtkHapticSession::SetRecorder(vtkHapticRecorder* recorder)
 {
-  return palpate::listDevices().describe();
+  this->Exchange(this->Recorder, recorder);
 }
 
-void vtkHapticSession::AddFitResponse(const std::string& responseName)
+vtkHapticRecorder* vtkHapticSession::GetRecorder()
 {
-  this->FitResponses.push_back(responseName);
-  this->Modified();
-}
-
-void vtkHapticSession::ClearFitResponses()
-{
-  this->FitResponses.clear();
-  this->Modified();
-}
-
-void vtkHapticSession::SteerTo(const double tip[3])
-{
-  std::copy_n(tip, 3, this->Steered);
-  if (this->Run && this->Run->steered)
-  {
-    this->Run->steered->steerTo(this->Run->mapping.toDevice(Eigen::Vector3d(tip)));
-  }
+  return this->Recorder;
 }
 
 vtkIdType vtkHapticSession::GetNumberOfTicks() const
@@ -137,23 +101,23 @@ vtkIdType vtkHapticSession::GetNumberOfTicks() const
   return this->Run ? static_cast<vtkIdType>(this->Run->run->ticksMade()) : 0;
 }
 
-vtkIdType vtkHapticSession::GetNumberOfMissedTicks() const
-{
-  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
-  return loop ? static_cast<vtkIdType>(loop->missed()) : 0;
-}
-
-vtkIdType vtkHapticSession::GetNumberOfLostTicks() const
-{
-  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
-  return loop ? static_cast<vtkIdType>(loop->overruns()) : 0;
-}
-
 void vtkHapticSession::Stop()
 {
   if (this->Run)
   {
     this->Run->run->stop();
+  }
+}
+
+void vtkHapticSession::Toggle()
+{
+  if (this->GetState() == Stopped)
+  {
+    this->Start();
+  }
+  else
+  {
+    this->Stop();
   }
 }
 
@@ -179,11 +143,6 @@ int vtkHapticSession::GetState() const
 double vtkHapticSession::GetTime() const
 {
   return this->Run ? this->Run->run->time() : 0.0;
-}
-
-double vtkHapticSession::GetPathDuration() const
-{
-  return this->Run ? this->Run->pathDuration : 0.0;
 }
 
 const palpate::Tick& vtkHapticSession::Newest() const
@@ -241,7 +200,7 @@ void vtkHapticSession::GetNormal(double normal[3])
 vtkIdType vtkHapticSession::GetContactCell()
 {
   const std::int32_t triangle = this->Newest().contact.triangle;
-  return triangle < 0 ? -1 : this->FirstPoly + static_cast<vtkIdType>(triangle);
+  return triangle < 0 ? -1 : this->Run->run->firstPoly + static_cast<vtkIdType>(triangle);
 }
 
 double vtkHapticSession::GetDeflection()
@@ -254,95 +213,15 @@ int vtkHapticSession::GetContactState()
   return static_cast<int>(this->Newest().contact.state);
 }
 
-const std::vector<palpate::Tick>& vtkHapticSession::GetTicks()
-{
-  static const std::vector<palpate::Tick> none;
-  if (!this->Run)
-  {
-    return none;
-  }
-  this->Run->run->collect();
-  return this->Run->run->ticks();
-}
-
 const palpate::Tick& vtkHapticSession::GetNewestTick()
 {
   return this->Newest();
 }
 
-const palpate::TickHistory& vtkHapticSession::GetLastTicks()
-{
-  static const palpate::TickHistory none(0.0, 1.0);
-  if (!this->Run)
-  {
-    return none;
-  }
-  this->Run->run->collect();
-  return this->Run->run->history();
-}
-
-void vtkHapticSession::GetRecording(vtkPolyData* recording)
-{
-  palpate::fillRecording(this->GetTicks(), this->FirstPoly, recording);
-}
-
-void vtkHapticSession::GetHistory(vtkPolyData* history)
-{
-  palpate::fillRecording(this->GetLastTicks(), this->FirstPoly, history);
-}
-
-void vtkHapticSession::GetStatistics(vtkTable* statistics)
-{
-  if (!this->Run)
-  {
-    palpate::fillStatistics({}, std::vector<double>(), statistics);
-    return;
-  }
-  palpate::SessionRun& run = *this->Run->run;
-  run.collect();
-  if (const palpate::ServoLoop* loop = run.loop())
-  {
-    palpate::fillStatistics(run.summary(), loop->statistics(), statistics);
-  }
-  else
-  {
-    palpate::fillStatistics(run.summary(), run.nanoseconds(), statistics);
-  }
-}
-
-void vtkHapticSession::GetTiming(vtkTable* timing)
-{
-  timing->Initialize();
-  if (const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr)
-  {
-    palpate::fillTiming(loop->statistics(), timing);
-  }
-}
-
-void vtkHapticSession::GetTimingHistogram(vtkTable* histogram)
-{
-  histogram->Initialize();
-  if (const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr)
-  {
-    palpate::fillTimingHistogram(loop->statistics(), histogram);
-  }
-}
-
-std::string vtkHapticSession::GetStatisticsText()
-{
-  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
-  return loop ? loop->statistics().describe() : std::string();
-}
-
-std::string vtkHapticSession::GetRealTimeGrant()
-{
-  const palpate::ServoLoop* loop = this->Run ? this->Run->run->loop() : nullptr;
-  return loop ? loop->grant().describe() : std::string();
-}
-
 vtkMTimeType vtkHapticSession::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
+  return std::max({ this->Superclass::GetMTime(), this->Settings->GetMTime(),
+    this->Device->GetMTime(), this->Safety->GetMTime(), this->Recorder->GetMTime() });
 }
 
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
@@ -350,18 +229,16 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Body: " << this->Body.Get() << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
-  os << indent << "Settings:\n";
-  this->Settings->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "RealTime: " << this->RealTime << "\n";
-  os << indent << "HistorySeconds: " << this->HistorySeconds << " s\n";
-  os << indent << "Scale: " << this->Scale << "\n";
-  os << indent << "Gate: " << this->Gate << "\n";
-  os << indent << "EntryRamp: " << this->EntryRamp << " s\n";
-  os << indent << "StiffnessCap: " << this->StiffnessCap << "\n";
-  os << indent << "PassivityControl: " << this->PassivityControl << "\n";
-  os << indent << "ForceLimit: " << this->ForceLimit << " N\n";
-  os << indent << "StiffnessLimit: " << this->StiffnessLimit << " N/m\n";
-  os << indent << "FitForce: " << this->FitForce << "\n";
+  os << indent << "LockMemory: " << this->LockMemory << "\n";
   os << indent << "Time: " << this->GetTime() << " s\n";
+  const std::initializer_list<std::pair<const char*, vtkObject*>> parts = { { "Settings",
+                                                                              this->Settings },
+    { "Device", this->Device }, { "Safety", this->Safety }, { "Recorder", this->Recorder } };
+  for (const auto& [name, part] : parts)
+  {
+    os << indent << name << ":\n";
+    part->PrintSelf(os, indent.GetNextIndent());
+  }
 }

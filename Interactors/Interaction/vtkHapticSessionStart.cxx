@@ -1,55 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what a session was told to what runs: body, settings, mapping, safety, device.
+// From what a session was told to what runs: body, settings, device, safety.
 #include "vtkHapticSession.h"
 
-#include "Response/BodyConversion.h"
 #include "Haptics/Devices/DeviceFit.h"
-#include "Interaction/Session/HapticSessionState.h"
-#include "Haptics/Devices/ReplayDevice.h"
 #include "Haptics/Safety/SafetyFault.h"
-#include "Interaction/Session/SessionDevice.h"
-#include "Haptics/Simulation/SimulatedDevice.h"
+#include "Interaction/Session/HapticSessionState.h"
+#include "Response/BodyConversion.h"
 
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-constexpr double FreeMargin = 10.0; // mm around a body that is fitted into a workspace
-
-/// A polyline with times as the hand's way. Returns what is wrong, or "".
-std::string readPath(
-  vtkPolyData* line, const palpate::WorkspaceMapping& mapping, std::vector<palpate::WayPoint>& path)
+vtkIdType firstPolyOf(vtkPolyData* body)
 {
-  vtkDataArray* times = line ? line->GetPointData()->GetArray("Time") : nullptr;
-  if (!times || line->GetNumberOfPoints() == 0)
-  {
-    return "The simulated device needs a path with a point array 'Time' (s)";
-  }
-  for (vtkIdType i = 0; i < line->GetNumberOfPoints(); ++i)
-  {
-    Eigen::Vector3d position;
-    line->GetPoint(i, position.data());
-    path.push_back({ times->GetTuple1(i), mapping.toDevice(position) });
-    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
-      (i > 0 && path[path.size() - 2].time > path.back().time))
-    {
-      return "Point " + std::to_string(i) + " of the path is not finite or goes back in time";
-    }
-  }
-  return {};
+  return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 } // namespace
 
 bool vtkHapticSession::Start()
 {
   this->Run.reset();
+  this->Recorder->Follow(nullptr);
   if (!this->Known->given)
   {
     *this->Known = {}; // the body may have been changed in place
@@ -59,14 +33,16 @@ bool vtkHapticSession::Start()
   {
     return false;
   }
-  if (this->Chosen->kind == palpate::SessionDevice::Opened && !this->RealTime)
+  double bounds[6];
+  this->Body->GetBounds(bounds);
+  const std::string fault = this->Device->Prepare(bounds, this->RealTime, this->Rate);
+  if (!fault.empty())
   {
-    vtkErrorMacro(<< "This device is not in virtual time: set RealTime.");
+    vtkErrorMacro(<< fault << ".");
     return false;
   }
-  auto started = std::make_unique<Started>();
-  return this->ReadMapping(*started) && this->MakeDevice(*started) && this->ReadSafety(*started) &&
-    this->StartRun(std::move(started));
+  palpate::SafetySettings safety;
+  return this->ReadSafety(safety) && this->StartRun(safety);
 }
 
 bool vtkHapticSession::ApplyChanges()
@@ -75,12 +51,13 @@ bool vtkHapticSession::ApplyChanges()
   {
     return true;
   }
-  auto scene = this->MakeScene(this->Run->safety, this->Run->mapping.scale());
+  auto scene = this->MakeScene(this->Run->safety, this->Run->scale);
   if (!scene)
   {
     return false;
   }
   this->Run->run->change(std::move(scene));
+  this->Run->run->firstPoly = firstPolyOf(this->Body);
   return true;
 }
 
@@ -131,90 +108,16 @@ bool vtkHapticSession::CheckSettings()
   return fault.empty();
 }
 
-bool vtkHapticSession::ReadMapping(Started& started)
+bool vtkHapticSession::ReadSafety(palpate::SafetySettings& safety)
 {
-  const Eigen::Vector3d right(this->DeviceRight);
-  const Eigen::Vector3d up(this->DeviceUp);
-  Eigen::Matrix3d axes;
-  axes << right.normalized(), up.normalized(), right.cross(up).normalized();
-  palpate::WorkspaceMapping mapping(axes, Eigen::Vector3d(this->DeviceOrigin), this->Scale);
-  if (this->Planar)
-  {
-    mapping = mapping.planar();
-  }
-  if (this->FitWorkspace)
-  {
-    double bounds[6];
-    this->Body->GetBounds(bounds);
-    mapping =
-      mapping.fitted({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] },
-        this->Chosen->specification(this->Rate).workspace, FreeMargin);
-  }
-  if (const palpate::SettingFault fault = mapping.fault())
-  {
-    vtkErrorMacro(<< "Workspace mapping: " << fault.name << " " << fault.remark << ".");
-    return false;
-  }
-  started.mapping = mapping;
-  return true;
-}
-
-bool vtkHapticSession::ReadSafety(Started& started)
-{
-  auto safety = palpate::SafetySettings::of(started.device->specification());
-  // A limit that is NaN stays NaN, and is then named.
-  safety.maximumForce = std::min(this->ForceLimit, safety.maximumForce);
-  safety.maximumStiffness = std::min(this->StiffnessLimit, safety.maximumStiffness);
-  safety.entryRamp = this->EntryRamp;
-  safety.gate = this->Gate;
-  safety.capStiffness = this->StiffnessCap;
-  safety.controlPassivity = this->PassivityControl && !this->Chosen->isStiff();
-  if (const palpate::SettingFault fault = palpate::faultOf(safety))
+  safety =
+    this->Safety->GetSettings(this->Device->GetHand()->specification(), this->Device->IsStiff());
+  const palpate::SettingFault fault = palpate::faultOf(safety);
+  if (fault)
   {
     vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
-    return false;
   }
-  started.safety = safety;
-  return true;
-}
-
-bool vtkHapticSession::MakeDevice(Started& started)
-{
-  const palpate::DeviceSpecification limits = this->Chosen->specification(this->Rate);
-  const palpate::HeldPlant& held = this->Chosen->held;
-  const bool isStiff = this->Chosen->isStiff();
-  started.device = this->Chosen->device;
-  if (this->Chosen->kind == palpate::SessionDevice::Replay)
-  {
-    const auto replay =
-      std::make_shared<palpate::ReplayDevice>(this->Chosen->trajectory, started.mapping, limits);
-    started.pathDuration = replay->duration();
-    started.device = replay;
-  }
-  else if (this->Chosen->isSimulated() && this->RealTime)
-  {
-    const Eigen::Vector3d start = started.mapping.toDevice(Eigen::Vector3d(this->Steered));
-    const auto hand = isStiff
-      ? std::make_shared<palpate::SimulatedDevice>(start, limits)
-      : std::make_shared<palpate::SimulatedDevice>(held.plant, held.hand, start, limits);
-    started.steered = hand.get();
-    started.device = hand;
-  }
-  else if (this->Chosen->isSimulated())
-  {
-    std::vector<palpate::WayPoint> path;
-    const std::string fault = readPath(this->Path, started.mapping, path);
-    if (!fault.empty())
-    {
-      vtkErrorMacro(<< fault << ".");
-      return false;
-    }
-    started.pathDuration = path.back().time;
-    started.device = isStiff
-      ? std::make_shared<palpate::SimulatedDevice>(std::move(path), limits)
-      : std::make_shared<palpate::SimulatedDevice>(held.plant, held.hand, std::move(path), limits);
-  }
-  return true;
+  return !fault;
 }
 
 std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(
@@ -227,7 +130,6 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(
     return nullptr;
   }
   this->FittedFactor = factor;
-  this->FirstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
   return std::make_unique<palpate::ServoScene>(
     std::move(body), this->Settings->GetKernel(), factor);
 }
@@ -236,20 +138,21 @@ bool vtkHapticSession::FitToDevice(
   const palpate::SafetySettings& safety, double scale, double& factor)
 {
   factor = 1.0;
-  if (!this->FitForce)
+  if (!this->Safety->GetFitForce())
   {
     return true;
   }
-  if (!(this->FitDepth > 0.0 && std::isfinite(this->FitDepth)))
+  const double depth = this->Safety->GetFitDepth();
+  if (!(depth > 0.0 && std::isfinite(depth)))
   {
-    vtkErrorMacro(<< "FitDepth must be finite and positive, but is " << this->FitDepth << ".");
+    vtkErrorMacro(<< "FitDepth must be finite and positive, but is " << depth << ".");
     return false;
   }
   palpate::DeviceSpecification device;
   device.maximumForce = safety.maximumForce;
   device.maximumStiffness = safety.maximumStiffness;
   palpate::DeviceFit all(device, scale);
-  auto names = this->FitResponses;
+  auto names = this->Safety->GetFitResponses();
   names.push_back(this->ResponseName);
   for (const std::string& name : names)
   {
@@ -258,11 +161,11 @@ bool vtkHapticSession::FitToDevice(
     {
       return false;
     }
-    auto& peaks = this->Known->peaks[{ name, this->FitDepth }];
+    auto& peaks = this->Known->peaks[{ name, depth }];
     if (!peaks)
     {
       palpate::DeviceFit one(device);
-      one.include(body->response, this->FitDepth);
+      one.include(body->response, depth);
       peaks = { one.peakForce(), one.peakStiffness() };
     }
     all.include(peaks->first, peaks->second);
@@ -279,39 +182,45 @@ bool vtkHapticSession::FitToDevice(
   return true;
 }
 
-bool vtkHapticSession::StartRun(std::unique_ptr<Started> started)
+bool vtkHapticSession::StartRun(const palpate::SafetySettings& safety)
 {
-  auto scene = this->MakeScene(started->safety, started->mapping.scale());
+  const palpate::WorkspaceMapping& mapping = this->Device->GetMapping();
+  auto scene = this->MakeScene(safety, mapping.scale());
   if (!scene)
   {
     return false;
   }
-  palpate::ServoStep step(std::move(scene), started->mapping, started->safety, this->ClutchButtons);
-  const palpate::TicksKept kept{ this->Recording, this->HistorySeconds };
+  palpate::ServoStep step(std::move(scene), mapping, safety, this->Device->GetClutchButtons());
+  vtkHapticRecorder* recorder = this->Recorder;
+  const palpate::TicksKept kept{ recorder->GetRecording(), recorder->GetHistorySeconds(),
+    recorder->GetTape() };
+  std::shared_ptr<palpate::SessionRun> run;
   if (!this->RealTime)
   {
-    started->run =
-      std::make_unique<palpate::VirtualRun>(started->device, std::move(step), this->Rate, kept);
+    run = std::make_shared<palpate::VirtualRun>(
+      this->Device->GetHand(), std::move(step), this->Rate, kept);
   }
   else
   {
     palpate::ServoLoopSettings settings;
     settings.rate = this->Rate;
-    settings.recordedSeconds = this->Recording
-      ? this->RecordedSeconds
-      : std::min(this->RecordedSeconds, kept.historySeconds);
+    settings.recordedSeconds = kept.all
+      ? recorder->GetRecordedSeconds()
+      : std::min(recorder->GetRecordedSeconds(), kept.historySeconds);
     settings.realTime.lockMemory = this->LockMemory;
-    auto live =
-      std::make_unique<palpate::RealTimeRun>(started->device, std::move(step), settings, kept);
+    auto live = std::make_shared<palpate::RealTimeRun>(
+      this->Device->GetHand(), std::move(step), settings, kept);
     const std::string error = live->start();
     if (!error.empty())
     {
       vtkErrorMacro(<< "The servo thread does not start: " << error << ".");
       return false;
     }
-    started->run = std::move(live);
+    run = std::move(live);
   }
-  this->Run = std::move(started);
+  run->firstPoly = firstPolyOf(this->Body);
+  recorder->Follow(run);
+  this->Run = std::make_unique<Started>(Started{ safety, mapping.scale(), std::move(run) });
   ++this->Starts;
   return true;
 }

@@ -3,11 +3,8 @@
  * @class vtkInteractorStyleHaptic
  * @brief the mouse moves the tool over the body; elsewhere it moves the camera
  *
- * Give it a session (RealTime), the scene that shows it, and call StartSession, or StartUpdates for
- * a session started by others. From then on a repeating timer of the interactor moves the newest
- * tick to the scene, up to 30 times a second, and renders; what mouse, wheel and widgets change is
- * drawn with the next of these frames, so that no event waits for one. Where a frame takes long,
- * half of the time is left to the mouse. It never waits for the servo thread.
+ * Give it a session (RealTime) and the scene that shows it, which a vtkFrameClock draws. It never
+ * waits for the servo thread.
  *
  * **Mouse**, over the body, in the viewport of the scene:
  * - moving: the tool hovers HoverHeight above the surface under the pointer;
@@ -36,19 +33,18 @@
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <chrono> // For std::chrono::steady_clock
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
 class vtkContactScene;
 class vtkHapticSession;
 class vtkRenderer;
+class vtkSessionFiles;
 
 namespace palpate
 {
 class KeyHelp;
 class SurfacePicker;
-class TickTape;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
@@ -62,11 +58,10 @@ public:
   {
     ToolChosenEvent = vtkCommand::UserEvent + 401,
     SwitchEvent = vtkCommand::UserEvent + 402,
-    FrameEvent = vtkCommand::UserEvent + 403, ///< before the scene is brought up to date and drawn
-    SteeredEvent = vtkCommand::UserEvent + 404, ///< call data: double[3], where to, mm
-    CompareEvent = vtkCommand::UserEvent + 405,
-    ChartsEvent = vtkCommand::UserEvent + 406,
-    HistogramEvent = vtkCommand::UserEvent + 407
+    SteeredEvent = vtkCommand::UserEvent + 403, ///< call data: double[3], where to, mm
+    CompareEvent = vtkCommand::UserEvent + 404,
+    ChartsEvent = vtkCommand::UserEvent + 405,
+    HistogramEvent = vtkCommand::UserEvent + 406
   };
 
   /// Values of Steering.
@@ -80,9 +75,14 @@ public:
    * structure for picking is built then, and kept as long as points and cells are the same. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
-  /** The scene the newest tick is shown in; the pointer steers in its renderer. */
+  /** The scene that shows the session; the pointer steers in its renderer. */
   void SetScene(vtkContactScene* scene);
   vtkContactScene* GetScene();
+  ///@{
+  /** Optional: who writes the pictures and records of keys p and k. */
+  void SetFiles(vtkSessionFiles* files);
+  vtkSessionFiles* GetFiles();
+  ///@}
 
   ///@{
   /** How the pointer moves the tool, see above. Default Surface. */
@@ -118,32 +118,12 @@ public:
   /** Steers the tip to a point, mm, body frame. */
   void SteerTo(const double tip[3]);
 
-  /** One frame, at once: FrameEvent, the newest tick into the scene, rendering. What the timer does
-   * when it is time. */
-  void ShowFrame();
-
   /** Whether the left button presses the tool now. */
   bool IsPressing() const { return this->Pressing; }
 
   /** Whether the wheel has ever pressed the tool, or moved it away from the viewer: a window can
    * say that it does until then. */
   bool HasWheelPressed() const { return this->WheelPressed; }
-
-  /** Largest magnitude of force among the ticks shown, N. */
-  vtkGetMacro(StrongestForce, double);
-
-  ///@{
-  /** Starts the session, and the updates. Returns false after an error of the session. StopSession
-   * stops it; the window stays alive. ToggleSession does what is due. Key x. */
-  bool StartSession();
-  void StopSession();
-  void ToggleSession();
-  ///@}
-  ///@{
-  /** Starts or stops the timer; the interactor must be initialised. */
-  void StartUpdates();
-  void StopUpdates();
-  ///@}
 
   ///@{
   /** The list of keys and what the mouse does, on the screen. Key ?. Default off. */
@@ -156,42 +136,6 @@ public:
   std::string GetKeyHelp() const;
   ///@}
 
-  ///@{
-  /** The dent in the scene is drawn twice, or half, as deep as it is; 1 to 64. Keys + and -. */
-  void ExaggerateMore();
-  void ExaggerateLess();
-  ///@}
-
-  ///@{
-  /** Where pictures and records go under names of their own, "palpate-1.png", "palpate-1.csv", the
-   * first number that is free. Made when needed. Default: the folder the program runs in. */
-  vtkSetMacro(OutputFolder, std::string);
-  vtkGetMacro(OutputFolder, std::string);
-  ///@}
-  /** Writes the window as a .png; "": under a name of its own. Returns the name of the file, ""
-   * after an error. Key p. */
-  std::string WritePicture(const std::string& fileName = std::string());
-  ///@{
-  /**
-   * Keeps every tick from StartRecording on, then writes them as a trajectory file that the device
-   * "replay:FILE" reads; "": under a name of its own. The session must have HistorySeconds of some
-   * frames at its Start, 1 is plenty: ticks are taken from there once a frame. Starting returns
-   * false, after an error, if it has none; writing returns the name of the file, "" after an error.
-   * ToggleRecording does what is due. Key k.
-   */
-  bool StartRecording();
-  std::string WriteRecording(const std::string& fileName = std::string());
-  void ToggleRecording();
-  bool IsRecording() const;
-  /** Ticks kept since StartRecording. */
-  vtkIdType GetNumberOfRecordedTicks() const;
-  ///@}
-  ///@{
-  /** What was last done, in words: "picture palpate-1.png"; for whoever shows it. */
-  vtkSetMacro(Notice, std::string);
-  vtkGetMacro(Notice, std::string);
-  ///@}
-
   void OnMouseMove() override;
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
@@ -200,7 +144,7 @@ public:
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
   void OnChar() override;
-  void OnTimer() override;
+  void OnTimer() override {} ///< a frame is no motion of the camera
 
 protected:
   vtkInteractorStyleHaptic();
@@ -218,13 +162,14 @@ private:
   bool SteerInView(double away);
   bool TurnWheel(double notches);
   bool DoKey(char key);
-  std::string FreeName(const char* ending);
+  void FaceAlong(const double direction[3]);
+  void Exaggerate(double factor);
 
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkContactScene> Scene;
+  vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
-  std::unique_ptr<palpate::TickTape> Tape;
   int Steering = Surface;
   double PressDepth = 1.0;
   double WheelDepth = 0.0;
@@ -232,13 +177,7 @@ private:
   double HoverHeight = 3.0;
   bool Pressing = false;
   bool WheelPressed = false;
-  double HoverNormal[3] = { 0.0, 0.0, 0.0 }; ///< of the surface last steered over
   double SteeredTip[3] = { 0.0, 0.0, 0.0 };
-  double StrongestForce = 0.0;
-  int Timer = 0;
-  std::string OutputFolder;
-  std::string Notice;
-  std::chrono::steady_clock::time_point NextFrame; ///< not before
 };
 
 #endif

@@ -68,7 +68,8 @@ void vtkLiveCharts::SetSession(vtkHapticSession* session)
   this->Kept->forget();
   if (session)
   {
-    session->SetHistorySeconds(std::max(session->GetHistorySeconds(), this->Kept->time.seconds()));
+    vtkHapticRecorder* recorder = session->GetRecorder();
+    recorder->SetHistorySeconds(std::max(recorder->GetHistorySeconds(), this->Kept->time.seconds()));
     this->Kept->run = session->GetNumberOfStarts();
   }
   this->Modified();
@@ -88,7 +89,7 @@ void vtkLiveCharts::Update()
   }
   // First, since it may take over ticks: curves and running point are of the same newest one.
   const bool runs = kept.session->GetState() != vtkHapticSession::Stopped;
-  const palpate::TickHistory& ticks = kept.session->GetLastTicks();
+  const palpate::TickHistory& ticks = kept.session->GetRecorder()->GetLastTicks();
   if (kept.run != kept.session->GetNumberOfStarts())
   {
     kept.forget();
@@ -103,12 +104,12 @@ void vtkLiveCharts::Update()
   kept.seen = ticks.added();
   const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
   std::string error; // a session that runs has told of it
-  kept.time.show(kept.session->GetNumberOfLostTicks());
+  kept.time.show(kept.session->GetRecorder()->GetNumberOfLostTicks());
   kept.way.show();
   kept.showCurves(now, error);
   if (this->GetHistogramVisibility())
   {
-    kept.session->GetTimingHistogram(kept.timing);
+    kept.session->GetRecorder()->GetTimingHistogram(kept.timing);
     kept.histogram.show(kept.timing);
   }
   kept.layOut();

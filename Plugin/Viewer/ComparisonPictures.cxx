@@ -50,7 +50,7 @@ std::string pressAndSlide(
   }
   vtkNew<vtkHapticSession> session;
   session->SetBody(body.responses.body);
-  session->SetPath(path);
+  session->GetDevice()->SetPath(path);
   session->SetRate(options.rate);
   chooseContact(options, body.scene, session);
   error = startQuietly(session);
@@ -58,15 +58,15 @@ std::string pressAndSlide(
   {
     return error;
   }
-  session->Step(session->GetPathDuration());
+  session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
-  session->GetRecording(press.recording);
+  session->GetRecorder()->GetRecording(press.recording);
   // The simulated hand is good for 10 N; bodies are compared, not devices.
   press.recording->GetPointData()->RemoveArray("AppliedForce");
   // The path is approach, press, slide ...: see vtkPressPath.
   const double slide = path->GetPointData()->GetArray("Time")->GetTuple1(2);
   press.pressed = static_cast<vtkIdType>(std::lround(slide * options.rate));
-  return writeTrajectory(file, session->GetTicks());
+  return writeTrajectory(file, session->GetRecorder()->GetTicks());
 }
 
 std::string drawComparison(const std::string& file, const std::array<ComparedBody, 2>& bodies,

@@ -9,6 +9,7 @@
 #include "SessionSettings.h"
 
 #include "vtkContactScene.h"
+#include "vtkFrameClock.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkMath.h"
@@ -16,6 +17,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkSessionFiles.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -64,6 +66,8 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkBodyComparison> Comparison;
+  vtkNew<vtkFrameClock> Clock;
+  vtkNew<vtkSessionFiles> Files;
   vtkNew<vtkInteractorStyleHaptic> Style;
   std::array<vtkNew<vtkHapticSession>, 2> Sessions;
   std::size_t Leader = 1;
@@ -90,11 +94,14 @@ ComparisonWindow::ComparisonWindow(
     chooseContact(options, bodies[i].scene, session);
     session->RealTimeOn();
     session->LockMemoryOn(); // this program is there for the loop
-    session->RecordingOff();
+    session->GetRecorder()->RecordingOff();
   }
   this->Style->SetMaximumDepth(options.maximumDeflection);
   this->Style->SetPressDepth(bodies[0].scene.depth);
   this->Style->SetKeyHelp(KeySheet);
+  this->Clock->SetInteractor(this->Interactor);
+  this->Files->SetWindow(this->Window);
+  this->Style->SetFiles(this->Files);
   this->Interactor->SetInteractorStyle(this->Style);
   this->lead(0);
   this->showHint();
@@ -112,9 +119,12 @@ ComparisonWindow::ComparisonWindow(
     });
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::SteeredEvent,
     [this](void* tip)
-    { this->Sessions[1 - this->Leader]->SteerTo(static_cast<const double*>(tip)); });
+    {
+      vtkHapticDevice* other = this->Sessions[1 - this->Leader]->GetDevice();
+      other->SteerTo(static_cast<const double*>(tip));
+    });
   this->Actions.add(
-    this->Style, vtkInteractorStyleHaptic::FrameEvent, [this](void*) { this->showFrame(); });
+    this->Clock, vtkFrameClock::FrameEvent, [this](void*) { this->showFrame(); });
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [this](void* tool) { this->chooseTool(*static_cast<const int*>(tool)); });
 }
@@ -124,6 +134,7 @@ void ComparisonWindow::lead(std::size_t side)
   if (side != this->Leader)
   {
     this->Leader = side;
+    this->Files->SetSession(this->Sessions[side]);
     this->Style->SetSession(this->Sessions[side]);
     this->Style->SetScene(this->Comparison->GetScene(static_cast<int>(side)));
   }
@@ -197,7 +208,7 @@ std::string ComparisonWindow::run()
   const double up[3] = { 0.0, 0.0, 1.0 };
   const TouchScene& scene = this->Bodies[0].scene;
   const double above[3] = { 0.0, 0.0, this->Style->GetHoverHeight() };
-  this->Sessions[1]->SteerTo(above);
+  this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
   this->Comparison->SetColor(vtkBodyComparison::RegimeIndex); // made now, it is there at once later
@@ -216,7 +227,7 @@ std::string ComparisonWindow::run()
   this->Window->Render();
   std::printf("window open\n");
   this->chooseTool(0);
-  this->Style->StartUpdates();
+  this->Clock->Start();
   this->Interactor->Start();
   std::string error;
   if (!this->Options.screenshot.empty())

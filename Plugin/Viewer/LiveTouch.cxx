@@ -108,14 +108,25 @@ LiveTouch::LiveTouch(
   chooseContact(options, scene, this->Session);
   this->Session->RealTimeOn();
   this->Session->LockMemoryOn(); // this program is there for the loop
-  this->Session->SetRecording(!options.record.empty());
-  this->Session->SetRecordedSeconds(LongestFrame);
+  this->Session->GetRecorder()->SetRecording(!options.record.empty());
+  this->Session->GetRecorder()->SetRecordedSeconds(LongestFrame);
+  this->Clock->SetInteractor(this->Interactor);
+  this->View->Follow(this->Clock, this->Session);
+  this->Files->SetSession(this->Session);
+  this->Files->SetWindow(this->Window);
+  this->Files->SetOutputFolder(options.output);
   this->Style->SetSession(this->Session);
   this->Style->SetScene(this->View);
+  this->Style->SetFiles(this->Files);
   this->Style->SetMaximumDepth(options.maximumDeflection);
   this->Style->SetPressDepth(scene.depth);
-  this->Style->SetOutputFolder(options.output);
   this->Interactor->SetInteractorStyle(this->Style);
+  this->onFrame(
+    [this]
+    {
+      const double force = this->Session->GetNewestTick().idealForce.norm();
+      this->StrongestForce = std::max(this->StrongestForce, force);
+    });
 }
 
 void LiveTouch::showHelp(const std::string& text)
@@ -143,7 +154,7 @@ void LiveTouch::open()
   const std::array<double, 3> tip = site.above(this->Style->GetHoverHeight());
   const double none[3] = { 0.0, 0.0, 0.0 };
   this->Interactor->Initialize();
-  if (this->Session->IsDeviceSimulated()) // no other follows the mouse
+  if (this->Session->GetDevice()->IsSimulated()) // no other follows the mouse
   {
     this->Renderer->AddViewProp(this->Hint);
     this->onFrame([this] { this->placeHelp(); });
@@ -170,7 +181,7 @@ std::string LiveTouch::run()
         this->close();
       }
     });
-  this->Style->StartUpdates();
+  this->Clock->Start();
   this->Interactor->Start();
   std::string error;
   if (!this->Options.screenshot.empty())
@@ -202,8 +213,8 @@ void LiveTouch::onNumber(std::function<void(int)> action)
 
 void LiveTouch::onFrame(std::function<void()> action)
 {
-  this->Actions.add(this->Style, vtkInteractorStyleHaptic::FrameEvent,
-    [action = std::move(action)](void*) { action(); });
+  this->Actions.add(
+    this->Clock, vtkFrameClock::FrameEvent, [action = std::move(action)](void*) { action(); });
 }
 
 void LiveTouch::onSpace(std::function<void()> action)
@@ -224,6 +235,7 @@ void LiveTouch::usePanel(vtkContactSetup* setup)
   this->Panel->SetRenderer(this->PanelRenderer);
   this->Panel->SetSetup(setup);
   this->Panel->SetStyle(this->Style);
+  this->Panel->SetClock(this->Clock);
   this->Panel->SetCharts(this->Charts);
   this->arrange();
   this->onFrame(
@@ -258,20 +270,21 @@ void LiveTouch::printSummary()
 {
   std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
     static_cast<long long>(this->Session->GetNumberOfTicks()),
-    static_cast<long long>(this->Session->GetNumberOfMissedTicks()),
-    this->Style->GetStrongestForce());
-  std::printf("device: %s\n%s", this->Session->GetDeviceStatus().c_str(),
-    this->Session->GetStatisticsText().c_str());
+    static_cast<long long>(this->Session->GetRecorder()->GetNumberOfMissedTicks()),
+    this->StrongestForce);
+  std::printf("device: %s\n%s", this->Session->GetDevice()->GetStatus().c_str(),
+    this->Session->GetRecorder()->GetStatisticsText().c_str());
 }
 
 std::string LiveTouch::writeRecords()
 {
   const QuietScope quiet;
-  const bool isWritten = !this->Style->IsRecording() || !this->Style->WriteRecording().empty();
-  std::string error = isWritten ? std::string() : this->Style->GetNotice();
+  const bool isWritten = !this->Files->IsRecording() || !this->Files->WriteRecording().empty();
+  std::string error = isWritten ? std::string() : this->Files->GetNotice();
   if (!this->Options.record.empty())
   {
-    const std::string failed = writeTrajectory(this->Options.record, this->Session->GetTicks());
+    const std::string failed =
+      writeTrajectory(this->Options.record, this->Session->GetRecorder()->GetTicks());
     error += (error.empty() || failed.empty() ? "" : "; ") + failed;
   }
   return error;

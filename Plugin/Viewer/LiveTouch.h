@@ -12,6 +12,7 @@
 #include "vtkContactPanel.h"
 #include "vtkContactScene.h"
 #include "vtkContactSetup.h"
+#include "vtkFrameClock.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkLiveCharts.h"
@@ -19,6 +20,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkSessionFiles.h"
 #include "vtkTextActor.h"
 
 #include <functional>
@@ -69,7 +71,8 @@ private:
   const ViewerOptions& Options;
   const TouchScene& Scene;
   const ResponseSet& Responses;
-  double LargestForce; ///< that arrows and charts are scaled for, N
+  double LargestForce;         ///< that arrows and charts are scaled for, N
+  double StrongestForce = 0.0; ///< ideal force of the frames, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;
   std::string HelpText;
@@ -78,6 +81,8 @@ private:
   vtkNew<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkContactScene> View;
   vtkNew<vtkHapticSession> Session;
+  vtkNew<vtkFrameClock> Clock;
+  vtkNew<vtkSessionFiles> Files;
   vtkNew<vtkInteractorStyleHaptic> Style;
   vtkNew<vtkRenderer> PanelRenderer;
   vtkNew<vtkRenderer> ChartRenderer;

@@ -106,7 +106,7 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
   const std::string& stiffening)
 {
   vtkNew<vtkTable> statistics;
-  session->GetStatistics(statistics);
+  session->GetRecorder()->GetStatistics(statistics);
   const auto value = [&](const char* column)
   { return statistics->GetValueByName(0, column).ToDouble(); };
   std::printf("\n%s\n", scene.title.c_str());
@@ -139,7 +139,7 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
   {
     std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
   }
-  const Trust trust = judge(responses.body, session->GetTicks());
+  const Trust trust = judge(responses.body, session->GetRecorder()->GetTicks());
   std::printf("  validity    %.1f %% of the ticks in contact lie within it%s%s\n",
     100.0 * trust.share, trust.broken.empty() ? "" : "; elsewhere the first to break is ",
     trust.broken.c_str());
@@ -208,11 +208,11 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   progress("pressing and sliding");
   vtkNew<vtkHapticSession> session;
   session->SetBody(choice.body);
-  session->SetPath(path);
+  session->GetDevice()->SetPath(path);
   session->SetRate(options.rate);
   chooseContact(options, scene, session);
   error = openDevice(options, session);
-  if (error.empty() && session->IsDevicePhysical())
+  if (error.empty() && session->GetDevice()->IsPhysical())
   {
     error = "--device " + options.device + ": in virtual time nobody can hold it; give --window";
   }
@@ -224,12 +224,13 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
-  session->Step(session->GetPathDuration());
+  session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
-  error = writeTrajectory(options.output + "/trajectory.csv", session->GetTicks());
+  const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
+  error = writeTrajectory(options.output + "/trajectory.csv", ticks);
   if (error.empty() && !options.record.empty())
   {
-    error = writeTrajectory(options.record, session->GetTicks());
+    error = writeTrajectory(options.record, ticks);
   }
   if (!error.empty())
   {
@@ -237,12 +238,12 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   }
 
   vtkNew<vtkPolyData> recording;
-  session->GetRecording(recording);
+  session->GetRecorder()->GetRecording(recording);
   PicturedMoment moment;
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
   moment.largestForce = 1e-9; // N: an arrow needs a scale even where nothing was touched
-  for (const Tick& tick : session->GetTicks())
+  for (const Tick& tick : ticks)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }

@@ -22,7 +22,7 @@ void chooseContact(const ViewerOptions& options, const TouchScene& scene, vtkHap
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
 {
   const QuietScope quiet;
-  return session->SetDevice(options.device) ? std::string() : quiet.window->reason();
+  return session->GetDevice()->Open(options.device) ? std::string() : quiet.window->reason();
 }
 
 std::string chooseDevice(
@@ -33,20 +33,22 @@ std::string chooseDevice(
   {
     return error;
   }
-  session->SetScale(options.scale);
-  session->FitForceOn();
-  session->SetFitDepth(options.maximumDeflection);
-  session->ClearFitResponses();
+  session->GetDevice()->SetScale(options.scale);
+  vtkHapticSafety* safety = session->GetSafety();
+  safety->FitForceOn();
+  safety->SetFitDepth(options.maximumDeflection);
+  safety->ClearFitResponses();
   for (const std::string& name : responses.names)
   {
-    session->AddFitResponse(name);
+    safety->AddFitResponse(name);
   }
   return {};
 }
 
 void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session)
 {
-  if (!session->IsDevicePhysical())
+  vtkHapticDevice* device = session->GetDevice();
+  if (!device->IsPhysical())
   {
     return;
   }
@@ -58,10 +60,10 @@ void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapti
   vtkMath::Normalize(towards);
   vtkMath::Cross(scene.up.data(), towards, right);
   vtkMath::Cross(towards, right, up);
-  session->SetDeviceOrigin(site.above(hover).data());
-  session->SetDeviceRight(right);
-  session->SetDeviceUp(up);
-  session->SetClutchButtons(1);
+  device->SetOrigin(site.above(hover).data());
+  device->SetRight(right);
+  device->SetUp(up);
+  device->SetClutchButtons(1);
 }
 
 std::string startQuietly(vtkHapticSession* session)

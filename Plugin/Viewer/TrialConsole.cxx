@@ -123,11 +123,11 @@ std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scen
   if (error.empty())
   {
     session->SetBody(responses.body);
-    session->SetPath(repeated(path, 2 * trial.numberOfTrials()));
+    session->GetDevice()->SetPath(repeated(path, 2 * trial.numberOfTrials()));
     session->SetRate(options.rate);
-    session->RecordingOff();
+    session->GetRecorder()->RecordingOff();
     error = chooseDevice(options, responses, session);
-    session->SetRealTime(!session->IsDeviceSimulated());
+    session->SetRealTime(!session->GetDevice()->IsSimulated());
   }
   if (error.empty())
   {
@@ -138,7 +138,7 @@ std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scen
   {
     error = trial.open(options, scene, responses, session);
   }
-  const double seconds = session->IsDeviceSimulated() && error.empty()
+  const double seconds = session->GetDevice()->IsSimulated() && error.empty()
     ? path->GetPointData()->GetArray("Time")->GetRange()[1]
     : 0.0;
   bool hasEnded = false;

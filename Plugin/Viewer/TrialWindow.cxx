@@ -59,7 +59,7 @@ std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene
   live.view()->SetBlind(true);
   live.style()->SetKeyHelp(TrialKeys);
   error = chooseDevice(options, responses, live.session());
-  if (error.empty() && !live.session()->GetDeviceOutputsForce())
+  if (error.empty() && !live.session()->GetDevice()->GetOutputsForce())
   {
     std::fprintf(stderr, "palpate: warning: '%s' lets nobody feel a force; give --device\n",
       options.device.c_str());

@@ -82,7 +82,7 @@ int main(int argc, char** argv)
   }
   if (options.listDevices)
   {
-    std::fputs(vtkHapticSession::ListDevices().c_str(), stdout);
+    std::fputs(vtkHapticDevice::ListDevices().c_str(), stdout);
     return EXIT_SUCCESS;
   }
   palpate::releaseForceOnTerminate();

@@ -52,13 +52,13 @@ def record(body, file):
     """What a session with the simulated device leaves, as a file; and as it is."""
     session = palpate.vtkHapticSession()
     session.SetBody(body)
-    session.SetPath(press_and_drag())
-    session.SetFrictionCoefficient(FRICTION)
+    session.GetDevice().SetPath(press_and_drag())
+    session.GetSettings().SetFrictionCoefficient(FRICTION)
     assert session.Start()
     session.Step(1.0)
     session.Stop()
     felt = vtkPolyData()
-    session.GetRecording(felt)
+    session.GetRecorder().GetRecording(felt)
     parts = [array(felt, "Time"), vtk_to_numpy(felt.GetPoints().GetData())]
     parts += [array(felt, name) for name in ("ContactPoint", "Deflection", "NormalForce", "FrictionForce")]
     total = array(felt, "NormalForce")[:, None] * array(felt, "Normal") if felt.GetPointData().HasArray("Normal") \

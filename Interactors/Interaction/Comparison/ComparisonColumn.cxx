@@ -6,6 +6,7 @@
 #include "vtkContactScene.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticToolRepresentation.h"
 #include "vtkRegimeMap.h"
 
 #include "vtkActor.h"
@@ -78,7 +79,7 @@ ComparisonColumn::ComparisonColumn()
   this->Renderer->UseFXAAOn();
   this->Scene->SetRenderer(this->Renderer);
   // What is compared is the body; what a device can give of it is not.
-  this->Scene->SetAppliedForceVisibility(false);
+  this->Scene->GetToolRepresentation()->SetAppliedForceVisibility(false);
   this->Scene->SetTrailVisibility(false);
   this->Map->SetVisibility(false);
   this->Map->SetRenderer(this->Renderer);

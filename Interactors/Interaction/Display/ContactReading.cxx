@@ -37,7 +37,8 @@ ShownContact readSession(vtkHapticSession* session)
   {
     contact.cell = body->GetNumberOfVerts() + body->GetNumberOfLines() + tick.contact.triangle;
   }
-  const bool inputOnly = session->IsDevicePhysical() && !session->GetDeviceOutputsForce();
+  vtkHapticDevice* device = session->GetDevice();
+  const bool inputOnly = device->IsPhysical() && !device->GetOutputsForce();
   const int state = session->GetState();
   if (state != vtkHapticSession::Stopped && !inputOnly)
   {
@@ -46,7 +47,7 @@ ShownContact readSession(vtkHapticSession* session)
     if (state != vtkHapticSession::Running)
     {
       contact.tick.appliedForce.setZero();
-      contact.safety += ", device " + session->GetDeviceStatus();
+      contact.safety += ", device " + device->GetStatus();
     }
   }
   return contact;

@@ -36,7 +36,6 @@ ForceTrail::ForceTrail(vtkLookupTable* colors)
   this->Actor->SetMapper(mapper);
   this->Actor->GetProperty()->LightingOff();
   this->clear();
-  this->draw();
 }
 
 ForceTrail::~ForceTrail() = default;
@@ -46,6 +45,33 @@ void ForceTrail::clear()
   this->Contacts.clear();
   this->IsNear = false;
   this->InAir = true;
+  this->draw();
+}
+
+void ForceTrail::show(const std::vector<ShownContact>& way)
+{
+  this->clear();
+  this->IsLive = false;
+  for (const ShownContact& contact : way)
+  {
+    this->add(contact);
+  }
+  this->draw();
+}
+
+void ForceTrail::follow(const ShownContact& contact, std::size_t most)
+{
+  if (!this->IsLive)
+  {
+    this->clear();
+    this->IsLive = true;
+  }
+  this->add(contact);
+  while (this->Contacts.size() > most)
+  {
+    this->Contacts.pop_front();
+  }
+  this->draw();
 }
 
 void ForceTrail::add(const ShownContact& contact)
@@ -66,14 +92,6 @@ void ForceTrail::add(const ShownContact& contact)
   this->IsNear = !place.begins && !this->Contacts.empty() &&
     (place.point - this->Contacts.back().point).norm() < Nearest;
   this->Contacts.push_back(place);
-}
-
-void ForceTrail::keep(std::size_t contacts)
-{
-  while (this->Contacts.size() > contacts)
-  {
-    this->Contacts.pop_front();
-  }
 }
 
 void ForceTrail::draw()

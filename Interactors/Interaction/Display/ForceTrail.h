@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <vector>
 
 class vtkActor;
 class vtkLookupTable;
@@ -27,19 +28,21 @@ public:
   ForceTrail& operator=(const ForceTrail&) = delete;
 
   void clear();
-  /// A contact nearer to the last one than can be seen takes its place; one that touches nothing
-  /// ends the line.
-  void add(const ShownContact& contact);
-  /// Forgets the oldest contacts but so many.
-  void keep(std::size_t contacts);
-  /// What has been added is seen from now on.
-  void draw();
+  /// The way a tool goes, at once.
+  void show(const std::vector<ShownContact>& way);
+  /// One contact more, and no more than the newest so many; takes the place of a way shown at once.
+  void follow(const ShownContact& contact, std::size_t most);
 
   /// Whether there is a line to be seen.
   bool isEmpty() const { return this->Contacts.size() < 2; }
   vtkActor* actor() { return this->Actor; }
 
 private:
+  /// A contact nearer to the last one than can be seen takes its place; one that touches nothing
+  /// ends the line.
+  void add(const ShownContact& contact);
+  void draw();
+
   struct Place
   {
     Eigen::Vector3d point;
@@ -51,6 +54,7 @@ private:
   std::deque<Place> Contacts;
   bool IsNear = false; ///< the last contact: the next may take its place
   bool InAir = true;
+  bool IsLive = false;
   vtkSmartPointer<vtkTubeFilter> Tube;
   vtkSmartPointer<vtkActor> Actor;
 };

@@ -4,6 +4,7 @@
 #include "Interaction/Display/DisplayColors.h"
 
 #include "vtkActor2D.h"
+#include "vtkCommand.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -47,7 +48,10 @@ KeyHelp::KeyHelp()
   this->Keys->GetTextProperty()->SetColor(KeyColor.data());
 }
 
-KeyHelp::~KeyHelp() = default;
+KeyHelp::~KeyHelp()
+{
+  this->show(nullptr);
+}
 
 void KeyHelp::setText(const std::string& text)
 {
@@ -84,8 +88,15 @@ void KeyHelp::show(vtkRenderer* renderer)
       renderer->AddViewProp(prop);
     }
   }
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->Observer);
+  }
+  if (renderer)
+  {
+    this->Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &KeyHelp::place);
+  }
   this->Renderer = renderer;
-  this->place();
 }
 
 void KeyHelp::place()

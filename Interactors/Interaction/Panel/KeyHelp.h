@@ -5,6 +5,7 @@
 #include "Interaction/Panel/PixelBox.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <string>
 
@@ -29,15 +30,17 @@ public:
   /// Shows it in a renderer, over what is there; null: nowhere.
   void show(vtkRenderer* renderer);
   bool isShown() const { return this->Renderer != nullptr; }
-  /// Puts it into the middle, whatever the size of the window has become; before a frame.
-  void place();
 
 private:
+  /// Puts it into the middle, whatever the size of the window has become.
+  void place();
+
   std::string Text;
   vtkSmartPointer<vtkTextActor> Keys;
   vtkSmartPointer<vtkTextActor> Meanings;
   PixelBox Sheet;
-  vtkRenderer* Renderer = nullptr;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long Observer = 0;
 };
 } // namespace palpate
 

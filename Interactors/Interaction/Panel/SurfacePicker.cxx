@@ -3,6 +3,7 @@
 
 #include "Contact/ResponseContract.h"
 
+#include "vtkCamera.h"
 #include "vtkCellLocator.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
@@ -19,6 +20,19 @@ namespace
 /// Of the body's diagonal. vtkStaticCellLocator misses faces that lie in the walls between its
 /// bins, as those of a block may do.
 constexpr double Tolerance = 1e-6;
+
+/// World point under a display position, at a depth of the view volume from 0 (near) to 1 (far).
+void worldUnder(vtkRenderer* renderer, const int position[2], double depth, double world[3])
+{
+  renderer->SetDisplayPoint(position[0], position[1], depth);
+  renderer->DisplayToWorld();
+  double point[4];
+  renderer->GetWorldPoint(point);
+  for (int k = 0; k < 3; ++k)
+  {
+    world[k] = point[k] / point[3];
+  }
+}
 } // namespace
 
 SurfacePicker::SurfacePicker() = default;
@@ -91,15 +105,24 @@ bool SurfacePicker::pick(
   return vtkMath::Normalize(normal) > 0.0;
 }
 
-void worldUnder(vtkRenderer* renderer, const int position[2], double depth, double world[3])
+void pointInView(vtkRenderer* renderer, const int position[2], const double tip[3], double away,
+  double point[3], double towards[3])
 {
-  renderer->SetDisplayPoint(position[0], position[1], depth);
-  renderer->DisplayToWorld();
-  double point[4];
-  renderer->GetWorldPoint(point);
+  double sight[3];
+  double nearPoint[3];
+  double farPoint[3];
+  renderer->GetActiveCamera()->GetDirectionOfProjection(sight);
+  worldUnder(renderer, position, 0.0, nearPoint);
+  worldUnder(renderer, position, 1.0, farPoint);
+  double whole[3];
+  double toTip[3];
+  vtkMath::Subtract(farPoint, nearPoint, whole);
+  vtkMath::Subtract(tip, nearPoint, toTip);
+  const double share = (vtkMath::Dot(toTip, sight) + away) / vtkMath::Dot(whole, sight);
   for (int k = 0; k < 3; ++k)
   {
-    world[k] = point[k] / point[3];
+    point[k] = nearPoint[k] + share * whole[k];
+    towards[k] = -sight[k];
   }
 }
 } // namespace palpate

@@ -38,8 +38,10 @@ private:
   std::string ResponseName;
 };
 
-/// World point under a display position, at a depth of the view volume from 0 (near) to 1 (far).
-void worldUnder(vtkRenderer* renderer, const int position[2], double depth, double world[3]);
+/// Where the line of sight through a display position is as far from the viewer as `tip`, and
+/// `away` farther; and the direction against the line of sight of the camera.
+void pointInView(vtkRenderer* renderer, const int position[2], const double tip[3], double away,
+  double point[3], double towards[3]);
 } // namespace palpate
 
 #endif

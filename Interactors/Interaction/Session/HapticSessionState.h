@@ -5,7 +5,6 @@
 
 #include "Interaction/Session/BodyKernels.h"
 #include "Interaction/Session/SessionRun.h"
-#include "Haptics/Simulation/SimulatedDevice.h"
 #include "vtkHapticSession.h"
 
 #include <memory>
@@ -21,12 +20,9 @@ struct vtkHapticSession::Kernels : palpate::BodyKernels
 /// From Start to the next Start.
 struct vtkHapticSession::Started
 {
-  palpate::WorkspaceMapping mapping;
-  std::shared_ptr<palpate::HapticDevice> device;
   palpate::SafetySettings safety;
-  std::unique_ptr<palpate::SessionRun> run;
-  palpate::SimulatedDevice* steered = nullptr; ///< the device, if the hand is steered
-  double pathDuration = 0.0;                   ///< s
+  double scale = 1.0; ///< of the workspace
+  std::shared_ptr<palpate::SessionRun> run;
 };
 
 #endif

@@ -6,6 +6,9 @@
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Servo/TickHistory.h"
 #include "Interaction/Session/TickSummary.h"
+#include "Interaction/Session/TickTape.h"
+
+#include "vtkType.h"
 
 #include <memory>
 #include <string>
@@ -18,6 +21,7 @@ struct TicksKept
 {
   bool all = true;             ///< of the whole run
   double historySeconds = 0.0; ///< the last ones
+  std::shared_ptr<TickTape> tape; ///< those it takes up
 };
 
 /// What lives from the Start of a session to the next: a device under a servo step. For the thread
@@ -29,6 +33,7 @@ public:
   SessionRun(std::shared_ptr<HapticDevice> hand, double rate, const TicksKept& kept)
     : Device(std::move(hand))
     , KeepsAll(kept.all)
+    , Tape(kept.tape)
     , History(kept.historySeconds, rate)
   {
   }
@@ -63,11 +68,14 @@ public:
   /// Time each recorded tick took, in virtual time.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
+  vtkIdType firstPoly = 0; ///< cell id of the newest body's first triangle
+
 protected:
   void keep(const Tick& tick)
   {
     this->Summary.add(tick);
     this->History.add(tick);
+    this->Tape->add(tick);
     if (this->KeepsAll)
     {
       this->Ticks.push_back(tick);
@@ -76,6 +84,7 @@ protected:
 
   std::shared_ptr<HapticDevice> Device;
   bool KeepsAll;
+  std::shared_ptr<TickTape> Tape;
   TickHistory History;
   std::vector<Tick> Ticks;
   std::vector<double> Nanoseconds;

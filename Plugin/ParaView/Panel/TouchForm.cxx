@@ -176,9 +176,9 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   session->GetIdealForce(ideal);
   session->GetForce(applied);
   const bool isLost = session->GetState() == vtkHapticSession::DeviceLost;
-  const double most = session->GetDeviceForceLimit();
+  const double most = session->GetDevice()->GetMaximumForce();
   set(this->state,
-    isLost ? text("device lost: " + session->GetDeviceStatus())
+    isLost ? text("device lost: " + session->GetDevice()->GetStatus())
            : QString(inWords(session->GetContactState())));
   QStringList remarks;
   for (const std::string& words : { touch.error(), session->GetSafetyText(), touch.warning() })
@@ -201,8 +201,8 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   set(this->servo,
     QString("%1 Hz, %2 missed")
       .arg(rate > 0.0 ? QString::number(rate, 'f', 0) : QString("…"))
-      .arg(static_cast<qlonglong>(session->GetNumberOfMissedTicks())));
-  set(this->grant, text(session->GetRealTimeGrant()));
+      .arg(static_cast<qlonglong>(session->GetRecorder()->GetNumberOfMissedTicks())));
+  set(this->grant, text(session->GetRecorder()->GetRealTimeGrant()));
   this->start->setText("Stop");
   this->start->setEnabled(true);
 }

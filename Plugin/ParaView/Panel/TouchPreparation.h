@@ -21,7 +21,7 @@ struct TouchRequest
 {
   vtkPolyData* body = nullptr;
   std::string response;       ///< prefix of its arrays
-  std::string device;         ///< as vtkHapticSession::SetDevice; "": none is to be opened
+  std::string device;         ///< as vtkHapticDevice::Open; "": none is to be opened
   std::optional<Sight> sight; ///< set: a place to begin at is to be found, seen so
 };
 

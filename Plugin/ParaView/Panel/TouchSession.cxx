@@ -138,12 +138,14 @@ bool TouchSession::begin(PreparedTouch& made)
   hear->SetClientData(&this->Complaint);
   hear->SetCallback(hearErrors);
   this->Session->AddObserver(vtkCommand::ErrorEvent, hear);
+  this->Session->GetDevice()->AddObserver(vtkCommand::ErrorEvent, hear);
 
   if (made.request.sight)
   {
     this->Handle.position = made.start;
   }
   this->Place = findPlace(*made.kernels.read.begin()->second, this->Handle);
+  vtkHapticDevice* device = this->Session->GetDevice();
   const bool isOfThisWorld = made.device != nullptr;
   if (isOfThisWorld)
   {
@@ -151,20 +153,20 @@ bool TouchSession::begin(PreparedTouch& made)
     const Eigen::Vector3d right = this->View.up.cross(towards);
     const Eigen::Vector3d up = towards.cross(right);
     const Eigen::Vector3d origin = this->Place.surface + Hover * this->Place.normal;
-    this->Session->SetDeviceOrigin(origin.data());
-    this->Session->SetDeviceRight(right.data());
-    this->Session->SetDeviceUp(up.data());
-    this->Session->SetClutchButtons(1);
-    this->Session->SetDevice(std::move(made.device));
+    device->SetOrigin(origin.data());
+    device->SetRight(right.data());
+    device->SetUp(up.data());
+    device->SetClutchButtons(1);
+    device->Use(std::move(made.device));
   }
-  else if (!this->Session->SetDevice(this->Device))
+  else if (!device->Open(this->Device))
   {
     return false;
   }
   this->Session->RealTimeOn();
-  this->Session->RecordingOff();
-  this->Session->FitForceOn();
-  this->Session->SetFitDepth(made.range);
+  this->Session->GetRecorder()->RecordingOff();
+  this->Session->GetSafety()->FitForceOn();
+  this->Session->GetSafety()->SetFitDepth(made.range);
   this->Session->SetResponseName(made.request.response);
   this->Session->SetBody(made.request.body, made.kernels);
   this->putDown();
@@ -183,7 +185,7 @@ bool TouchSession::change(const PreparedTouch& made)
   {
     return false;
   }
-  this->Session->SetFitDepth(made.range);
+  this->Session->GetSafety()->SetFitDepth(made.range);
   this->Session->SetResponseName(made.request.response);
   this->Session->SetBody(made.request.body, made.kernels);
   if (!this->Session->ApplyChanges())
@@ -198,10 +200,10 @@ bool TouchSession::change(const PreparedTouch& made)
 void TouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
-  this->Session->SteerTo(above.data());
+  this->Session->GetDevice()->SteerTo(above.data());
   if (this->Session->Start())
   {
-    this->Session->SteerTo(this->Place.tip.data());
+    this->Session->GetDevice()->SteerTo(this->Place.tip.data());
   }
 }
 
@@ -212,7 +214,7 @@ bool TouchSession::steer(const TouchHandle& handle)
     return true;
   }
   this->Handle = handle;
-  if (this->Now != State::Touching || !this->Session->IsDeviceSimulated() ||
+  if (this->Now != State::Touching || !this->Session->GetDevice()->IsSimulated() ||
     !handle.position.allFinite())
   {
     return true;
@@ -226,7 +228,7 @@ bool TouchSession::steer(const TouchHandle& handle)
   this->Place = place;
   if (!handle.snaps || leap < Leap * this->Body->GetLength())
   {
-    this->Session->SteerTo(place.tip.data());
+    this->Session->GetDevice()->SteerTo(place.tip.data());
     return true;
   }
   this->Session->Stop();

@@ -48,7 +48,7 @@ public:
   TouchSession(const TouchSession&) = delete;
   TouchSession& operator=(const TouchSession&) = delete;
 
-  /// Prepares, then starts. `device` as for vtkHapticSession::SetDevice; `sight`: how the user
+  /// Prepares, then starts. `device` as for vtkHapticDevice::Open; `sight`: how the user
   /// looks at the body, in whose picture the device lies.
   void start(vtkPolyData* body, const std::string& response, const std::string& device,
     const TouchHandle& handle, const Sight& sight);

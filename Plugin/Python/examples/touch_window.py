@@ -25,8 +25,8 @@ setup.Update()
 
 session = palpate.vtkHapticSession()                        # who feels it: a thread at 1 kHz
 session.SetRealTime(True)
-session.SetRecording(False)
-session.SetHistorySeconds(2)
+session.GetRecorder().SetRecording(False)
+session.GetRecorder().SetHistorySeconds(2)
 setup.ApplyTo(session)
 
 view, strip = vtk.vtkRenderer(), vtk.vtkRenderer()          # the body, and the panel beside it
@@ -42,20 +42,29 @@ scene = palpate.vtkContactScene()                           # body, tool and for
 scene.SetRenderer(view)
 scene.SetLargestForce(setup.GetLargestForce())
 setup.ShowIn(scene)
+files = palpate.vtkSessionFiles()                           # keys p and k: pictures and records
+files.SetSession(session)
+files.SetWindow(window)
 style = palpate.vtkInteractorStyleHaptic()                  # the mouse moves the tool
 style.SetSession(session)
 style.SetScene(scene)
+style.SetFiles(files)
 mouse = vtk.vtkRenderWindowInteractor()
 mouse.SetRenderWindow(window)
 mouse.SetInteractorStyle(style)
 mouse.Initialize()
+clock = palpate.vtkFrameClock()                             # 30 pictures a second
+clock.SetInteractor(mouse)
+scene.Follow(clock, session)
 panel = palpate.vtkContactPanel()
 panel.SetRenderer(strip)
 panel.SetSetup(setup)
 panel.SetStyle(style)
+panel.SetClock(clock)
 panel.On()
 style.HoverAt((30, 0, 40), (0.6, 0, 0.8))
-style.StartSession()
+session.Start()
+clock.Start()
 scene.LookAtBody((1, -0.5, 0.7), (0, 0, 1))
 
 
@@ -64,7 +73,7 @@ def press_and_print(modulus):
     style.SteerTo((29.4, 0, 39.2))                          # 1 mm deep
     for _ in range(30):
         time.sleep(0.05)
-        style.ShowFrame()
+        clock.ShowFrame()
     force = [0.0, 0.0, 0.0]
     session.GetIdealForce(force)
     print("%.4f mm deep: %.4f N" % (session.GetDeflection(), vtk.vtkMath.Norm(force)))
@@ -73,6 +82,6 @@ def press_and_print(modulus):
 if "--demo" in sys.argv:
     press_and_print(0.05)
     press_and_print(0.1)
-    style.StopSession()
+    session.Stop()
 else:
     mouse.Start()

@@ -17,8 +17,8 @@ inline vtkSmartPointer<vtkHapticSession> slidingSession()
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:6.35");
   session->SetBody(body);
-  session->SetFrictionCoefficient(0.3);
-  session->SetPath(pressAndSlide(1.2));
+  session->GetSettings()->SetFrictionCoefficient(0.3);
+  session->GetDevice()->SetPath(pressAndSlide(1.2));
   return session;
 }
 

@@ -98,8 +98,8 @@ inline PlacedDevice* pressed(
 {
   auto owned = std::make_unique<PlacedDevice>(specification);
   PlacedDevice* device = owned.get();
-  session->SetDevice(std::move(owned));
-  session->PassivityControlOff(); // the device's place is given: no loop is closed
+  session->GetDevice()->Use(std::move(owned));
+  session->GetSafety()->PassivityControlOff(); // the device's place is given: no loop is closed
   PALPATE_CHECK(session->Start());
   session->Step(0.01);
   device->Height = -1e-3;

@@ -7,8 +7,10 @@
 #include "vtkContactPanel.h"
 #include "vtkContactScene.h"
 #include "vtkContactSetup.h"
+#include "vtkFrameClock.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkSessionFiles.h"
 
 #include "vtkRenderWindowInteractor.h"
 
@@ -33,6 +35,8 @@ struct Window
   vtkNew<vtkContactSetup> setup;
   vtkNew<vtkContactScene> scene;
   vtkNew<vtkHapticSession> session;
+  vtkNew<vtkFrameClock> clock;
+  vtkNew<vtkSessionFiles> files;
   vtkNew<vtkInteractorStyleHaptic> style;
   vtkNew<vtkContactPanel> panel;
 
@@ -50,19 +54,24 @@ struct Window
     this->scene->SetRenderer(this->left);
     this->setup->ShowIn(this->scene);
     this->session->RealTimeOn();
-    this->session->RecordingOff();
-    this->session->SetHistorySeconds(5.0);
+    this->session->GetRecorder()->RecordingOff();
+    this->session->GetRecorder()->SetHistorySeconds(5.0);
     PALPATE_CHECK(this->setup->ApplyTo(this->session));
     this->style->SetSession(this->session);
     this->style->SetScene(this->scene);
+    this->style->SetFiles(this->files);
+    this->files->SetSession(this->session);
+    this->files->SetWindow(this->picture.window);
+    this->clock->SetInteractor(this->interactor);
+    this->scene->Follow(this->clock, this->session);
     this->interactor->SetInteractorStyle(this->style);
     const double tip[3] = { 0.3, 0.2, -Depth };
     const double up[3] = { 0.0, 0.0, 1.0 };
     const double above[3] = { 0.3, 0.2, 5.0 };
-    this->session->SteerTo(above);
+    this->session->GetDevice()->SteerTo(above);
     PALPATE_CHECK(this->session->Start());
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    this->session->SteerTo(tip);
+    this->session->GetDevice()->SteerTo(tip);
     this->scene->ShowContact(above, above, up, above, 0.0, -1);
     const double from[3] = { 0.0, -1.0, 0.5 };
     this->scene->LookAtContact(80.0, from, up);
@@ -70,8 +79,9 @@ struct Window
     this->panel->SetRenderer(this->right);
     this->panel->SetSetup(this->setup);
     this->panel->SetStyle(this->style);
+    this->panel->SetClock(this->clock);
     this->panel->On();
-    this->style->ShowFrame();
+    this->clock->ShowFrame();
   }
 
   void send(unsigned long event, const int position[2])
@@ -101,7 +111,7 @@ struct Window
     {
       const int place[2] = { start[0] + step * (end[0] - start[0]) / 3, start[1] + step };
       this->send(vtkCommand::MouseMoveEvent, place);
-      this->style->ShowFrame();
+      this->clock->ShowFrame();
     }
     this->send(vtkCommand::LeftButtonReleaseEvent, end);
     this->settle();
@@ -117,7 +127,7 @@ struct Window
   /// Until what was asked for is felt, bounded.
   void settle()
   {
-    this->style->ShowFrame();
+    this->clock->ShowFrame();
     for (int i = 0; i < 2000 && this->setup->IsBusy(); ++i)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -130,7 +140,7 @@ struct Window
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    this->style->ShowFrame();
+    this->clock->ShowFrame();
   }
   double force()
   {
@@ -162,10 +172,10 @@ void checkMaterial(Window& w)
   PALPATE_CHECK_NEAR(w.force() / before, w.setup->GetYoungsModulus() / 0.05, 0.1);
   w.drag("Poisson's ratio", Poisson, 0.1);
   PALPATE_CHECK_NEAR(w.setup->GetPoissonRatio(), 0.1, 0.01);
-  PALPATE_CHECK(w.session->GetPoissonRatio() == w.setup->GetPoissonRatio());
+  PALPATE_CHECK(w.session->GetSettings()->GetPoissonRatio() == w.setup->GetPoissonRatio());
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   w.drag("Friction", 0.0, 0.5);
-  PALPATE_CHECK_NEAR(w.session->GetFrictionCoefficient(), 0.5, 0.01);
+  PALPATE_CHECK_NEAR(w.session->GetSettings()->GetFrictionCoefficient(), 0.5, 0.01);
   w.drag("Dent drawn deeper", 1.0, 8.0);
   PALPATE_CHECK_NEAR(w.scene->GetExaggeration(), 8.0, 0.5);
 }
@@ -214,12 +224,12 @@ void checkSession(Window& w)
 {
   const auto folder = std::filesystem::current_path() / "TestContactPanel";
   std::filesystem::remove_all(folder);
-  w.style->SetOutputFolder(folder.string());
+  w.files->SetOutputFolder(folder.string());
   w.press("Record");
-  PALPATE_CHECK(w.style->IsRecording());
+  PALPATE_CHECK(w.files->IsRecording());
   PALPATE_CHECK_TEXT(w.panel->GetStatus(), "recording", " s");
   w.press("Record");
-  PALPATE_CHECK(!w.style->IsRecording() && w.style->GetNumberOfRecordedTicks() > 10);
+  PALPATE_CHECK(!w.files->IsRecording() && w.files->GetNumberOfRecordedTicks() > 10);
   PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.csv"));
   w.press("Picture");
   PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.png"));
@@ -242,8 +252,8 @@ int TestContactPanel(int argc, char* argv[])
   window.setup->SetYoungsModulus(0.035);
   window.setup->SetChosenTool(0);
   window.setup->SetToolSize(6.35);
-  window.session->SetFrictionCoefficient(0.3);
-  window.style->SetNotice("");
+  window.session->GetSettings()->SetFrictionCoefficient(0.3);
+  window.files->SetNotice("");
   window.settle();
   window.left->RemoveAllViewProps();
   checkBaseline(window.picture.window, argc, argv);

@@ -296,23 +296,24 @@ int TestContactSceneForces(int argc, char* argv[])
   PALPATE_CHECK_NEAR(coveredBy(parts.total, 0.6 * force), 0.6 * force, 1e-3);
 
   // Each part can be left out, and is missed.
-  const auto without = [&](const char* what, void (vtkContactScene::*set)(bool))
+  const auto without = [&](const char* what, const auto& set)
   {
-    (scene->*set)(false);
+    set(false);
     scene->ShowTip(tips, last);
     checkFaultShows(what, sound, picture.window);
-    (scene->*set)(true);
+    set(true);
     scene->ShowTip(tips, last);
     checkSound(sound, picture.window);
   };
-  without("no parts of the force", &vtkContactScene::SetComponentsVisibility);
-  scene->SetAppliedForceVisibility(false);
+  vtkHapticToolRepresentation* arrows = scene->GetToolRepresentation();
+  without("no parts of the force", [&](bool on) { arrows->SetComponentsVisibility(on); });
+  arrows->SetAppliedForceVisibility(false);
   scene->ShowTip(tips, last);
   PALPATE_CHECK(caption(renderer).find("Applied") == std::string::npos);
-  scene->SetAppliedForceVisibility(true);
-  without("no applied force", &vtkContactScene::SetAppliedForceVisibility);
-  without("no circle", &vtkContactScene::SetContactCircleVisibility);
-  without("no trail", &vtkContactScene::SetTrailVisibility);
+  arrows->SetAppliedForceVisibility(true);
+  without("no applied force", [&](bool on) { arrows->SetAppliedForceVisibility(on); });
+  without("no circle", [&](bool on) { scene->SetContactCircleVisibility(on); });
+  without("no trail", [&](bool on) { scene->SetTrailVisibility(on); });
   scene->GetToolRepresentation()->SetBeyondValidity(false);
   scene->GetToolRepresentation()->SetContact(tips->GetPoint(last),
     tips->GetPointData()->GetArray("Normal")->GetTuple3(last), contact,

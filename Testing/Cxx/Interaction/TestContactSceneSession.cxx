@@ -95,10 +95,10 @@ int TestContactSceneSession(int, char*[])
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
   session->SetResponseName("Sphere");
-  session->SetPath(handPath());
-  session->SetFrictionCoefficient(0.3);
-  session->SetTangentialStiffness(50.0);
-  session->SetForceLimit(5.0);
+  session->GetDevice()->SetPath(handPath());
+  session->GetSettings()->SetFrictionCoefficient(0.3);
+  session->GetSettings()->SetTangentialStiffness(50.0);
+  session->GetSafety()->SetForceLimit(5.0);
   PALPATE_CHECK(session->Start());
 
   vtkNew<vtkRenderer> renderer;
@@ -117,7 +117,8 @@ int TestContactSceneSession(int, char*[])
   // In the air the tool stands as it is told to, and there is nothing else.
   const double aslant[3] = { 0.6, 0.0, 0.8 };
   session->Step(0.5);
-  scene->ShowSession(session, aslant);
+  scene->SetFreeDirection(aslant);
+  scene->ShowSession(session);
   const ForceParts parts(scene->GetToolRepresentation());
   double tip[3];
   session->GetTip(tip);

@@ -202,10 +202,10 @@ void checkSettings()
   PALPATE_CHECK(setup->Update() && !setup->GetSettings());
   vtkNew<vtkHapticSession> one;
   vtkNew<vtkHapticSession> other;
-  one->SetFrictionCoefficient(0.2);
+  one->GetSettings()->SetFrictionCoefficient(0.2);
   PALPATE_CHECK(setup->ApplyTo(one) && setup->ApplyTo(other));
-  PALPATE_CHECK(one->GetFrictionCoefficient() == 0.2 && other->GetFrictionCoefficient() == 0.0);
-  PALPATE_CHECK(one->GetPoissonRatio() == setup->GetPoissonRatio());
+  PALPATE_CHECK(one->GetSettings()->GetFrictionCoefficient() == 0.2 && other->GetSettings()->GetFrictionCoefficient() == 0.0);
+  PALPATE_CHECK(one->GetSettings()->GetPoissonRatio() == setup->GetPoissonRatio());
   vtkNew<vtkContactSettings> settings;
   setup->SetSettings(settings);
   settings->SetFrictionCoefficient(0.3);

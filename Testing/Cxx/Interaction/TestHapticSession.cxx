@@ -18,8 +18,8 @@ vtkSmartPointer<vtkHapticSession> startedSession(vtkPolyData* body, vtkPolyData*
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   session->SetBody(body);
-  PALPATE_CHECK(session->SetDevice("simulated"));
-  session->SetPath(path);
+  PALPATE_CHECK(session->GetDevice()->Open("simulated"));
+  session->GetDevice()->SetPath(path);
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
   PALPATE_CHECK(session->Start());
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Running);
@@ -39,10 +39,10 @@ bool sameBits(const palpate::Tick& a, const palpate::Tick& b)
 
 void checkSameTicks(vtkHapticSession* one, vtkHapticSession* other)
 {
-  PALPATE_CHECK(one->GetTicks().size() == other->GetTicks().size());
-  for (std::size_t i = 0; i < std::min(one->GetTicks().size(), other->GetTicks().size()); ++i)
+  PALPATE_CHECK(one->GetRecorder()->GetTicks().size() == other->GetRecorder()->GetTicks().size());
+  for (std::size_t i = 0; i < std::min(one->GetRecorder()->GetTicks().size(), other->GetRecorder()->GetTicks().size()); ++i)
   {
-    PALPATE_CHECK(sameBits(one->GetTicks()[i], other->GetTicks()[i]));
+    PALPATE_CHECK(sameBits(one->GetRecorder()->GetTicks()[i], other->GetRecorder()->GetTicks()[i]));
   }
 }
 
@@ -50,7 +50,7 @@ void checkSteps(vtkPolyData* body, vtkPolyData* path)
 {
   const auto whole = startedSession(body, path);
   whole->Step(1.0);
-  PALPATE_CHECK(whole->GetTicks().size() == 1000);
+  PALPATE_CHECK(whole->GetRecorder()->GetTicks().size() == 1000);
   PALPATE_CHECK_NEAR(whole->GetTime(), 1.0, 1e-12);
   // In whole ticks, in frames of a display, in less than a tick.
   for (const int pieces : { 10, 1000, 60, 144, 2500, 7000 })
@@ -65,25 +65,25 @@ void checkSteps(vtkPolyData* body, vtkPolyData* path)
   for (const double nothing : { 0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
     whole->Step(nothing);
-    PALPATE_CHECK(whole->GetTicks().size() == 1000);
+    PALPATE_CHECK(whole->GetRecorder()->GetTicks().size() == 1000);
   }
   for (std::size_t i = 0; i < 1000; ++i)
   {
-    PALPATE_CHECK_NEAR(whole->GetTicks()[i].time, 0.001 * static_cast<double>(i), 1e-15);
+    PALPATE_CHECK_NEAR(whole->GetRecorder()->GetTicks()[i].time, 0.001 * static_cast<double>(i), 1e-15);
   }
   const auto slow = startedSession(body, path);
   slow->Stop();
   slow->SetRate(250.0);
   PALPATE_CHECK(slow->Start());
   slow->Step(1.0);
-  PALPATE_CHECK(slow->GetTicks().size() == 250);
-  PALPATE_CHECK(sameBits(slow->GetTicks()[200], whole->GetTicks()[800]));
+  PALPATE_CHECK(slow->GetRecorder()->GetTicks().size() == 250);
+  PALPATE_CHECK(sameBits(slow->GetRecorder()->GetTicks()[200], whole->GetRecorder()->GetTicks()[800]));
 }
 
 void checkStop(vtkPolyData* body, vtkPolyData* path)
 {
   const auto session = startedSession(body, path);
-  PALPATE_CHECK(session->GetTicks().empty() && session->GetDeflection() == 0.0);
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetDeflection() == 0.0);
   session->Step(1.3);
   double force[3];
   double ideal[3];
@@ -96,9 +96,9 @@ void checkStop(vtkPolyData* body, vtkPolyData* path)
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
   session->Step(1.0);
-  PALPATE_CHECK(session->GetTicks().size() == 1300); // kept for the recording
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // kept for the recording
   PALPATE_CHECK(session->Start());                   // from the beginning
-  PALPATE_CHECK(session->GetTicks().empty() && session->GetTime() == 0.0);
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetTime() == 0.0);
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
 }
@@ -123,7 +123,7 @@ void checkLimit(vtkPolyData* path)
 void checkRest(vtkPolyData* body, vtkPolyData* path)
 {
   const auto session = startedSession(body, path);
-  const double duration = session->GetPathDuration();
+  const double duration = session->GetDevice()->GetPathDuration();
   double last[3];
   path->GetPoint(path->GetNumberOfPoints() - 1, last);
   PALPATE_CHECK_NEAR(duration,
@@ -131,7 +131,7 @@ void checkRest(vtkPolyData* body, vtkPolyData* path)
   session->Step(duration + 0.5);
   for (std::size_t i = 0; i < 400; ++i)
   {
-    const auto& tick = session->GetTicks()[session->GetTicks().size() - 1 - i];
+    const auto& tick = session->GetRecorder()->GetTicks()[session->GetRecorder()->GetTicks().size() - 1 - i];
     for (int k = 0; k < 3; ++k)
     {
       PALPATE_CHECK_NEAR(tick.tip[k], last[k], 1e-12); // mm to m and back

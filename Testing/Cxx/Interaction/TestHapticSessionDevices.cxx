@@ -22,11 +22,11 @@ void checkMapping(vtkPolyData* body)
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
   session->SetResponseName("Flat");
-  session->SetScale(2.0);
-  session->SetDeviceOrigin(0.0, 0.0, 1.0);
+  session->GetDevice()->SetScale(2.0);
+  session->GetDevice()->SetOrigin(0.0, 0.0, 1.0);
   // The device's z along the body's -x would need another normal; here a turn about z.
-  session->SetDeviceRight(0.0, 3.0, 0.0);
-  session->SetDeviceUp(-1.0, 0.0, 0.0);
+  session->GetDevice()->SetRight(0.0, 3.0, 0.0);
+  session->GetDevice()->SetUp(-1.0, 0.0, 0.0);
   PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
   double tip[3];
   session->GetTip(tip);
@@ -44,12 +44,12 @@ void checkLost(vtkPolyData* body)
   session->SetResponseName("Flat");
   PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Running);
-  PALPATE_CHECK(session->GetDeviceStatus() == "in place" && session->GetSafetyText().empty());
+  PALPATE_CHECK(session->GetDevice()->GetStatus() == "in place" && session->GetSafetyText().empty());
   device->Lost = true;
   session->Step(0.001); // one tick
   PALPATE_CHECK(session->GetState() == vtkHapticSession::DeviceLost);
   PALPATE_CHECK(device->Force == 0.0 && appliedTo(session) == 0.0);
-  PALPATE_CHECK(session->GetDeviceStatus() == "pulled out");
+  PALPATE_CHECK(session->GetDevice()->GetStatus() == "pulled out");
   PALPATE_CHECK_TEXT(session->GetSafetyText(), "no force", "position");
   device->Lost = false;
   session->Step(0.001);
@@ -65,27 +65,30 @@ void checkReplay(vtkPolyData* body)
   vtkNew<vtkHapticSession> first;
   first->SetBody(body);
   first->SetResponseName("Sphere");
-  first->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
+  first->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
   PALPATE_CHECK(first->Start());
-  first->Step(first->GetPathDuration());
+  first->Step(first->GetDevice()->GetPathDuration());
   const std::string file = "TestHapticSessionDevices-replay.csv";
-  PALPATE_CHECK(palpate::writeTrajectory(file, first->GetTicks()).empty());
+  PALPATE_CHECK(palpate::writeTrajectory(file, first->GetRecorder()->GetTicks()).empty());
   vtkNew<vtkHapticSession> again;
   Messages messages(again);
   again->SetBody(body);
   again->SetResponseName("Sphere");
-  PALPATE_CHECK(again->SetDevice("replay:" + file));
+  PALPATE_CHECK(again->GetDevice()->Open("replay:" + file));
   std::remove(file.c_str()); // it has been read
   PALPATE_CHECK(again->Start() && messages.none());
-  again->Step(first->GetPathDuration());
-  PALPATE_CHECK(again->GetTicks().size() == first->GetTicks().size());
-  for (std::size_t i = 0; i < std::min(again->GetTicks().size(), first->GetTicks().size()); ++i)
+  again->Step(first->GetDevice()->GetPathDuration());
+  const std::vector<palpate::Tick>& ticks = again->GetRecorder()->GetTicks();
+  const std::vector<palpate::Tick>& recorded = first->GetRecorder()->GetTicks();
+  PALPATE_CHECK(ticks.size() == recorded.size());
+  for (std::size_t i = 0; i < std::min(ticks.size(), recorded.size()); ++i)
   {
-    PALPATE_CHECK(again->GetTicks()[i].tip == first->GetTicks()[i].tip);
-    PALPATE_CHECK(again->GetTicks()[i].appliedForce == first->GetTicks()[i].appliedForce);
+    PALPATE_CHECK(ticks[i].tip == recorded[i].tip);
+    PALPATE_CHECK(ticks[i].appliedForce == recorded[i].appliedForce);
   }
-  PALPATE_CHECK(!again->SetDevice("replay:" + file));
-  PALPATE_CHECK_TEXT(messages.takeErrors(), file.c_str());
+  Messages refusals(again->GetDevice());
+  PALPATE_CHECK(!again->GetDevice()->Open("replay:" + file));
+  PALPATE_CHECK_TEXT(refusals.takeErrors(), file.c_str());
   PALPATE_CHECK(again->Start()); // the device is the one before
 }
 
@@ -98,11 +101,11 @@ void checkRealTime(vtkPolyData* body)
   session->RealTimeOn();
   auto owned = std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6));
   PlacedDevice* device = owned.get();
-  session->SetDevice(std::move(owned));
-  session->PassivityControlOff();
-  PALPATE_CHECK(session->GetRealTimeGrant().empty());
+  session->GetDevice()->Use(std::move(owned));
+  session->GetSafety()->PassivityControlOff();
+  PALPATE_CHECK(session->GetRecorder()->GetRealTimeGrant().empty());
   PALPATE_CHECK(session->Start());
-  PALPATE_CHECK(!session->GetRealTimeGrant().empty());
+  PALPATE_CHECK(!session->GetRecorder()->GetRealTimeGrant().empty());
   const auto waitFor = [&session](auto condition)
   {
     for (int i = 0; i < 10000 && !condition(); ++i) // at most some 20 s, on a loaded machine
@@ -129,14 +132,14 @@ void checkRealTime(vtkPolyData* body)
 
   vtkNew<vtkPolyData> recording;
   vtkNew<vtkTable> statistics;
-  session->GetRecording(recording);
-  session->GetStatistics(statistics);
+  session->GetRecorder()->GetRecording(recording);
+  session->GetRecorder()->GetStatistics(statistics);
   const auto value = [&statistics](const char* column)
   { return statistics->GetValueByName(0, column).ToDouble(); };
   PALPATE_CHECK(value("Overruns") == 0.0);
   PALPATE_CHECK(recording->GetNumberOfPoints() == session->GetNumberOfTicks());
   PALPATE_CHECK(value("Ticks") == static_cast<double>(session->GetNumberOfTicks()));
-  PALPATE_CHECK(value("Missed") == static_cast<double>(session->GetNumberOfMissedTicks()));
+  PALPATE_CHECK(value("Missed") == static_cast<double>(session->GetRecorder()->GetNumberOfMissedTicks()));
   PALPATE_CHECK(value("InvalidSamples") > 0.0 && value("SceneChanges") == 1.0);
   PALPATE_CHECK(value("TicksInContact") > 0.0 && value("MedianTick (ns)") > 0.0);
   PALPATE_CHECK_NEAR(value("PeakForce (N)"), 11.04, 0.01);
@@ -152,7 +155,7 @@ void checkRealTime(vtkPolyData* body)
   }
   PALPATE_CHECK(skipped <= value("Missed"));
   vtkNew<vtkTable> timing;
-  session->GetTiming(timing);
+  session->GetRecorder()->GetTiming(timing);
   PALPATE_CHECK(timing->GetNumberOfRows() > 3 && timing->GetNumberOfColumns() == 4);
   for (vtkIdType column = 1; column < timing->GetNumberOfColumns(); ++column)
   {
@@ -162,7 +165,7 @@ void checkRealTime(vtkPolyData* body)
         timing->GetValue(row, column).ToDouble() >= timing->GetValue(row - 1, column).ToDouble());
     }
   }
-  PALPATE_CHECK_TEXT(session->GetStatisticsText(), "missed", "wake-up", "worst");
+  PALPATE_CHECK_TEXT(session->GetRecorder()->GetStatisticsText(), "missed", "wake-up", "worst");
 }
 } // namespace
 

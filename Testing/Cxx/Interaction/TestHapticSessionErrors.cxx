@@ -21,34 +21,35 @@ void checkRefused(
   }
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
   session->Step(1.0);
-  PALPATE_CHECK(session->GetTicks().empty() && session->GetPathDuration() == 0.0);
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetDevice()->GetPathDuration() == 0.0);
 }
 
-void checkDevices(vtkHapticSession* session, Messages& messages)
+void checkDevices(vtkHapticSession* session)
 {
+  Messages messages(session->GetDevice());
   for (const char* device :
     { "Simulated", "", "hid", "hid:", "replay:", "bridge:", "plant:", "mouse:0" })
   {
-    PALPATE_CHECK(!session->SetDevice(device));
+    PALPATE_CHECK(!session->GetDevice()->Open(device));
     PALPATE_CHECK_TEXT(messages.takeErrors(), device, "simulated", "hid:PATH");
   }
   for (const char* device : { "hid:/dev/nowhere", "replay:nowhere.csv", "bridge:nowhere" })
   {
-    PALPATE_CHECK(!session->SetDevice(device));
+    PALPATE_CHECK(!session->GetDevice()->Open(device));
     PALPATE_CHECK_TEXT(messages.takeErrors(), device, "nowhere");
   }
-  PALPATE_CHECK(!session->SetDevice("plant:weight=1"));
+  PALPATE_CHECK(!session->GetDevice()->Open("plant:weight=1"));
   PALPATE_CHECK_TEXT(messages.takeErrors(), "plant:weight=1", "'weight'", "mass (kg)");
-  PALPATE_CHECK(session->SetDevice("simulated") && messages.none());
+  PALPATE_CHECK(session->GetDevice()->Open("simulated") && messages.none());
 }
 
 void checkPaths(vtkHapticSession* session, Messages& messages, vtkPolyData* good)
 {
-  session->SetPath(nullptr);
+  session->GetDevice()->SetPath(nullptr);
   checkRefused(session, messages, { "path", "Time" });
   Body path = Body::New();
   path->CopyStructure(good);
-  session->SetPath(path);
+  session->GetDevice()->SetPath(path);
   checkRefused(session, messages, { "path", "Time" });
   path->DeepCopy(good);
   vtkDataArray* time = path->GetPointData()->GetArray("Time");
@@ -61,7 +62,7 @@ void checkPaths(vtkHapticSession* session, Messages& messages, vtkPolyData* good
   path->DeepCopy(good);
   path->GetPoints()->SetPoint(4, 0.0, std::numeric_limits<double>::infinity(), 0.0);
   checkRefused(session, messages, { "Point 4 of the path", "not finite" });
-  session->SetPath(Body::New());
+  session->GetDevice()->SetPath(Body::New());
   checkRefused(session, messages, { "path" });
 }
 
@@ -90,11 +91,11 @@ int TestHapticSessionErrors(int, char*[])
   const Body path = slidePath(body, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }, 1.0);
   vtkNew<vtkHapticSession> session;
   Messages messages(session);
-  session->SetPath(path);
-  checkDevices(session, messages);
+  session->GetDevice()->SetPath(path);
+  checkDevices(session);
   checkBodies(session, messages, body);
   checkPaths(session, messages, path);
-  session->SetPath(path);
+  session->GetDevice()->SetPath(path);
   PALPATE_CHECK(session->Start());
   session->SetRate(0.0);
   PALPATE_CHECK(session->GetRate() == 1.0);

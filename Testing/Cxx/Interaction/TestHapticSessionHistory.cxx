@@ -18,7 +18,7 @@ using namespace palpate::testing;
 Body historyOf(vtkHapticSession* session)
 {
   auto history = Body::New();
-  session->GetHistory(history);
+  session->GetRecorder()->GetHistory(history);
   return history;
 }
 
@@ -56,10 +56,10 @@ void checkVirtualTime(vtkPolyData* body)
       session->SetBody(body);
       session->SetResponseName("Sphere");
       session->SetRate(rate);
-      session->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
+      session->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
     }
-    last->RecordingOff();
-    last->SetHistorySeconds(0.4);
+    last->GetRecorder()->RecordingOff();
+    last->GetRecorder()->SetHistorySeconds(0.4);
     PALPATE_CHECK(historyOf(last)->GetNumberOfPoints() == 0);
     PALPATE_CHECK(all->Start() && last->Start());
     double time = 0.0;
@@ -69,11 +69,11 @@ void checkVirtualTime(vtkPolyData* body)
       last->Step(seconds);
       time += seconds;
       Body recording = Body::New();
-      all->GetRecording(recording);
+      all->GetRecorder()->GetRecording(recording);
       const Body history = historyOf(last);
       PALPATE_CHECK(history->GetNumberOfPoints() == std::lround(std::min(time, 0.4) * rate));
       checkIsEndOf(recording, history);
-      PALPATE_CHECK(last->GetTicks().empty() && last->GetNumberOfLostTicks() == 0);
+      PALPATE_CHECK(last->GetRecorder()->GetTicks().empty() && last->GetRecorder()->GetNumberOfLostTicks() == 0);
       PALPATE_CHECK(historyOf(all)->GetNumberOfPoints() == 0); // it keeps none
     }
     PALPATE_CHECK(last->GetNumberOfStarts() == 1 && last->Start());
@@ -85,11 +85,11 @@ void checkVirtualTime(vtkPolyData* body)
     PALPATE_CHECK_TEXT(messages.takeErrors(), "body");
   }
   vtkNew<vtkHapticSession> session;
-  PALPATE_CHECK(session->GetHistorySeconds() == 0.0);
-  session->SetHistorySeconds(-1.0);
-  PALPATE_CHECK(session->GetHistorySeconds() == 0.0);
-  session->SetHistorySeconds(1e9);
-  PALPATE_CHECK(session->GetHistorySeconds() == 100.0);
+  PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == 0.0);
+  session->GetRecorder()->SetHistorySeconds(-1.0);
+  PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == 0.0);
+  session->GetRecorder()->SetHistorySeconds(1e9);
+  PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == 100.0);
 }
 
 template <class Condition>
@@ -117,8 +117,8 @@ void checkHistogram(vtkHapticSession* session)
 {
   vtkNew<vtkTable> histogram;
   vtkNew<vtkTable> timing;
-  session->GetTimingHistogram(histogram);
-  session->GetTiming(timing);
+  session->GetRecorder()->GetTimingHistogram(histogram);
+  session->GetRecorder()->GetTiming(timing);
   const auto ticks = static_cast<double>(session->GetNumberOfTicks());
   PALPATE_CHECK(sumOf(histogram, "Tick") == ticks && sumOf(histogram, "WakeUp") == ticks);
   PALPATE_CHECK(sumOf(histogram, "Period") == ticks - 1.0);
@@ -155,19 +155,19 @@ void checkRealTime(vtkPolyData* body)
   session->SetBody(body);
   session->SetResponseName("Flat");
   session->RealTimeOn();
-  session->RecordingOff();
-  session->SetHistorySeconds(0.25);
-  session->SetDevice(std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6)));
+  session->GetRecorder()->RecordingOff();
+  session->GetRecorder()->SetHistorySeconds(0.25);
+  session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6)));
   PALPATE_CHECK(session->Start());
 
   // Nobody reads: 250 ticks wait, the rest is lost and counted.
   waitFor([&] { return session->GetNumberOfTicks() > 600; });
-  PALPATE_CHECK(session->GetNumberOfLostTicks() >= 300);
+  PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() >= 300);
   Body history = historyOf(session);
   PALPATE_CHECK(history->GetNumberOfPoints() <= 250 && history->GetNumberOfPoints() > 0);
 
   // Read at the pace of a display: nothing more is lost, the window goes along.
-  const vtkIdType lost = session->GetNumberOfLostTicks();
+  const vtkIdType lost = session->GetRecorder()->GetNumberOfLostTicks();
   const vtkIdType then = session->GetNumberOfTicks();
   waitFor(
     [&]
@@ -176,7 +176,7 @@ void checkRealTime(vtkPolyData* body)
       return session->GetNumberOfTicks() > then + 700;
     });
   // A machine that stands still for 0.25 s would lose some; it says so.
-  PALPATE_CHECK(session->GetNumberOfLostTicks() - lost <= session->GetNumberOfTicks() - then - 250);
+  PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() - lost <= session->GetNumberOfTicks() - then - 250);
   vtkDataArray* time = history->GetPointData()->GetArray("Time");
   const vtkIdType count = time->GetNumberOfTuples();
   PALPATE_CHECK(count > 0 && count <= 250);
@@ -187,10 +187,10 @@ void checkRealTime(vtkPolyData* body)
   }
   session->Stop();
   vtkNew<vtkTable> statistics;
-  session->GetStatistics(statistics);
+  session->GetRecorder()->GetStatistics(statistics);
   PALPATE_CHECK(statistics->GetValueByName(0, "Overruns").ToDouble() ==
-    static_cast<double>(session->GetNumberOfLostTicks()));
-  PALPATE_CHECK(session->GetTicks().empty());
+    static_cast<double>(session->GetRecorder()->GetNumberOfLostTicks()));
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().empty());
   checkHistogram(session);
 }
 
@@ -198,14 +198,14 @@ void checkNoHistogram(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
   vtkNew<vtkTable> histogram;
-  session->GetTimingHistogram(histogram);
+  session->GetRecorder()->GetTimingHistogram(histogram);
   PALPATE_CHECK(histogram->GetNumberOfRows() == 0);
   session->SetBody(body);
   session->SetResponseName("Flat");
-  session->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
+  session->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
   PALPATE_CHECK(session->Start());
   session->Step(0.1);
-  session->GetTimingHistogram(histogram);
+  session->GetRecorder()->GetTimingHistogram(histogram);
   PALPATE_CHECK(histogram->GetNumberOfRows() == 0); // virtual time
 }
 } // namespace

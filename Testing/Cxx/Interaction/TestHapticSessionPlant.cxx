@@ -42,11 +42,11 @@ void prepare(vtkHapticSession* session, vtkPolyData* body, const char* response,
 {
   session->SetBody(body);
   session->SetResponseName(response);
-  session->SetPath(path);
-  PALPATE_CHECK(session->SetDevice(device));
-  PALPATE_CHECK(session->IsDeviceSimulated() && !session->IsDevicePhysical());
-  PALPATE_CHECK(!session->GetDeviceOutputsForce()); // nobody's hand
-  PALPATE_CHECK(session->GetDeviceForceLimit() == 10.0);
+  session->GetDevice()->SetPath(path);
+  PALPATE_CHECK(session->GetDevice()->Open(device));
+  PALPATE_CHECK(session->GetDevice()->IsSimulated() && !session->GetDevice()->IsPhysical());
+  PALPATE_CHECK(!session->GetDevice()->GetOutputsForce()); // nobody's hand
+  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0);
 }
 
 /// The hand leaps 10 mm, in the air: the step response of m x'' + (b + b_h) x' + k x.
@@ -59,8 +59,8 @@ void checkFree(vtkPolyData* body)
   session->Step(0.5);
   const double decay = (1.0 + 2.0) / (2.0 * 0.2);
   const double omega = std::sqrt(500.0 / 0.2 - decay * decay);
-  PALPATE_CHECK(session->GetTicks().size() == 500);
-  for (const palpate::Tick& tick : session->GetTicks())
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 500);
+  for (const palpate::Tick& tick : session->GetRecorder()->GetTicks())
   {
     const double t = std::max(0.0, tick.time - 0.1);
     const double left =
@@ -80,7 +80,7 @@ void checkEquilibrium(vtkPolyData* body)
     "plant:damping=20,stiffness=1000");
   PALPATE_CHECK(session->Start());
   session->Step(4.0);
-  const palpate::Tick& last = session->GetTicks().back();
+  const palpate::Tick& last = session->GetRecorder()->GetTicks().back();
   PALPATE_CHECK(last.contact.deflection > 0.05 && last.contact.deflection < 0.5);
   PALPATE_CHECK_NEAR(last.contact.deflection, -last.tip.z(), 1e-12);
   PALPATE_CHECK_NEAR(last.appliedForce.z(), 1000.0 * 1e-3 * (last.tip.z() + 1.0), 1e-9); // N
@@ -94,11 +94,11 @@ void checkEquilibrium(vtkPolyData* body)
   {
     again->Step(0.25);
   }
-  PALPATE_CHECK(again->GetTicks().size() == session->GetTicks().size());
+  PALPATE_CHECK(again->GetTicks().size() == session->GetRecorder()->GetTicks().size());
   for (std::size_t i = 0; i < again->GetTicks().size(); ++i)
   {
-    PALPATE_CHECK(again->GetTicks()[i].tip == session->GetTicks()[i].tip);
-    PALPATE_CHECK(again->GetTicks()[i].appliedForce == session->GetTicks()[i].appliedForce);
+    PALPATE_CHECK(again->GetTicks()[i].tip == session->GetRecorder()->GetTicks()[i].tip);
+    PALPATE_CHECK(again->GetTicks()[i].appliedForce == session->GetRecorder()->GetTicks()[i].appliedForce);
   }
 }
 
@@ -119,7 +119,7 @@ Rest pressStiff(vtkPolyData* body, bool isCapped, bool isPassive)
   session->SetPassivityControl(isPassive);
   PALPATE_CHECK(session->Start());
   session->Step(5.0);
-  const auto& ticks = session->GetTicks();
+  const auto& ticks = session->GetRecorder()->GetTicks();
   double least = ticks.back().tip.z();
   double most = least;
   for (std::size_t i = ticks.size() - 500; i < ticks.size(); ++i)

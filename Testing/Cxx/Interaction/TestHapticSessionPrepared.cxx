@@ -62,12 +62,9 @@ void checkGivenKernels(vtkPolyData* body)
 void checkForceLimit()
 {
   vtkNew<vtkHapticSession> session;
-  PALPATE_CHECK(session->GetDeviceForceLimit() == 10.0); // "simulated": see the header
-  session->SetForceLimit(3.0);
-  PALPATE_CHECK(session->GetDeviceForceLimit() == 3.0);
-  session->SetForceLimit(30.0);
-  session->SetDevice(std::make_unique<PlacedDevice>(deviceOf(7.0, 1e6)));
-  PALPATE_CHECK(session->GetDeviceForceLimit() == 7.0);
+  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0); // "simulated": see the header
+  session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(7.0, 1e6)));
+  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 7.0);
 }
 } // namespace
 

@@ -78,7 +78,7 @@ void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
   }
   PALPATE_CHECK(peakForce > 10.0 && peakDeflection > 0.9);
   vtkNew<vtkTable> statistics;
-  session->GetStatistics(statistics);
+  session->GetRecorder()->GetStatistics(statistics);
   const auto value = [&statistics](const char* column)
   { return statistics->GetValueByName(0, column).ToDouble(); };
   PALPATE_CHECK(statistics->GetNumberOfRows() == 1);
@@ -106,30 +106,30 @@ int TestHapticSessionRecording(int, char*[])
   const Body body = bodyWithOtherCells();
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
-  session->SetPath(slidePath(body, { -0.5, -0.8, 0.6 }, { 0.6, -0.8, 0.5 }, 1.0));
+  session->GetDevice()->SetPath(slidePath(body, { -0.5, -0.8, 0.6 }, { 0.6, -0.8, 0.5 }, 1.0));
 
   // Nothing is recorded before the start, and that is no error.
   vtkNew<vtkPolyData> recording;
   vtkNew<vtkTable> statistics;
   Messages messages(session);
-  session->GetRecording(recording);
-  session->GetStatistics(statistics);
+  session->GetRecorder()->GetRecording(recording);
+  session->GetRecorder()->GetStatistics(statistics);
   PALPATE_CHECK(recording->GetNumberOfPoints() == 0 && recording->GetNumberOfCells() == 0);
   PALPATE_CHECK(statistics->GetValueByName(0, "Ticks").ToDouble() == 0.0);
   PALPATE_CHECK(session->Start());
 
   // While it touches, and when all is over.
-  for (const double seconds : { 1.7, session->GetPathDuration() - 1.7 })
+  for (const double seconds : { 1.7, session->GetDevice()->GetPathDuration() - 1.7 })
   {
     session->Step(seconds);
-    session->GetRecording(recording);
+    session->GetRecorder()->GetRecording(recording);
     PALPATE_CHECK(recording->GetNumberOfLines() == 1);
     PALPATE_CHECK(
-      recording->GetNumberOfPoints() == static_cast<vtkIdType>(session->GetTicks().size()));
+      recording->GetNumberOfPoints() == static_cast<vtkIdType>(session->GetRecorder()->GetTicks().size()));
     for (vtkIdType i = 0; i < recording->GetNumberOfPoints(); ++i)
     {
       PALPATE_CHECK(recording->GetPointData()->GetArray("Time")->GetTuple1(i) ==
-        session->GetTicks()[static_cast<std::size_t>(i)].time);
+        session->GetRecorder()->GetTicks()[static_cast<std::size_t>(i)].time);
     }
     checkProbeAgrees(body, recording);
     checkSummary(session, recording);

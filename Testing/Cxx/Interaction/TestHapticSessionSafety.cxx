@@ -29,11 +29,11 @@ void checkFit(vtkPolyData* body)
     PALPATE_CHECK_TEXT(session->GetSafetyText(), "stiffness capped");
 
     session->Stop();
-    session->FitForceOn();
-    session->SetFitDepth(1.0);
+    session->GetSafety()->FitForceOn();
+    session->GetSafety()->SetFitDepth(1.0);
     for (const char* name : names)
     {
-      session->AddFitResponse(name);
+      session->GetSafety()->AddFitResponse(name);
     }
     pressed(session, deviceOf(10.0, 2000.0));
     fitted[i] = appliedTo(session);
@@ -64,39 +64,42 @@ void checkLimits(vtkPolyData* body)
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
   session->SetResponseName("Sphere");
-  session->StiffnessCapOff();
-  session->SetForceLimit(1.5);
+  session->GetSafety()->StiffnessCapOff();
+  session->GetSafety()->SetForceLimit(1.5);
   pressed(session, deviceOf(10.0, 2000.0));
   PALPATE_CHECK_NEAR(appliedTo(session), 1.5, 1e-12);
   PALPATE_CHECK_TEXT(session->GetSafetyText(), "largest");
   Messages messages(session);
+  vtkHapticSafety* safety = session->GetSafety();
+  vtkHapticDevice* device = session->GetDevice();
   const auto refused = [&](const char* word)
   {
     PALPATE_CHECK(!session->Start());
     PALPATE_CHECK_TEXT(messages.takeErrors(), word);
     PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
   };
-  session->SetForceLimit(std::nan(""));
+  safety->SetForceLimit(std::nan(""));
   refused("MaximumForce");
-  session->SetForceLimit(1.5);
-  session->SetEntryRamp(-1.0);
+  safety->SetForceLimit(1.5);
+  safety->SetEntryRamp(-1.0);
   refused("EntryRamp");
-  session->SetEntryRamp(0.0);
-  session->SetScale(0.0);
+  safety->SetEntryRamp(0.0);
+  device->SetScale(0.0);
   refused("Scale");
-  session->SetScale(1.0);
-  session->SetDeviceUp(1.0, 1.0, 0.0); // not at right angles with x
+  device->SetScale(1.0);
+  device->SetUp(1.0, 1.0, 0.0); // not at right angles with x
   refused("Rotation");
-  session->SetDeviceUp(0.0, 1.0, 0.0);
-  session->FitForceOn();
-  session->SetFitDepth(0.0);
+  device->SetUp(0.0, 1.0, 0.0);
+  safety->FitForceOn();
+  safety->SetFitDepth(0.0);
   refused("FitDepth");
-  session->SetFitDepth(1.0);
-  session->AddFitResponse("Elsewhere");
+  safety->SetFitDepth(1.0);
+  safety->AddFitResponse("Elsewhere");
   refused("Elsewhere");
-  session->ClearFitResponses();
-  session->SetDevice(std::unique_ptr<palpate::HapticDevice>());
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "null");
+  safety->ClearFitResponses();
+  Messages refusals(device);
+  device->Use(nullptr);
+  PALPATE_CHECK_TEXT(refusals.takeErrors(), "null");
   PALPATE_CHECK(session->Start() && messages.none());
 }
 
@@ -110,9 +113,9 @@ void checkGate(vtkPolyData* body)
     auto owned = std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6));
     PlacedDevice* device = owned.get();
     device->Height = -1e-3; // within the body from the start
-    session->SetDevice(std::move(owned));
-    session->PassivityControlOff();
-    session->SetGate(gate);
+    session->GetDevice()->Use(std::move(owned));
+    session->GetSafety()->PassivityControlOff();
+    session->GetSafety()->SetGate(gate);
     PALPATE_CHECK(session->Start());
     session->Step(0.1);
     PALPATE_CHECK(idealOf(session) > 11.0);
@@ -152,7 +155,7 @@ void checkChange(vtkPolyData* body)
   PALPATE_CHECK_NEAR(last, pressed(alone, deviceOf(100.0, 1e6))->Force, 1e-12);
   // Straight in time over 50 ms: 50 equal steps of 1 ms, with a hundredth of rounding of the ramp.
   PALPATE_CHECK_NEAR(largest, (before - last) / 50.0, 0.01 * (before - last) / 50.0);
-  PALPATE_CHECK(session->GetTicks().back().scene == 1);
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().back().scene == 1);
 
   // What cannot be changed to is named, and what runs goes on.
   Messages messages(session);
@@ -160,12 +163,12 @@ void checkChange(vtkPolyData* body)
   PALPATE_CHECK(!session->ApplyChanges());
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Elsewhere");
   session->SetResponseName("Small");
-  session->SetFrictionCoefficient(-1.0);
+  session->GetSettings()->SetFrictionCoefficient(-1.0);
   PALPATE_CHECK(!session->ApplyChanges());
   PALPATE_CHECK_TEXT(messages.takeErrors(), "FrictionCoefficient");
-  session->SetFrictionCoefficient(0.0);
+  session->GetSettings()->SetFrictionCoefficient(0.0);
   session->Step(0.1);
-  PALPATE_CHECK(device->Force == last && session->GetTicks().back().scene == 1);
+  PALPATE_CHECK(device->Force == last && session->GetRecorder()->GetTicks().back().scene == 1);
   // Another body, two millimetres lower: the tip is outside.
   Body lower = Body::New();
   lower->DeepCopy(body);

@@ -44,34 +44,35 @@ void checkDefaults()
 {
   vtkNew<vtkHapticSession> session;
   const palpate::ContactSettings kernel;
-  PALPATE_CHECK(session->GetForceForm() == static_cast<int>(kernel.form));
-  PALPATE_CHECK(session->GetContactSurface() == static_cast<int>(kernel.surface));
-  PALPATE_CHECK(session->GetFrictionModel() == static_cast<int>(kernel.friction.model));
-  PALPATE_CHECK(session->GetFrictionCoefficient() == kernel.friction.coefficient);
-  PALPATE_CHECK(session->GetTangentialStiffness() == kernel.friction.tangentialStiffness);
-  PALPATE_CHECK(session->GetFrictionBreakaway() == kernel.friction.breakaway);
-  PALPATE_CHECK(session->GetFrictionStickRadius() == kernel.friction.stickRadius);
-  PALPATE_CHECK(session->GetPoissonRatio() == kernel.friction.poissonRatio);
+  vtkContactSettings* settings = session->GetSettings();
+  PALPATE_CHECK(settings->GetForceForm() == static_cast<int>(kernel.form));
+  PALPATE_CHECK(settings->GetContactSurface() == static_cast<int>(kernel.surface));
+  PALPATE_CHECK(settings->GetFrictionModel() == static_cast<int>(kernel.friction.model));
+  PALPATE_CHECK(settings->GetFrictionCoefficient() == kernel.friction.coefficient);
+  PALPATE_CHECK(settings->GetTangentialStiffness() == kernel.friction.tangentialStiffness);
+  PALPATE_CHECK(settings->GetFrictionBreakaway() == kernel.friction.breakaway);
+  PALPATE_CHECK(settings->GetFrictionStickRadius() == kernel.friction.stickRadius);
+  PALPATE_CHECK(settings->GetPoissonRatio() == kernel.friction.poissonRatio);
 }
 
 void checkRefused(vtkPolyData* body)
 {
-  using Session = vtkHapticSession*;
+  using Settings = vtkContactSettings*;
   struct Wrong
   {
     const char* name;
     const char* value;
-    std::function<void(Session)> set;
+    std::function<void(Settings)> set;
   };
   const std::vector<Wrong> wrong = {
-    { "ForceForm", "7", [](Session s) { s->SetForceForm(7); } },
-    { "ContactSurface", "-1", [](Session s) { s->SetContactSurface(-1); } },
-    { "FrictionModel", "3", [](Session s) { s->SetFrictionModel(3); } },
-    { "FrictionCoefficient", "nan", [](Session s) { s->SetFrictionCoefficient(std::nan("")); } },
-    { "TangentialStiffness", "-2", [](Session s) { s->SetTangentialStiffness(-2.0); } },
-    { "FrictionBreakaway", "2", [](Session s) { s->SetFrictionBreakaway(2.0); } },
-    { "FrictionStickRadius", "0.25", [](Session s) { s->SetFrictionStickRadius(0.25); } },
-    { "PoissonRatio", "0.75", [](Session s) { s->SetPoissonRatio(0.75); } },
+    { "ForceForm", "7", [](Settings s) { s->SetForceForm(7); } },
+    { "ContactSurface", "-1", [](Settings s) { s->SetContactSurface(-1); } },
+    { "FrictionModel", "3", [](Settings s) { s->SetFrictionModel(3); } },
+    { "FrictionCoefficient", "nan", [](Settings s) { s->SetFrictionCoefficient(std::nan("")); } },
+    { "TangentialStiffness", "-2", [](Settings s) { s->SetTangentialStiffness(-2.0); } },
+    { "FrictionBreakaway", "2", [](Settings s) { s->SetFrictionBreakaway(2.0); } },
+    { "FrictionStickRadius", "0.25", [](Settings s) { s->SetFrictionStickRadius(0.25); } },
+    { "PoissonRatio", "0.75", [](Settings s) { s->SetPoissonRatio(0.75); } },
   };
   for (const Wrong& setting : wrong)
   {
@@ -80,9 +81,9 @@ void checkRefused(vtkPolyData* body)
       vtkNew<vtkHapticSession> session;
       Messages messages(session);
       session->SetBody(body);
-      session->SetPath(draggedPath());
+      session->GetDevice()->SetPath(draggedPath());
       session->SetRealTime(realTime);
-      setting.set(session);
+      setting.set(session->GetSettings());
       PALPATE_CHECK(!session->Start());
       PALPATE_CHECK_TEXT(messages.takeErrors(), setting.name, "must", setting.value);
       PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
@@ -95,14 +96,14 @@ void checkFrictionIsTold(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
-  session->SetPath(draggedPath());
-  session->SetFrictionCoefficient(Friction);
-  session->SetTangentialStiffness(4.0);
+  session->GetDevice()->SetPath(draggedPath());
+  session->GetSettings()->SetFrictionCoefficient(Friction);
+  session->GetSettings()->SetTangentialStiffness(4.0);
   double friction[3] = { 1.0, 1.0, 1.0 };
   session->GetFrictionForce(friction);
   PALPATE_CHECK(vtkMath::Norm(friction) == 0.0);
   PALPATE_CHECK(session->Start());
-  session->SetFrictionCoefficient(0.0); // read at Start, so it comes too late
+  session->GetSettings()->SetFrictionCoefficient(0.0); // read at Start, so it comes too late
   session->Step(1.0);
   session->GetFrictionForce(friction);
   double total[3];
@@ -115,14 +116,14 @@ void checkFrictionIsTold(vtkPolyData* body)
   PALPATE_CHECK_NEAR(total[2], normal, 1e-6);
 
   vtkNew<vtkPolyData> recording;
-  session->GetRecording(recording);
+  session->GetRecorder()->GetRecording(recording);
   vtkPointData* data = recording->GetPointData();
   double peak = 0.0;
   int sticking = 0;
   int sliding = 0;
   for (vtkIdType i = 0; i < recording->GetNumberOfPoints(); ++i)
   {
-    const auto& contact = session->GetTicks()[static_cast<std::size_t>(i)].contact;
+    const auto& contact = session->GetRecorder()->GetTicks()[static_cast<std::size_t>(i)].contact;
     double f[3];
     double force[3];
     double n[3];
@@ -142,7 +143,7 @@ void checkFrictionIsTold(vtkPolyData* body)
   }
   PALPATE_CHECK(sticking > 50 && sliding > 400);
   vtkNew<vtkTable> statistics;
-  session->GetStatistics(statistics);
+  session->GetRecorder()->GetStatistics(statistics);
   PALPATE_CHECK(statistics->GetValueByName(0, "PeakFriction (N)").ToDouble() == peak);
 }
 
@@ -152,10 +153,10 @@ void checkRealTime(vtkPolyData* body)
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
   session->RealTimeOn();
-  session->SetFrictionCoefficient(Friction);
-  session->SetTangentialStiffness(4.0);
+  session->GetSettings()->SetFrictionCoefficient(Friction);
+  session->GetSettings()->SetTangentialStiffness(4.0);
   const double start[3] = { 0.3, 0.2, 1.0 };
-  session->SteerTo(start);
+  session->GetDevice()->SteerTo(start);
   PALPATE_CHECK(session->Start());
   double friction[3] = { 0.0, 0.0, 0.0 };
   // Steered back and forth until the newest tick slides along x; a loaded machine may take a while.
@@ -164,7 +165,7 @@ void checkRealTime(vtkPolyData* body)
   {
     const double there = i % 400 < 200 ? i % 200 : 200 - i % 200;
     const double tip[3] = { 0.3 + 0.02 * there, 0.2, -0.5 };
-    session->SteerTo(tip);
+    session->GetDevice()->SteerTo(tip);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     session->GetFrictionForce(friction);
     felt = vtkMath::Norm(friction) > 0.99 * Friction * 3.45;
@@ -183,7 +184,7 @@ void checkUnsoundBody(vtkPolyData* sound)
   vtkNew<vtkHapticSession> session;
   Messages messages(session);
   session->SetBody(sound);
-  session->SetPath(draggedPath());
+  session->GetDevice()->SetPath(draggedPath());
   PALPATE_CHECK(session->Start() && messages.none());
   session->SetBody(body);
   PALPATE_CHECK(session->Start());

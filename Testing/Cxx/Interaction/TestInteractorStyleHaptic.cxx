@@ -7,8 +7,10 @@
 #include "Haptics/Devices/Trajectory.h"
 #include "Haptics/Devices/TrajectoryFile.h"
 #include "vtkContactScene.h"
+#include "vtkFrameClock.h"
 #include "vtkHapticSession.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkSessionFiles.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -35,6 +37,8 @@ struct Window
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkNew<vtkContactScene> scene;
   vtkNew<vtkHapticSession> session;
+  vtkNew<vtkFrameClock> clock;
+  vtkNew<vtkSessionFiles> files;
   vtkNew<vtkInteractorStyleHaptic> style;
   std::vector<std::pair<unsigned long, int>> heard; ///< events of the style, and their number
   vtkNew<vtkCallbackCommand> listener;
@@ -49,16 +53,21 @@ struct Window
     this->scene->SetTool(makeTool("flat:1"));
     this->session->SetBody(body);
     this->session->RealTimeOn();
-    this->session->RecordingOff();
-    this->session->SetHistorySeconds(5.0);
+    this->session->GetRecorder()->RecordingOff();
+    this->session->GetRecorder()->SetHistorySeconds(5.0);
     this->style->SetSession(this->session);
     this->style->SetScene(this->scene);
+    this->style->SetFiles(this->files);
+    this->files->SetSession(this->session);
+    this->files->SetWindow(this->picture.window);
+    this->clock->SetInteractor(this->interactor);
+    this->scene->Follow(this->clock, this->session);
     this->interactor->SetInteractorStyle(this->style);
     this->right->InteractiveOff();
     const double up[3] = { 0.0, 1.0, 0.0 };
     const double from[3] = { 0.0, 0.0, 1.0 };
     const double start[3] = { 0.0, 0.0, 3.0 };
-    this->session->SteerTo(start);
+    this->session->GetDevice()->SteerTo(start);
     this->scene->ShowContact(start, start, from, start, 0.0, -1);
     this->scene->LookAtContact(80.0, from, up);
     this->picture.window->Render();
@@ -264,30 +273,31 @@ void checkKeys(Window& w)
   PALPATE_CHECK(w.session->GetState() == vtkHapticSession::Stopped);
   w.type('x');
   PALPATE_CHECK(w.session->GetState() == vtkHapticSession::Running);
+  w.clock->AddObserver(vtkFrameClock::FrameEvent, w.listener);
   w.heard.clear();
-  w.style->ShowFrame();
-  PALPATE_CHECK(w.hears(Style::FrameEvent));
+  w.clock->ShowFrame();
+  PALPATE_CHECK(w.hears(vtkFrameClock::FrameEvent));
 }
 
 void checkFiles(Window& w, const std::filesystem::path& folder)
 {
   std::filesystem::remove_all(folder);
-  w.style->SetOutputFolder(folder.string());
+  w.files->SetOutputFolder(folder.string());
   w.type('k');
-  PALPATE_CHECK(w.style->IsRecording());
+  PALPATE_CHECK(w.files->IsRecording());
   w.pointAt(1.0, 1.0);
   w.send(vtkCommand::LeftButtonPressEvent);
   w.style->SetPressDepth(1.0);
   w.pointAt(1.0, 1.0);
   PALPATE_CHECK(w.reaches(-1.0));
-  w.style->ShowFrame();
+  w.clock->ShowFrame();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   w.type('k');
   w.send(vtkCommand::LeftButtonReleaseEvent);
-  PALPATE_CHECK(!w.style->IsRecording());
+  PALPATE_CHECK(!w.files->IsRecording());
   palpate::Trajectory trajectory;
   PALPATE_CHECK(palpate::readTrajectory((folder / "palpate-1.csv").string(), trajectory).empty());
-  const auto count = static_cast<std::size_t>(w.style->GetNumberOfRecordedTicks());
+  const auto count = static_cast<std::size_t>(w.files->GetNumberOfRecordedTicks());
   PALPATE_CHECK(count > 10 && trajectory.rows.size() == count);
   PALPATE_CHECK_NEAR(trajectory.rows.back().tip.z(), -1.0, 1e-9); // there and back: m, mm
   double period = 1.0;
@@ -305,9 +315,9 @@ void checkFiles(Window& w, const std::filesystem::path& folder)
     reader->Update();
     PALPATE_CHECK(reader->GetOutput()->GetDimensions()[0] == 800);
   }
-  PALPATE_CHECK_TEXT(w.style->GetNotice(), "picture", "palpate-2.png");
-  Messages messages(w.style);
-  PALPATE_CHECK(w.style->WriteRecording().empty());
+  PALPATE_CHECK_TEXT(w.files->GetNotice(), "picture", "palpate-2.png");
+  Messages messages(w.files);
+  PALPATE_CHECK(w.files->WriteRecording().empty());
   PALPATE_CHECK_TEXT(messages.takeErrors(), "StartRecording");
 }
 } // namespace
@@ -321,6 +331,6 @@ int TestInteractorStyleHaptic(int, char*[])
   checkViewPlane(window);
   checkKeys(window);
   checkFiles(window, std::filesystem::current_path() / "TestInteractorStyleHaptic");
-  window.style->StopSession();
+  window.session->Stop();
   return palpate::testing::result();
 }

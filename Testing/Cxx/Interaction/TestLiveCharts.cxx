@@ -25,8 +25,8 @@ vtkSmartPointer<vtkHapticSession> pressing(vtkPolyData* body)
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   session->SetBody(body);
   session->SetResponseName("Flat");
-  session->SetFrictionCoefficient(0.3);
-  session->SetPath(pressAndSlide(1.0));
+  session->GetSettings()->SetFrictionCoefficient(0.3);
+  session->GetDevice()->SetPath(pressAndSlide(1.0));
   return session;
 }
 
@@ -42,7 +42,7 @@ struct Recorded
 Recorded recordedBy(vtkHapticSession* session)
 {
   vtkNew<vtkPolyData> recording;
-  session->GetRecording(recording);
+  session->GetRecorder()->GetRecording(recording);
   vtkPointData* data = recording->GetPointData();
   Recorded recorded;
   const auto length = [data](const char* name, vtkIdType i)
@@ -107,7 +107,7 @@ void checkOverTime(vtkPolyData* body)
     vtkNew<vtkLiveCharts> charts;
     charts->SetDuration(duration);
     charts->SetSession(session);
-    PALPATE_CHECK(session->GetHistorySeconds() == duration && session->Start());
+    PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == duration && session->Start());
     vtkChartXY* chart = charts->GetTimeChart();
     charts->Update();
     PALPATE_CHECK(pointsOf(plotOf(chart, "Ideal")).empty());
@@ -135,7 +135,7 @@ void checkOverTime(vtkPolyData* body)
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
   PALPATE_CHECK(session->Start());
-  session->Step(session->GetPathDuration());
+  session->Step(session->GetDevice()->GetPathDuration());
   charts->Update();
   double ideal = 0.0;
   double applied = 0.0;
@@ -203,13 +203,13 @@ void checkGaps(vtkPolyData* body)
 void checkOverDeflection(vtkPolyData* body)
 {
   const auto session = pressing(body);
-  session->SetFrictionCoefficient(0.0);
+  session->GetSettings()->SetFrictionCoefficient(0.0);
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
   PALPATE_CHECK(session->Start());
   vtkChartXY* chart = charts->GetDeflectionChart();
   bool hasTouched = false;
-  while (session->GetTime() < session->GetPathDuration())
+  while (session->GetTime() < session->GetDevice()->GetPathDuration())
   {
     session->Step(0.2);
     charts->Update();
@@ -285,8 +285,8 @@ void checkHistogram(vtkPolyData* body)
 {
   const auto session = pressing(body);
   session->RealTimeOn();
-  session->RecordingOff();
-  session->SetDevice(std::make_unique<PlacedDevice>(deviceOf(10.0, 1e6)));
+  session->GetRecorder()->RecordingOff();
+  session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(10.0, 1e6)));
   vtkNew<vtkLiveCharts> charts;
   charts->SetDuration(0.2);
   charts->SetSession(session);
@@ -296,11 +296,11 @@ void checkHistogram(vtkPolyData* body)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(2)); // nobody reads: some are lost
   }
-  PALPATE_CHECK(session->GetNumberOfLostTicks() > 0);
+  PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() > 0);
   session->Stop();
   charts->Update();
   PALPATE_CHECK_TEXT(std::string(charts->GetTimeChart()->GetTitle()),
-    (std::to_string(session->GetNumberOfLostTicks()) + " ticks lost").c_str());
+    (std::to_string(session->GetRecorder()->GetNumberOfLostTicks()) + " ticks lost").c_str());
   const auto ticks = static_cast<double>(session->GetNumberOfTicks());
   for (const auto& [label, expected] : { std::pair<const char*, double>{ "Period", ticks - 1.0 },
          { "Wake-up after deadline", ticks }, { "Tick", ticks } })

@@ -255,10 +255,10 @@ void checkSession()
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:6.35");
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
-  session->SetPath(pressAndSlide(2.5));
+  session->GetDevice()->SetPath(pressAndSlide(2.5));
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
-  PALPATE_CHECK(session->GetHistorySeconds() == charts->GetDuration());
+  PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == charts->GetDuration());
   charts->Update(); // not started: nothing to show, no error
   PALPATE_CHECK(charts->GetCurvesChart()->GetNumberOfPlots() == 0);
   PALPATE_CHECK(session->Start());

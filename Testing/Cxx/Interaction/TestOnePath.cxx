@@ -154,12 +154,12 @@ std::vector<palpate_tick> throughC(const Stage& stage,
 template <class Felt>
 void choose(Felt* felt, const palpate::ContactSettings& settings)
 {
-  felt->SetForceForm(static_cast<int>(settings.form));
-  felt->SetContactSurface(static_cast<int>(settings.surface));
-  felt->SetFrictionModel(static_cast<int>(settings.friction.model));
-  felt->SetFrictionCoefficient(settings.friction.coefficient);
-  felt->SetTangentialStiffness(settings.friction.tangentialStiffness);
-  felt->SetPoissonRatio(settings.friction.poissonRatio);
+  felt->GetSettings()->SetForceForm(static_cast<int>(settings.form));
+  felt->GetSettings()->SetContactSurface(static_cast<int>(settings.surface));
+  felt->GetSettings()->SetFrictionModel(static_cast<int>(settings.friction.model));
+  felt->GetSettings()->SetFrictionCoefficient(settings.friction.coefficient);
+  felt->GetSettings()->SetTangentialStiffness(settings.friction.tangentialStiffness);
+  felt->GetSettings()->SetPoissonRatio(settings.friction.poissonRatio);
 }
 
 /// The tips the servo saw, or NaN where it had none, as one polyline.
@@ -194,7 +194,7 @@ vtkSmartPointer<vtkHapticSession> throughSession(
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   session->SetBody(stage.body);
-  session->SetPath(stage.path);
+  session->GetDevice()->SetPath(stage.path);
   session->SetRate(Rate);
   choose(session.Get(), settings);
   PALPATE_CHECK(session->Start());
@@ -266,8 +266,8 @@ Numbers checkSettings(const Stage& stage, const palpate::ContactSettings& settin
   PALPATE_CHECK(sameBits(numbersOf(throughProbe(stage, servo, settings)), felt));
   const auto session = throughSession(stage, settings);
   vtkNew<vtkPolyData> recording;
-  session->GetRecording(recording);
-  PALPATE_CHECK(sameBits(numbersOf(session->GetTicks()), felt));
+  session->GetRecorder()->GetRecording(recording);
+  PALPATE_CHECK(sameBits(numbersOf(session->GetRecorder()->GetTicks()), felt));
   PALPATE_CHECK(sameBits(numbersOf(recording), felt));
 
   const auto holed = withHoles(stage.samples);

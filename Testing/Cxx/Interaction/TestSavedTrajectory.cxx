@@ -50,11 +50,11 @@ vtkSmartPointer<vtkHapticSession> sessionOn(vtkPolyData* body, const Feel& feel)
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   session->SetBody(body);
   session->SetRate(TickRate);
-  session->SetContactSurface(static_cast<int>(feel.surface));
-  session->SetForceForm(static_cast<int>(feel.form));
-  session->SetFrictionModel(static_cast<int>(feel.friction));
-  session->SetFrictionCoefficient(0.5);
-  session->SetPoissonRatio(0.3);
+  session->GetSettings()->SetContactSurface(static_cast<int>(feel.surface));
+  session->GetSettings()->SetForceForm(static_cast<int>(feel.form));
+  session->GetSettings()->SetFrictionModel(static_cast<int>(feel.friction));
+  session->GetSettings()->SetFrictionCoefficient(0.5);
+  session->GetSettings()->SetPoissonRatio(0.3);
   return session;
 }
 
@@ -71,7 +71,7 @@ std::string fileOf(vtkHapticSession* session, const std::string& path)
 {
   PALPATE_CHECK(session->Start());
   session->Step(Duration);
-  PALPATE_CHECK(palpate::writeTrajectory(path, session->GetTicks()).empty());
+  PALPATE_CHECK(palpate::writeTrajectory(path, session->GetRecorder()->GetTicks()).empty());
   return textOf(path);
 }
 
@@ -138,7 +138,7 @@ void checkEvents(vtkHapticSession* session)
 {
   std::set<int> states;
   std::set<std::int32_t> triangles;
-  for (const palpate::Tick& tick : session->GetTicks())
+  for (const palpate::Tick& tick : session->GetRecorder()->GetTicks())
   {
     states.insert(static_cast<int>(tick.contact.state));
     triangles.insert(tick.contact.triangle);
@@ -154,7 +154,7 @@ void compare(vtkPolyData* body, const std::string& data)
   {
     const std::string file = data + "/" + feel.file;
     const auto session = sessionOn(body, feel);
-    PALPATE_CHECK(session->SetDevice("replay:" + file));
+    PALPATE_CHECK(session->GetDevice()->Open("replay:" + file));
     const std::string scratch = std::string("TestSavedTrajectory-") + feel.file;
     const std::string found = fileOf(session, scratch);
     std::remove(scratch.c_str());
@@ -183,7 +183,7 @@ int write(const std::string& folder)
   for (const Feel& feel : Feels)
   {
     const auto session = sessionOn(body, feel);
-    session->SetPath(handPath());
+    session->GetDevice()->SetPath(handPath());
     fileOf(session, folder + "/" + feel.file);
   }
   std::ofstream(folder + "/library.txt") << roundingOfLibrary();

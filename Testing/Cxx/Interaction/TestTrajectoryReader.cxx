@@ -65,14 +65,14 @@ void checkRecording()
 {
   vtkNew<vtkHapticSession> session;
   session->SetBody(openBall());
-  session->SetPath(handPath());
-  session->SetFrictionCoefficient(0.3);
+  session->GetDevice()->SetPath(handPath());
+  session->GetSettings()->SetFrictionCoefficient(0.3);
   PALPATE_CHECK(session->Start());
   session->Step(Duration);
   session->Stop();
   vtkNew<vtkPolyData> recording;
-  session->GetRecording(recording);
-  PALPATE_CHECK(palpate::writeTrajectory(File, session->GetTicks()).empty());
+  session->GetRecorder()->GetRecording(recording);
+  PALPATE_CHECK(palpate::writeTrajectory(File, session->GetRecorder()->GetTicks()).empty());
 
   vtkNew<vtkTrajectoryReader> reader;
   Messages messages(reader);

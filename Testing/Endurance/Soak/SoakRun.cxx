@@ -70,22 +70,22 @@ std::string SoakRun::start()
     this->Specification, static_cast<std::size_t>(KeptSeconds * this->Options.rate));
   this->Device = device.get();
   this->Session = vtkSmartPointer<vtkHapticSession>::New();
-  this->Session->SetDevice(std::move(device));
+  this->Session->GetDevice()->Use(std::move(device));
   this->Session->SetBody(first.body, kernelsOf(first));
   this->Session->SetResponseName(SceneSupply::ResponseName);
-  this->Session->SetFrictionCoefficient(first.felt.friction);
+  this->Session->GetSettings()->SetFrictionCoefficient(first.felt.friction);
   const Vector3 right = this->Frame.axes.col(0);
   const Vector3 up = this->Frame.axes.col(1);
-  this->Session->SetDeviceRight(right.x(), right.y(), right.z());
-  this->Session->SetDeviceUp(up.x(), up.y(), up.z());
-  this->Session->SetDeviceOrigin(
+  this->Session->GetDevice()->SetRight(right.x(), right.y(), right.z());
+  this->Session->GetDevice()->SetUp(up.x(), up.y(), up.z());
+  this->Session->GetDevice()->SetOrigin(
     this->Frame.origin.x(), this->Frame.origin.y(), this->Frame.origin.z());
-  this->Session->SetScale(this->Frame.scale);
+  this->Session->GetDevice()->SetScale(this->Frame.scale);
   this->Session->SetRate(this->Options.rate);
   this->Session->RealTimeOn();
-  this->Session->RecordingOff();
-  this->Session->SetRecordedSeconds(KeptSeconds);
-  this->Session->SetHistorySeconds(KeptSeconds);
+  this->Session->GetRecorder()->RecordingOff();
+  this->Session->GetRecorder()->SetRecordedSeconds(KeptSeconds);
+  this->Session->GetRecorder()->SetHistorySeconds(KeptSeconds);
   return this->Session->Start() ? "" : "the session did not start";
 }
 
@@ -147,7 +147,7 @@ void SoakRun::swap()
   this->Bodies.emplace_back(next.kernel);
   this->Checker->offer(next.felt);
   this->Session->SetBody(next.body, kernelsOf(next));
-  this->Session->SetFrictionCoefficient(next.felt.friction);
+  this->Session->GetSettings()->SetFrictionCoefficient(next.felt.friction);
   if (!this->Session->ApplyChanges())
   {
     this->Result.faults.emplace_back("a swap was refused");
@@ -162,7 +162,7 @@ void SoakRun::swap()
 void SoakRun::drain()
 {
   this->CheckedBefore = this->Checked;
-  const TickHistory& ticks = this->Session->GetLastTicks();
+  const TickHistory& ticks = this->Session->GetRecorder()->GetLastTicks();
   // After the ticks: a tick is recorded when its force has been written.
   this->Device->drain([this](const DeviceRecord& record) { this->Records.push_back(record); });
   const std::uint64_t fresh = ticks.added() - this->Checked;
@@ -217,7 +217,7 @@ std::size_t SoakRun::bodiesAlive() const
 void SoakRun::readTiming(SoakResult& result)
 {
   vtkNew<vtkTable> timing;
-  this->Session->GetTiming(timing);
+  this->Session->GetRecorder()->GetTiming(timing);
   for (vtkIdType row = 0; row < timing->GetNumberOfRows(); ++row)
   {
     const double share = timing->GetValueByName(row, "Share").ToDouble();
@@ -236,10 +236,10 @@ SoakResult SoakRun::finish()
   this->drain();
   SoakResult& result = this->Result;
   result.rate = this->Options.rate;
-  result.granted = this->Session->GetRealTimeGrant();
+  result.granted = this->Session->GetRecorder()->GetRealTimeGrant();
   result.ticks = static_cast<std::uint64_t>(this->Session->GetNumberOfTicks());
-  result.missed = static_cast<std::uint64_t>(this->Session->GetNumberOfMissedTicks());
-  result.overruns += static_cast<std::uint64_t>(this->Session->GetNumberOfLostTicks());
+  result.missed = static_cast<std::uint64_t>(this->Session->GetRecorder()->GetNumberOfMissedTicks());
+  result.overruns += static_cast<std::uint64_t>(this->Session->GetRecorder()->GetNumberOfLostTicks());
   result.overruns += this->Device->overruns();
   result.tally = this->Checker->tally();
   result.swapsAsked = this->Swaps.asked();

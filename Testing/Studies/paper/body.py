@@ -78,14 +78,14 @@ def press(responding, depth, approach):
     path.Update()
     session = vtkHapticSession()
     session.SetBody(responding)
-    session.SetDevice("simulated")
-    session.SetPath(path.GetOutput())
+    session.GetDevice().Open("simulated")
+    session.GetDevice().SetPath(path.GetOutput())
     if not session.Start():
         raise RuntimeError("the session does not start")
-    session.Step(session.GetPathDuration())
+    session.Step(session.GetDevice().GetPathDuration())
     session.Stop()
     recording = vtkPolyData()
-    session.GetRecording(recording)
+    session.GetRecorder().GetRecording(recording)
     arrays = recording.GetPointData()
     tips = vtk_to_numpy(recording.GetPoints().GetData())
     return (vtk_to_numpy(arrays.GetArray("Time")).copy(), top - tips[:, 2],

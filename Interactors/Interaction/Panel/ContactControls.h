@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContactControls_h
+#define ContactControls_h
+
+#include "Interaction/Panel/PanelScale.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+class vtkContactScene;
+class vtkContactSetup;
+class vtkHapticSession;
+class vtkInteractorStyleHaptic;
+class vtkLiveCharts;
+
+namespace palpate
+{
+/// A number that may be changed while it is felt.
+struct ControlQuantity
+{
+  std::string name;
+  PanelScale scale;
+  std::string (*write)(double); ///< with its unit
+  std::function<double()> read;
+  std::function<void(double)> change;
+  bool setsForces = false;                               ///< they grow or shrink with it
+  std::function<bool()> isOffered = [] { return true; }; ///< now
+};
+
+/// Something that may be done, or switched on and off.
+struct ControlButton
+{
+  std::function<std::string()> label;
+  std::function<void()> press;
+  std::function<bool()> isOn = [] { return false; };
+};
+
+/// A heading; a quantity; or buttons side by side.
+using ControlRow = std::variant<std::string, ControlQuantity, std::vector<ControlButton>>;
+
+/// What a panel offers of a contact that is felt: in which rows, what each says now, and what a
+/// change does. How it looks is the panel's.
+class ContactControls
+{
+public:
+  /// `toolShown` is told of another tool in the hand.
+  ContactControls(vtkContactSetup* setup, vtkInteractorStyleHaptic* style, vtkLiveCharts* charts,
+    std::function<void(int)> toolShown);
+  ~ContactControls();
+  ContactControls(const ContactControls&) = delete;
+  ContactControls& operator=(const ContactControls&) = delete;
+
+  /// What setup and charts can have. Valid as long as this is.
+  std::vector<ControlRow> rows();
+
+  /// Asks for the responses to what has been changed, and hands those that are ready to session and
+  /// scene; whether there were any.
+  bool update();
+  /// Chooses the scales of force anew if forces have become much larger or smaller.
+  void fitScales();
+
+  void chooseTool(int tool);
+  bool compares() const { return this->Compares; }
+  void setCompares(bool compares);
+  bool showsCharts() const { return this->ShowsCharts; }
+  void setShowsCharts(bool shown);
+  void toggleTiming();
+
+  /// What is under way, or what went wrong.
+  std::string status() const;
+
+private:
+  vtkHapticSession* session() const;
+  vtkContactScene* scene() const;
+  void addContact(std::vector<ControlRow>& rows);
+  void addView(std::vector<ControlRow>& rows);
+  void addSession(std::vector<ControlRow>& rows);
+
+  vtkSmartPointer<vtkContactSetup> Setup;
+  vtkSmartPointer<vtkInteractorStyleHaptic> Style;
+  vtkSmartPointer<vtkLiveCharts> Charts; ///< may be null
+  std::function<void(int)> ToolShown;
+  bool Compares = false;
+  bool ShowsCharts = true;
+  double ShownForce; ///< to which the scales of force were fitted, N
+};
+} // namespace palpate
+
+#endif

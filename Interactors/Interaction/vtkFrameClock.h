@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFrameClock
+ * @brief tells whoever wants to know that a frame is due, and draws it
+ *
+ * Give it an interactor and Start it. From then on a repeating timer of the interactor makes up to
+ * 30 frames a second: FrameEvent, by which scene, charts and panel come up to date, and rendering.
+ * What mouse, wheel and widgets change is drawn with the next frame, so that no event waits for
+ * one. Where a frame takes long, half of the time is left to the mouse.
+ *
+ * Observers of a frame with a higher priority come first: vtkContactPanel, which changes what is
+ * shown, has 1, vtkContactScene -1.
+ */
+#ifndef vtkFrameClock_h
+#define vtkFrameClock_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkCommand.h"               // For vtkCommand::UserEvent
+#include "vtkObject.h"
+#include "vtkWeakPointer.h" // For vtkWeakPointer
+
+#include <chrono> // For std::chrono::steady_clock
+
+class vtkRenderWindowInteractor;
+
+class PALPATEINTERACTION_EXPORT vtkFrameClock : public vtkObject
+{
+public:
+  static vtkFrameClock* New();
+  vtkTypeMacro(vtkFrameClock, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Events
+  {
+    FrameEvent = vtkCommand::UserEvent + 411 ///< before the frame is drawn
+  };
+
+  ///@{
+  /** Who has timer and window; initialised before Start. */
+  void SetInteractor(vtkRenderWindowInteractor* interactor);
+  vtkRenderWindowInteractor* GetInteractor();
+  ///@}
+
+  ///@{
+  /** Starts or stops the timer. */
+  void Start();
+  void Stop();
+  ///@}
+
+  /** One frame, at once: what the timer does when it is time. */
+  void ShowFrame();
+
+protected:
+  vtkFrameClock();
+  ~vtkFrameClock() override;
+
+private:
+  vtkFrameClock(const vtkFrameClock&) = delete;
+  void operator=(const vtkFrameClock&) = delete;
+
+  void Tick();
+
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  int Timer = 0;
+  unsigned long Observer = 0;
+  std::chrono::steady_clock::time_point NextFrame; ///< not before
+};
+
+#endif

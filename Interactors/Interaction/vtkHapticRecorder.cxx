@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRecorder.h"
+
+#include "Interaction/Session/SessionRun.h"
+#include "Interaction/Session/TickRecording.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+vtkStandardNewMacro(vtkHapticRecorder);
+
+vtkHapticRecorder::vtkHapticRecorder()
+  : Tape(std::make_shared<palpate::TickTape>())
+{
+}
+
+vtkHapticRecorder::~vtkHapticRecorder() = default;
+
+void vtkHapticRecorder::Follow(const std::shared_ptr<palpate::SessionRun>& run)
+{
+  this->Run = run;
+}
+
+/// The run, which the session holds, with all that has been recorded meanwhile; or null.
+palpate::SessionRun* vtkHapticRecorder::Collected()
+{
+  palpate::SessionRun* run = this->Run.lock().get();
+  if (run)
+  {
+    run->collect();
+  }
+  return run;
+}
+
+const palpate::ServoLoop* vtkHapticRecorder::Loop()
+{
+  const auto run = this->Run.lock();
+  return run ? run->loop() : nullptr;
+}
+
+const std::vector<palpate::Tick>& vtkHapticRecorder::GetTicks()
+{
+  static const std::vector<palpate::Tick> none;
+  const palpate::SessionRun* run = this->Collected();
+  return run ? run->ticks() : none;
+}
+
+const palpate::TickHistory& vtkHapticRecorder::GetLastTicks()
+{
+  static const palpate::TickHistory none(0.0, 1.0);
+  const palpate::SessionRun* run = this->Collected();
+  return run ? run->history() : none;
+}
+
+const std::shared_ptr<palpate::TickTape>& vtkHapticRecorder::GetTape()
+{
+  this->Collected();
+  return this->Tape;
+}
+
+void vtkHapticRecorder::GetRecording(vtkPolyData* recording)
+{
+  const auto& ticks = this->GetTicks();
+  const auto run = this->Run.lock();
+  palpate::fillRecording(ticks, run ? run->firstPoly : 0, recording);
+}
+
+void vtkHapticRecorder::GetHistory(vtkPolyData* history)
+{
+  const auto& ticks = this->GetLastTicks();
+  const auto run = this->Run.lock();
+  palpate::fillRecording(ticks, run ? run->firstPoly : 0, history);
+}
+
+vtkIdType vtkHapticRecorder::GetNumberOfMissedTicks()
+{
+  const palpate::ServoLoop* loop = this->Loop();
+  return loop ? static_cast<vtkIdType>(loop->missed()) : 0;
+}
+
+vtkIdType vtkHapticRecorder::GetNumberOfLostTicks()
+{
+  const palpate::ServoLoop* loop = this->Loop();
+  return loop ? static_cast<vtkIdType>(loop->overruns()) : 0;
+}
+
+void vtkHapticRecorder::GetStatistics(vtkTable* statistics)
+{
+  palpate::SessionRun* run = this->Collected();
+  if (const palpate::ServoLoop* loop = this->Loop())
+  {
+    palpate::fillStatistics(run->summary(), loop->statistics(), statistics);
+  }
+  else if (run)
+  {
+    palpate::fillStatistics(run->summary(), run->nanoseconds(), statistics);
+  }
+  else
+  {
+    palpate::fillStatistics({}, std::vector<double>(), statistics);
+  }
+}
+
+std::string vtkHapticRecorder::GetStatisticsText()
+{
+  const palpate::ServoLoop* loop = this->Loop();
+  return loop ? loop->statistics().describe() : std::string();
+}
+
+void vtkHapticRecorder::GetTiming(vtkTable* timing)
+{
+  timing->Initialize();
+  if (const palpate::ServoLoop* loop = this->Loop())
+  {
+    palpate::fillTiming(loop->statistics(), timing);
+  }
+}
+
+void vtkHapticRecorder::GetTimingHistogram(vtkTable* histogram)
+{
+  histogram->Initialize();
+  if (const palpate::ServoLoop* loop = this->Loop())
+  {
+    palpate::fillTimingHistogram(loop->statistics(), histogram);
+  }
+}
+
+std::string vtkHapticRecorder::GetRealTimeGrant()
+{
+  const palpate::ServoLoop* loop = this->Loop();
+  return loop ? loop->grant().describe() : std::string();
+}
+
+void vtkHapticRecorder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Recording: " << this->Recording << "\n";
+  os << indent << "RecordedSeconds: " << this->RecordedSeconds << " s\n";
+  os << indent << "HistorySeconds: " << this->HistorySeconds << " s\n";
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkHapticRecorder
+ * @brief what is kept of the ticks of a vtkHapticSession, and how they kept time
+ *
+ * In virtual time every tick is there. On the servo thread ticks wait to be read: whoever looks at
+ * the session once a frame reads them. What waits unread for more than RecordedSeconds is lost, and
+ * counted. HistorySeconds keeps the last ticks alone, for charts of a session without end.
+ *
+ * What is set is read at the session's Start; what is told is of the run since, empty before, and
+ * goes with the session. For the session's thread.
+ */
+#ifndef vtkHapticRecorder_h
+#define vtkHapticRecorder_h
+
+#include "palpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <memory> // For std::weak_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkPolyData;
+class vtkTable;
+
+namespace palpate
+{
+class ServoLoop;
+class SessionRun;
+struct Tick;
+class TickHistory;
+class TickTape;
+} // namespace palpate
+
+class PALPATEINTERACTION_EXPORT vtkHapticRecorder : public vtkObject
+{
+public:
+  static vtkHapticRecorder* New();
+  vtkTypeMacro(vtkHapticRecorder, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Whether every tick is kept for GetRecording. Default on. With RealTime contacts and peaks are
+   * counted among the ticks recorded, or in the history. */
+  vtkSetMacro(Recording, bool);
+  vtkGetMacro(Recording, bool);
+  vtkBooleanMacro(Recording, bool);
+  ///@}
+  ///@{
+  /** With RealTime: how long ticks wait to be read, s, 0.1 to 100; 600 bytes each. Default 5. */
+  vtkSetClampMacro(RecordedSeconds, double, 0.1, 100.0);
+  vtkGetMacro(RecordedSeconds, double);
+  ///@}
+  ///@{
+  /** Whether the ticks of the last seconds are kept for GetHistory, and how many s: 0 to 100; 600
+   * bytes each. With RealTime those that wait to be read, for at most this long if nothing else is
+   * recorded. Default 0: none. */
+  vtkSetClampMacro(HistorySeconds, double, 0.0, 100.0);
+  vtkGetMacro(HistorySeconds, double);
+  ///@}
+
+  /** Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
+   * `Time`, `AppliedForce` (3, N), `ForceFactor` and `SafetyLinks` (int; bits in the order of the
+   * chain). Cells are counted as in the newest body. */
+  void GetRecording(vtkPolyData* recording);
+  /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
+   */
+  void GetHistory(vtkPolyData* history);
+
+  /** Ticks missed since Start; in virtual time none is. */
+  vtkIdType GetNumberOfMissedTicks();
+  /** Ticks made since Start that nobody read in time: neither recording nor history has them. */
+  vtkIdType GetNumberOfLostTicks();
+
+  /** One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
+   * (mm), median and 99th percentile of the time per tick (ns, wall clock, so they differ from run
+   * to run); with RealTime also ticks missed, samples invalid and repeated, forces refused, ticks
+   * not recorded, scene changes, and the device's own errors. */
+  void GetStatistics(vtkTable* statistics);
+  /** Statistics and timing, in lines for a person. */
+  std::string GetStatisticsText();
+  /** With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): which time that share
+   * of the ticks did not exceed, to 1/32; the last row, share 1, is the worst. Empty otherwise. */
+  void GetTiming(vtkTable* timing);
+  /** With RealTime: how many ticks had which Period, WakeUp and Tick: a row per class of durations,
+   * longer than `From (us)` and up to `To (us)`, at most 1/32 apart, from the first to the last
+   * that holds any; counts as double. Empty otherwise. */
+  void GetTimingHistogram(vtkTable* histogram);
+  /** With RealTime: what the system granted the servo thread, and why not more. */
+  std::string GetRealTimeGrant();
+
+#ifndef __VTK_WRAP__
+  /** Every tick since Start. */
+  const std::vector<palpate::Tick>& GetTicks();
+  /** Those of the last HistorySeconds, numbered. */
+  const palpate::TickHistory& GetLastTicks();
+  /** Takes up the ticks of a part of the session, from one run to the next. */
+  const std::shared_ptr<palpate::TickTape>& GetTape();
+
+  /** For the session that starts; null: nothing runs any more. */
+  void Follow(const std::shared_ptr<palpate::SessionRun>& run);
+#endif
+
+protected:
+  vtkHapticRecorder();
+  ~vtkHapticRecorder() override;
+
+private:
+  vtkHapticRecorder(const vtkHapticRecorder&) = delete;
+  void operator=(const vtkHapticRecorder&) = delete;
+
+  palpate::SessionRun* Collected();
+  const palpate::ServoLoop* Loop();
+
+  bool Recording = true;
+  double RecordedSeconds = 5.0;
+  double HistorySeconds = 0.0;
+  std::weak_ptr<palpate::SessionRun> Run;
+  std::shared_ptr<palpate::TickTape> Tape;
+};
+
+#endif
