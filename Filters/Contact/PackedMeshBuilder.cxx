@@ -4,7 +4,7 @@
 #include "Contact/HilbertCurve.h"
 #include "Contact/MeshRepair.h"
 #include "Contact/ParallelRanges.h"
-#include "Contact/TrianglePlane.h"
+#include "Contact/TriangleSteepness.h"
 
 #include <Eigen/Geometry>
 
@@ -384,33 +384,8 @@ void PackedMesh::Builder::computeBends()
     {
       for (std::size_t t = first; t < last; ++t)
       {
-        this->Mesh.Records[t].steepness = this->steepnessOf(static_cast<std::int32_t>(t));
+        this->Mesh.Records[t].steepness = steepnessOf(this->Mesh, static_cast<std::int32_t>(t));
       }
     });
-}
-
-float PackedMesh::Builder::steepnessOf(std::int32_t triangle) const
-{
-  const PackedMesh& mesh = this->Mesh;
-  const auto cornersOf = [&mesh](std::int32_t t) -> std::array<Vector3, 3> {
-    return { mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2) };
-  };
-  const TrianglePlane plane(cornersOf(triangle));
-  const Record& record = mesh.record(triangle);
-  double slope = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    mesh.visitAround(record.points[k],
-      [&](std::int32_t other)
-      {
-        // The neighbour across the edge that ends here was met where that begins.
-        if (other != triangle && other != record.neighbours[(k + 2) % 3])
-        {
-          slope = std::max(slope, plane.slopeTo(cornersOf(other), k, slope));
-        }
-      });
-  }
-  const double rounded = 0.5 * slope / plane.smallestAltitude() * (1.0 + 1e-6); // up, in float
-  return static_cast<float>(rounded);
 }
 } // namespace palpate

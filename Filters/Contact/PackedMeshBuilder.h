@@ -43,7 +43,6 @@ private:
   void packRecords();
   void computePointNormals();
   void computeBends();
-  float steepnessOf(std::int32_t triangle) const;
 
   const std::vector<TriangleCorners>& joined() const
   {

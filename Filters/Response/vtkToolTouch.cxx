@@ -10,6 +10,7 @@
 #include "Response/Pieces/Ranks.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"
+#include "Response/RoundNumber.h"
 #include "Response/Touch/TouchStart.h"
 #include "Response/Touch/TipContacts.h"
 #include "Response/Touch/ToolSurface.h"
@@ -31,8 +32,6 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -46,14 +45,6 @@ constexpr double ArrowThickness = 0.012;
 constexpr double WidestTool = 0.25; // of its length, where its profile widens for ever
 
 using palpate::Vector3;
-
-/// The largest of 1, 2, 5 times a power of ten that is not above `value` > 0.
-double roundDown(double value)
-{
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  const double share = value / decade;
-  return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
-}
 
 vtkSmartPointer<vtkPolyData> singleTip(const Vector3& position)
 {
@@ -133,11 +124,6 @@ void vtkToolTouch::SetTipPosition(double x, double y, double z)
     this->TipIsSet = true;
     this->Modified();
   }
-}
-
-void vtkToolTouch::SetTipPosition(const double position[3])
-{
-  this->SetTipPosition(position[0], position[1], position[2]);
 }
 
 bool vtkToolTouch::FindStart(vtkPolyData* body, const std::string& responseName,
@@ -223,7 +209,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   }
   const double typical = this->Touched->typicalForce();
   const double wanted = ArrowShare * copy->GetLength() / typical;
-  this->AutomaticScale = std::isfinite(wanted) && wanted > 0.0 ? roundDown(wanted) : 1.0;
+  this->AutomaticScale = std::isfinite(wanted) && wanted > 0.0 ? palpate::roundDown(wanted) : 1.0;
   this->Contact = palpate::makeContactBody(copy, this->ResponseName, fault,
     [this](double share) { this->UpdateProgress(ProbeShare * share); });
   fault = fault.empty() ? palpate::checkBody(copy, this->ResponseName) : fault;
@@ -326,29 +312,7 @@ bool vtkToolTouch::MakeTool(const palpate::Touch& touch, vtkPolyData* output)
   {
     return false;
   }
-  const Eigen::Matrix3d turn =
-    Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), touch.normal).toRotationMatrix();
-  vtkPoints* upright = output->GetPoints();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(upright->GetNumberOfPoints());
-  vtkDataArray* uprightNormals = output->GetPointData()->GetNormals();
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(upright->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < upright->GetNumberOfPoints(); ++i)
-  {
-    Vector3 x;
-    upright->GetPoint(i, x.data());
-    x = touch.tip + turn * x;
-    points->SetPoint(i, x.data());
-    uprightNormals->GetTuple(i, x.data());
-    x = turn * x;
-    normals->SetTuple(i, x.data());
-  }
-  output->SetPoints(points);
-  output->GetPointData()->SetNormals(normals);
+  palpate::standTool(touch.tip, touch.normal, output);
   return true;
 }
 
@@ -374,14 +338,6 @@ void vtkToolTouch::MakeArrow(const palpate::Touch& touch, vtkPolyData* output)
   addField(output, "Stiffness", &touch.stiffness, 1);
   addField(output, "Validity", &validity, 1);
   addField(output, "ForceScale", &touch.scale, 1);
-}
-
-void vtkToolTouch::MakeText(const palpate::Touch& touch, vtkTable* output)
-{
-  vtkNew<vtkStringArray> text;
-  text->SetName("Text");
-  text->InsertNextValue(palpate::describeTouch(touch, this->Tool->GetDescription()));
-  output->AddColumn(text);
 }
 
 int vtkToolTouch::RequestData(
@@ -418,7 +374,10 @@ int vtkToolTouch::RequestData(
     return 0;
   }
   this->MakeArrow(touch, vtkPolyData::GetData(outputVector, ArrowPort));
-  this->MakeText(touch, vtkTable::GetData(outputVector, TextPort));
+  vtkNew<vtkStringArray> text;
+  text->SetName("Text");
+  text->InsertNextValue(palpate::describeTouch(touch, this->Tool->GetDescription()));
+  vtkTable::GetData(outputVector, TextPort)->AddColumn(text);
   return 1;
 }
 

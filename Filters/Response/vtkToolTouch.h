@@ -47,7 +47,6 @@
 class vtkContactSettings;
 class vtkContactTool;
 class vtkPolyData;
-class vtkTable;
 
 namespace palpate
 {
@@ -77,7 +76,10 @@ public:
   /** Where the tip is, in the body's frame, mm. Until it is set (0, 0, 0 then): on the place that
    * FindStart finds from +z, y up, anew on every body. */
   virtual void SetTipPosition(double x, double y, double z);
-  virtual void SetTipPosition(const double position[3]);
+  virtual void SetTipPosition(const double position[3])
+  {
+    this->SetTipPosition(position[0], position[1], position[2]);
+  }
   vtkGetVector3Macro(TipPosition, double);
   ///@}
 
@@ -177,7 +179,6 @@ private:
   bool MakeDent(const palpate::Touch& touch, vtkPolyData* output);
   bool MakeTool(const palpate::Touch& touch, vtkPolyData* output);
   void MakeArrow(const palpate::Touch& touch, vtkPolyData* output);
-  void MakeText(const palpate::Touch& touch, vtkTable* output);
   /// Reports a fault, unless it is "".
   bool Fail(const std::string& fault);
 

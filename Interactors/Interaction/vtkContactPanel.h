@@ -9,15 +9,16 @@
  * 2002, figure 9, live.) Made of vtkSliderWidget and vtkButtonWidget.
  *
  * Give it a renderer of a window with an interactor, a setup, and the style that has session, scene
- * and files; the clock, and charts if there are any. Then On. At each frame of the clock it asks the
- * setup for new responses when something has been changed, by the panel or by a program, hands
+ * and files; the clock, and charts if there are any. Then On. At each frame of the clock it asks
+ * the setup for new responses when something has been changed, by the panel or by a program, hands
  * those that are ready to session, scene and charts, and shows how everything is set now. The
  * window never waits for responses: until they are there the old ones are felt and shown.
  *
  * All that it does can be done without it: by methods of vtkContactSetup (tool, size, material,
- * model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration), vtkLiveCharts
- * (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic (help). What the body or the setup cannot
- * have is not offered; with Model Stored only what is shown can be changed.
+ * model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration),
+ * vtkLiveCharts (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic
+ * (help). What the body or the setup cannot have is not offered; with Model Stored only what is
+ * shown can be changed.
  */
 #ifndef vtkContactPanel_h
 #define vtkContactPanel_h

@@ -8,7 +8,7 @@
 #include "Interaction/Display/ForceScale.h"
 #include "Interaction/Display/ForceTrail.h"
 #include "Interaction/Display/PlaceMarker.h"
-#include "Interaction/Display/RoundNumber.h"
+#include "Response/RoundNumber.h"
 #include "Interaction/Display/SceneCamera.h"
 #include "Interaction/Display/SceneCaption.h"
 #include "Interaction/Display/SceneLegends.h"
@@ -60,7 +60,6 @@ vtkContactScene::vtkContactScene()
 
 vtkContactScene::~vtkContactScene()
 {
-  this->Follow(nullptr, nullptr);
   if (this->Renderer)
   {
     this->Renderer->RemoveObserver(this->RenderObserver);
@@ -293,10 +292,7 @@ void vtkContactScene::Show(const palpate::ShownContact& contact)
 
 void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
 {
-  // On the surface: how deep the hand gets would tell how hard the body pushes back.
-  const Eigen::Vector3d& place =
-    contact.touches() ? contact.tick.contact.contactPoint : contact.tick.tip;
-  this->Marker->SetPosition(place.x(), place.y(), place.z());
+  palpate::placeMarker(contact, this->Marker);
   this->Caption->describeNothing();
   this->Circle->hide();
   palpate::ShownContact unseen = contact;
@@ -359,7 +355,8 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
 void vtkContactScene::LookAtContact(double distance, const double direction[3], const double up[3])
 {
   palpate::lookAtPoint(this->Renderer, Eigen::Vector3d(this->Contact), distance,
-    { Eigen::Vector3d(direction), Eigen::Vector3d(up) }, palpate::SceneLegends::share(this->Renderer));
+    { Eigen::Vector3d(direction), Eigen::Vector3d(up) },
+    palpate::SceneLegends::share(this->Renderer));
 }
 
 vtkHapticToolRepresentation* vtkContactScene::GetToolRepresentation()

@@ -4,7 +4,7 @@
  * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, forces, legends
  *
  * Give it a renderer, a body with responses and the tool. ShowTip puts one tip of
- * vtkToolContactProbe's output (or vtkHapticSession::GetRecording) on stage, ShowSession the newest
+ * vtkToolContactProbe's output (or vtkHapticRecorder::GetRecording) on stage, ShowSession the newest
  * tick of a session, and Follow does so at each frame of a clock.
  *
  * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration,
@@ -99,8 +99,8 @@ public:
   void SetRemark(const std::string& remark);
 
   ///@{
-  /** Which parts are drawn, from the next contact shown on: the circle of contact, the trail with its
-   * legend; for those of the force see GetToolRepresentation. Default on. */
+  /** Which parts are drawn, from the next contact shown on: the circle of contact, the trail with
+   * its legend; for those of the force see GetToolRepresentation. Default on. */
   vtkSetMacro(ContactCircleVisibility, bool);
   vtkGetMacro(ContactCircleVisibility, bool);
   void SetTrailVisibility(bool visible);
@@ -132,8 +132,8 @@ public:
   /** Shows the newest tick of a session, with friction, applied force, its reasons and the validity
    * of the session's response at the contact, and adds it to the trail. */
   void ShowSession(vtkHapticSession* session);
-  /** The same at each frame of the clock, after those who observe it with no priority; null: at none
-   * any more. */
+  /** The same at each frame of the clock, after those who observe it with no priority; null: at
+   * none any more. */
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
   /** Along which direction, of any length, the tool stands where the session touches nothing; zero
    * (default): as it last did. */

@@ -350,11 +350,10 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
     session->SetSettings(this->Settings);
   }
   session->GetSettings()->SetPoissonRatio(this->Kept->made.poissonRatio);
-  vtkHapticSafety* safety = session->GetSafety();
-  safety->ClearFitResponses();
+  session->GetSafety()->ClearFitResponses();
   for (int i = 0; i < this->GetNumberOfTools(); ++i)
   {
-    safety->AddFitResponse(this->GetResponseName(i));
+    session->GetSafety()->AddFitResponse(this->GetResponseName(i));
   }
   return session->ApplyChanges();
 }

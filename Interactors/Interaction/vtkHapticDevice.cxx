@@ -151,10 +151,8 @@ void vtkHapticDevice::SteerTo(const double tip[3])
 
 std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, double rate)
 {
+  this->Release();
   Parts& kept = *this->Kept;
-  kept.hand = nullptr;
-  kept.steered = nullptr;
-  kept.pathDuration = 0.0;
   kept.rate = rate;
   if (this->IsPhysical() && !realTime)
   {
@@ -187,6 +185,13 @@ std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, doub
     kept.hand = kept.chosen.device;
   }
   return {};
+}
+
+void vtkHapticDevice::Release()
+{
+  this->Kept->hand = nullptr;
+  this->Kept->steered = nullptr;
+  this->Kept->pathDuration = 0.0;
 }
 
 palpate::WorkspaceMapping vtkHapticDevice::ReadMapping(const double bounds[6]) const

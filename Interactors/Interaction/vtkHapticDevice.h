@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticDevice
- * @brief the device of a vtkHapticSession: which one, where it lies in the body, where its hand goes
+ * @brief the device of a vtkHapticSession: which one, where it lies in the body, where its hand
+ * goes
  *
  * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping.
  *
@@ -111,7 +112,8 @@ public:
   /** A simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
    * decreasing). */
   void SetPath(vtkPolyData* path);
-  /** Time of the last point of what it follows since Start, s; 0 before, and where there is none. */
+  /** Time of the last point of what it follows since Start, s; 0 before, and where there is none.
+   */
   double GetPathDuration();
   /** A simulated device with RealTime: where the hand is to go, mm. Before Start: where it begins.
    */
@@ -124,6 +126,8 @@ public:
   /** For the session that starts: reads mapping and path, and makes the hand, over a body of these
    * bounds (mm), at `rate` (Hz). Returns what is wrong, or "". */
   std::string Prepare(const double bounds[6], bool realTime, double rate);
+  /** It does not start, or starts anew: what Prepare made is gone. */
+  void Release();
   /** What Prepare made; null before. */
   std::shared_ptr<palpate::HapticDevice> GetHand() const;
   const palpate::WorkspaceMapping& GetMapping() const;

@@ -59,8 +59,8 @@ public:
   vtkBooleanMacro(PassivityControl, bool);
   ///@}
   ///@{
-  /** Beside what the device says of itself: no more force (N) and stiffness (N/m) than this. Default
-   * infinite. */
+  /** Beside what the device says of itself: no more force (N) and stiffness (N/m) than this.
+   * Default infinite. */
   vtkSetMacro(ForceLimit, double);
   vtkGetMacro(ForceLimit, double);
   vtkSetMacro(StiffnessLimit, double);
@@ -89,7 +89,8 @@ public:
   {
     return this->FitResponses;
   }
-  /** What the chain is told for such a device; `isStiff`: its hand goes its way whatever it feels. */
+  /** What the chain is told for such a device; `isStiff`: its hand goes its way whatever it feels.
+   */
   palpate::SafetySettings GetSettings(
     const palpate::DeviceSpecification& device, bool isStiff) const;
 #endif

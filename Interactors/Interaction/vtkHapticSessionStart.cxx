@@ -24,6 +24,7 @@ bool vtkHapticSession::Start()
 {
   this->Run.reset();
   this->Recorder->Follow(nullptr);
+  this->Device->Release();
   if (!this->Known->given)
   {
     *this->Known = {}; // the body may have been changed in place
@@ -42,7 +43,12 @@ bool vtkHapticSession::Start()
     return false;
   }
   palpate::SafetySettings safety;
-  return this->ReadSafety(safety) && this->StartRun(safety);
+  if (this->ReadSafety(safety) && this->StartRun(safety))
+  {
+    return true;
+  }
+  this->Device->Release();
+  return false;
 }
 
 bool vtkHapticSession::ApplyChanges()

@@ -69,7 +69,8 @@ void vtkLiveCharts::SetSession(vtkHapticSession* session)
   if (session)
   {
     vtkHapticRecorder* recorder = session->GetRecorder();
-    recorder->SetHistorySeconds(std::max(recorder->GetHistorySeconds(), this->Kept->time.seconds()));
+    recorder->SetHistorySeconds(
+      std::max(recorder->GetHistorySeconds(), this->Kept->time.seconds()));
     this->Kept->run = session->GetNumberOfStarts();
   }
   this->Modified();

@@ -57,7 +57,7 @@ public:
   ///@}
 
   ///@{
-  /** The session to show; its HistorySeconds is raised to Duration, which counts from its next
+  /** The session to show; its recorder's HistorySeconds is raised to Duration, which counts from its next
    * Start on. Its body and ResponseName are followed. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
@@ -77,7 +77,7 @@ public:
    */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
-  /** Shows a histogram of vtkHapticSession::GetTimingHistogram, of whatever run. Returns false,
+  /** Shows a histogram of vtkHapticRecorder::GetTimingHistogram, of whatever run. Returns false,
    * after an error, if a column is missing. */
   bool ShowTimingHistogram(vtkTable* histogram);
 

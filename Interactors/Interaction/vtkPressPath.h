@@ -4,7 +4,7 @@
  * @brief a tool path that presses into a body, slides over it, and lifts off
  *
  * Input: a body of triangles, mm. Output: a polyline of tool tips with point arrays `Time` (double,
- * s) and `Inward` (double 3, the direction pressed along), for vtkHapticSession::SetPath or
+ * s) and `Inward` (double 3, the direction pressed along), for vtkHapticDevice::SetPath or
  * vtkToolContactProbe.
  *
  * Where to go is said by directions seen from Center: each is followed inward from outside the body

@@ -123,8 +123,7 @@ ComparisonWindow::ComparisonWindow(
       vtkHapticDevice* other = this->Sessions[1 - this->Leader]->GetDevice();
       other->SteerTo(static_cast<const double*>(tip));
     });
-  this->Actions.add(
-    this->Clock, vtkFrameClock::FrameEvent, [this](void*) { this->showFrame(); });
+  this->Actions.add(this->Clock, vtkFrameClock::FrameEvent, [this](void*) { this->showFrame(); });
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [this](void* tool) { this->chooseTool(*static_cast<const int*>(tool)); });
 }

@@ -7,6 +7,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -14,6 +15,8 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkRotationalExtrusionFilter.h"
 #include "vtkTriangleFilter.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -128,5 +131,32 @@ std::string makeToolSurface(
   }
   output->ShallowCopy(normals->GetOutput());
   return {};
+}
+
+void standTool(const Vector3& tip, const Vector3& axis, vtkPolyData* surface)
+{
+  const Eigen::Matrix3d turn =
+    Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis).toRotationMatrix();
+  vtkPoints* upright = surface->GetPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(upright->GetNumberOfPoints());
+  vtkDataArray* uprightNormals = surface->GetPointData()->GetNormals();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(upright->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < upright->GetNumberOfPoints(); ++i)
+  {
+    Vector3 x;
+    upright->GetPoint(i, x.data());
+    x = tip + turn * x;
+    points->SetPoint(i, x.data());
+    uprightNormals->GetTuple(i, x.data());
+    x = turn * x;
+    normals->SetTuple(i, x.data());
+  }
+  surface->SetPoints(points);
+  surface->GetPointData()->SetNormals(normals);
 }
 } // namespace palpate

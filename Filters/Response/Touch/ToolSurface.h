@@ -2,6 +2,8 @@
 #ifndef ToolSurface_h
 #define ToolSurface_h
 
+#include "Contact/TriangleProjection.h" // For palpate::Vector3
+
 #include <string>
 
 class vtkPolyData;
@@ -22,6 +24,9 @@ struct ToolSurfaceSize
 /// or "".
 std::string makeToolSurface(
   const AxisymmetricTool& tool, const ToolSurfaceSize& size, vtkPolyData* output);
+
+/// Makes such a surface stand with its tip at `tip`, its axis along the unit vector `axis`.
+void standTool(const Vector3& tip, const Vector3& axis, vtkPolyData* surface);
 } // namespace palpate
 
 #endif

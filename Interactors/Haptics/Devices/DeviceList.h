@@ -24,7 +24,7 @@ PALPATE_EXPORT const char* inWords(DeviceKind kind) noexcept;
 /// A device that is plugged in and that Palpate can drive.
 struct ListedDevice
 {
-  std::string address; ///< what vtkHapticSession::SetDevice and `palpate --device` take: "hid:PATH"
+  std::string address; ///< what vtkHapticDevice::Open and `palpate --device` take: "hid:PATH"
   DeviceKind kind = DeviceKind::Force;
   HidEntry entry;       ///< path, maker, name, serial number, ids
   std::string obstacle; ///< in words why it cannot be opened; empty: it can

@@ -20,7 +20,7 @@ public:
 
   TickHistogramChart();
 
-  /// Of vtkHapticSession::GetTimingHistogram. The plotted tables hold logarithms to the base ten, a
+  /// Of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to the base ten, a
   /// stair per class; a class that holds none lies below the axis.
   void show(vtkTable* histogram);
 

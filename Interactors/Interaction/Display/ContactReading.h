@@ -9,7 +9,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Tip `index` of the output of vtkToolContactProbe or vtkHapticSession::GetRecording.
+/// Tip `index` of the output of vtkToolContactProbe or vtkHapticRecorder::GetRecording.
 /// FrictionForce, ContactState, AppliedForce and its SafetyLinks are read where they are; false if
 /// any other array is missing or there is no such tip.
 bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);

@@ -2,7 +2,7 @@
 #include "Interaction/Display/ForceScale.h"
 
 #include "Interaction/Display/DisplayColors.h"
-#include "Interaction/Display/RoundNumber.h"
+#include "Response/RoundNumber.h"
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"

@@ -25,4 +25,11 @@ vtkSmartPointer<vtkActor> makePlaceMarker()
   marker->VisibilityOff();
   return marker;
 }
+
+void placeMarker(const ShownContact& contact, vtkActor* marker)
+{
+  const Eigen::Vector3d& place =
+    contact.touches() ? contact.tick.contact.contactPoint : contact.tick.tip;
+  marker->SetPosition(place.x(), place.y(), place.z());
+}
 } // namespace palpate

@@ -137,11 +137,11 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
     rows.emplace_back(ControlQuantity{ "Radius", RadiusScale, radiusText, size, resize, true,
       [setup] { return setup->HasToolSize() && !setup->IsToolSizeAngle(); } });
     rows.emplace_back("MATERIAL");
-    rows.emplace_back(ControlQuantity{
-      "Young's modulus", ModulusScale, modulusText, [setup] { return setup->GetYoungsModulus(); },
+    rows.emplace_back(ControlQuantity{ "Young's modulus", ModulusScale, modulusText,
+      [setup] { return setup->GetYoungsModulus(); },
       [setup](double value) { setup->SetYoungsModulus(value); }, true });
-    rows.emplace_back(ControlQuantity{
-      "Poisson's ratio", PoissonScale, ratioText, [setup] { return setup->GetPoissonRatio(); },
+    rows.emplace_back(ControlQuantity{ "Poisson's ratio", PoissonScale, ratioText,
+      [setup] { return setup->GetPoissonRatio(); },
       [setup](double value) { setup->SetPoissonRatio(value); }, true });
   }
   else

@@ -19,8 +19,8 @@ namespace palpate
 /// Which ticks are kept.
 struct TicksKept
 {
-  bool all = true;             ///< of the whole run
-  double historySeconds = 0.0; ///< the last ones
+  bool all = true;                ///< of the whole run
+  double historySeconds = 0.0;    ///< the last ones
   std::shared_ptr<TickTape> tape; ///< those it takes up
 };
 

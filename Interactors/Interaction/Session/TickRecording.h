@@ -26,15 +26,15 @@ void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* r
 /// read where they are: time and applied force are NaN without.
 bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick);
 
-/// One row, see vtkHapticSession::GetStatistics; `nanoseconds` holds the time of each tick.
+/// One row, see vtkHapticRecorder::GetStatistics; `nanoseconds` holds the time of each tick.
 void fillStatistics(
   const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics);
 /// The same in real time, where the servo loop has the times.
 void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table);
 
-/// A row per share of the ticks, see vtkHapticSession::GetTiming.
+/// A row per share of the ticks, see vtkHapticRecorder::GetTiming.
 void fillTiming(const ServoStatistics& statistics, vtkTable* table);
-/// A row per class of durations, see vtkHapticSession::GetTimingHistogram.
+/// A row per class of durations, see vtkHapticRecorder::GetTimingHistogram.
 void fillTimingHistogram(const ServoStatistics& statistics, vtkTable* table);
 } // namespace palpate
 

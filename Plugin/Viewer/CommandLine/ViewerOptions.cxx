@@ -2,12 +2,11 @@
 #include "ViewerOptions.h"
 
 #include "ContactNames.h"
-#include "Mechanics/Tools/ToolSpecification.h"
+#include "OptionChecks.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace palpate
 {
@@ -38,68 +37,6 @@ Examples:
   palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
 
 constexpr double LargestDepth = 1000.0; // mm: minutes, at the speed of the path that presses
-
-/// Refuses a number in words; CLI11's own ranges tell their limits in 300 digits, and take NaN.
-CLI::Validator within(const NumberRange& range, const char* kind)
-{
-  return CLI::Validator(
-    [range](const std::string& text)
-    {
-      double ignored = 0.0;
-      return range.read(text, ignored);
-    },
-    kind);
-}
-
-CLI::Validator any(const char* what)
-{
-  return within(NumberRange::any(what), "");
-}
-
-CLI::Validator positive(const char* what, double most = NumberRange::Endless)
-{
-  return within(NumberRange::positive(what, most), "POSITIVE");
-}
-
-CLI::Validator notNegative(const char* what)
-{
-  return within(NumberRange::notNegative(what), "NONNEGATIVE");
-}
-
-/// --layer: "scan", "none" or a thickness. Returns what is wrong, or "".
-std::string readLayer(const std::string& text, LayerChoice& layer)
-{
-  layer = { text == "scan", 0.0 };
-  return layer.scanned || text == "none" ? std::string() : LayerRange.read(text, layer.thickness);
-}
-
-/// --length-unit: mm per unit, in CLI11's text.
-std::string readLengthUnit(std::string& text)
-{
-  const std::map<std::string, std::string> units = { { "mm", "1" }, { "cm", "10" },
-    { "m", "1000" } };
-  const auto unit = units.find(text);
-  if (unit == units.end())
-  {
-    return "'" + text.substr(0, 40) + "' is not mm, cm or m";
-  }
-  text = unit->second;
-  return {};
-}
-
-/// As vtkVoxelBody takes them.
-std::string checkFaces(const std::string& text)
-{
-  const std::vector<std::string> known = { "x-", "x+", "y-", "y+", "z-", "z+" };
-  for (const std::string& face : CLI::detail::split(text, ','))
-  {
-    if (std::find(known.begin(), known.end(), face) == known.end())
-    {
-      return "'" + face + "' is not one of x-, x+, y-, y+, z-, z+";
-    }
-  }
-  return {};
-}
 
 /// How the contact feels: what the table offers to a command line.
 void addContactOptions(CLI::App& app, ContactSettings& contact)
@@ -241,13 +178,6 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
   {
     map->excludes(app.get_option(option));
   }
-}
-
-std::string checkToolText(const std::string& text)
-{
-  ToolSpecification tool;
-  std::string error;
-  return parseTool(text, tool, error) ? std::string() : error;
 }
 } // namespace
 

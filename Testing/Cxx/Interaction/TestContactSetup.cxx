@@ -204,7 +204,8 @@ void checkSettings()
   vtkNew<vtkHapticSession> other;
   one->GetSettings()->SetFrictionCoefficient(0.2);
   PALPATE_CHECK(setup->ApplyTo(one) && setup->ApplyTo(other));
-  PALPATE_CHECK(one->GetSettings()->GetFrictionCoefficient() == 0.2 && other->GetSettings()->GetFrictionCoefficient() == 0.0);
+  PALPATE_CHECK(one->GetSettings()->GetFrictionCoefficient() == 0.2 &&
+    other->GetSettings()->GetFrictionCoefficient() == 0.0);
   PALPATE_CHECK(one->GetSettings()->GetPoissonRatio() == setup->GetPoissonRatio());
   vtkNew<vtkContactSettings> settings;
   setup->SetSettings(settings);

@@ -40,7 +40,9 @@ bool sameBits(const palpate::Tick& a, const palpate::Tick& b)
 void checkSameTicks(vtkHapticSession* one, vtkHapticSession* other)
 {
   PALPATE_CHECK(one->GetRecorder()->GetTicks().size() == other->GetRecorder()->GetTicks().size());
-  for (std::size_t i = 0; i < std::min(one->GetRecorder()->GetTicks().size(), other->GetRecorder()->GetTicks().size()); ++i)
+  for (std::size_t i = 0;
+       i < std::min(one->GetRecorder()->GetTicks().size(), other->GetRecorder()->GetTicks().size());
+       ++i)
   {
     PALPATE_CHECK(sameBits(one->GetRecorder()->GetTicks()[i], other->GetRecorder()->GetTicks()[i]));
   }
@@ -69,7 +71,8 @@ void checkSteps(vtkPolyData* body, vtkPolyData* path)
   }
   for (std::size_t i = 0; i < 1000; ++i)
   {
-    PALPATE_CHECK_NEAR(whole->GetRecorder()->GetTicks()[i].time, 0.001 * static_cast<double>(i), 1e-15);
+    PALPATE_CHECK_NEAR(
+      whole->GetRecorder()->GetTicks()[i].time, 0.001 * static_cast<double>(i), 1e-15);
   }
   const auto slow = startedSession(body, path);
   slow->Stop();
@@ -77,7 +80,8 @@ void checkSteps(vtkPolyData* body, vtkPolyData* path)
   PALPATE_CHECK(slow->Start());
   slow->Step(1.0);
   PALPATE_CHECK(slow->GetRecorder()->GetTicks().size() == 250);
-  PALPATE_CHECK(sameBits(slow->GetRecorder()->GetTicks()[200], whole->GetRecorder()->GetTicks()[800]));
+  PALPATE_CHECK(
+    sameBits(slow->GetRecorder()->GetTicks()[200], whole->GetRecorder()->GetTicks()[800]));
 }
 
 void checkStop(vtkPolyData* body, vtkPolyData* path)
@@ -97,7 +101,7 @@ void checkStop(vtkPolyData* body, vtkPolyData* path)
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
   session->Step(1.0);
   PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // kept for the recording
-  PALPATE_CHECK(session->Start());                   // from the beginning
+  PALPATE_CHECK(session->Start());                                  // from the beginning
   PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetTime() == 0.0);
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
@@ -131,7 +135,8 @@ void checkRest(vtkPolyData* body, vtkPolyData* path)
   session->Step(duration + 0.5);
   for (std::size_t i = 0; i < 400; ++i)
   {
-    const auto& tick = session->GetRecorder()->GetTicks()[session->GetRecorder()->GetTicks().size() - 1 - i];
+    const auto& tick =
+      session->GetRecorder()->GetTicks()[session->GetRecorder()->GetTicks().size() - 1 - i];
     for (int k = 0; k < 3; ++k)
     {
       PALPATE_CHECK_NEAR(tick.tip[k], last[k], 1e-12); // mm to m and back

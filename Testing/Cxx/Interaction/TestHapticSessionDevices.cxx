@@ -44,7 +44,8 @@ void checkLost(vtkPolyData* body)
   session->SetResponseName("Flat");
   PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Running);
-  PALPATE_CHECK(session->GetDevice()->GetStatus() == "in place" && session->GetSafetyText().empty());
+  PALPATE_CHECK(
+    session->GetDevice()->GetStatus() == "in place" && session->GetSafetyText().empty());
   device->Lost = true;
   session->Step(0.001); // one tick
   PALPATE_CHECK(session->GetState() == vtkHapticSession::DeviceLost);
@@ -139,7 +140,8 @@ void checkRealTime(vtkPolyData* body)
   PALPATE_CHECK(value("Overruns") == 0.0);
   PALPATE_CHECK(recording->GetNumberOfPoints() == session->GetNumberOfTicks());
   PALPATE_CHECK(value("Ticks") == static_cast<double>(session->GetNumberOfTicks()));
-  PALPATE_CHECK(value("Missed") == static_cast<double>(session->GetRecorder()->GetNumberOfMissedTicks()));
+  PALPATE_CHECK(
+    value("Missed") == static_cast<double>(session->GetRecorder()->GetNumberOfMissedTicks()));
   PALPATE_CHECK(value("InvalidSamples") > 0.0 && value("SceneChanges") == 1.0);
   PALPATE_CHECK(value("TicksInContact") > 0.0 && value("MedianTick (ns)") > 0.0);
   PALPATE_CHECK_NEAR(value("PeakForce (N)"), 11.04, 0.01);

@@ -21,7 +21,8 @@ void checkRefused(
   }
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
   session->Step(1.0);
-  PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetDevice()->GetPathDuration() == 0.0);
+  PALPATE_CHECK(
+    session->GetRecorder()->GetTicks().empty() && session->GetDevice()->GetPathDuration() == 0.0);
 }
 
 void checkDevices(vtkHapticSession* session)

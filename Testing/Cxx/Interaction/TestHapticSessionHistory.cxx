@@ -73,7 +73,8 @@ void checkVirtualTime(vtkPolyData* body)
       const Body history = historyOf(last);
       PALPATE_CHECK(history->GetNumberOfPoints() == std::lround(std::min(time, 0.4) * rate));
       checkIsEndOf(recording, history);
-      PALPATE_CHECK(last->GetRecorder()->GetTicks().empty() && last->GetRecorder()->GetNumberOfLostTicks() == 0);
+      PALPATE_CHECK(last->GetRecorder()->GetTicks().empty() &&
+        last->GetRecorder()->GetNumberOfLostTicks() == 0);
       PALPATE_CHECK(historyOf(all)->GetNumberOfPoints() == 0); // it keeps none
     }
     PALPATE_CHECK(last->GetNumberOfStarts() == 1 && last->Start());
@@ -176,7 +177,8 @@ void checkRealTime(vtkPolyData* body)
       return session->GetNumberOfTicks() > then + 700;
     });
   // A machine that stands still for 0.25 s would lose some; it says so.
-  PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() - lost <= session->GetNumberOfTicks() - then - 250);
+  PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() - lost <=
+    session->GetNumberOfTicks() - then - 250);
   vtkDataArray* time = history->GetPointData()->GetArray("Time");
   const vtkIdType count = time->GetNumberOfTuples();
   PALPATE_CHECK(count > 0 && count <= 250);

@@ -94,11 +94,11 @@ void checkEquilibrium(vtkPolyData* body)
   {
     again->Step(0.25);
   }
-  PALPATE_CHECK(again->GetTicks().size() == session->GetRecorder()->GetTicks().size());
-  for (std::size_t i = 0; i < again->GetTicks().size(); ++i)
+  PALPATE_CHECK(again->GetRecorder()->GetTicks().size() == session->GetRecorder()->GetTicks().size());
+  for (std::size_t i = 0; i < again->GetRecorder()->GetTicks().size(); ++i)
   {
-    PALPATE_CHECK(again->GetTicks()[i].tip == session->GetRecorder()->GetTicks()[i].tip);
-    PALPATE_CHECK(again->GetTicks()[i].appliedForce == session->GetRecorder()->GetTicks()[i].appliedForce);
+    PALPATE_CHECK(again->GetRecorder()->GetTicks()[i].tip == session->GetRecorder()->GetTicks()[i].tip);
+    PALPATE_CHECK(again->GetRecorder()->GetTicks()[i].appliedForce == session->GetRecorder()->GetTicks()[i].appliedForce);
   }
 }
 
@@ -115,8 +115,8 @@ Rest pressStiff(vtkPolyData* body, bool isCapped, bool isPassive)
   vtkNew<vtkHapticSession> session;
   prepare(session, body, "Flat", heights({ { 0.0, 2.0 }, { 1.0, -2.0 } }),
     "plant:stiffness=300,hand-damping=0.5");
-  session->SetStiffnessCap(isCapped);
-  session->SetPassivityControl(isPassive);
+  session->GetSafety()->SetStiffnessCap(isCapped);
+  session->GetSafety()->SetPassivityControl(isPassive);
   PALPATE_CHECK(session->Start());
   session->Step(5.0);
   const auto& ticks = session->GetRecorder()->GetTicks();
@@ -152,9 +152,9 @@ void checkSteered(vtkPolyData* body)
   session->RealTimeOn();
   const double above[3] = { 0.3, 0.2, 3.0 };
   const double below[3] = { 0.3, 0.2, -2.0 };
-  session->SteerTo(above);
+  session->GetDevice()->SteerTo(above);
   PALPATE_CHECK(session->Start());
-  session->SteerTo(below);
+  session->GetDevice()->SteerTo(below);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   double tip[3] = { 0.0, 0.0, 3.0 };
   while (!(tip[2] < 0.0 && appliedTo(session) > 0.1) && std::chrono::steady_clock::now() < end)

@@ -124,8 +124,8 @@ int TestHapticSessionRecording(int, char*[])
     session->Step(seconds);
     session->GetRecorder()->GetRecording(recording);
     PALPATE_CHECK(recording->GetNumberOfLines() == 1);
-    PALPATE_CHECK(
-      recording->GetNumberOfPoints() == static_cast<vtkIdType>(session->GetRecorder()->GetTicks().size()));
+    PALPATE_CHECK(recording->GetNumberOfPoints() ==
+      static_cast<vtkIdType>(session->GetRecorder()->GetTicks().size()));
     for (vtkIdType i = 0; i < recording->GetNumberOfPoints(); ++i)
     {
       PALPATE_CHECK(recording->GetPointData()->GetArray("Time")->GetTuple1(i) ==

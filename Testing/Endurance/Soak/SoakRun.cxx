@@ -238,8 +238,10 @@ SoakResult SoakRun::finish()
   result.rate = this->Options.rate;
   result.granted = this->Session->GetRecorder()->GetRealTimeGrant();
   result.ticks = static_cast<std::uint64_t>(this->Session->GetNumberOfTicks());
-  result.missed = static_cast<std::uint64_t>(this->Session->GetRecorder()->GetNumberOfMissedTicks());
-  result.overruns += static_cast<std::uint64_t>(this->Session->GetRecorder()->GetNumberOfLostTicks());
+  result.missed =
+    static_cast<std::uint64_t>(this->Session->GetRecorder()->GetNumberOfMissedTicks());
+  result.overruns +=
+    static_cast<std::uint64_t>(this->Session->GetRecorder()->GetNumberOfLostTicks());
   result.overruns += this->Device->overruns();
   result.tally = this->Checker->tally();
   result.swapsAsked = this->Swaps.asked();

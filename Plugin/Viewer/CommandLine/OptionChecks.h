@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_OptionChecks_h
+#define palpate_OptionChecks_h
+
+#include "LayerChoice.h"
+#include "NumberRange.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace palpate
+{
+/// Refuse a number in words; CLI11's own ranges tell their limits in 300 digits, and take NaN.
+CLI::Validator within(const NumberRange& range, const char* kind);
+CLI::Validator any(const char* what);
+CLI::Validator positive(const char* what, double most = NumberRange::Endless);
+CLI::Validator notNegative(const char* what);
+
+// Each returns what is wrong with the text of an option, or "".
+
+/// --layer: "scan", "none" or a thickness.
+std::string readLayer(const std::string& text, LayerChoice& layer);
+/// --length-unit: mm per unit, in CLI11's text.
+std::string readLengthUnit(std::string& text);
+/// --fixed, as vtkVoxelBody takes it.
+std::string checkFaces(const std::string& text);
+/// --tool.
+std::string checkToolText(const std::string& text);
+} // namespace palpate
+
+#endif
