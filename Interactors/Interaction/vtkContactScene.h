@@ -4,8 +4,8 @@
  * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, forces, legends
  *
  * Give it a renderer, a body with responses and the tool. ShowTip puts one tip of
- * vtkToolContactProbe's output (or vtkHapticRecorder::GetRecording) on stage, ShowSession the newest
- * tick of a session, and Follow does so at each frame of a clock.
+ * vtkToolContactProbe's output (or vtkHapticRecorder::GetRecording) on stage, ShowSession the
+ * newest tick of a session, and Follow does so at each frame of a clock.
  *
  * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration,
  *   coloured by its magnitude with a legend in mm.

@@ -57,8 +57,8 @@ public:
   ///@}
 
   ///@{
-  /** The session to show; its recorder's HistorySeconds is raised to Duration, which counts from its next
-   * Start on. Its body and ResponseName are followed. */
+  /** The session to show; its recorder's HistorySeconds is raised to Duration, which counts from
+   * its next Start on. Its body and ResponseName are followed. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
   ///@}

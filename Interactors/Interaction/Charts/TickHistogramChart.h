@@ -20,8 +20,8 @@ public:
 
   TickHistogramChart();
 
-  /// Of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to the base ten, a
-  /// stair per class; a class that holds none lies below the axis.
+  /// Of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to the base ten,
+  /// a stair per class; a class that holds none lies below the axis.
   void show(vtkTable* histogram);
 
 private:
