@@ -26,29 +26,23 @@ setup.Update()
 session = palpate.vtkHapticSession()                        # who feels it: a thread at 1 kHz
 session.SetRealTime(True)
 session.GetRecorder().SetRecording(False)
-session.GetRecorder().SetHistorySeconds(2)
 setup.ApplyTo(session)
 
 view, strip = vtk.vtkRenderer(), vtk.vtkRenderer()          # the body, and the panel beside it
-view.SetViewport(0, 0, 0.77, 1)
-strip.SetViewport(0.77, 0, 1, 1)
 window = vtk.vtkRenderWindow()
+for part, left, right in ((view, 0, 0.77), (strip, 0.77, 1)):
+    part.SetViewport(left, 0, right, 1)
+    window.AddRenderer(part)
 window.SetSize(1100, 760)
 window.SetMultiSamples(0)
-window.AddRenderer(view)
-window.AddRenderer(strip)
 
 scene = palpate.vtkContactScene()                           # body, tool and force in the view
 scene.SetRenderer(view)
 scene.SetLargestForce(setup.GetLargestForce())
 setup.ShowIn(scene)
-files = palpate.vtkSessionFiles()                           # keys p and k: pictures and records
-files.SetSession(session)
-files.SetWindow(window)
 style = palpate.vtkInteractorStyleHaptic()                  # the mouse moves the tool
 style.SetSession(session)
 style.SetScene(scene)
-style.SetFiles(files)
 mouse = vtk.vtkRenderWindowInteractor()
 mouse.SetRenderWindow(window)
 mouse.SetInteractorStyle(style)
@@ -74,8 +68,7 @@ def press_and_print(modulus):
     for _ in range(30):
         time.sleep(0.05)
         clock.ShowFrame()
-    force = [0.0, 0.0, 0.0]
-    session.GetIdealForce(force)
+    session.GetIdealForce(force := [0.0, 0.0, 0.0])
     print("%.4f mm deep: %.4f N" % (session.GetDeflection(), vtk.vtkMath.Norm(force)))
 
 
