@@ -87,7 +87,7 @@ class Measured(SessionCase):
         self.refuse(body, "--measured", curves, "--reach", "0", words=("--reach",))
         self.refuse(body, "--measured", self.folder / "none.csv", words=("none.csv", "cannot be opened"))
         curves.write_text(curves.read_text().replace("deflection_mm", "depth_mm"))
-        self.refuse(body, "--measured", curves, words=("curves.csv:2", "depth_mm"))
+        self.refuse(body, "--measured", curves, words=("curves.csv:2", "deflection_mm"))
 
 
 if __name__ == "__main__":
