@@ -32,8 +32,8 @@ struct vtkHapticDevice::Parts
   palpate::WorkspaceMapping mapping;
   std::shared_ptr<palpate::HapticDevice> hand;
   palpate::SimulatedDevice* steered = nullptr; ///< the hand, if it is steered
-  double pathDuration = 0.0; ///< s
-  double rate = 1000.0;      ///< Hz
+  double pathDuration = 0.0;                   ///< s
+  double rate = 1000.0;                        ///< Hz
 
   palpate::DeviceSpecification specification() const
   {

@@ -16,8 +16,8 @@
  *   stiffness k (N/m, 300) and hand-damping (N s/m, 5) towards where the path, or SteerTo, says. It
  *   closes a loop, so that stiffness cap and passivity control act as on a real device of this
  *   damping: no spring above b/(T/2 + delays), T being one over the session's Rate. It is good for
- *   10 N. Also friction (N), encoder-step (m), force-delay, sample-delay (s) and hand-force (N): see
- *   palpate::readPlant. What is not named, and of "plant" all, has its default.
+ *   10 N. Also friction (N), encoder-step (m), force-delay, sample-delay (s) and hand-force (N):
+ * see palpate::readPlant. What is not named, and of "plant" all, has its default.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that speaks the same reports, "unix:/PATH" or "udp:PORT";

@@ -263,7 +263,8 @@ void pqLiveTouchPanel::onSessionChanged()
   this->Measured.start();
   this->Rate = 0.0;
   this->MeasuredTicks = this->Touch.session() ? this->Touch.session()->GetNumberOfTicks() : 0;
-  const bool isSimulated = this->Touch.session() && this->Touch.session()->GetDevice()->IsSimulated();
+  const bool isSimulated =
+    this->Touch.session() && this->Touch.session()->GetDevice()->IsSimulated();
   if (isSimulated && !this->Leader && !this->Stage.hasHandle())
   {
     this->Stage.showHandle(this->Touch.place().surface);

@@ -94,11 +94,14 @@ void checkEquilibrium(vtkPolyData* body)
   {
     again->Step(0.25);
   }
-  PALPATE_CHECK(again->GetRecorder()->GetTicks().size() == session->GetRecorder()->GetTicks().size());
+  PALPATE_CHECK(
+    again->GetRecorder()->GetTicks().size() == session->GetRecorder()->GetTicks().size());
   for (std::size_t i = 0; i < again->GetRecorder()->GetTicks().size(); ++i)
   {
-    PALPATE_CHECK(again->GetRecorder()->GetTicks()[i].tip == session->GetRecorder()->GetTicks()[i].tip);
-    PALPATE_CHECK(again->GetRecorder()->GetTicks()[i].appliedForce == session->GetRecorder()->GetTicks()[i].appliedForce);
+    PALPATE_CHECK(
+      again->GetRecorder()->GetTicks()[i].tip == session->GetRecorder()->GetTicks()[i].tip);
+    PALPATE_CHECK(again->GetRecorder()->GetTicks()[i].appliedForce ==
+      session->GetRecorder()->GetTicks()[i].appliedForce);
   }
 }
 
