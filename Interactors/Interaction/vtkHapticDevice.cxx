@@ -96,7 +96,8 @@ std::string vtkHapticDevice::GetStatus()
 
 bool vtkHapticDevice::GetOutputsForce()
 {
-  return this->Kept->specification().outputsForce;
+  const auto& opened = this->Kept->chosen.device;
+  return opened && opened->specification().outputsForce;
 }
 
 double vtkHapticDevice::GetMaximumForce()
