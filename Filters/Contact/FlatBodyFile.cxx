@@ -281,7 +281,7 @@ std::string FlatBodyFile::write(const std::string& path, const FlatBody& body)
 std::string FlatBodyFile::open(const std::string& path)
 {
   this->Body = FlatBody();
-  const std::string error = this->File.open(path);
+  std::string error = this->File.open(path);
   if (!error.empty())
   {
     return error;

@@ -103,7 +103,7 @@ std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
         forces[i] = law.force(spots.at(i), depths[i]);
       }
     });
-  const std::string fault = stored ? compare(*stored, depths, forces) : std::string();
+  std::string fault = stored ? compare(*stored, depths, forces) : std::string();
   if (!fault.empty())
   {
     return fault;

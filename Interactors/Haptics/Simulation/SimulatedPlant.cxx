@@ -2,6 +2,7 @@
 #include "Haptics/Simulation/SimulatedPlant.h"
 
 #include "Mechanics/Files/NumberText.h"
+#include "Mechanics/JoinedText.h"
 
 #include <algorithm>
 #include <array>
@@ -72,9 +73,9 @@ std::string readPlant(std::string_view text, HeldPlant& held)
       std::string known;
       for (const Setting& one : settings)
       {
-        known += std::string(known.empty() ? "" : ", ") + one.name + " (" + one.unit + ")";
+        known += joined(known.empty() ? "" : ", ", one.name, " (", one.unit, ")");
       }
-      return "'" + name + "' is no setting of a plant; it has " + known;
+      return joined("'", name, "' is no setting of a plant; it has ", known);
     }
     if (given.find("," + name + ",") != std::string::npos)
     {
@@ -89,7 +90,7 @@ std::string readPlant(std::string_view text, HeldPlant& held)
     isEnd = comma == text.size();
     text.remove_prefix(isEnd ? comma : comma + 1);
   }
-  const std::string wrong = fault(read);
+  std::string wrong = fault(read);
   if (wrong.empty())
   {
     held = read;
