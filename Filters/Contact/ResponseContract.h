@@ -53,7 +53,9 @@ enum ModelPart : int
   HalfSpacePart = 1,
   LayerPart = 2,
   GlobalCompliancePart = 4, ///< in series: the body gives way as a whole
-  SpringPart = 8            ///< a spring at each point, whatever the tool
+  SpringPart = 8,           ///< a spring at each point, whatever the tool
+  FiniteStrainPart = 32,
+  CurvaturePart = 64 ///< the body's sag
 };
 
 /// The parts of a response that was saved without them, from its text; 0: nothing known.
@@ -71,6 +73,7 @@ enum class ResponseArray : std::uint8_t
   Status,
   Validity,
   Limit,
+  Error,
   Samples,
   Exponent,
   Tool,
@@ -130,7 +133,7 @@ struct ContractArray
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 15> ResponseContract = { {
+constexpr std::array<ContractArray, 16> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -143,6 +146,7 @@ constexpr std::array<ContractArray, 15> ResponseContract = { {
   PALPATE_ARRAY(Status,      Points, UnsignedChar, One,        Evaluation, "",     "ResponseStatus"),
   PALPATE_ARRAY(Validity,    Points, Float,        One,        Trust,      "mm",   "depth at which the first assumption breaks"),
   PALPATE_ARRAY(Limit,       Points, UnsignedChar, One,        Trust,      "",     "ResponseLimit: which one"),
+  PALPATE_ARRAY(Error,       Points, Float,        Samples,    Trust,      "",     "estimated relative error of F at the samples; optional"),
   PALPATE_ARRAY(Samples,     Fields, Int,          One,        Evaluation, "",     "samples of a curve, n"),
   PALPATE_ARRAY(Exponent,    Fields, Double,       One,        Evaluation, "",     "m of F = \u03b4^m r(s)"),
   PALPATE_ARRAY(Tool,        Fields, Text,         One,        Words,      "",     "the tool's specification"),

@@ -151,17 +151,18 @@ double BodyMaterial::bestExponent(const AxisymmetricTool& tool, const ResponseLa
   {
     return tip;
   }
-  const auto worst = [&](double exponent)
+  return this->storageError(law, 1.0) < this->storageError(law, tip) ? 1.0 : tip;
+}
+
+double BodyMaterial::storageError(const ResponseLaw& law, double exponent) const
+{
+  double largest = 0.0;
+  for (const ContactSpot& spot : this->Range.extremes)
   {
-    double largest = 0.0;
-    for (const ContactSpot& spot : this->Range.extremes)
-    {
-      const double error = law.storageError(exponent, spot);
-      largest = std::isfinite(error) ? std::max(largest, error) : largest;
-    }
-    return largest;
-  };
-  return worst(1.0) < worst(tip) ? 1.0 : tip;
+    const double error = law.storageError(exponent, spot);
+    largest = std::isfinite(error) ? std::max(largest, error) : largest;
+  }
+  return largest;
 }
 
 std::string BodyMaterial::describe() const

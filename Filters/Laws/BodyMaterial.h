@@ -61,6 +61,10 @@ public:
   /// thickest: the tip's, or 1.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
+  /// The largest relative error of storage with an exponent at the same four places, of those that
+  /// can be stored.
+  double storageError(const ResponseLaw& law, double exponent) const;
+
   /// The model in words, and as a sum of ModelPart.
   std::string describe() const;
   int modelParts() const;

@@ -6,13 +6,26 @@
 
 namespace palpate
 {
+/// How the body's surface is curved at a point, 1/mm: the principal curvatures, positive where it
+/// is convex, and how far they may be off.
+struct SpotCurvature
+{
+  double first = 0.0;
+  double second = 0.0;
+  double error = 0.0;
+
+  double mean() const noexcept { return 0.5 * (this->first + this->second); }
+  bool isFlat() const noexcept { return this->first == 0.0 && this->second == 0.0; }
+};
+
 /// The body under one point of its surface.
 struct ContactSpot
 {
-  double reducedModulus = 0.0; ///< E*, MPa
-  double poissonsRatio = 0.0;  ///< of the layer; the half-space knows E* alone
-  double compliance = 0.0;     ///< in series, mm/N
-  double thickness = 0.0;      ///< of the layer, mm; 0 for a half-space
+  double reducedModulus = 0.0;  ///< E*, MPa
+  double poissonsRatio = 0.0;   ///< of the layer; the half-space knows E* alone
+  double compliance = 0.0;      ///< in series, mm/N
+  double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
+  SpotCurvature curvature = {}; ///< that the law is to take into account
 };
 
 /// The body under each point: constants, and arrays that override them where they are not null.
@@ -31,7 +44,7 @@ struct ContactSpots
     return { pick(this->reducedModulus, this->constant.reducedModulus),
       pick(this->poissonsRatio, this->constant.poissonsRatio),
       pick(this->compliance, this->constant.compliance),
-      pick(this->thickness, this->constant.thickness) };
+      pick(this->thickness, this->constant.thickness), {} };
   }
 };
 } // namespace palpate

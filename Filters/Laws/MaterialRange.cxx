@@ -20,6 +20,9 @@ void MaterialRange::add(const ContactSpot& spot)
     this->layers.thickest = std::max(this->layers.thickest, spot.thickness);
     this->addRatio(spot.poissonsRatio);
   }
+  this->hasHalfSpace = this->hasHalfSpace || !(spot.thickness > 0.0);
+  this->leastRatio = std::min(this->leastRatio, spot.poissonsRatio);
+  this->mostRatio = std::max(this->mostRatio, spot.poissonsRatio);
   this->stiffens = this->stiffens || spot.compliance < 0.0;
   this->widen(spot);
 }
@@ -32,6 +35,9 @@ void MaterialRange::join(const MaterialRange& other)
   {
     this->addRatio(ratio);
   }
+  this->hasHalfSpace = this->hasHalfSpace || other.hasHalfSpace;
+  this->leastRatio = std::min(this->leastRatio, other.leastRatio);
+  this->mostRatio = std::max(this->mostRatio, other.mostRatio);
   this->stiffens = this->stiffens || other.stiffens;
   if (this->extremes.empty())
   {

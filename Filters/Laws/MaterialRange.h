@@ -24,6 +24,9 @@ public:
 
   LayerTable::Layers layers; ///< thinnest infinite and thickest 0 as long as there are none
   bool stiffens = false;     ///< a compliance is negative somewhere
+  bool hasHalfSpace = false; ///< a point has no layer
+  double leastRatio = 0.5;   ///< Poisson's
+  double mostRatio = 0.0;
   /// The spots that are softest, stiffest, thinnest and thickest; none without a point.
   std::vector<ContactSpot> extremes;
 

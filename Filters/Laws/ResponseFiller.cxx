@@ -4,8 +4,11 @@
 #include "Contact/ParallelRanges.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/ResponseLaw.h"
+#include "Mechanics/SeriesCompliance.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace palpate
 {
@@ -14,26 +17,97 @@ namespace
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
 constexpr std::size_t MostBlocks = 20;         // after each of which the caller is asked
 constexpr std::size_t PointsPerThread = 65536; // in a block: threads cost less than that
+constexpr double AtTouch = 1e-3;               // of the first sample's depth
 } // namespace
 
 ResponseFiller::ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
   double bodyWidth, const ResponseSpans& spans)
-  : Law(law)
+  : Tool(tool)
+  , Law(law)
   , Spans(spans)
   , Range(static_cast<float>(range))
   , Rule(tool, law, static_cast<double>(this->Range), bodyWidth)
 {
 }
 
+void ResponseFiller::estimate(const LocalContact& contact, const LawScope& scope, double tolerance)
+{
+  this->Contact = &contact;
+  this->Errors = std::make_unique<ErrorRule>(this->Tool, scope);
+  this->Tolerance = tolerance;
+}
+
 void ResponseFiller::fill(std::size_t i, const ContactSpot& spot, double curvature) const
 {
+  this->fill(i, spot, curvature, {});
+}
+
+void ResponseFiller::fill(
+  std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
+{
   this->Spans.range[i] = this->Range;
-  this->Spans.status[i] = this->fillCurve(i, spot, curvature);
-  const ValidityRule::Answer trusted = this->Spans.status[i] == Valid
-    ? this->Rule.at(spot, curvature)
-    : ValidityRule::Answer{ 0.0, ResponseLimit::None };
+  this->Spans.status[i] = this->fillCurve(i, spot, bound);
+  ValidityRule::Answer trusted{ 0.0, ResponseLimit::None };
+  if (this->Spans.status[i] == Valid)
+  {
+    trusted = this->Errors ? this->estimated(i, spot, curvature) : this->Rule.at(spot, bound);
+  }
+  else if (this->Spans.error)
+  {
+    std::fill_n(this->Spans.error + static_cast<std::size_t>(this->Spans.samples) * i,
+      this->Spans.samples, std::numeric_limits<float>::quiet_NaN());
+  }
   this->Spans.validity[i] = static_cast<float>(trusted.depth);
   this->Spans.limit[i] = static_cast<unsigned char>(trusted.limit);
+}
+
+ErrorParts ResponseFiller::errorAt(
+  const NodeLaw& local, const ContactSpot& spot, const SpotCurvature& curvature, double depth) const
+{
+  const double own = spot.compliance == 0.0
+    ? depth
+    : seriesResponse(local, spot.reducedModulus, spot.compliance, depth).localDeflection;
+  return this->Errors->at(spot, curvature, local.at(own));
+}
+
+/// Between the samples the error is straight over √δ, as strain is below a sphere.
+ValidityRule::Answer ResponseFiller::estimated(
+  std::size_t i, const ContactSpot& spot, const SpotCurvature& curvature) const
+{
+  const NodeLaw local = this->Contact->law(spot);
+  const bool unfit = !this->Contact->fits(spot);
+  const int n = this->Spans.samples;
+  const ResponseSampling sampling(n, 1.0);
+  const double range = this->Range;
+  ValidityRule::Answer trusted{ range, ResponseLimit::None };
+  double before = 0.0;
+  for (int k = 0; k <= n; ++k)
+  {
+    const double depth = k == 0 ? AtTouch * sampling.depth(0, range) : sampling.depth(k - 1, range);
+    ErrorParts parts = this->errorAt(local, spot, curvature, depth);
+    if (unfit)
+    {
+      parts[ResponseLimit::Curvature] = 1.0;
+    }
+    const double error = parts.total();
+    if (k > 0 && this->Spans.error)
+    {
+      this->Spans.error[static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k - 1)] =
+        static_cast<float>(error);
+    }
+    if (trusted.limit == ResponseLimit::None && !(error <= this->Tolerance))
+    {
+      const double fraction = k == 0 ? 0.0 : (this->Tolerance - before) / (error - before);
+      const double root = k == 0 ? 0.0 : (k - 1 + (std::isfinite(fraction) ? fraction : 0.0)) / n;
+      trusted = { range * root * root, parts.largest() };
+      if (!this->Spans.error)
+      {
+        break;
+      }
+    }
+    before = error;
+  }
+  return trusted;
 }
 
 /// Returns the status of the point.
@@ -54,20 +128,40 @@ unsigned char ResponseFiller::fillCurve(
 }
 
 MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material, double range,
-  double bodyWidth, std::size_t points, const std::function<double(std::size_t)>& curvature,
+  std::size_t points, const SurfaceShape& shape, const ResponseTerms& terms,
   const ResponseSpans& spans, const std::function<bool(double)>& goOn)
 {
+  const MaterialRange& bounds = material.range();
+  const bool estimates = terms.errorTolerance > 0.0;
   ResponseLaw law(tool, range, spans.samples);
-  if (material.range().hasLayers())
+  std::shared_ptr<const LocalContact> contact;
+  if (terms.curvature || terms.strain || estimates)
   {
-    law.prepareLayers(material.range().layers, material.range().stiffens);
+    auto made = std::make_shared<LocalContact>(tool, range, bounds.stiffens, terms.strain);
+    if (bounds.hasLayers())
+    {
+      made->prepareLayers(bounds.layers);
+    }
+    contact = made;
+    law.correct(contact);
+  }
+  if (bounds.hasLayers())
+  {
+    law.prepareLayers(bounds.layers, bounds.stiffens);
   }
   const ContactSpots spots = material.spots();
-  const ResponseFiller filler(tool, law, range, bodyWidth, spans);
+  MadeResponse made;
+  made.exponent = material.bestExponent(tool, law);
+  ResponseFiller filler(tool, law, range, shape.width, spans);
+  if (estimates)
+  {
+    filler.estimate(*contact,
+      { terms.curvature, terms.strain, shape.width, material.storageError(law, made.exponent) },
+      terms.errorTolerance);
+  }
   const std::size_t blocks = rangeCount(points) == 1
     ? MostBlocks
     : std::clamp<std::size_t>(points / (PointsPerThread * threadCount()), 1, MostBlocks);
-  MadeResponse made;
   for (std::size_t block = 0; block < blocks; ++block)
   {
     const std::size_t begin = points * block / blocks;
@@ -76,7 +170,11 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
       {
         for (std::size_t i = begin + first; i < begin + last; ++i)
         {
-          filler.fill(i, spots.at(i), curvature(i));
+          ContactSpot spot = spots.at(i);
+          const SpotCurvature curvature =
+            terms.curvature || estimates ? shape.curvature(i) : SpotCurvature{};
+          spot.curvature = terms.curvature ? curvature : SpotCurvature{};
+          filler.fill(i, spot, shape.bound(i), curvature);
         }
       });
     if (goOn && !goOn(static_cast<double>(block + 1) / static_cast<double>(blocks)))
@@ -85,7 +183,6 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
     }
   }
   made.complete = true;
-  made.exponent = material.bestExponent(tool, law);
   made.without =
     points - static_cast<std::size_t>(std::count(spans.status, spans.status + points, Valid));
   return made;

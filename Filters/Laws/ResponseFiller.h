@@ -4,16 +4,20 @@
 
 #include "Laws/ContactSpot.h"
 #include "Mechanics/PalpateExport.h"
+#include "Laws/ErrorRule.h"
+#include "Laws/LocalContact.h"
 #include "Laws/ValidityRule.h"
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace palpate
 {
 class AxisymmetricTool;
 class BodyMaterial;
 class ResponseLaw;
+class StrainCorrection;
 
 /// Where the arrays of a response lie that is being made: per point one value, of force (N) and
 /// stiffness (N/mm) `samples`.
@@ -26,11 +30,34 @@ struct ResponseSpans
   float* validity; ///< mm
   unsigned char* status;
   unsigned char* limit;
+  float* error = nullptr; ///< relative, of each sample; null: not kept
+};
+
+/// What a response takes into account beyond the law of its tool on a flat body at small strain,
+/// and how its validity is found.
+struct ResponseTerms
+{
+  bool curvature = false;                   ///< the body's sag
+  const StrainCorrection* strain = nullptr; ///< finite strain
+  /// Validity is the depth at which the estimated error passes this; 0: where ValidityRule breaks.
+  double errorTolerance = 0.0;
+};
+
+/// The shape of a body's surface, point by point; may be asked from several threads.
+struct SurfaceShape
+{
+  double width = 0.0; ///< mm, of the whole body
+  /// Largest normal curvature (1/mm) as in ValidityRule; negative where no triangle with an area
+  /// meets, which is Degenerate.
+  std::function<double(std::size_t)> bound;
+  /// The curvatures; asked only with terms that need them.
+  std::function<SpotCurvature(std::size_t)> curvature;
 };
 
 /**
- * Fills the arrays of a response point by point: the curve of a law, and how deep it may be trusted
- * (ValidityRule.h). The status must be set: where it is not Valid the curve is zero.
+ * Fills the arrays of a response point by point: the curve of a law, how deep it may be trusted
+ * (ValidityRule.h or ErrorRule.h), and the error at each sample where it is kept. The status must
+ * be set: where it is not Valid the curve is zero.
  */
 class PALPATE_EXPORT ResponseFiller
 {
@@ -40,17 +67,32 @@ public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
+  /// From now on with the error: validity ends where `tolerance` (> 0) is passed. `contact` is the
+  /// law's, and must outlive this.
+  void estimate(const LocalContact& contact, const LawScope& scope, double tolerance);
+
   /// Point `i`; different points may be filled at the same time. `curvature` (1/mm) as in
   /// ValidityRule; negative where no triangle with an area meets, which is Degenerate.
   void fill(std::size_t i, const ContactSpot& spot, double curvature) const;
+  /// With the surface's curvatures, which the error needs whether the spot has them or not.
+  void fill(
+    std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const;
 
 private:
   unsigned char fillCurve(std::size_t i, const ContactSpot& spot, double curvature) const;
+  ValidityRule::Answer estimated(
+    std::size_t i, const ContactSpot& spot, const SpotCurvature& curvature) const;
+  ErrorParts errorAt(const NodeLaw& local, const ContactSpot& spot, const SpotCurvature& curvature,
+    double depth) const;
 
+  const AxisymmetricTool& Tool;
   const ResponseLaw& Law;
   ResponseSpans Spans;
   float Range;
   ValidityRule Rule;
+  const LocalContact* Contact = nullptr;
+  std::unique_ptr<ErrorRule> Errors; ///< null: not estimated
+  double Tolerance = 0.0;
 };
 
 /// What is to be known of a response besides its arrays.
@@ -62,13 +104,11 @@ struct MadeResponse
 };
 
 /// A tool pressed at each of `points` points of a body: fills the spans, whose status must be set.
-/// `range` (mm): one that the tool's checkDepth allows. `curvature(i)` as in ResponseFiller; it may
-/// be asked from several threads. `goOn(fraction)` is told how much is done, and stops it by false.
-/// The same bits for any number of threads.
+/// `range` (mm): one that the tool's checkDepth allows. `goOn(fraction)` is told how much is done,
+/// and stops it by false. The same bits for any number of threads.
 PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
-  double range, double bodyWidth, std::size_t points,
-  const std::function<double(std::size_t)>& curvature, const ResponseSpans& spans,
-  const std::function<bool(double)>& goOn = {});
+  double range, std::size_t points, const SurfaceShape& shape, const ResponseTerms& terms,
+  const ResponseSpans& spans, const std::function<bool(double)>& goOn = {});
 } // namespace palpate
 
 #endif

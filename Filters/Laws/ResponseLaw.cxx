@@ -127,7 +127,13 @@ ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerTable& table, const Co
 ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float* stiffness) const
 {
   ResponseStatus status = ResponseStatus::Valid;
-  if (spot.thickness > 0.0)
+  if (this->isCorrected(spot))
+  {
+    status = this->Contact->answers(spot)
+      ? this->solve(this->Contact->law(spot), spot, force, stiffness)
+      : ResponseStatus::OutOfReach;
+  }
+  else if (spot.thickness > 0.0)
   {
     const LayerTable& table = spot.compliance == 0.0 ? *this->Stored : *this->Local;
     status = !table.answers(spot.thickness) ? ResponseStatus::OutOfReach
@@ -190,6 +196,13 @@ ResponseStatus ResponseLaw::solve(
 IndentationPoint ResponseLaw::evaluate(const ContactSpot& spot, double deflection) const
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (this->isCorrected(spot))
+  {
+    const SeriesPoint point = this->Contact->answers(spot)
+      ? seriesResponse(this->Contact->law(spot), spot.reducedModulus, spot.compliance, deflection)
+      : SeriesPoint{ unknown, unknown, unknown, false };
+    return { point.force, point.stiffness, unknown };
+  }
   const bool layer = spot.thickness > 0.0;
   if (layer && !this->Local->answers(spot.thickness))
   {

@@ -4,12 +4,14 @@
 #include "Contact/Reduction/ChoiceReason.h"
 #include "Laws/RegimeLaw.h"
 #include "Laws/ResponseFiller.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/CurvatureBound.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/Curves/ResponseStorage.h"
+#include "Response/Curves/SurfaceCurvature.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/ReplacedCurves.h"
@@ -29,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -75,7 +78,56 @@ std::string checkRequest(const LawRequest& request)
     return joined(
       "NumberOfSamples must lie between 2 and ", mostSamples, ", but is ", request.samples);
   }
+  const double tolerance = request.terms.errorTolerance;
+  if (!(tolerance >= 0.0 && std::isfinite(tolerance)))
+  {
+    return joined(
+      "ErrorTolerance must be finite and not negative (a fraction of the force, 0 for the "
+      "depths of small strain), but is ",
+      tolerance);
+  }
+  if (request.terms.storeError && tolerance == 0.0)
+  {
+    return "StoreError needs an ErrorTolerance above 0";
+  }
   return request.responseName.empty() ? "ResponseName must not be empty" : "";
+}
+
+/// The correction by finite strain that is asked for, null for none; or what is wrong.
+std::string findStrain(const LawRequest& request, const BodyMaterial& material,
+  const std::function<bool(double)>& goOn, std::unique_ptr<StrainCorrection>& strain)
+{
+  if (request.terms.strain.model == StrainModel::Linear)
+  {
+    return {};
+  }
+  const MaterialRange& range = material.range();
+  StrainBodies bodies{ range.leastRatio, range.mostRatio, range.hasHalfSpace, 0.0, 0.0,
+    range.layers.base };
+  if (range.hasLayers())
+  {
+    bodies.thinnest = range.layers.thinnest;
+    bodies.thickest = range.layers.thickest;
+  }
+  return makeStrainCorrection(
+    *request.tool->GetKernel(), request.terms.strain, bodies, request.deflection, goOn, strain);
+}
+
+/// What is beyond small strain on a flat surface, in words and as a sum of ModelPart.
+ResponseModel termsOf(const LawTerms& terms)
+{
+  ResponseModel model{ "", 0 };
+  if (terms.curvature)
+  {
+    model.text += ", curved as the body is";
+    model.parts |= CurvaturePart;
+  }
+  if (terms.strain.model != StrainModel::Linear)
+  {
+    model.text += ", " + describe(terms.strain);
+    model.parts |= FiniteStrainPart;
+  }
+  return model;
 }
 
 struct RegimeStorage
@@ -255,25 +307,39 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   const std::string& name = request.responseName;
   const vtkIdType count = body->GetNumberOfPoints();
-  ResponseStorage storage(name, count, request.samples);
+  ResponseStorage storage(name, count, request.samples, request.terms.storeError);
   const BodySeam seam(ranks, body);
   fault = fillPointNormals(body, seam, storage.Normal, storage.Status);
   if (!fault.empty())
   {
     return "Wrong input: " + fault;
   }
-  const CurvatureBound curvature(body, seam, storage.Normal->GetPointer(0));
+  const float* normals = storage.Normal->GetPointer(0);
+  const CurvatureBound bound(body, seam, normals);
+  const LawTerms& terms = request.terms;
+  std::unique_ptr<SurfaceCurvature> curvature;
+  if (terms.curvature || terms.errorTolerance > 0.0)
+  {
+    curvature = std::make_unique<SurfaceCurvature>(body, seam, normals);
+  }
   const double width = widthOf(body, ranks);
   if (!hasPiece)
   {
     return {};
   }
+  std::unique_ptr<StrainCorrection> strain;
+  fault = findStrain(request, material, goOn, strain);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   const FilterThreads threads;
-  const MadeResponse made = response(
-    tool, material, request.deflection, width, static_cast<std::size_t>(count),
-    [&curvature](std::size_t i)
-    { return static_cast<double>(curvature.at(static_cast<vtkIdType>(i))); },
-    storage.spans(), goOn);
+  const MadeResponse made = response(tool, material, request.deflection,
+    static_cast<std::size_t>(count),
+    { width,
+      [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
+      [&curvature](std::size_t i) { return curvature->at(static_cast<vtkIdType>(i)); } },
+    { terms.curvature, strain.get(), terms.errorTolerance }, storage.spans(), goOn);
   if (!made.complete)
   {
     output->Initialize();
@@ -286,9 +352,10 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   copyWithOwnFields(body, output);
   storage.attach(output);
+  const ResponseModel beyond = termsOf(terms);
   describeResponse(output, name,
-    { made.exponent, request.samples, tool.specification(), material.describe(),
-      material.modelParts() });
+    { made.exponent, request.samples, tool.specification(), material.describe() + beyond.text,
+      material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
   return {};
 }
@@ -331,7 +398,9 @@ std::string attachRegime(
   {
     ComparedResponse stored{ {}, name };
     std::string noResponse;
-    const bool isStored =
+    // The regime is that of small strain on a flat surface.
+    constexpr int beyond = FiniteStrainPart | CurvaturePart;
+    const bool isStored = (responseModel(body, name).parts & beyond) == 0 &&
       responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
       viewResponse(body, name, stored.arrays, noResponse);
     const FilterThreads threads;

@@ -11,6 +11,7 @@
 
 #include "Contact/Reduction/ResponseChoice.h" // For palpate::ResponseChoice
 #include "Laws/BodyMaterial.h"                // For palpate::BodyMaterial
+#include "Mechanics/FiniteStrain/StrainLaw.h" // For palpate::StrainLaw
 #include "Response/Curves/MaterialArrays.h"   // For palpate::MaterialArrays
 #include "Response/Pieces/Ranks.h"            // For palpate::Ranks
 
@@ -22,6 +23,16 @@ class vtkPolyData;
 
 namespace palpate
 {
+/// What a response takes into account beyond small strain on a flat surface; see
+/// vtkToolContactResponse.
+struct LawTerms
+{
+  bool curvature = false;
+  StrainLaw strain; ///< linear: small strain
+  double errorTolerance = 0.0;
+  bool storeError = false;
+};
+
 /// A tool pressed into a material.
 struct LawRequest
 {
@@ -32,7 +43,8 @@ struct LawRequest
   double deflection = 0.0;
   BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
   MaterialArrays arrays;
-  int samples = 8; ///< of a response
+  int samples = 8;     ///< of a response
+  LawTerms terms = {}; ///< of a response
 };
 
 /// The body with its response, see vtkToolContactResponse; nothing if `goOn(share)` ends it. Also a

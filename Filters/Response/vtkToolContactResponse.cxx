@@ -68,7 +68,11 @@ int vtkToolContactResponse::RequestData(
       static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer },
     palpate::arraysToProcess(
       this, [this, &body](int index) { return this->GetInputArrayToProcess(index, body); }),
-    this->NumberOfSamples };
+    this->NumberOfSamples,
+    { this->CurvatureCorrection,
+      { static_cast<palpate::StrainModel>(this->StrainModel),
+        this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
+      this->ErrorTolerance, this->StoreError } };
   std::string warning;
   const std::string fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
@@ -94,6 +98,12 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "LayerBase: " << this->LayerBase << "\n";
   os << indent << "ComplianceExcludesLayer: " << this->ComplianceExcludesLayer << "\n";
+  os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
+  os << indent << "StrainModel: " << this->StrainModel << "\n";
+  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
+  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "StoreError: " << this->StoreError << "\n";
   os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";

@@ -28,7 +28,9 @@
  * curvature along the edges at the point; beyond it the body no longer looks flat to the tool.
  * Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is wider than the
  * whole body, by the middle one of the three lengths of its box (a tool larger than the body; how
- * far off an edge on a larger body is, is not looked at).
+ * far off an edge on a larger body is, is not looked at). With an ErrorTolerance validity is the
+ * depth at which the estimated error passes it, and Limit its largest part there; with StoreError
+ * the array `Error` (float n, relative) keeps it.
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio. An index
@@ -44,7 +46,9 @@
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
- * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool. Threaded by
+ * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool; CurvatureCorrection,
+ * StrainModel and ErrorTolerance some 10 µs together, and a StrainModel what its solver takes, once
+ * (palpate/StrainCorrection.h). Threaded by
  * vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
@@ -135,6 +139,72 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the body's sag under the tool is in the law: its principal curvatures, found from the
+   * mesh, are added to the tool's profile (palpate/CurvedContact.h). Default off: the surface counts
+   * as flat. Where the tool does not fit into a hollow the law stays that of the flat surface.
+   */
+  vtkSetMacro(CurvatureCorrection, bool);
+  vtkGetMacro(CurvatureCorrection, bool);
+  vtkBooleanMacro(CurvatureCorrection, bool);
+  ///@}
+
+  /// Values of StrainModel.
+  enum StrainModelType
+  {
+    SmallStrain = 0,
+    NeoHooke = 1,
+    Ogden = 2,
+    Demiray = 3
+  };
+
+  ///@{
+  /**
+   * How the body resists large strain: SmallStrain (default), the exact laws of linear elasticity;
+   * NeoHooke; Ogden with one term of the exponent OgdenExponent; Demiray with the exponent
+   * DemirayExponent. Modulus and Poisson's ratio are those at small strain.
+   */
+  vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
+  vtkGetMacro(StrainModel, int);
+  void SetStrainModelToSmallStrain() { this->SetStrainModel(SmallStrain); }
+  void SetStrainModelToNeoHooke() { this->SetStrainModel(NeoHooke); }
+  void SetStrainModelToOgden() { this->SetStrainModel(Ogden); }
+  void SetStrainModelToDemiray() { this->SetStrainModel(Demiray); }
+  ///@}
+
+  ///@{
+  /** Ogden's exponent, not 0. Default 2 (Neo-Hooke). */
+  vtkSetMacro(OgdenExponent, double);
+  vtkGetMacro(OgdenExponent, double);
+  ///@}
+
+  ///@{
+  /** Demiray's exponent b, > 0. Default 1. */
+  vtkSetMacro(DemirayExponent, double);
+  vtkGetMacro(DemirayExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * The estimated relative error of the force (palpate/ErrorRule.h) that Validity is to stay
+   * within, 0.05 for 5 %. Default 0: Validity is the depth at which the first assumption breaks, as
+   * above.
+   */
+  vtkSetMacro(ErrorTolerance, double);
+  vtkGetMacro(ErrorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the estimated relative error is kept at each sample, in the array `Error` (float n).
+   * Needs an ErrorTolerance. Default off.
+   */
+  vtkSetMacro(StoreError, bool);
+  vtkGetMacro(StoreError, bool);
+  vtkBooleanMacro(StoreError, bool);
+  ///@}
+
+  ///@{
   /** Depth of the last sample, mm, > 0. Default 2. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
@@ -180,6 +250,12 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = Bonded;
   bool ComplianceExcludesLayer = false;
+  bool CurvatureCorrection = false;
+  int StrainModel = SmallStrain;
+  double OgdenExponent = 2.0;
+  double DemirayExponent = 1.0;
+  double ErrorTolerance = 0.0;
+  bool StoreError = false;
   double MaximumDeflection = 2.0;
   int NumberOfSamples = 8;
   std::string ResponseName = "Response";

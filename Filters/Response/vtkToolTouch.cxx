@@ -268,7 +268,7 @@ void vtkToolTouch::Probe(palpate::Touch& touch)
     touch.tip -= depth * normal;
     touch.range = this->Touched->range(touch.place);
     touch.stiffness = this->Touched->stiffness(touch.place, touch.deflection);
-    touch.validity = this->Touched->validity(touch.place);
+    touch.validity = this->Touched->validity(touch.place, touch.deflection);
   }
   else
   {
@@ -337,6 +337,7 @@ void vtkToolTouch::MakeArrow(const palpate::Touch& touch, vtkPolyData* output)
   addField(output, "TipPosition", touch.tip.data(), 3);
   addField(output, "Stiffness", &touch.stiffness, 1);
   addField(output, "Validity", &validity, 1);
+  addField(output, "RelativeError", &touch.validity.error, 1);
   addField(output, "ForceScale", &touch.scale, 1);
 }
 

@@ -255,7 +255,7 @@ double FiniteBody::energyOf(
       {
         return HUGE_VAL;
       }
-      if (leastVolume)
+      if (leastVolume && !material.energy.isLinear())
       {
         *leastVolume = std::min(*leastVolume, 1.0 + j);
       }

@@ -16,12 +16,11 @@ namespace
 using Eigen::VectorXd;
 
 constexpr int MostIterations = 14;
-constexpr int MostHalvings = 4;         // of a step of Newton's method: then it has gone astray
-constexpr int MostCuts = 7;             // of a step in depth
-constexpr double LargestGrowth = 1.3;   // of the depth in a step: the contact grows with it
-constexpr double FirstShare = 0.05;     // of the first depth, from the undeformed body
-constexpr double Converged = 1e-12;     // of the energy: what an iteration can still gain
-constexpr double SufficientGain = 1e-4; // Armijo's
+constexpr int MostHalvings = 4;        // of a step of Newton's method: then it has gone astray
+constexpr int MostCuts = 7;            // of a step in depth
+constexpr double LargestGrowth = 1.3;  // of the depth in a step: the contact grows with it
+constexpr double FirstFraction = 0.05; // of the first depth, from the undeformed body
+constexpr double Converged = 1e-12;    // of the energy: what an iteration can still gain
 
 /// Newton's method on the potential of a body and a tool at one depth after the other.
 class Press
@@ -43,7 +42,7 @@ public:
     while (this->Depth < depth)
     {
       const double target =
-        this->Depth > 0.0 ? std::min(depth, this->Growth * this->Depth) : FirstShare * depth;
+        this->Depth > 0.0 ? std::min(depth, this->Growth * this->Depth) : FirstFraction * depth;
       const VectorXd before = this->Now;
       this->Now += (target - this->Depth) * this->Course.motion;
       if (this->solve(target, iterations))
@@ -160,6 +159,11 @@ std::string checkProblem(const FiniteProblem& problem)
   {
     return joined(
       "The contact radius must be positive and finite (mm), but is ", problem.contactRadius);
+  }
+  if (!(problem.edge >= FiniteProblem::ShortestEdge && problem.edge <= FiniteProblem::LongestEdge))
+  {
+    return joined("The edge of the elements must lie between ", FiniteProblem::ShortestEdge,
+      " and ", FiniteProblem::LongestEdge, " (of the contact radius), but is ", problem.edge);
   }
   double last = 0.0;
   for (const double depth : problem.depths)

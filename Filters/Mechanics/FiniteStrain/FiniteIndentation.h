@@ -33,7 +33,11 @@ struct FiniteProblem
   /// The largest contact radius to be expected, mm: what the mesh is made for.
   double contactRadius = 1.0;
   std::vector<double> depths; ///< mm, of the tool's tip, ascending, > 0
-  double edge = 0.05;         ///< length of the elements under the tool, of the contact radius
+  /// Length of the elements under the tool, of the contact radius, ShortestEdge to LongestEdge.
+  double edge = 0.05;
+
+  static constexpr double ShortestEdge = 0.002; ///< a million elements
+  static constexpr double LongestEdge = 0.5;
 };
 
 /// What the tool feels at one depth.
@@ -62,8 +66,8 @@ struct FiniteCurve
  * its volume; the pressure is eliminated within the element, so that all is the minimum of one
  * potential). Energy and stress of StrainEnergy.h; contact by a potential ½ε⟨-g⟩² of the signed
  * distance g between the points of the deformed surface and the tool, whose part in the force is
- * taken back to first order. Newton's method with a line search on the potential; a step that does
- * not converge is halved.
+ * taken back to first order. Newton's method; a step that turns an element inside out is shortened,
+ * an increment of depth that does not converge is halved.
  *
  * The half-space ends, held, at a thousand contact radii (an error of 0.1 %).
  *

@@ -19,7 +19,7 @@ constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: 1e-6 of its si
 constexpr double SteepestSlope = 6.0; // from there on straight: no contact is steeper
 constexpr double CornerAngle = 0.02;  // radians; less is no corner but a sampled curve
 constexpr double LargestCut = 0.35;   // of a part, by the fillet at either end of it
-constexpr double SlopeStep = 1e-6;    // of a part's length: differences of profiles of six digits
+constexpr double TangentStep = 1e-6;    // of a part's length: differences of profiles of six digits
 
 double cross(const Vector2d& a, const Vector2d& b)
 {
@@ -43,7 +43,7 @@ public:
     , To(to)
     , End(to)
   {
-    if (this->isSteepAt(to - 2.0 * SlopeStep * (to - from)))
+    if (this->isSteepAt(to - 2.0 * TangentStep * (to - from)))
     {
       double low = from;
       for (int i = 0; i < 60; ++i)
@@ -71,7 +71,7 @@ private:
   /// By differences within the part: of second order, at its ends one-sided.
   double slopeAt(double r) const
   {
-    const double step = SlopeStep * (this->To - this->From);
+    const double step = TangentStep * (this->To - this->From);
     const auto f = [this](double x) { return this->Tool.profile(x); };
     if (r - step < this->From || r + step > this->To)
     {

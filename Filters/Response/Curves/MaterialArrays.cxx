@@ -115,6 +115,9 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)
   whole.layers.thinnest = ranks.smallest(own.layers.thinnest);
   whole.layers.thickest = ranks.largest(own.layers.thickest);
   whole.stiffens = ranks.any(own.stiffens);
+  whole.hasHalfSpace = ranks.any(own.hasHalfSpace);
+  whole.leastRatio = ranks.smallest(own.leastRatio);
+  whole.mostRatio = ranks.largest(own.mostRatio);
   material.setRange(whole);
 }
 

@@ -20,7 +20,7 @@ void allocate(vtkDataArray* array, const std::string& name, int components, vtkI
 }
 } // namespace
 
-ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int samples)
+ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int samples, bool keepsError)
 {
   allocate(this->Force.Get(), arrayName(name, ResponseArray::Force), samples, points);
   allocate(this->Stiffness.Get(), arrayName(name, ResponseArray::Stiffness), samples, points);
@@ -29,13 +29,19 @@ ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int 
   allocate(this->Validity.Get(), arrayName(name, ResponseArray::Validity), 1, points);
   allocate(this->Status.Get(), arrayName(name, ResponseArray::Status), 1, points);
   allocate(this->LimitReached.Get(), arrayName(name, ResponseArray::Limit), 1, points);
+  if (keepsError)
+  {
+    this->Error = vtkSmartPointer<vtkFloatArray>::New();
+    allocate(this->Error, arrayName(name, ResponseArray::Error), samples, points);
+  }
 }
 
 ResponseSpans ResponseStorage::spans()
 {
   return { this->Force->GetNumberOfComponents(), this->Force->GetPointer(0),
     this->Stiffness->GetPointer(0), this->Range->GetPointer(0), this->Validity->GetPointer(0),
-    this->Status->GetPointer(0), this->LimitReached->GetPointer(0) };
+    this->Status->GetPointer(0), this->LimitReached->GetPointer(0),
+    this->Error ? this->Error->GetPointer(0) : nullptr };
 }
 
 void ResponseStorage::attach(vtkPolyData* output)
@@ -44,6 +50,10 @@ void ResponseStorage::attach(vtkPolyData* output)
          this->Normal, this->Range, this->Validity, this->Status, this->LimitReached })
   {
     output->GetPointData()->AddArray(array);
+  }
+  if (this->Error)
+  {
+    output->GetPointData()->AddArray(this->Error);
   }
 }
 } // namespace palpate

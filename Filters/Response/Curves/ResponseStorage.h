@@ -6,6 +6,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <string>
@@ -25,7 +26,9 @@ struct ResponseStorage
   vtkNew<vtkUnsignedCharArray> Status;
   vtkNew<vtkUnsignedCharArray> LimitReached;
 
-  ResponseStorage(const std::string& name, vtkIdType points, int samples);
+  vtkSmartPointer<vtkFloatArray> Error; ///< null: not kept
+
+  ResponseStorage(const std::string& name, vtkIdType points, int samples, bool keepsError);
   ResponseSpans spans();
   void attach(vtkPolyData* output);
 };

@@ -180,7 +180,7 @@ double judge(
   const Vector3 normal = ground.normalized();
   const double facing = std::max(0.0, normal.dot((towards + Lean * picture.up()).normalized())) *
     std::clamp(normal.dot(towards) / Grazing, 0.0, 1.0);
-  const PlaceValidity validity = body.validity(place);
+  const PlaceValidity validity = body.validity(place, depth);
   const double within = validity.known ? std::clamp(validity.depth / depth, Least, 1.0) : 1.0;
   return flatness * facing * within;
 }

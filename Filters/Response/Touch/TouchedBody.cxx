@@ -218,7 +218,38 @@ double TouchedBody::stiffness(const TouchedPlace& place, double depth) const
   return stiffness;
 }
 
-PlaceValidity TouchedBody::validity(const TouchedPlace& place) const
+/// Straight over √δ between the samples of each corner, as it was found; below the first in
+/// proportion to none of it. Beyond the range nothing is known.
+double TouchedBody::errorAt(const TouchedPlace& place, double depth) const
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  auto* errors = vtkFloatArray::SafeDownCast(
+    this->Body->GetPointData()->GetArray(arrayName(this->Name, ResponseArray::Error).c_str()));
+  if (!errors || errors->GetNumberOfComponents() != this->Response.samples)
+  {
+    return unknown;
+  }
+  const int last = this->Response.samples - 1;
+  double sum = 0.0;
+  int corner = 0;
+  for (const vtkIdType id : cornersOf(this->Body, place.cell))
+  {
+    const double range = static_cast<double>(this->Response.range[id]);
+    if (!(depth <= range))
+    {
+      return unknown;
+    }
+    const double at = std::max(0.0, std::sqrt(depth / range) * this->Response.samples - 1.0);
+    const int below = std::min(static_cast<int>(at), last);
+    const int above = std::min(below + 1, last);
+    const double one = errors->GetComponent(id, below);
+    const double other = errors->GetComponent(id, above);
+    sum += place.weights[corner++] * (one + (at - below) * (other - one));
+  }
+  return sum;
+}
+
+PlaceValidity TouchedBody::validity(const TouchedPlace& place, double depth) const
 {
   PlaceValidity weakest;
   const float* validity = nullptr;
@@ -230,12 +261,13 @@ PlaceValidity TouchedBody::validity(const TouchedPlace& place) const
   }
   weakest.known = true;
   weakest.depth = std::numeric_limits<double>::infinity();
+  weakest.error = this->errorAt(place, depth);
   for (const vtkIdType id : cornersOf(this->Body, place.cell))
   {
-    const double depth = validity[id];
-    if (depth < weakest.depth)
+    const double trusted = validity[id];
+    if (trusted < weakest.depth)
     {
-      weakest.depth = depth;
+      weakest.depth = trusted;
       weakest.limit = limitInWords(limit[id]);
     }
   }

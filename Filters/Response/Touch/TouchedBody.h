@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 #include "vtkType.h"         // For vtkIdType
 
+#include <limits>
 #include <string>
 
 class vtkPolyData;
@@ -21,6 +22,8 @@ struct PlaceValidity
   bool known = false; ///< whether the response has the arrays
   double depth = 0.0; ///< at which the first assumption breaks, mm
   std::string limit;  ///< which, in words; "" for none
+  /// Estimated relative error of the force; NaN where the response keeps none.
+  double error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A body with a response, as a display of one touch reads it: where it is nearest, and what the
@@ -54,13 +57,15 @@ public:
   double range(const TouchedPlace& place) const;
   /// dF/dδ of the three corners' curves, blended, N/mm.
   double stiffness(const TouchedPlace& place, double depth) const;
-  PlaceValidity validity(const TouchedPlace& place) const;
+  /// At a depth, mm, of the deflection there.
+  PlaceValidity validity(const TouchedPlace& place, double depth) const;
 
   /// Force at half of Range, on average over the points that have a response, N. O(points).
   double typicalForce() const;
 
 private:
   bool locate();
+  double errorAt(const TouchedPlace& place, double depth) const;
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Triangles; ///< those of the body, and no other cells

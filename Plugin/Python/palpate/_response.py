@@ -12,10 +12,13 @@ from ._bodies import as_body, shallow_copy
 from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
 
 BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
+STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolContactResponse.NeoHooke,
+           "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
-             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False) -> vtkPolyData:
+             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=False,
+             strain="small", error_tolerance=0.0) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -35,6 +38,10 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     samples : samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body take several names.
     compliance_excludes_layer : set it where the compliance was found without the layer's base, so that both count.
+    curvature : whether the body's sag under the tool counts, by the curvatures of the mesh.
+    strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): how the body resists large strain.
+    error_tolerance : a fraction of the force, 0.05 for 5 %: Validity is then the depth at which the estimated error
+        passes it, and the error is kept at each sample, in NAME + Error; 0 for the depths of small strain.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -58,7 +65,23 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made.SetMaximumDeflection(_number(maximum_deflection, "maximum_deflection (mm)"))
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
+    made.SetCurvatureCorrection(bool(curvature))
+    _set_strain(made, strain)
+    tolerance = _number(error_tolerance, "error_tolerance")
+    made.SetErrorTolerance(tolerance)
+    made.SetStoreError(tolerance > 0)
     return _filters.run(made, others=[tool]).GetOutput()
+
+
+def _set_strain(made, strain):
+    name, parameter = (strain, None) if isinstance(strain, str) else strain
+    if name not in STRAINS:
+        raise ValueError("strain must be one of %s, but is %r" % (", ".join(map(repr, STRAINS)), name))
+    made.SetStrainModel(STRAINS[name])
+    if name == "ogden":
+        made.SetOgdenExponent(_number(parameter, "strain: the exponent of 'ogden'"))
+    if name == "demiray":
+        made.SetDemirayExponent(_number(parameter, "strain: the exponent of 'demiray'"))
 
 
 class Regime(NamedTuple):

@@ -99,9 +99,8 @@ TEST_F(Filling, AWholeBodyOfManyModuli)
   Arrays into{ count };
   into.status[7] = static_cast<unsigned char>(ResponseStatus::NotFinite);
   double last = 0.0;
-  const MadeResponse made = response(
-    *this->Tool, material, 2.0, 100.0, count, [](std::size_t i) { return i == 9 ? -1.0 : 0.0; },
-    into.spans(),
+  const MadeResponse made = response(*this->Tool, material, 2.0, count,
+    { 100.0, [](std::size_t i) { return i == 9 ? -1.0 : 0.0; }, {} }, {}, into.spans(),
     [&last](double share)
     {
       EXPECT_GT(share, last);
@@ -123,8 +122,8 @@ TEST_F(Filling, IsGivenUpWhenToldTo)
 {
   BodyMaterial material({ 0.1, 0.0, 0.0, LayerBase::Bonded, false });
   ASSERT_EQ(material.take({}, Points), "");
-  const MadeResponse made = response(
-    *this->Tool, material, 2.0, 100.0, Points, [](std::size_t) { return 0.0; }, this->Into.spans(),
-    [](double) { return false; });
+  const MadeResponse made =
+    response(*this->Tool, material, 2.0, Points, { 100.0, [](std::size_t) { return 0.0; }, {} }, {},
+      this->Into.spans(), [](double) { return false; });
   EXPECT_FALSE(made.complete);
 }

@@ -280,6 +280,14 @@ TEST(FiniteIndentation, NamesWhatMakesNoSense)
   EXPECT_NE(palpate::checkProblem(problem).find("0.1 follows 0.2"), std::string::npos);
   problem.depths = { NAN };
   EXPECT_NE(palpate::checkProblem(problem), "");
+  for (const double edge : { 0.0, -1.0, 2.0, static_cast<double>(NAN) })
+  {
+    problem.edge = edge;
+    problem.depths = { 0.1 };
+    EXPECT_NE(palpate::checkProblem(problem).find("edge of the elements"), std::string::npos);
+  }
+  problem.edge = 0.05;
+  problem.depths = { NAN };
   const ToolOutline outline(*tool("sphere:1"), 0.9, 0.1);
   EXPECT_TRUE(pressTool(outline, problem).points.empty());
   problem.depths = { 0.1, 0.2 };

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laws/ErrorRule.h"
+
+#include "Mechanics/FiniteStrain/SmallStrainError.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace palpate
+{
+namespace
+{
+// 2 |C_g E* R_b|: finite elements on balls and in cavities, ν = 0.45, -0.19 to -0.23.
+constexpr double BallCompliance = 0.46;
+} // namespace
+
+double ErrorParts::total() const
+{
+  return std::accumulate(this->of.begin(), this->of.end(), 0.0);
+}
+
+ResponseLimit ErrorParts::largest() const
+{
+  return static_cast<ResponseLimit>(
+    std::max_element(this->of.begin(), this->of.end()) - this->of.begin());
+}
+
+ErrorRule::ErrorRule(const AxisymmetricTool& tool, const LawScope& scope)
+  : Tool(tool)
+  , Scope(scope)
+{
+}
+
+ErrorParts ErrorRule::at(
+  const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const
+{
+  ErrorParts parts;
+  this->addStrain(spot, state, parts);
+  parts[ResponseLimit::Curvature] = this->curvaturePart(spot, curvature, state);
+  parts[ResponseLimit::Edge] = 2.0 * state.radius > this->Scope.bodyWidth ? 1.0 : 0.0;
+  const double local = 1.0 / (1.0 + spot.compliance * spot.reducedModulus * state.stiffness);
+  for (double& part : parts.of)
+  {
+    part *= std::abs(local);
+  }
+  parts[ResponseLimit::None] = this->Scope.storage;
+  return parts;
+}
+
+void ErrorRule::addStrain(
+  const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const
+{
+  if (this->Scope.strain)
+  {
+    parts[ResponseLimit::Strain] =
+      this->Scope.strain->at(state.depth, spot.poissonsRatio, spot.thickness).error;
+    return;
+  }
+  const double pressure = state.force / (Pi * state.radius * state.radius);
+  const bool layer = spot.thickness > 0.0;
+  const double flat = smallStrainError(pressure, spot.poissonsRatio, 0.0, 0.0);
+  if (!layer)
+  {
+    parts[ResponseLimit::Strain] = flat;
+    return;
+  }
+  const double whole = smallStrainError(
+    pressure, spot.poissonsRatio, state.depth / spot.thickness, state.radius / spot.thickness);
+  parts[whole > 2.0 * flat ? ResponseLimit::Thickness : ResponseLimit::Strain] = whole;
+}
+
+double ErrorRule::curvaturePart(
+  const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const
+{
+  const double a = state.radius;
+  const double mean = std::abs(curvature.mean());
+  const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
+  const double structural = spot.compliance == 0.0 ? BallCompliance * a * mean : 0.0;
+  const double toolCurvature = this->Tool.depthAtContactRadius(a) / (a * a);
+  const double ellipse = curvature.isFlat() ? 0.0 : ellipseFactor(toolCurvature, curvature);
+  const double leftOut = this->Scope.curvature ? 0.0 : perCurvature * mean;
+  return std::min(1.0, leftOut + ellipse + structural + perCurvature * curvature.error);
+}
+} // namespace palpate

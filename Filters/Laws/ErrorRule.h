@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ErrorRule_h
+#define palpate_ErrorRule_h
+
+#include "Contact/ResponseContract.h"
+#include "Laws/ContactSpot.h"
+#include "Laws/CurvedContact.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+
+namespace palpate
+{
+class AxisymmetricTool;
+class StrainCorrection;
+
+/// How far a force may be off, as fractions of it, by what is left out or not known.
+struct ErrorParts
+{
+  std::array<double, ResponseLimitCount> of{}; ///< by ResponseLimit; that of None is storage
+
+  double& operator[](ResponseLimit limit) { return of[static_cast<std::size_t>(limit)]; }
+  double total() const;
+  ResponseLimit largest() const;
+};
+
+/// What a law takes into account, and what it does not.
+struct LawScope
+{
+  bool curvature = false;                   ///< the sag of the body is in the law
+  const StrainCorrection* strain = nullptr; ///< finite strain is in the law
+  double bodyWidth = 0.0;                   ///< mm, of the whole body
+  double storage = 0.0;                     ///< relative error of stored curves
+};
+
+/**
+ * Relative error of a tool's law at a depth, part by part; they are added, since they may agree in
+ * sign. With a the contact radius, F the force, κ_m the body's mean curvature and σ its error:
+ *
+ * - Strain, Thickness: what the small-strain law lacks (smallStrainError), on a layer named after
+ *   its larger term; with a StrainCorrection, that one's own error.
+ * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool; in the law, none of
+ *   that. In both ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and, unless the body's own
+ *   compliance is known, 0.46 a |κ_m|: a ball yields less as a whole than a half-space.
+ * - Edge: all of it where the contact is wider than the whole body; nothing before.
+ * - None: storage.
+ *
+ * In series with a compliance a local error counts by the local part of the series, k/k_local.
+ * Sources: finite elements with finite strain, on layers and on balls; Hertz 1882. Measured cover of
+ * the bound: Testing/Cxx/Laws/ErrorRuleTest.cxx.
+ */
+class PALPATE_EXPORT ErrorRule
+{
+public:
+  /// `tool` and what `scope` points to must outlive this.
+  ErrorRule(const AxisymmetricTool& tool, const LawScope& scope);
+
+  /// `state` is the local contact; `curvature` that of the body, whether the law has it or not.
+  ErrorParts at(
+    const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;
+
+private:
+  void addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const;
+  double curvaturePart(
+    const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;
+
+  const AxisymmetricTool& Tool;
+  LawScope Scope;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/FiniteStrain/NeoHookeTables.h"
+
+#include "Mechanics/Tools/ToolSpecification.h"
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t Ratios = 7;
+constexpr std::size_t Roots = 8;
+using HalfSpaceTable = double[Ratios][Roots];
+
+// Made by Testing/Studies/finite_strain/tables.cxx.
+#include "Mechanics/FiniteStrain/NeoHookeTables.inc"
+
+constexpr double SphereDeepest = 1.0; // radii
+constexpr double FlatDeepest = 0.7;   // radii
+constexpr double LayerDeepest = 0.5;  // thicknesses
+constexpr double TableError = 0.003;  // of mesh, far field and interpolation
+// Of a sharp flat: its rim follows the body, the table's is rounded.
+constexpr double FlatError = 0.01;
+constexpr double ConeError = 0.005;
+
+std::vector<double> ratios()
+{
+  return { std::begin(TableRatios), std::end(TableRatios) };
+}
+
+std::vector<double> roots()
+{
+  return { std::begin(TableRoots), std::end(TableRoots) };
+}
+
+std::vector<double> flattened(const HalfSpaceTable& table)
+{
+  std::vector<double> values;
+  for (const auto& row : table)
+  {
+    values.insert(values.end(), std::begin(row), std::end(row));
+  }
+  return values;
+}
+
+bool isTool(const AxisymmetricTool& tool, ToolShape shape, ToolSpecification& found)
+{
+  std::string fault;
+  return parseTool(tool.specification(), found, fault) && found.Shape == shape;
+}
+
+/// Straight between the angles, in cot α, which the pressure is in proportion to.
+std::vector<double> coneFactors(double halfAngle)
+{
+  const auto slope = [](double degrees)
+  { return 1.0 / std::tan(degrees * 3.14159265358979 / 180.0); };
+  const std::array<double, 3> angles = { 75.0, 60.0, 45.0 };
+  const std::array<const HalfSpaceTable*, 3> tables = { &Cone75, &Cone60, &Cone45 };
+  std::size_t above = halfAngle >= angles[1] ? 1 : 2;
+  const double from = slope(angles[above - 1]);
+  const double fraction = (slope(halfAngle) - from) / (slope(angles[above]) - from);
+  const auto last = [](const double(&row)[Roots])
+  {
+    std::size_t known = Roots;
+    while (known > 1 && row[known - 1] == 0.0)
+    {
+      --known;
+    }
+    return row[known - 1];
+  };
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < Ratios; ++i)
+  {
+    const double one = last((*tables[above - 1])[i]);
+    const double other = last((*tables[above])[i]);
+    factors.insert(factors.end(), Roots, one + fraction * (other - one));
+  }
+  return factors;
+}
+} // namespace
+
+std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, double deepest)
+{
+  ToolSpecification found;
+  const StrainTable::Axes axes{ ratios(), {}, roots() };
+  if (isTool(tool, ToolShape::Sphere, found) && deepest <= SphereDeepest * found.Radius)
+  {
+    return std::make_unique<StrainTable>(axes, flattened(Sphere),
+      std::vector<double>{ SphereDeepest * found.Radius }, false, TableError);
+  }
+  if (isTool(tool, ToolShape::Flat, found) && deepest <= FlatDeepest * found.Radius)
+  {
+    return std::make_unique<StrainTable>(
+      axes, flattened(Flat), std::vector<double>{ FlatDeepest * found.Radius }, false, FlatError);
+  }
+  if (isTool(tool, ToolShape::Cone, found) && found.HalfAngle >= 45.0)
+  {
+    if (found.HalfAngle > 75.0)
+    {
+      return nullptr;
+    }
+    return std::make_unique<StrainTable>(
+      axes, coneFactors(found.HalfAngle), std::vector<double>{ deepest }, true, ConeError);
+  }
+  return nullptr;
+}
+
+std::unique_ptr<StrainTable> neoHookeOnLayers(
+  const AxisymmetricTool& tool, double thinnest, double thickest, double deepest)
+{
+  ToolSpecification found;
+  if (!isTool(tool, ToolShape::Sphere, found) || deepest > LayerDeepest * thinnest ||
+    thinnest < TableLayers[0] * found.Radius ||
+    thickest > *(std::end(TableLayers) - 1) * found.Radius)
+  {
+    return nullptr;
+  }
+  std::vector<double> thicknesses;
+  std::vector<double> deepests;
+  for (const double node : TableLayers)
+  {
+    thicknesses.push_back(node * found.Radius);
+    deepests.push_back(LayerDeepest * node * found.Radius);
+  }
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < Ratios; ++i)
+  {
+    for (const auto& layer : Layers)
+    {
+      factors.insert(factors.end(), std::begin(layer[i]), std::end(layer[i]));
+    }
+  }
+  return std::make_unique<StrainTable>(StrainTable::Axes{ ratios(), thicknesses, roots() },
+    std::move(factors), std::move(deepests), false, TableError);
+}
+} // namespace palpate

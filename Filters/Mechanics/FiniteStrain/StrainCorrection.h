@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_StrainCorrection_h
+#define palpate_StrainCorrection_h
+
+#include "Mechanics/FiniteStrain/StrainLaw.h"
+#include "Mechanics/FiniteStrain/StrainTable.h"
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// The bodies a correction is to serve.
+struct StrainBodies
+{
+  double leastRatio = 0.45; ///< Poisson's
+  double mostRatio = 0.45;
+  bool hasHalfSpace = true;
+  double thinnest = 0.0; ///< of layers, mm; 0: none
+  double thickest = 0.0;
+  LayerBase base = LayerBase::Bonded;
+};
+
+/**
+ * What finite strain does to the force of one tool at the same depth: c = F_finite/F_small, to be
+ * multiplied by the exact law of small strain. Its stiffness is c k_small + F_small dc/dδ.
+ *
+ * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius, δ =
+ * 0.7 R) and a cone (45° to 75°) on a half-space, and below a sphere on a bonded layer (half to
+ * four radii thick, δ = h/2), is a table made once by the solver. All else is solved for at four
+ * Poisson's ratios (or the one there is), at thicknesses of a ratio of 2 or less, and at eight
+ * depths, 3 s to a minute a curve, and kept by content in $PALPATE_CACHE, or
+ * $XDG_CACHE_HOME/palpate, or
+ * ~/.cache/palpate; with PALPATE_CACHE empty it is not kept.
+ *
+ * Poisson's ratios above 0.495 get c of 0.495, and an error for it. Safe to use from any number of
+ * threads.
+ */
+class PALPATE_EXPORT StrainCorrection
+{
+public:
+  using Value = StrainFactor;
+
+  /// `depth` (mm) of the tool at small strain; `thickness` (mm) 0 for a half-space. Below 1 µs.
+  Value at(double depth, double poissonsRatio, double thickness) const;
+
+  void setHalfSpace(std::unique_ptr<StrainTable> table) { this->HalfSpace = std::move(table); }
+  void setLayers(std::unique_ptr<StrainTable> table) { this->Layers = std::move(table); }
+
+private:
+  std::unique_ptr<StrainTable> HalfSpace;
+  std::unique_ptr<StrainTable> Layers;
+};
+
+/// Makes a correction for depths to `deepest` (mm). Returns what is wrong, naming it, or "";
+/// `made` stays null after a fault, for the linear model, and where `goOn(fraction)` ended it.
+PALPATE_EXPORT std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& law,
+  const StrainBodies& bodies, double deepest, const std::function<bool(double)>& goOn,
+  std::unique_ptr<StrainCorrection>& made);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/FiniteStrain/StrainTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t MostNodes = 4;
+
+/// Lagrange's polynomials on the nodes around a place.
+struct Weights
+{
+  std::size_t begin = 0;
+  std::size_t count = 1;
+  std::array<double, MostNodes> value = { 1.0, 0.0, 0.0, 0.0 };
+  std::array<double, MostNodes> slope{};
+};
+
+/// `node(i)` ascend; `x` is held within them.
+template <class Node>
+Weights weightsAt(std::size_t nodes, const Node& node, double x)
+{
+  Weights weights;
+  if (nodes < 2)
+  {
+    return weights;
+  }
+  const double place = std::clamp(x, node(0), node(nodes - 1));
+  std::size_t above = 1;
+  while (above + 1 < nodes && node(above) < place)
+  {
+    ++above;
+  }
+  weights.count = std::min(MostNodes, nodes);
+  weights.begin = std::min(above < 2 ? 0 : above - 2, nodes - weights.count);
+  for (std::size_t i = 0; i < weights.count; ++i)
+  {
+    const double own = node(weights.begin + i);
+    double product = 1.0;
+    double slope = 0.0;
+    for (std::size_t j = 0; j < weights.count; ++j)
+    {
+      if (j == i)
+      {
+        continue;
+      }
+      const double other = node(weights.begin + j);
+      slope = (slope * (place - other) + product) / (own - other);
+      product *= (place - other) / (own - other);
+    }
+    weights.value[i] = product;
+    weights.slope[i] = slope;
+  }
+  return weights;
+}
+} // namespace
+
+StrainTable::StrainTable(
+  Axes axes, std::vector<double> factors, std::vector<double> deepest, bool constant, double error)
+  : Given(std::move(axes))
+  , Factors(std::move(factors))
+  , Deepest(std::move(deepest))
+  , Constant(constant)
+  , Error(error)
+{
+  const std::size_t columns = this->Given.roots.size();
+  for (std::size_t begin = 0; begin < this->Factors.size(); begin += columns)
+  {
+    std::size_t known = 0;
+    while (known<columns&& this->Factors[begin + known]> 0.0)
+    {
+      ++known;
+    }
+    this->Known.push_back(known == 0 ? 0.0 : this->Given.roots[known - 1]);
+    const double last = known == 0 ? 1.0 : this->Factors[begin + known - 1];
+    std::fill(this->Factors.begin() + static_cast<std::ptrdiff_t>(begin + known),
+      this->Factors.begin() + static_cast<std::ptrdiff_t>(begin + columns), last);
+  }
+}
+
+double StrainTable::deepestAt(double thickness) const
+{
+  const std::vector<double>& heights = this->Given.thicknesses;
+  if (this->Deepest.size() < 2)
+  {
+    return this->Deepest.front();
+  }
+  // A fraction of the thickness, straight over it between the nodes.
+  const double held = std::clamp(thickness, heights.front(), heights.back());
+  std::size_t above = 1;
+  while (above + 1 < heights.size() && heights[above] < held)
+  {
+    ++above;
+  }
+  const double fraction = (held - heights[above - 1]) / (heights[above] - heights[above - 1]);
+  return this->Deepest[above - 1] + fraction * (this->Deepest[above] - this->Deepest[above - 1]);
+}
+
+StrainFactor StrainTable::at(double depth, double poissonsRatio, double thickness) const
+{
+  const std::vector<double>& roots = this->Given.roots;
+  const std::size_t columns = roots.size();
+  const double deepest = this->deepestAt(thickness);
+  const double root = std::sqrt(std::max(depth, 0.0) / deepest);
+  const Weights ratio = weightsAt(
+    this->Given.ratios.size(), [&](std::size_t i) { return this->Given.ratios[i]; }, poissonsRatio);
+  const std::size_t heights = std::max<std::size_t>(this->Given.thicknesses.size(), 1);
+  const Weights height = this->Given.thicknesses.empty()
+    ? Weights{}
+    : weightsAt(
+        heights, [&](std::size_t i) { return std::log(this->Given.thicknesses[i]); },
+        std::log(thickness));
+  // One node more than columns: that of no depth.
+  const Weights place = weightsAt(
+    columns + 1, [&](std::size_t i) { return i == 0 ? 0.0 : roots[i - 1]; }, root);
+
+  StrainFactor found{ 0.0, 0.0, this->Error };
+  double known = 1.0;
+  for (std::size_t i = 0; i < ratio.count; ++i)
+  {
+    for (std::size_t j = 0; j < height.count; ++j)
+    {
+      const std::size_t row = (ratio.begin + i) * heights + height.begin + j;
+      known = std::min(known, this->Known[row]);
+      const double weight = ratio.value[i] * height.value[j];
+      for (std::size_t k = 0; k < place.count; ++k)
+      {
+        const std::size_t column = place.begin + k;
+        const double c = column > 0 ? this->Factors[row * columns + column - 1]
+          : this->Constant          ? this->Factors[row * columns]
+                                    : 1.0;
+        found.factor += weight * place.value[k] * c;
+        found.slope += weight * place.slope[k] * c;
+      }
+    }
+  }
+  const bool beyond = root > known;
+  found.slope = beyond || depth <= 0.0 ? 0.0 : found.slope * 0.5 * root / depth;
+  if (beyond && !this->Constant)
+  {
+    // What c has done so far it may do again as far beyond.
+    found.error += std::max(std::abs(found.factor - 1.0), this->Error) * (root / known - 1.0);
+  }
+  return found;
+}
+} // namespace palpate

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A response beyond small strain on a flat surface, and its estimated error.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkFieldData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkToolTouch.h"
+
+#include <functional>
+#include <string>
+
+namespace
+{
+using namespace palpate::testing;
+
+using Filter = vtkSmartPointer<vtkToolContactResponse>;
+
+Filter filterOf(vtkPolyData* body, const char* tool, double range)
+{
+  auto filter = Filter::New();
+  filter->SetInputData(body);
+  filter->SetTool(makeTool(tool));
+  filter->SetYoungsModulus(0.1);
+  filter->SetPoissonRatio(0.45);
+  filter->SetMaximumDeflection(range);
+  return filter;
+}
+
+constexpr double Reduced = 0.1 / (1.0 - 0.45 * 0.45);
+
+double last(vtkToolContactResponse* filter, const char* array, vtkIdType point)
+{
+  vtkDataArray* values = filter->GetOutput()->GetPointData()->GetArray(array);
+  return values->GetComponent(point, values->GetNumberOfComponents() - 1);
+}
+
+/// Hertz on a ball: the radii of tool and body are one, 1/(1/R + 1/R_b), in a hollow 1/(1/R -
+/// 1/R_b).
+void checkBall(double sign)
+{
+  Body body = sphereBody(20.0, 3);
+  addRadialNormals(body, sign);
+  if (sign < 0.0)
+  {
+    Body turned = Body::New();
+    turned->SetPoints(body->GetPoints());
+    turned->GetPointData()->SetNormals(body->GetPointData()->GetNormals());
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType cell = 0; cell < body->GetNumberOfCells(); ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      body->GetPolys()->GetCellAtId(cell, size, ids);
+      cells->InsertNextCell({ ids[0], ids[2], ids[1] });
+    }
+    turned->SetPolys(cells);
+    body = turned;
+  }
+  const Filter filter = filterOf(body, "paraboloid:5", 1.0);
+  filter->CurvatureCorrectionOn();
+  filter->Update();
+  const double radius = 1.0 / (0.2 + sign * 0.05);
+  const double hertz = 4.0 / 3.0 * Reduced * std::sqrt(radius);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    // Curvature from normals of floats over edges of 3 mm: 1e-6; nodes 1e-6.
+    PALPATE_CHECK_NEAR(last(filter, "ResponseForce", i), hertz, 1e-5 * hertz);
+  }
+}
+
+/// On an ellipsoid with its own normals the curvatures are found to the edges' length, by Hertz's
+/// ellipse: force against the closed form of the principal curvatures at its three ends.
+void checkEllipsoid()
+{
+  const double axis[3] = { 30.0, 24.0, 20.0 };
+  Body body = sphereBody(1.0, 4);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    body->GetPoint(i, x);
+    double n[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      n[k] = x[k] / axis[k];
+      x[k] *= axis[k];
+    }
+    vtkMath::Normalize(n);
+    normals->InsertNextTuple(n);
+    body->GetPoints()->SetPoint(i, x);
+  }
+  body->GetPointData()->SetNormals(normals);
+  const Filter filter = filterOf(body, "paraboloid:5", 1.0);
+  filter->CurvatureCorrectionOn();
+  filter->SetErrorTolerance(0.05);
+  filter->StoreErrorOn();
+  filter->Update();
+  for (int k = 0; k < 3; ++k)
+  {
+    double end[3] = { 0.0, 0.0, 0.0 };
+    end[k] = axis[k];
+    const vtkIdType point = body->FindPoint(end);
+    double there[3];
+    body->GetPoint(point, there);
+    // Curvatures of the end of the k-th axis: axis_k / axis_j².
+    const double first = 0.2 + axis[k] / (axis[(k + 1) % 3] * axis[(k + 1) % 3]);
+    const double second = 0.2 + axis[k] / (axis[(k + 2) % 3] * axis[(k + 2) % 3]);
+    const double ratio = std::log(first / second);
+    const double wanted =
+      4.0 / 3.0 * Reduced / std::sqrt(std::sqrt(first * second)) * (1.0 + ratio * ratio / 48.0);
+    const double off = std::abs(last(filter, "ResponseForce", point) / wanted - 1.0);
+    // Edges of 2 mm, and the nearest point up to 1.5 mm beside the end.
+    PALPATE_CHECK(off < 5e-3);
+    PALPATE_CHECK(off < last(filter, "ResponseError", point));
+  }
+}
+
+/// c of a sphere at δ = R/2, by another code (Data/Reference/deep): 0.988 at ν = 0.45.
+void checkNeoHooke()
+{
+  const Body body = planeBody(40.0, 4);
+  const Filter small = filterOf(body, "sphere:5", 2.5);
+  small->Update();
+  const Filter finite = filterOf(body, "sphere:5", 2.5);
+  finite->SetStrainModelToNeoHooke();
+  finite->SetErrorTolerance(0.05);
+  finite->StoreErrorOn();
+  finite->Update();
+  const double c = last(finite, "ResponseForce", 5) / last(small, "ResponseForce", 5);
+  PALPATE_CHECK_NEAR(c, 0.988, 0.005);
+  PALPATE_CHECK(last(finite, "ResponseError", 5) < 0.01);
+  PALPATE_CHECK_NEAR(last(finite, "ResponseValidity", 5), 2.5, 1e-6);
+  vtkFieldData* fields = finite->GetOutput()->GetFieldData();
+  const std::string model =
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray("ResponseModel"))->GetValue(0);
+  PALPATE_CHECK_TEXT(model, "half-space", "Neo-Hooke");
+}
+
+/// What is not asked for leaves every bit.
+void checkUntouched()
+{
+  Body body = sphereBody(20.0, 2);
+  const Filter plain = filterOf(body, "sphere:5", 1.0);
+  plain->Update();
+  const Filter estimated = filterOf(body, "sphere:5", 1.0);
+  estimated->SetErrorTolerance(0.05);
+  estimated->Update();
+  PALPATE_CHECK(!plain->GetOutput()->GetPointData()->HasArray("ResponseError"));
+  PALPATE_CHECK(!estimated->GetOutput()->GetPointData()->HasArray("ResponseError"));
+  for (const char* name : { "ResponseForce", "ResponseStiffness" })
+  {
+    auto* one = vtkFloatArray::SafeDownCast(plain->GetOutput()->GetPointData()->GetArray(name));
+    auto* other =
+      vtkFloatArray::SafeDownCast(estimated->GetOutput()->GetPointData()->GetArray(name));
+    PALPATE_CHECK(std::equal(
+      one->GetPointer(0), one->GetPointer(0) + one->GetNumberOfValues(), other->GetPointer(0)));
+  }
+  // A sphere on a ball four times its size: -Rκ/2 is left out, 12.5 %.
+  PALPATE_CHECK_NEAR(last(estimated, "ResponseValidity", 3), 0.0, 0.0);
+  PALPATE_CHECK_NEAR(last(estimated, "ResponseLimit", 3), 2.0, 0.0);
+}
+
+std::string touchText(vtkToolTouch* touch)
+{
+  auto* table = vtkTable::SafeDownCast(touch->GetOutputDataObject(vtkToolTouch::TextPort));
+  return table && table->GetNumberOfRows() == 1 ? table->GetValueByName(0, "Text").ToString() : "";
+}
+
+/// A touch says its force with its error.
+void checkTouch()
+{
+  const Filter filter = filterOf(planeBody(40.0, 8), "sphere:5", 2.0);
+  filter->SetPoissonRatio(0.3);
+  filter->SetErrorTolerance(0.05);
+  filter->StoreErrorOn();
+  vtkNew<vtkToolTouch> touch;
+  touch->SetInputConnection(filter->GetOutputPort());
+  touch->SetTipPosition(0.0, 0.0, 0.0);
+  touch->SetIndentation(1.0);
+  touch->Update();
+  // K s = 0.2 · 0.424 √0.2 (Hertz), and what that leaves over.
+  PALPATE_CHECK_TEXT(touchText(touch), "N \u00b1 4 %", "Within the law's validity");
+}
+
+void checkFaults()
+{
+  const Body body = planeBody(10.0, 2);
+  const auto expect = [&body](const char* words, const std::function<void(Filter)>& spoil)
+  {
+    const Filter filter = filterOf(body, "sphere:5", 1.0);
+    spoil(filter);
+    Messages messages(filter);
+    filter->Update();
+    PALPATE_CHECK_TEXT(messages.errors(), words);
+  };
+  expect("StoreError needs an ErrorTolerance", [](const Filter& f) { f->StoreErrorOn(); });
+  expect("ErrorTolerance must be", [](const Filter& f) { f->SetErrorTolerance(-0.1); });
+  expect("ErrorTolerance must be", [](const Filter& f) { f->SetErrorTolerance(std::nan("")); });
+  expect("Ogden",
+    [](const Filter& f)
+    {
+      f->SetStrainModelToOgden();
+      f->SetOgdenExponent(0.0);
+    });
+}
+} // namespace
+
+int TestResponseError(int, char*[])
+{
+  checkBall(1.0);
+  checkBall(-1.0);
+  checkEllipsoid();
+  checkNeoHooke();
+  checkUntouched();
+  checkTouch();
+  checkFaults();
+  return result();
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/* The tables of Mechanics/FiniteStrain/NeoHookeTables.inc, by the solver of the same room: what
+ * finite strain (Neo-Hooke) does to the force of small strain, on one mesh, at the same depth.
+ *
+ *   finite_strain_tables sphere|flat|cone45|cone60|cone75|layer0.25|layer0.5|…   prints one table
+ *
+ * Lengths in radii (cone: of the depth, which does not matter). A row is a Poisson's ratio; a
+ * column a root of the depth over the deepest, 0.3 to 1. Where the solver did not come so far: 0.
+ * Cost: some 15 minutes a table on a half-space, one minute a layer.
+ */
+#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Mechanics/Tools/ToolSpecification.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+using namespace palpate;
+
+namespace
+{
+constexpr double Roots[] = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
+constexpr double Ratios[] = { 0.0, 0.15, 0.3, 0.4, 0.45, 0.48, 0.495 };
+
+struct Case
+{
+  std::string tool;
+  double deepest;
+  double fillet;    ///< mm
+  double thickness; ///< mm; 0: a half-space
+};
+
+Case caseOf(const std::string& name)
+{
+  if (name == "flat")
+  {
+    return { "flat:1", 0.7, 0.1, 0.0 };
+  }
+  if (name.rfind("cone", 0) == 0)
+  {
+    return { "cone:" + name.substr(4), 0.15, 0.05, 0.0 };
+  }
+  const double thickness =
+    name.rfind("layer", 0) == 0 ? std::strtod(name.c_str() + 5, nullptr) : 0.0;
+  return { "sphere:1", thickness > 0.0 ? 0.5 * thickness : 1.0, 0.1, thickness };
+}
+
+FiniteCurve curveOf(
+  const Case& given, const AxisymmetricTool& tool, double ratio, StrainModel model)
+{
+  FiniteProblem problem;
+  FiniteLayer layer;
+  layer.poissonsRatio = ratio;
+  layer.youngsModulus = 1.0 - ratio * ratio;
+  layer.model = model;
+  if (given.thickness > 0.0)
+  {
+    layer.thickness = given.thickness;
+  }
+  problem.layers = { layer };
+  problem.contactRadius = tool.contactRadius(given.deepest);
+  for (const double root : Roots)
+  {
+    problem.depths.push_back(given.deepest * root * root);
+  }
+  return pressTool(ToolOutline(tool, 3.0 * problem.contactRadius, given.fillet), problem);
+}
+} // namespace
+
+int main(int count, char** arguments)
+{
+  const Case given = caseOf(count > 1 ? arguments[1] : "sphere");
+  ToolSpecification specification;
+  std::string fault;
+  if (!parseTool(given.tool, specification, fault))
+  {
+    std::fprintf(stderr, "%s\n", fault.c_str());
+    return 1;
+  }
+  const auto tool = makeTool(specification);
+  for (const double ratio : Ratios)
+  {
+    const FiniteCurve small = curveOf(given, *tool, ratio, StrainModel::Linear);
+    const FiniteCurve finite = curveOf(given, *tool, ratio, StrainModel::NeoHooke);
+    std::printf("  {");
+    for (std::size_t i = 0; i < std::size(Roots); ++i)
+    {
+      const bool known = i < small.points.size() && i < finite.points.size();
+      const double linear = known ? small.points[i].force : 0.0;
+      // A cone's fillet does not touch at once.
+      std::printf(
+        " %.5f%s", linear > 0.0 ? finite.points[i].force / linear : 0.0, i < 7 ? "," : " ");
+    }
+    std::printf("}, // %g %s\n", ratio, finite.fault.c_str());
+    std::fflush(stdout);
+  }
+  return 0;
+}
