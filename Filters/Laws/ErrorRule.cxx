@@ -51,8 +51,7 @@ ErrorParts ErrorRule::at(
   return parts;
 }
 
-void ErrorRule::addStrain(
-  const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const
+void ErrorRule::addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const
 {
   if (this->Scope.strain)
   {

@@ -40,14 +40,14 @@ struct LawScope
  * - Strain, Thickness: what the small-strain law lacks (smallStrainError), on a layer named after
  *   its larger term; with a StrainCorrection, that one's own error.
  * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool; in the law, none of
- *   that. In both ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and, unless the body's own
- *   compliance is known, 0.46 a |κ_m|: a ball yields less as a whole than a half-space.
+ *   that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and 0.46 a |κ_m| unless
+ *   the body's own compliance is known: a ball yields less as a whole than a half-space.
  * - Edge: all of it where the contact is wider than the whole body; nothing before.
  * - None: storage.
  *
  * In series with a compliance a local error counts by the local part of the series, k/k_local.
- * Sources: finite elements with finite strain, on layers and on balls; Hertz 1882. Measured cover of
- * the bound: Testing/Cxx/Laws/ErrorRuleTest.cxx.
+ * Sources: finite elements with finite strain, on layers and on balls; Hertz 1882. How often
+ * the bound of strain holds: Testing/Cxx/Mechanics/StrainCorrectionTest.cxx.
  */
 class PALPATE_EXPORT ErrorRule
 {

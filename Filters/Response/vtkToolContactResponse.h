@@ -46,10 +46,10 @@
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
- * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool; CurvatureCorrection,
- * StrainModel and ErrorTolerance some 10 µs together, and a StrainModel what its solver takes, once
- * (palpate/StrainCorrection.h). Threaded by
- * vtkSMPTools; the same bits for any number of threads. Abort leaves no output.
+ * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool;
+ * CurvatureCorrection, StrainModel and ErrorTolerance some 10 µs together, and a StrainModel what
+ * its solver takes, once (palpate/StrainCorrection.h). Threaded by vtkSMPTools; the same bits for
+ * any number of threads. Abort leaves no output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
  * set the limit. A kilometre away (1e6 mm) points stored as float lie on a grid of 0.0625 mm, and
@@ -141,8 +141,9 @@ public:
   ///@{
   /**
    * Whether the body's sag under the tool is in the law: its principal curvatures, found from the
-   * mesh, are added to the tool's profile (palpate/CurvedContact.h). Default off: the surface counts
-   * as flat. Where the tool does not fit into a hollow the law stays that of the flat surface.
+   * mesh, are added to the tool's profile (palpate/CurvedContact.h). Default off: the surface
+   * counts as flat. Where the tool does not fit into a hollow the law stays that of the flat
+   * surface.
    */
   vtkSetMacro(CurvatureCorrection, bool);
   vtkGetMacro(CurvatureCorrection, bool);

@@ -101,6 +101,23 @@ class ClosedForms(unittest.TestCase):
         expected = self.DEPTHS * local / (1 + local * compliance)
         np.testing.assert_allclose(self.forces("flat:3", compliance=compliance), expected, rtol=STORED)
 
+    def test_a_neo_hookean_cone_is_wrong_by_one_fraction(self):
+        # c of a 60 degree cone at nu = 0.3, by another code: 1.075 at every depth.
+        tips = np.array([[0.3, 0.7, -0.5], [0.3, 0.7, -2.0]])
+        small, finite = (palpate.probe(palpate.response(plate(), tool="cone:60", poisson=0.3, strain=strain), tips)
+                         .forces[:, 2] for strain in ("small", "neohooke"))
+        np.testing.assert_allclose(finite / small, 1.075, atol=0.005)
+
+    def test_the_error_is_kept_where_it_has_a_tolerance(self):
+        body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3, error_tolerance=0.03, curvature=True)
+        data = body.GetPointData()
+        error = np.array([data.GetArray("ResponseError").GetComponent(60, k) for k in range(8)])
+        self.assertTrue((np.diff(error) > 0).all())
+        depth = data.GetArray("ResponseValidity").GetTuple1(60)
+        sampled = 2.0 * (np.arange(1, 9) / 8)**2
+        # The error is straight over the root of the depth between samples.
+        self.assertAlmostEqual(np.interp(math.sqrt(depth), np.sqrt(sampled), error), 0.03, delta=1e-6)
+
     def test_a_tool_object(self):
         tool = vtkContactTool()
         tool.SetShapeToFlat()
@@ -420,6 +437,10 @@ class Errors(unittest.TestCase):
                 (TypeError, "maximum_deflection", {"maximum_deflection": "deep"}),
                 (ValueError, "NumberOfSamples must lie between 2 and 256, but is 1", {"samples": 1}),
                 (TypeError, "samples must be a whole number", {"samples": 8.5}),
+                (ValueError, "strain must be one of .*'rubber'", {"strain": "rubber"}),
+                (ValueError, "Ogden", {"strain": ("ogden", 0)}),
+                (TypeError, "exponent of 'demiray'", {"strain": ("demiray", "much")}),
+                (ValueError, "ErrorTolerance must be finite", {"error_tolerance": -1}),
                 (ValueError, "ResponseName must not be empty", {"name": ""})):
             with self.subTest(options=str(options)[:60]):
                 self.complains(kind, words, palpate.response, body, **options)

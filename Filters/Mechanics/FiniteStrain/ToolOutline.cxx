@@ -19,7 +19,7 @@ constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: 1e-6 of its si
 constexpr double SteepestSlope = 6.0; // from there on straight: no contact is steeper
 constexpr double CornerAngle = 0.02;  // radians; less is no corner but a sampled curve
 constexpr double LargestCut = 0.35;   // of a part, by the fillet at either end of it
-constexpr double TangentStep = 1e-6;    // of a part's length: differences of profiles of six digits
+constexpr double TangentStep = 1e-6;  // of a part's length: differences of profiles of six digits
 
 double cross(const Vector2d& a, const Vector2d& b)
 {

@@ -20,7 +20,8 @@ void allocate(vtkDataArray* array, const std::string& name, int components, vtkI
 }
 } // namespace
 
-ResponseStorage::ResponseStorage(const std::string& name, vtkIdType points, int samples, bool keepsError)
+ResponseStorage::ResponseStorage(
+  const std::string& name, vtkIdType points, int samples, bool keepsError)
 {
   allocate(this->Force.Get(), arrayName(name, ResponseArray::Force), samples, points);
   allocate(this->Stiffness.Get(), arrayName(name, ResponseArray::Stiffness), samples, points);

@@ -2,6 +2,7 @@
 // What finite strain does to a force: tables and solver against another code (Data/Reference/deep,
 // Data/Studies/calculix), Long et al. 2011, and by what must hold.
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
+#include "Mechanics/FiniteStrain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
+#include <vector>
 #include <cstdlib>
 #include <filesystem>
 
@@ -268,4 +271,54 @@ TEST(SmallStrainError, BoundsWhatAnotherCodeFound)
   EXPECT_GE(held, 0.95 * all) << held << " of " << all;
   std::nth_element(ratios.begin(), ratios.begin() + all / 2, ratios.end());
   EXPECT_LT(ratios[static_cast<std::size_t>(all) / 2], 3.0);
+}
+
+/// At parameters drawn at random, against the solver: the bound of small strain and that of the
+/// correction each hold in 95 of 100 cases.
+TEST(SmallStrainError, HoldsAtRandomWhereTheSolverWasNotFitted)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  constexpr int layers = 12;
+  int small = 0;
+  int corrected = 0;
+  int cases = 0;
+  const auto sphere = tool("sphere:1");
+  for (int i = 0; i < layers; ++i)
+  {
+    const double nu = 0.3 + 0.195 * unit(random);
+    const double h = 0.5 * std::pow(4.0, unit(random)); // to two radii
+    const double deepest = (0.1 + 0.4 * unit(random)) * h;
+    FiniteProblem problem;
+    problem.contactRadius = sphere->contactRadius(deepest);
+    problem.depths = { 0.5 * deepest, deepest };
+    problem.edge = 0.08;
+    FiniteLayer layer;
+    layer.thickness = h;
+    layer.youngsModulus = 1.0;
+    layer.poissonsRatio = nu;
+    problem.layers = { layer };
+    const ToolOutline outline(*sphere, 0.95, 0.1);
+    const FiniteCurve finite = pressTool(outline, problem);
+    const auto made = correction(*sphere, deepest, { nu, nu, false, h, h, LayerBase::Bonded });
+    const LayerContact contact(*sphere, std::make_shared<LayerKernel>(nu, LayerBase::Bonded), h);
+    for (const FinitePoint& point : finite.points)
+    {
+      const IndentationPoint law = contact.evaluate(point.depth, reducedModulus(1.0, nu));
+      const double a = law.contactRadius;
+      const double pressure = law.force / (3.14159265358979 * a * a * reducedModulus(1.0, nu));
+      const StrainFactor factor = made->at(point.depth, nu, h);
+      const double own = 0.004; // of the solver's mesh here, by refinement
+      small += std::abs(point.force / law.force - 1.0) <=
+          smallStrainError(pressure, nu, point.depth / h, a / h) + own
+        ? 1
+        : 0;
+      corrected +=
+        std::abs(point.force / (law.force * factor.factor) - 1.0) <= factor.error + own ? 1 : 0;
+      ++cases;
+    }
+  }
+  EXPECT_EQ(cases, 2 * layers);
+  EXPECT_GE(small, 0.95 * cases);
+  EXPECT_GE(corrected, 0.95 * cases);
 }
