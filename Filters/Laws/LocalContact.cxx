@@ -97,25 +97,12 @@ ContactNodes LocalContact::curvedNodes(const ContactSpot& spot, const ContactNod
   return onCurvedBody(flat, toolCurvature, sag, spot.curvature);
 }
 
-bool LocalContact::fits(const ContactSpot& spot) const
+NodeLaw LocalContact::law(const ContactSpot& spot, bool& fits) const
 {
-  if (spot.curvature.isFlat())
-  {
-    return true;
-  }
-  const ContactNodes curved = this->curvedNodes(spot, this->flatNodes(spot));
-  return curved.size() > 0 && curved.depths.back() >= this->Range;
-}
-
-NodeLaw LocalContact::law(const ContactSpot& spot) const
-{
-  ContactNodes flat = this->flatNodes(spot);
-  ContactNodes nodes;
-  if (!spot.curvature.isFlat())
-  {
-    nodes = this->curvedNodes(spot, flat);
-  }
-  if (nodes.size() == 0 || nodes.depths.back() < this->Range)
+  const ContactNodes flat = this->flatNodes(spot);
+  ContactNodes nodes = spot.curvature.isFlat() ? flat : this->curvedNodes(spot, flat);
+  fits = nodes.size() > 0 && nodes.depths.back() >= this->Range;
+  if (!fits)
   {
     nodes = flat;
   }

@@ -41,12 +41,14 @@ public:
   }
   /// Whether the spot's layer is not too thin.
   bool answers(const ContactSpot& spot) const;
-  /// Whether the tool fits into the body down to the range. Where not, law() is that of the flat
-  /// body.
-  bool fits(const ContactSpot& spot) const;
-
-  /// For a spot that is answered: the contact for E* = 1.
-  NodeLaw law(const ContactSpot& spot) const;
+  /// For a spot that is answered: the contact for E* = 1. `fits` tells whether the tool fits into
+  /// the body down to the range; where it does not, the law is that of the flat body.
+  NodeLaw law(const ContactSpot& spot, bool& fits) const;
+  NodeLaw law(const ContactSpot& spot) const
+  {
+    bool fits = true;
+    return this->law(spot, fits);
+  }
 
 private:
   ContactNodes flatNodes(const ContactSpot& spot) const;

@@ -46,19 +46,47 @@ void ResponseFiller::fill(
   std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
 {
   this->Spans.range[i] = this->Range;
-  this->Spans.status[i] = this->fillCurve(i, spot, bound);
   ValidityRule::Answer trusted{ 0.0, ResponseLimit::None };
-  if (this->Spans.status[i] == Valid)
+  if (this->Errors)
   {
-    trusted = this->Errors ? this->estimated(i, spot, curvature) : this->Rule.at(spot, bound);
+    trusted = this->fillEstimated(i, spot, bound, curvature);
   }
-  else if (this->Spans.error)
+  else
   {
-    std::fill_n(this->Spans.error + static_cast<std::size_t>(this->Spans.samples) * i,
-      this->Spans.samples, std::numeric_limits<float>::quiet_NaN());
+    this->Spans.status[i] = this->fillCurve(i, spot, bound);
+    trusted = this->Spans.status[i] == Valid ? this->Rule.at(spot, bound) : trusted;
   }
   this->Spans.validity[i] = static_cast<float>(trusted.depth);
   this->Spans.limit[i] = static_cast<unsigned char>(trusted.limit);
+}
+
+ValidityRule::Answer ResponseFiller::fillEstimated(
+  std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
+{
+  const auto n = static_cast<std::size_t>(this->Spans.samples);
+  if (this->Spans.status[i] == Valid && bound >= 0.0 && this->Contact->answers(spot))
+  {
+    bool fits = true;
+    const NodeLaw local = this->Contact->law(spot, fits);
+    float* force = this->Spans.force + n * i;
+    float* stiffness = this->Spans.stiffness + n * i;
+    this->Spans.status[i] = static_cast<unsigned char>(this->Contact->corrects(spot)
+        ? this->Law.sample(local, spot, force, stiffness)
+        : this->Law.sample(spot, force, stiffness));
+    if (this->Spans.status[i] == Valid)
+    {
+      return this->estimated(i, local, fits, spot, curvature);
+    }
+  }
+  else
+  {
+    this->Spans.status[i] = this->fillCurve(i, spot, bound);
+  }
+  if (this->Spans.error)
+  {
+    std::fill_n(this->Spans.error + n * i, n, std::numeric_limits<float>::quiet_NaN());
+  }
+  return { 0.0, ResponseLimit::None };
 }
 
 ErrorParts ResponseFiller::errorAt(
@@ -71,11 +99,9 @@ ErrorParts ResponseFiller::errorAt(
 }
 
 /// Between the samples the error is straight over √δ, as strain is below a sphere.
-ValidityRule::Answer ResponseFiller::estimated(
-  std::size_t i, const ContactSpot& spot, const SpotCurvature& curvature) const
+ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const NodeLaw& local, bool fits,
+  const ContactSpot& spot, const SpotCurvature& curvature) const
 {
-  const NodeLaw local = this->Contact->law(spot);
-  const bool unfit = !this->Contact->fits(spot);
   const int n = this->Spans.samples;
   const ResponseSampling sampling(n, 1.0);
   const double range = this->Range;
@@ -85,7 +111,7 @@ ValidityRule::Answer ResponseFiller::estimated(
   {
     const double depth = k == 0 ? AtTouch * sampling.depth(0, range) : sampling.depth(k - 1, range);
     ErrorParts parts = this->errorAt(local, spot, curvature, depth);
-    if (unfit)
+    if (!fits)
     {
       parts[ResponseLimit::Curvature] = 1.0;
     }
@@ -110,7 +136,6 @@ ValidityRule::Answer ResponseFiller::estimated(
   return trusted;
 }
 
-/// Returns the status of the point.
 unsigned char ResponseFiller::fillCurve(
   std::size_t i, const ContactSpot& spot, double curvature) const
 {

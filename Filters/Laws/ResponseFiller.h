@@ -79,9 +79,13 @@ public:
     std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const;
 
 private:
-  unsigned char fillCurve(std::size_t i, const ContactSpot& spot, double curvature) const;
-  ValidityRule::Answer estimated(
-    std::size_t i, const ContactSpot& spot, const SpotCurvature& curvature) const;
+  /// Returns the status of the point.
+  unsigned char fillCurve(std::size_t i, const ContactSpot& spot, double bound) const;
+  /// The curve, and the validity by its error.
+  ValidityRule::Answer fillEstimated(
+    std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const;
+  ValidityRule::Answer estimated(std::size_t i, const NodeLaw& local, bool fits,
+    const ContactSpot& spot, const SpotCurvature& curvature) const;
   ErrorParts errorAt(const NodeLaw& local, const ContactSpot& spot, const SpotCurvature& curvature,
     double depth) const;
 

@@ -148,6 +148,18 @@ ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float*
       ? this->scale(this->HalfSpace, spot.reducedModulus, force, stiffness)
       : this->solve(this->Tool, spot, force, stiffness);
   }
+  return this->orNothing(status, force, stiffness);
+}
+
+ResponseStatus ResponseLaw::sample(
+  const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const
+{
+  return this->orNothing(this->solve(local, spot, force, stiffness), force, stiffness);
+}
+
+/// Zeros where there is no curve.
+ResponseStatus ResponseLaw::orNothing(ResponseStatus status, float* force, float* stiffness) const
+{
   if (status != ResponseStatus::Valid)
   {
     std::fill_n(force, this->Samples, 0.0F);

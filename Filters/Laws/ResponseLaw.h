@@ -42,6 +42,10 @@ public:
   /// not hold a number to its precision (1.2e-38 to 3.4e38).
   ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
+  /// The same of a local contact that was made already.
+  ResponseStatus sample(
+    const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
+
   /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm), to 1e-6 on a layer; NaN
   /// where there is no stable contact.
   IndentationPoint evaluate(const ContactSpot& spot, double deflection) const;
@@ -76,6 +80,7 @@ private:
   }
 
   static UnitCurve layerCurve(const LayerTable& table, const ContactSpot& spot);
+  ResponseStatus orNothing(ResponseStatus status, float* force, float* stiffness) const;
   ResponseStatus scale(
     const UnitCurve& curve, double reducedModulus, float* force, float* stiffness) const;
   ResponseStatus solve(

@@ -33,8 +33,10 @@ double force(const ToolSpecification& tool, const ContactSpot& spot, double dept
   {
     contact.prepareLayers({ LayerBase::Bonded, spot.thickness, spot.thickness, { 0.45 } });
   }
-  EXPECT_TRUE(contact.fits(spot));
-  return contact.law(spot).at(depth).force;
+  bool fits = false;
+  const double force = contact.law(spot, fits).at(depth).force;
+  EXPECT_TRUE(fits);
+  return force;
 }
 } // namespace
 
@@ -119,8 +121,9 @@ TEST(CurvedContact, AToolThatDoesNotFitIsOnAFlatBody)
   const auto made = makeTool({ ToolShape::Sphere, 10.0 });
   const LocalContact contact(*made, 1.0, false, nullptr);
   const ContactSpot hollow = curved(-0.2, -0.2);
-  EXPECT_FALSE(contact.fits(hollow));
-  EXPECT_NEAR(contact.law(hollow).at(0.5).force / made->force(0.5, 1.0), 1.0, Nodes);
+  bool fits = true;
+  EXPECT_NEAR(contact.law(hollow, fits).at(0.5).force / made->force(0.5, 1.0), 1.0, Nodes);
+  EXPECT_FALSE(fits);
 }
 
 /// A ball of finite elements: what the summed profiles leave is the structural compliance.

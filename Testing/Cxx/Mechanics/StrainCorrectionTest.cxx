@@ -4,8 +4,10 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/FiniteStrain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
+#include "Mechanics/Identification/CurvesFile.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include "ReferenceTable.h"
 #include "TestTools.h"
@@ -144,6 +146,53 @@ TEST(StrainCorrection, SphereOnAnIncompressibleLayerIsThatOfLong)
       EXPECT_NEAR(small * made->at(depth, 0.495, h).factor / published, 1.0, 0.018)
         << "h " << h << ", depth " << depth;
     }
+  }
+}
+
+/// CalculiX, Neo-Hooke, ν = 0.45: the exact law times c.
+TEST(StrainCorrection, SpheresAreThoseOfCalculix)
+{
+  struct Case
+  {
+    const char* name;
+    double thickness;
+    double within;
+  };
+  // Their contact changes node by node: 1 % at 0.45 h below the sphere of 0.635 h.
+  for (const Case& given : { Case{ "block-sphere6.35-neohooke", 0.0, 0.005 },
+         Case{ "block-sphere6.35-neohooke-deep", 0.0, 0.005 },
+         Case{ "layer10-sphere20-neohooke-deep", 10.0, 0.007 },
+         Case{ "layer10-sphere6.35-neohooke", 10.0, 0.005 },
+         Case{ "layer10-sphere6.35-neohooke-deep", 10.0, 0.013 } })
+  {
+    MeasuredCurves file;
+    ASSERT_EQ(
+      readCurves(std::string(PALPATE_DATA_DIR "/Studies/calculix/") + given.name + ".csv", file),
+      "");
+    const auto sphere = makeTool(file.tool);
+    const std::vector<double>& depths = file.curves.front().deflection;
+    const double h = given.thickness;
+    const auto made =
+      correction(*sphere, depths.back(), { 0.45, 0.45, h == 0.0, h, h, LayerBase::Bonded });
+    const double modulus = reducedModulus(0.1, 0.45);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < depths.size(); ++i)
+    {
+      if (depths[i] < 0.04 * file.tool.Radius)
+      {
+        continue; // a contact of few nodes
+      }
+      double small = sphere->force(depths[i], modulus);
+      if (h > 0.0)
+      {
+        const LayerContact contact(
+          *sphere, std::make_shared<LayerKernel>(0.45, LayerBase::Bonded), h);
+        small = contact.evaluate(depths[i], modulus).force;
+      }
+      const double factor = made->at(depths[i], 0.45, h).factor;
+      worst = std::max(worst, std::abs(small * factor / file.curves.front().force[i] - 1.0));
+    }
+    EXPECT_LT(worst, given.within) << given.name;
   }
 }
 
