@@ -32,7 +32,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <vector>
 
 namespace palpate
@@ -152,12 +151,10 @@ struct RegimeStorage
 /// What is wrong with the deflection, or with the Range of the body, or "".
 std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector<double>& depths)
 {
-  std::ostringstream text;
   if (!(std::isfinite(request.deflection) && request.deflection >= 0.0))
   {
-    text << "Deflection must be finite and not negative (mm, 0 for half of Range), but is "
-         << request.deflection;
-    return text.str();
+    return joined("Deflection must be finite and not negative (mm, 0 for half of Range), but is ",
+      request.deflection);
   }
   depths.assign(static_cast<std::size_t>(body->GetNumberOfPoints()), request.deflection);
   if (request.deflection > 0.0 || depths.empty())
@@ -169,19 +166,17 @@ std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector
   if (!range || range->GetNumberOfComponents() != 1 ||
     range->GetNumberOfTuples() != body->GetNumberOfPoints())
   {
-    text << "Deflection is 0, which means half of the point array '" << request.responseName
-         << "Range', but the input has none with a value per point: attach a response, or set "
-            "Deflection";
-    return text.str();
+    return joined("Deflection is 0, which means half of the point array '", request.responseName,
+      "Range', but the input has none with a value per point: attach a response, or set "
+      "Deflection");
   }
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     depths[i] = 0.5 * range->GetTuple1(static_cast<vtkIdType>(i));
     if (!(depths[i] > 0.0 && std::isfinite(depths[i])))
     {
-      text << "Array '" << request.responseName << "Range': value of point " << i
-           << " must be positive and finite (mm), but is " << 2.0 * depths[i];
-      return text.str();
+      return joined("Array '", request.responseName, "Range': value of point ", i,
+        " must be positive and finite (mm), but is ", 2.0 * depths[i]);
     }
   }
   return {};
@@ -215,9 +210,8 @@ std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvide
     auto* verdict = vtkUnsignedCharArray::SafeDownCast(found);
     if (!verdict || verdict->GetNumberOfComponents() != 1)
     {
-      return "Array 'RegimeVerdict' must be unsigned char with 1 component, but is " +
-        std::string(found->GetDataTypeAsString()) + " with " +
-        std::to_string(found->GetNumberOfComponents());
+      return joined("Array 'RegimeVerdict' must be unsigned char with 1 component, but is ",
+        found->GetDataTypeAsString(), " with ", found->GetNumberOfComponents());
     }
     evidence.verdict = verdict->GetPointer(0);
   }
@@ -245,32 +239,31 @@ std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double&
     depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
     return {};
   }
-  std::ostringstream text;
-  text << "RegimeVerdict is that of " << found << " mm (RegimeDeflection), but Deflection is "
-       << depth << " mm";
-  return std::abs(found - depth) <= 1e-6 * depth ? std::string() : text.str();
+  return std::abs(found - depth) <= 1e-6 * depth
+    ? std::string()
+    : joined("RegimeVerdict is that of ", found, " mm (RegimeDeflection), but Deflection is ",
+        depth, " mm");
 }
 
 std::string checkSettings(const ChoiceSettings& settings)
 {
-  std::ostringstream text;
   if (!(settings.tolerance > 0.0))
   {
-    text << "Tolerance must be above 0, but is " << settings.tolerance;
+    return joined("Tolerance must be above 0, but is ", settings.tolerance);
   }
-  else if (!(settings.share > 0.0 && settings.share <= 1.0))
+  if (!(settings.share > 0.0 && settings.share <= 1.0))
   {
-    text << "Share must be above 0 and at most 1, but is " << settings.share;
+    return joined("Share must be above 0 and at most 1, but is ", settings.share);
   }
-  else if (!(settings.depth >= 0.0 && std::isfinite(settings.depth)))
+  if (!(settings.depth >= 0.0 && std::isfinite(settings.depth)))
   {
-    text << "Deflection must be finite and not negative (mm), but is " << settings.depth;
+    return joined("Deflection must be finite and not negative (mm), but is ", settings.depth);
   }
-  else if (settings.mostLaws < 1 || settings.mostLaws > 16)
+  if (settings.mostLaws < 1 || settings.mostLaws > 16)
   {
-    text << "MaximumNumberOfLaws must lie between 1 and 16, but is " << settings.mostLaws;
+    return joined("MaximumNumberOfLaws must lie between 1 and 16, but is ", settings.mostLaws);
   }
-  return text.str();
+  return {};
 }
 } // namespace
 
