@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Touch/TouchText.h"
 
+#include "Response/Curves/StoredError.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -52,20 +54,6 @@ std::string describeState(const Touch& touch)
   }
 }
 
-/// " ± 4 %"; of 100 % and more nothing is known of the force.
-std::string describeError(const Touch& touch)
-{
-  const double percent = 100.0 * touch.validity.error;
-  if (touch.state == Invalid || std::isnan(percent))
-  {
-    return "";
-  }
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), percent < 1.0 ? "%.1f %%" : "%.0f %%", percent);
-  return percent < 99.5 ? std::string(" \u00b1 ") + text.data()
-                        : " (no bound of its error is known)";
-}
-
 std::string describeValidity(const Touch& touch)
 {
   const PlaceValidity& validity = touch.validity;
@@ -95,7 +83,8 @@ std::string describeTouch(const Touch& touch, const std::string& tool)
       : "";
     return text;
   }
-  text += "\nForce " + threeDigits(touch.force.norm()) + " N" + describeError(touch);
+  text += "\nForce " + threeDigits(touch.force.norm()) + " N";
+  text += touch.state == Invalid ? "" : errorInWords(touch.validity.error);
   text += "\nDeflection " + millimetres(touch.deflection);
   text += ", stiffness " + threeDigits(touch.stiffness) + " N/mm";
   text += describeState(touch);

@@ -2,6 +2,7 @@
 #include "Response/Touch/TouchedBody.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Curves/StoredError.h"
 #include "Contact/ResponseContract.h"
 
 #include "vtkCellArray.h"
@@ -218,37 +219,6 @@ double TouchedBody::stiffness(const TouchedPlace& place, double depth) const
   return stiffness;
 }
 
-/// Straight over √δ between the samples of each corner, as it was found; below the first in
-/// proportion to none of it. Beyond the range nothing is known.
-double TouchedBody::errorAt(const TouchedPlace& place, double depth) const
-{
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  auto* errors = vtkFloatArray::SafeDownCast(
-    this->Body->GetPointData()->GetArray(arrayName(this->Name, ResponseArray::Error).c_str()));
-  if (!errors || errors->GetNumberOfComponents() != this->Response.samples)
-  {
-    return unknown;
-  }
-  const int last = this->Response.samples - 1;
-  double sum = 0.0;
-  int corner = 0;
-  for (const vtkIdType id : cornersOf(this->Body, place.cell))
-  {
-    const double range = static_cast<double>(this->Response.range[id]);
-    if (!(depth <= range))
-    {
-      return unknown;
-    }
-    const double at = std::max(0.0, std::sqrt(depth / range) * this->Response.samples - 1.0);
-    const int below = std::min(static_cast<int>(at), last);
-    const int above = std::min(below + 1, last);
-    const double one = errors->GetComponent(id, below);
-    const double other = errors->GetComponent(id, above);
-    sum += place.weights[corner++] * (one + (at - below) * (other - one));
-  }
-  return sum;
-}
-
 PlaceValidity TouchedBody::validity(const TouchedPlace& place, double depth) const
 {
   PlaceValidity weakest;
@@ -261,9 +231,11 @@ PlaceValidity TouchedBody::validity(const TouchedPlace& place, double depth) con
   }
   weakest.known = true;
   weakest.depth = std::numeric_limits<double>::infinity();
-  weakest.error = this->errorAt(place, depth);
+  weakest.error = 0.0;
+  int corner = 0;
   for (const vtkIdType id : cornersOf(this->Body, place.cell))
   {
+    weakest.error += place.weights[corner++] * storedError(this->Body, this->Name, id, depth);
     const double trusted = validity[id];
     if (trusted < weakest.depth)
     {

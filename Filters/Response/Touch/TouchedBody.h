@@ -65,7 +65,6 @@ public:
 
 private:
   bool locate();
-  double errorAt(const TouchedPlace& place, double depth) const;
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkPolyData> Triangles; ///< those of the body, and no other cells

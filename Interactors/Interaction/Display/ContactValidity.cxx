@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/ContactValidity.h"
 
+#include "Response/Curves/StoredError.h"
+
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -13,6 +15,7 @@ void findValidity(vtkPolyData* body, const std::string& responseName, ShownConta
 {
   contact.validity = std::numeric_limits<double>::infinity();
   contact.limit = 0;
+  contact.error = std::numeric_limits<double>::quiet_NaN();
   if (!body || !contact.touches() || contact.cell >= body->GetNumberOfCells())
   {
     return;
@@ -30,6 +33,9 @@ void findValidity(vtkPolyData* body, const std::string& responseName, ShownConta
   for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
   {
     const vtkIdType corner = corners->GetId(i);
+    const double error =
+      palpate::storedError(body, responseName, corner, contact.tick.contact.deflection);
+    contact.error = error > contact.error || i == 0 ? error : contact.error;
     if (validity->GetTuple1(corner) < contact.validity)
     {
       contact.validity = validity->GetTuple1(corner);

@@ -10,9 +10,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Sets validity and limit of a contact from Validity and Limit of the response with this prefix:
-/// of the three corners of its cell the weakest. Without those arrays, or without a contact,
-/// nothing is known to break: infinite.
+/// Sets validity, limit and error of a contact from Validity, Limit and Error of the response with
+/// this prefix: of the three corners of its cell the weakest. Without those arrays, or without a
+/// contact, nothing is known to break: infinite.
 void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
 } // namespace palpate
 

@@ -4,6 +4,7 @@
 #include "Interaction/Display/DisplayColors.h"
 #include "Contact/ResponseContract.h"
 #include "Interaction/Display/ShownContact.h"
+#include "Response/Curves/StoredError.h"
 
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -103,6 +104,7 @@ void SceneCaption::describe(
     text += "\nDeflection " + millimetres(contact.tick.contact.deflection);
     text += contactRadius > 0.0 ? ", contact radius " + millimetres(contactRadius) : "";
     text += "\nForce " + newtons(contact.tick.idealForce);
+    text += errorInWords(contact.error);
     text += contact.hasFriction()
       ? ": normal " + newtons(contact.tick.idealForce - contact.tick.contact.friction) +
         ", friction " + newtons(contact.tick.contact.friction)

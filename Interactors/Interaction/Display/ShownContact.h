@@ -32,6 +32,8 @@ struct ShownContact
   /// the contract's code.
   double validity = std::numeric_limits<double>::infinity();
   int limit = 0;
+  /// Estimated relative error of the force; NaN where the response keeps none.
+  double error = std::numeric_limits<double>::quiet_NaN();
 
   bool touches() const { return this->cell >= 0; }
   bool isValid() const

@@ -244,6 +244,31 @@ void checkLimits(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, v
   }
   scene->SetBody(body);
 }
+
+/// Where the response keeps its error the force has it, that of the worst corner.
+void checkError(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vtkIdType tip)
+{
+  vtkNew<vtkPolyData> other;
+  other->DeepCopy(body);
+  vtkNew<vtkFloatArray> error;
+  error->SetName("ResponseError");
+  error->SetNumberOfComponents(
+    body->GetPointData()->GetArray("ResponseForce")->GetNumberOfComponents());
+  error->SetNumberOfTuples(body->GetNumberOfPoints());
+  error->Fill(0.021);
+  vtkNew<vtkIdList> corners;
+  body->GetCellPoints(
+    static_cast<vtkIdType>(tips->GetPointData()->GetArray("ContactCell")->GetTuple1(tip)), corners);
+  for (int k = 0; k < error->GetNumberOfComponents(); ++k)
+  {
+    error->SetComponent(corners->GetId(1), k, 0.042);
+  }
+  other->GetPointData()->AddArray(error);
+  scene->SetBody(other);
+  PALPATE_CHECK(scene->ShowTip(tips, tip));
+  PALPATE_CHECK_TEXT(caption(scene->GetRenderer()), " N \u00b1 4 %");
+  scene->SetBody(body);
+}
 } // namespace
 
 int TestContactSceneForces(int argc, char* argv[])
@@ -279,6 +304,7 @@ int TestContactSceneForces(int argc, char* argv[])
     ", friction 8.", "\nApplied 7.", "beyond validity, 1.08 mm (strain)");
   checkBaseline(picture.window, argc, argv);
 
+  checkError(scene, body, tips, last);
   checkLimits(scene, body, tips, last);
   scene->ShowTip(tips, last);
   checkSound(sound, picture.window);
