@@ -7,6 +7,7 @@
 #include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace palpate

@@ -136,13 +136,12 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const NodeLaw& loc
   return trusted;
 }
 
-unsigned char ResponseFiller::fillCurve(
-  std::size_t i, const ContactSpot& spot, double curvature) const
+unsigned char ResponseFiller::fillCurve(std::size_t i, const ContactSpot& spot, double bound) const
 {
   const auto n = static_cast<std::size_t>(this->Spans.samples);
   float* force = this->Spans.force + n * i;
   float* stiffness = this->Spans.stiffness + n * i;
-  if (this->Spans.status[i] != Valid || curvature < 0.0)
+  if (this->Spans.status[i] != Valid || bound < 0.0)
   {
     std::fill_n(force, n, 0.0F);
     std::fill_n(stiffness, n, 0.0F);

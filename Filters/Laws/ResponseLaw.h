@@ -10,6 +10,7 @@
 #include "Contact/ResponseField.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace palpate
