@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes Filters/Mechanics/FiniteStrain/NeoHookeTables.inc by the finite-strain solver.
 
-    make_tables.py PROGRAM FILE     PROGRAM: tables.cxx of this folder, compiled against Palpate::Mechanics
+    make_tables.py PROGRAM FILE     PROGRAM: bin/palpateStrainTables of the build (a target of its own)
 
 Cost: about twenty minutes on two processors.
 """
