@@ -54,6 +54,7 @@ enum ModelPart : int
   LayerPart = 2,
   GlobalCompliancePart = 4, ///< in series: the body gives way as a whole
   SpringPart = 8,           ///< a spring at each point, whatever the tool
+  StackPart = 16,           ///< layers on each other
   FiniteStrainPart = 32,
   CurvaturePart = 64 ///< the body's sag
 };

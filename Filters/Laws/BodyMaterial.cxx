@@ -4,10 +4,12 @@
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Contact/ResponseContract.h"
 #include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Laws/ResponseLaw.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,9 +35,23 @@ bool isThickness(double value)
 }
 } // namespace
 
+LayerStack BodyMaterial::Constants::stack() const
+{
+  LayerStack whole;
+  if (this->isStack())
+  {
+    whole.layers.push_back({ this->thickness, this->youngsModulus, this->poissonsRatio });
+    whole.layers.insert(whole.layers.end(), this->deeper.begin(), this->deeper.end());
+    whole.base = this->base;
+    whole.hasHalfSpace = this->halfSpace.has_value();
+    whole.halfSpace = this->halfSpace.value_or(StackLayer());
+  }
+  return whole;
+}
+
 BodyMaterial::BodyMaterial(const Constants& constants)
   : Given(constants)
-  , Range(constants.base)
+  , Range(constants.base, constants.stack())
 {
 }
 
@@ -61,7 +77,11 @@ std::string BodyMaterial::checkConstants() const
 
 std::string BodyMaterial::take(Values values, std::size_t points)
 {
-  std::string wrong = this->takeModulus(values, points);
+  std::string wrong = this->checkStackOf(values);
+  if (wrong.empty())
+  {
+    wrong = this->takeModulus(values, points);
+  }
   if (wrong.empty())
   {
     wrong = checkEach(
@@ -79,11 +99,12 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   this->PoissonsRatio = std::move(values.poissonsRatio.values);
   this->Thickness = std::move(values.thickness.values);
   this->Compliance = std::move(values.compliance.values);
+  this->Second = std::move(values.second.values);
 
-  const std::size_t distinct =
-    std::max({ this->PoissonsRatio.size(), this->Thickness.size(), this->Compliance.size() });
+  const std::size_t distinct = std::max({ this->PoissonsRatio.size(), this->Thickness.size(),
+    this->Compliance.size(), this->Second.size() });
   const ContactSpots spots = this->spots();
-  this->Range = MaterialRange(this->Given.base);
+  this->Range = MaterialRange(this->Given.base, this->Given.stack());
   for (std::size_t i = 0; i < std::max<std::size_t>(distinct, 1); ++i)
   {
     this->Range.add(spots.at(i));
@@ -98,6 +119,49 @@ std::string BodyMaterial::take(Values values, std::size_t points)
       "declare it by ComplianceExcludesLayer");
   }
   return {};
+}
+
+/// What is wrong with the layers of a stack, or with what is said of one where there is none.
+std::string BodyMaterial::checkStackOf(const Values& values) const
+{
+  if (!this->Given.isStack())
+  {
+    return values.second.values.empty()
+      ? std::string()
+      : joined("Array '", values.second.name,
+          "' is the thickness of a second layer, but the body has none: see AddLayer");
+  }
+  for (const PointValues* each : { &values.youngsModulus, &values.poissonsRatio })
+  {
+    if (!each->values.empty())
+    {
+      return joined("Array '", each->name,
+        "': the layers of a stack are of one material each, but this has a value per point");
+    }
+  }
+  if (!values.second.values.empty() && this->Given.deeper.empty())
+  {
+    return joined(
+      "Array '", values.second.name, "' is the thickness of a second layer, but there is one only");
+  }
+  LayerStack stack = this->Given.stack();
+  const auto isThick = [](double value) { return value > 0.0 && std::isfinite(value); };
+  const std::array<const PointValues*, 2> varying = { &values.thickness, &values.second };
+  for (std::size_t i = 0; i < varying.size(); ++i)
+  {
+    if (varying[i]->values.empty())
+    {
+      continue;
+    }
+    std::string wrong = checkEach(
+      *varying[i], "layer thickness", "be positive and finite (mm) in a stack of layers", isThick);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+    stack.layers[i].thickness = varying[i]->values.front();
+  }
+  return checkStack(stack);
 }
 
 std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
@@ -138,10 +202,21 @@ ContactSpots BodyMaterial::spots() const
 {
   const auto data = [](const std::vector<double>& values)
   { return values.empty() ? nullptr : values.data(); };
-  return { { reducedModulus(this->Given.youngsModulus, this->Given.poissonsRatio),
-             this->Given.poissonsRatio, 0.0, this->Given.thickness },
+  ContactSpots spots{ { reducedModulus(this->Given.youngsModulus, this->Given.poissonsRatio),
+                        this->Given.poissonsRatio, 0.0, this->Given.thickness },
     data(this->ReducedModulus), data(this->PoissonsRatio), data(this->Compliance),
-    data(this->Thickness) };
+    data(this->Thickness), data(this->Second) };
+  if (this->Given.isStack())
+  {
+    const std::vector<StackLayer>& deeper = this->Given.deeper;
+    spots.constant.second = deeper.empty() ? 0.0 : deeper.front().thickness;
+    spots.deeperThinnest = Infinity;
+    for (std::size_t i = 1; i < deeper.size(); ++i)
+    {
+      spots.deeperThinnest = std::min(spots.deeperThinnest, deeper[i].thickness);
+    }
+  }
+  return spots;
 }
 
 double BodyMaterial::bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const
@@ -168,7 +243,11 @@ double BodyMaterial::storageError(const ResponseLaw& law, double exponent) const
 std::string BodyMaterial::describe() const
 {
   std::string model = "half-space";
-  if (this->Range.hasLayers())
+  if (this->Given.isStack())
+  {
+    model = this->describeStack();
+  }
+  else if (this->Range.hasLayers())
   {
     model = this->Given.base == LayerBase::Slip ? "layer slipping on a rigid base"
                                                 : "layer bonded to a rigid base";
@@ -178,9 +257,33 @@ std::string BodyMaterial::describe() const
   return this->Compliance.empty() ? model : model + " in series with global compliance";
 }
 
+std::string BodyMaterial::describeStack() const
+{
+  const auto material = [](const StackLayer& layer)
+  { return joined(layer.youngsModulus, " MPa, nu ", layer.poissonsRatio); };
+  const LayerStack stack = this->Given.stack();
+  std::string model = joined("stack of ", stack.layers.size(),
+    stack.layers.size() == 1 ? " layer" : " layers", ", from the top");
+  for (std::size_t i = 0; i < stack.layers.size(); ++i)
+  {
+    const StackLayer& layer = stack.layers[i];
+    const bool varies = (i == 0 && !this->Thickness.empty()) || (i == 1 && !this->Second.empty());
+    model += i > 0 && layer.slips ? "; slipping, " : i > 0 ? "; " : " ";
+    model += varies ? std::string("varying thickness") : joined(layer.thickness, " mm");
+    model += " of " + material(layer);
+  }
+  if (stack.hasHalfSpace)
+  {
+    return model + (stack.halfSpace.slips ? "; slipping on" : "; on") + " a half-space of " +
+      material(stack.halfSpace);
+  }
+  return model +
+    (stack.base == LayerBase::Slip ? "; slipping on a rigid base" : "; bonded to a rigid base");
+}
+
 int BodyMaterial::modelParts() const
 {
   return (this->Range.hasLayers() ? LayerPart : HalfSpacePart) |
-    (this->Compliance.empty() ? 0 : GlobalCompliancePart);
+    (this->Given.isStack() ? StackPart : 0) | (this->Compliance.empty() ? 0 : GlobalCompliancePart);
 }
 } // namespace palpate

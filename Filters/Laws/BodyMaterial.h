@@ -4,9 +4,11 @@
 
 #include "Laws/ContactSpot.h"
 #include "Laws/MaterialRange.h"
+#include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,14 @@ public:
     double thickness; ///< mm, 0 for a half-space
     LayerBase base;
     bool complianceExcludesLayer;
+    /// Below that layer, from above: with them, or on a half-space, the body is a stack
+    /// (LayerStack.h), everywhere, and Young's modulus and Poisson's ratio are constant.
+    std::vector<StackLayer> deeper = {};
+    std::optional<StackLayer> halfSpace = {}; ///< in place of the rigid base
+
+    bool isStack() const { return !this->deeper.empty() || this->halfSpace.has_value(); }
+    /// The whole of it; without layers where it is none.
+    LayerStack stack() const;
   };
   /// What overrides the constants, each point by point or not at all.
   struct Values
@@ -43,6 +53,7 @@ public:
     PointValues thickness;     ///< mm, 0 for a half-space
     PointValues compliance;    ///< in series, mm/N
     PointValues poissonsRatio;
+    PointValues second; ///< thickness of the second layer of a stack, mm
   };
   explicit BodyMaterial(const Constants& constants);
 
@@ -70,6 +81,8 @@ public:
   int modelParts() const;
 
 private:
+  std::string describeStack() const;
+  std::string checkStackOf(const Values& values) const;
   std::string takeModulus(const Values& values, std::size_t points);
 
   Constants Given;
@@ -77,6 +90,7 @@ private:
   std::vector<double> PoissonsRatio;
   std::vector<double> Compliance;
   std::vector<double> Thickness;
+  std::vector<double> Second;
   MaterialRange Range;
 };
 } // namespace palpate

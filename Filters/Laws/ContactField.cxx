@@ -17,15 +17,40 @@ namespace
 {
 /// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, which
 /// is what a base stiffens by, and 0 where there is none.
-double thicknessAt(const FieldTriangle& triangle, const Vector3& weights)
+double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weights)
 {
+  if (thickness[0] == thickness[1] && thickness[1] == thickness[2])
+  {
+    return thickness[0];
+  }
   double inverse = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const double h = triangle.thickness[i];
+    const double h = thickness[i];
     inverse += h > 0.0 ? weights[static_cast<Eigen::Index>(i)] / h : 0.0;
   }
   return inverse > 0.0 ? 1.0 / inverse : 0.0;
+}
+
+/// The stack under the contact. Thicknesses that vary are rounded to half a percent, so that a
+/// kernel serves its surroundings.
+LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
+{
+  LayerStack stack = triangle.stack;
+  const std::array<const std::array<double, 3>*, 2> varying = { &triangle.thickness,
+    &triangle.second };
+  for (std::size_t i = 0; i < std::min(stack.layers.size(), varying.size()); ++i)
+  {
+    const std::array<double, 3>& corner = *varying[i];
+    const double h = thicknessAt(corner, weights);
+    const bool isEven = corner[0] == corner[1] && corner[1] == corner[2];
+    if (h > 0.0)
+    {
+      constexpr double step = 0.01;
+      stack.layers[i].thickness = isEven ? h : std::exp(step * std::round(std::log(h) / step));
+    }
+  }
+  return stack;
 }
 
 /// The edge of a tool that lies well within its contact; 0 if there is none.
@@ -84,7 +109,7 @@ ContactField::ContactField(const FieldTriangle& triangle, const AxisymmetricTool
   this->bend(triangle, weights, contact);
   if (this->Deflection > 0.0)
   {
-    this->press(tool, thicknessAt(triangle, weights), triangle.base, settings.poissonRatio, kernel);
+    this->press(tool, triangle, weights, settings.poissonRatio, kernel);
   }
 }
 
@@ -103,10 +128,11 @@ void ContactField::bend(
   }
 }
 
-void ContactField::press(const AxisymmetricTool& tool, double thickness, LayerBase base,
-  double poissonRatio, std::shared_ptr<const LayerKernel>& kernel)
+void ContactField::press(const AxisymmetricTool& tool, const FieldTriangle& triangle,
+  const Vector3& weights, double poissonRatio, std::shared_ptr<const LayerKernel>& kernel)
 {
   const double deflection = this->Deflection;
+  double thickness = thicknessAt(triangle.thickness, weights);
   if (!(thickness > 0.0))
   {
     this->Radius = tool.contactRadius(deflection);
@@ -115,9 +141,19 @@ void ContactField::press(const AxisymmetricTool& tool, double thickness, LayerBa
     { return tool.surfaceDisplacement(r, deflection, poissonRatio); };
     return;
   }
-  if (!kernel || kernel->poissonsRatio() != poissonRatio || kernel->base() != base)
+  if (!triangle.stack.layers.empty())
   {
-    kernel = std::make_shared<const LayerKernel>(poissonRatio, base);
+    const LayerStack stack = stackAt(triangle, weights);
+    thickness = stack.layers.front().thickness;
+    if (!kernel || !kernel->stack() || !(*kernel->stack() == stack))
+    {
+      kernel = std::make_shared<const LayerKernel>(stack);
+    }
+  }
+  else if (!kernel || kernel->stack() || kernel->poissonsRatio() != poissonRatio ||
+    kernel->base() != triangle.base)
+  {
+    kernel = std::make_shared<const LayerKernel>(poissonRatio, triangle.base);
   }
   auto layer = std::make_shared<const LayerContact>(tool, kernel, thickness);
   if (deflection > layer->deepest())

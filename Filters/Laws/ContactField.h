@@ -4,6 +4,7 @@
 
 #include "Laws/SurfacePatch.h"
 #include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
@@ -40,7 +41,9 @@ struct FieldTriangle
   std::array<Vector3, 3> corners = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
   std::array<double, 3> thickness{}; ///< of the layer, mm; 0 on a half-space
   LayerBase base = LayerBase::Bonded;
-  std::vector<Mode> modes; ///< none where the body is not in series with a compliance
+  LayerStack stack;               ///< where the layer is the first of one; else without layers
+  std::array<double, 3> second{}; ///< thickness of its second layer, mm; 0: as it says
+  std::vector<Mode> modes;        ///< none where the body is not in series with a compliance
 };
 
 /// What is the same for all contacts.
@@ -101,8 +104,8 @@ public:
 
 private:
   void bend(const FieldTriangle& triangle, const Vector3& weights, const FieldContact& contact);
-  void press(const AxisymmetricTool& tool, double thickness, LayerBase base, double poissonRatio,
-    std::shared_ptr<const LayerKernel>& kernel);
+  void press(const AxisymmetricTool& tool, const FieldTriangle& triangle, const Vector3& weights,
+    double poissonRatio, std::shared_ptr<const LayerKernel>& kernel);
 
   std::function<SurfaceDisplacement(double)> Law;
   std::vector<double> Weights;

@@ -2,6 +2,9 @@
 #ifndef palpate_ContactSpot_h
 #define palpate_ContactSpot_h
 
+#include "Mechanics/Layers/LayerCurves.h"
+
+#include <algorithm>
 #include <cstddef>
 
 namespace palpate
@@ -26,6 +29,13 @@ struct ContactSpot
   double compliance = 0.0;      ///< in series, mm/N
   double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
   SpotCurvature curvature = {}; ///< that the law is to take into account
+  double second = 0.0;          ///< of a stack: the thickness of the layer below that one, mm
+  double thinnest = 0.0;        ///< of a stack: that of its thinnest layer, mm
+
+  LayerPlace place() const noexcept
+  {
+    return { this->thickness, this->second, this->poissonsRatio };
+  }
 };
 
 /// The body under each point: constants, and arrays that override them where they are not null.
@@ -36,15 +46,24 @@ struct ContactSpots
   const double* poissonsRatio = nullptr;
   const double* compliance = nullptr;
   const double* thickness = nullptr;
+  const double* second = nullptr;
+  double deeperThinnest = 0.0; ///< of the layers below those two, mm; 0: no stack
 
   ContactSpot at(std::size_t i) const
   {
     const auto pick = [i](const double* array, double otherwise)
     { return array ? array[i] : otherwise; };
-    return { pick(this->reducedModulus, this->constant.reducedModulus),
+    ContactSpot spot{ pick(this->reducedModulus, this->constant.reducedModulus),
       pick(this->poissonsRatio, this->constant.poissonsRatio),
       pick(this->compliance, this->constant.compliance),
-      pick(this->thickness, this->constant.thickness), {} };
+      pick(this->thickness, this->constant.thickness) };
+    if (this->deeperThinnest > 0.0)
+    {
+      spot.second = pick(this->second, this->constant.second);
+      spot.thinnest = std::min(
+        { spot.thickness, spot.second > 0.0 ? spot.second : spot.thickness, this->deeperThinnest });
+    }
+    return spot;
   }
 };
 } // namespace palpate

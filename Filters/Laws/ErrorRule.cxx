@@ -4,6 +4,7 @@
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/ReducedModulus.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <algorithm>
@@ -60,6 +61,11 @@ void ErrorRule::addStrain(const ContactSpot& spot, const LocalState& state, Erro
     return;
   }
   const double pressure = state.force / (Pi * state.radius * state.radius);
+  if (this->Scope.stack)
+  {
+    parts[ResponseLimit::Thickness] = this->stackPart(spot, state);
+    return;
+  }
   const bool layer = spot.thickness > 0.0;
   const double flat = smallStrainError(pressure, spot.poissonsRatio, 0.0, 0.0);
   if (!layer)
@@ -70,6 +76,37 @@ void ErrorRule::addStrain(const ContactSpot& spot, const LocalState& state, Erro
   const double whole = smallStrainError(
     pressure, spot.poissonsRatio, state.depth / spot.thickness, state.radius / spot.thickness);
   parts[whole > 2.0 * flat ? ResponseLimit::Thickness : ResponseLimit::Strain] = whole;
+}
+
+double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) const
+{
+  const double a = state.radius;
+  const auto modulusOf = [](const StackLayer& layer)
+  { return reducedModulus(layer.youngsModulus, layer.poissonsRatio); };
+  const double first = modulusOf(this->Scope.stack->layers.front());
+  double above = 0.0; // the layer's depth below the surface
+  double worst = 0.0;
+  const auto consider = [&](const StackLayer& layer, double thickness)
+  {
+    // Below the middle of an even pressure on a circle.
+    const double reaches = 1.0 - std::pow(above / std::hypot(a, above), 3.0);
+    const double pressure = reaches * state.force / (Pi * a * a) * first / modulusOf(layer);
+    const bool isEndless = !(thickness > 0.0);
+    worst = std::max(worst,
+      smallStrainError(pressure, layer.poissonsRatio, isEndless ? 0.0 : state.depth / thickness,
+        isEndless ? 0.0 : a / thickness));
+    above += thickness;
+  };
+  for (std::size_t i = 0; i < this->Scope.stack->layers.size(); ++i)
+  {
+    const StackLayer& layer = this->Scope.stack->layers[i];
+    consider(layer, i == 0 ? spot.thickness : i == 1 ? spot.second : layer.thickness);
+  }
+  if (this->Scope.stack->hasHalfSpace)
+  {
+    consider(this->Scope.stack->halfSpace, 0.0);
+  }
+  return worst;
 }
 
 double ErrorRule::curvaturePart(

@@ -5,6 +5,7 @@
 #include "Contact/ResponseContract.h"
 #include "Laws/ContactSpot.h"
 #include "Laws/CurvedContact.h"
+#include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <array>
@@ -31,6 +32,7 @@ struct LawScope
   const StrainCorrection* strain = nullptr; ///< finite strain is in the law
   double bodyWidth = 0.0;                   ///< mm, of the whole body
   double storage = 0.0;                     ///< relative error of stored curves
+  const LayerStack* stack = nullptr;        ///< layers on each other, thick as the spot has it
 };
 
 /**
@@ -38,7 +40,8 @@ struct LawScope
  * sign. With a the contact radius, F the force, κ_m the body's mean curvature and σ its error:
  *
  * - Strain, Thickness: what the small-strain law lacks (smallStrainError), on a layer named after
- *   its larger term; with a StrainCorrection, that one's own error.
+ *   its larger term; with a StrainCorrection, that one's own error. In a stack the largest that one
+ *   of its layers would have if all of the depth were its own, under the pressure that reaches it.
  * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool; in the law, none of
  *   that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and 0.46 a |κ_m| unless
  *   the body's own compliance is known: a ball yields less as a whole than a half-space.
@@ -60,6 +63,7 @@ public:
     const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;
 
 private:
+  double stackPart(const ContactSpot& spot, const LocalState& state) const;
   void addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const;
   double curvaturePart(
     const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;

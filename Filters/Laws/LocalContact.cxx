@@ -31,7 +31,7 @@ std::vector<double> nodeDepths(double deepest)
   return depths;
 }
 
-ContactNodes nodesOf(const std::vector<double>& depths, const LayerTable::Curve& curve)
+ContactNodes nodesOf(const std::vector<double>& depths, const LayerCurves::Curve& curve)
 {
   const auto column = [&curve](Eigen::Index i)
   { return std::vector<double>(curve.col(i).begin(), curve.col(i).end()); };
@@ -62,23 +62,21 @@ LocalContact::~LocalContact() = default;
 void LocalContact::prepareLayers(const LayerTable::Layers& layers)
 {
   const std::vector<double>& depths = this->HalfSpace.depths;
-  this->Layers = std::make_unique<LayerTable>(this->Tool, layers, depths);
-  this->SagLayers =
-    std::make_unique<LayerTable>(*this->Sag, layers, nodeDepths(ForSag * depths.back()));
+  this->Layers = makeLayerCurves(this->Tool, layers, depths);
+  this->SagLayers = makeLayerCurves(*this->Sag, layers, nodeDepths(ForSag * depths.back()));
 }
 
 bool LocalContact::answers(const ContactSpot& spot) const
 {
   return !(spot.thickness > 0.0) ||
-    (this->Layers->answers(spot.thickness) &&
-      (spot.curvature.isFlat() || this->SagLayers->answers(spot.thickness)));
+    (this->Layers->answers(spot.place()) &&
+      (spot.curvature.isFlat() || this->SagLayers->answers(spot.place())));
 }
 
 ContactNodes LocalContact::flatNodes(const ContactSpot& spot) const
 {
-  return spot.thickness > 0.0
-    ? nodesOf(this->Layers->depths(), this->Layers->sample(spot.thickness, spot.poissonsRatio))
-    : this->HalfSpace;
+  return spot.thickness > 0.0 ? nodesOf(this->Layers->depths(), this->Layers->sample(spot.place()))
+                              : this->HalfSpace;
 }
 
 ContactNodes LocalContact::curvedNodes(const ContactSpot& spot, const ContactNodes& flat) const
@@ -92,8 +90,7 @@ ContactNodes LocalContact::curvedNodes(const ContactSpot& spot, const ContactNod
   SagLaw sag{ this->SagCurvature, {} };
   if (spot.thickness > 0.0)
   {
-    sag.nodes = nodesOf(
-      this->SagLayers->depths(), this->SagLayers->sample(spot.thickness, spot.poissonsRatio));
+    sag.nodes = nodesOf(this->SagLayers->depths(), this->SagLayers->sample(spot.place()));
   }
   return onCurvedBody(flat, toolCurvature, sag, spot.curvature);
 }

@@ -61,8 +61,8 @@ private:
   ContactNodes HalfSpace;
   std::unique_ptr<AxisymmetricTool> Sag; ///< the paraboloid that stands for the body's sag
   double SagCurvature;                   ///< 1/mm
-  std::unique_ptr<LayerTable> Layers;
-  std::unique_ptr<LayerTable> SagLayers;
+  std::unique_ptr<LayerCurves> Layers;
+  std::unique_ptr<LayerCurves> SagLayers;
 };
 } // namespace palpate
 

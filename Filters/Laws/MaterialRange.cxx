@@ -4,12 +4,27 @@
 #include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace palpate
 {
-MaterialRange::MaterialRange(LayerBase base)
+MaterialRange::MaterialRange(LayerBase base, LayerStack stackBelow)
   : layers{ base, Infinity, 0.0, {} }
+  , stack(std::move(stackBelow))
+  , second{ Infinity, 0.0 }
 {
+}
+
+LayerTable::Layers MaterialRange::prepared() const
+{
+  LayerTable::Layers made = this->layers;
+  if (this->hasStack())
+  {
+    made.stack = std::make_shared<const StackKernels>(
+      this->stack, ThicknessSpan{ made.thinnest, made.thickest }, this->second);
+  }
+  return made;
 }
 
 void MaterialRange::add(const ContactSpot& spot)
@@ -19,6 +34,11 @@ void MaterialRange::add(const ContactSpot& spot)
     this->layers.thinnest = std::min(this->layers.thinnest, spot.thickness);
     this->layers.thickest = std::max(this->layers.thickest, spot.thickness);
     this->addRatio(spot.poissonsRatio);
+  }
+  if (spot.second > 0.0)
+  {
+    this->second.thinnest = std::min(this->second.thinnest, spot.second);
+    this->second.thickest = std::max(this->second.thickest, spot.second);
   }
   this->hasHalfSpace = this->hasHalfSpace || !(spot.thickness > 0.0);
   this->leastRatio = std::min(this->leastRatio, spot.poissonsRatio);
@@ -35,6 +55,8 @@ void MaterialRange::join(const MaterialRange& other)
   {
     this->addRatio(ratio);
   }
+  this->second.thinnest = std::min(this->second.thinnest, other.second.thinnest);
+  this->second.thickest = std::max(this->second.thickest, other.second.thickest);
   this->hasHalfSpace = this->hasHalfSpace || other.hasHalfSpace;
   this->leastRatio = std::min(this->leastRatio, other.leastRatio);
   this->mostRatio = std::max(this->mostRatio, other.mostRatio);
@@ -77,7 +99,10 @@ void MaterialRange::widen(const ContactSpot& spot)
   }
   const auto softness = [](const ContactSpot& at) { return at.reducedModulus * at.compliance; };
   const auto thinness = [](const ContactSpot& at) // 0 for a half-space
-  { return at.thickness > 0.0 ? 1.0 / at.thickness : 0.0; };
+  {
+    return (at.thickness > 0.0 ? 1.0 / at.thickness : 0.0) +
+      (at.second > 0.0 ? 1.0 / at.second : 0.0);
+  };
   std::vector<ContactSpot>& extreme = this->extremes;
   extreme[0] = softness(spot) < softness(extreme[0]) ? spot : extreme[0];
   extreme[1] = softness(spot) > softness(extreme[1]) ? spot : extreme[1];

@@ -14,15 +14,21 @@ namespace palpate
 class PALPATE_EXPORT MaterialRange
 {
 public:
-  explicit MaterialRange(LayerBase base);
+  /// `stack`: below every point, its first two layers perhaps of another thickness; none.
+  explicit MaterialRange(LayerBase base, LayerStack stack = {});
 
   void add(const ContactSpot& spot);
   /// With the points of another piece of the body.
   void join(const MaterialRange& other);
 
   bool hasLayers() const noexcept { return this->layers.thickest > 0.0; }
+  bool hasStack() const noexcept { return !this->stack.layers.empty(); }
+  /// The layers, of a stack with its kernels: they are made here (StackKernels.h).
+  LayerTable::Layers prepared() const;
 
   LayerTable::Layers layers; ///< thinnest infinite and thickest 0 as long as there are none
+  LayerStack stack;          ///< without layers: none
+  ThicknessSpan second;      ///< of its second layer, mm; as `layers` before there are any
   bool stiffens = false;     ///< a compliance is negative somewhere
   bool hasHalfSpace = false; ///< a point has no layer
   double leastRatio = 0.5;   ///< Poisson's

@@ -55,9 +55,10 @@ RegimeLaw::RegimeLaw(const AxisymmetricTool& tool, const MaterialRange& range, d
   this->Laws.emplace_back(*this->Larger, deepest, Samples);
   if (range.hasLayers())
   {
+    const LayerTable::Layers layers = range.prepared();
     for (ResponseLaw& law : this->Laws)
     {
-      law.prepareLayers(range.layers, range.stiffens);
+      law.prepareLayers(layers, range.stiffens);
     }
   }
 }

@@ -158,20 +158,21 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
   const MaterialRange& bounds = material.range();
   const bool estimates = terms.errorTolerance > 0.0;
   ResponseLaw law(tool, range, spans.samples);
+  const LayerTable::Layers layers = bounds.hasLayers() ? bounds.prepared() : LayerTable::Layers();
   std::shared_ptr<const LocalContact> contact;
   if (terms.curvature || terms.strain || estimates)
   {
     auto made = std::make_shared<LocalContact>(tool, range, bounds.stiffens, terms.strain);
     if (bounds.hasLayers())
     {
-      made->prepareLayers(bounds.layers);
+      made->prepareLayers(layers);
     }
     contact = made;
     law.correct(contact);
   }
   if (bounds.hasLayers())
   {
-    law.prepareLayers(bounds.layers, bounds.stiffens);
+    law.prepareLayers(layers, bounds.stiffens);
   }
   const ContactSpots spots = material.spots();
   MadeResponse made;
@@ -180,7 +181,8 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
   if (estimates)
   {
     filler.estimate(*contact,
-      { terms.curvature, terms.strain, shape.width, material.storageError(law, made.exponent) },
+      { terms.curvature, terms.strain, shape.width, material.storageError(law, made.exponent),
+        bounds.hasStack() ? &bounds.stack : nullptr },
       terms.errorTolerance);
   }
   const std::size_t blocks = rangeCount(points) == 1

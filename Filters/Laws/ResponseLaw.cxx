@@ -109,15 +109,15 @@ void ResponseLaw::UnitCurve::findExtremes()
 void ResponseLaw::prepareLayers(const LayerTable::Layers& layers, bool stiffening)
 {
   this->LocalRange = stiffening ? LocalDepths * this->Range : this->Range;
-  this->Stored = std::make_unique<LayerTable>(
+  this->Stored = makeLayerCurves(
     this->Tool, layers, depthsOf(ResponseSampling(this->Samples, 1.0), this->Range));
-  this->Local = std::make_unique<LayerTable>(
-    this->Tool, layers, depthsOf(this->LocalSampling, this->LocalRange));
+  this->Local =
+    makeLayerCurves(this->Tool, layers, depthsOf(this->LocalSampling, this->LocalRange));
 }
 
-ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerTable& table, const ContactSpot& spot)
+ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerCurves& table, const ContactSpot& spot)
 {
-  const LayerTable::Curve curve = table.sample(spot.thickness, spot.poissonsRatio);
+  const LayerCurves::Curve curve = table.sample(spot.place());
   const Eigen::Index n = curve.rows();
   UnitCurve unit{ { curve.data(), curve.data() + n }, { curve.data() + n, curve.data() + 2 * n } };
   unit.findExtremes();
@@ -135,8 +135,8 @@ ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float*
   }
   else if (spot.thickness > 0.0)
   {
-    const LayerTable& table = spot.compliance == 0.0 ? *this->Stored : *this->Local;
-    status = !table.answers(spot.thickness) ? ResponseStatus::OutOfReach
+    const LayerCurves& table = spot.compliance == 0.0 ? *this->Stored : *this->Local;
+    status = !table.answers(spot.place()) ? ResponseStatus::OutOfReach
       : spot.compliance == 0.0
       ? this->scale(layerCurve(table, spot), spot.reducedModulus, force, stiffness)
       : this->solve(SampledLaw(layerCurve(table, spot), this->LocalSampling, this->LocalRange),
@@ -216,7 +216,7 @@ IndentationPoint ResponseLaw::evaluate(const ContactSpot& spot, double deflectio
     return { point.force, point.stiffness, unknown };
   }
   const bool layer = spot.thickness > 0.0;
-  if (layer && !this->Local->answers(spot.thickness))
+  if (layer && !this->Local->answers(spot.place()))
   {
     return { unknown, unknown, unknown };
   }
@@ -235,7 +235,7 @@ double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a)
     return this->totalDeflection(spot, this->Tool.depthAtContactRadius(a));
   }
   // On a layer a is nearly straight over √δ: so between the samples.
-  const LayerTable::Curve curve = this->Stored->sample(spot.thickness, spot.poissonsRatio);
+  const LayerCurves::Curve curve = this->Stored->sample(spot.place());
   double radius = this->Tool.smallestContactRadius();
   if (a <= radius)
   {

@@ -80,7 +80,7 @@ private:
     return this->Contact && this->Contact->corrects(spot);
   }
 
-  static UnitCurve layerCurve(const LayerTable& table, const ContactSpot& spot);
+  static UnitCurve layerCurve(const LayerCurves& table, const ContactSpot& spot);
   ResponseStatus orNothing(ResponseStatus status, float* force, float* stiffness) const;
   ResponseStatus scale(
     const UnitCurve& curve, double reducedModulus, float* force, float* stiffness) const;
@@ -91,8 +91,8 @@ private:
   double Range;
   int Samples;
   UnitCurve HalfSpace;
-  std::unique_ptr<LayerTable> Stored; ///< layers at the depths of the samples
-  std::unique_ptr<LayerTable> Local;  ///< layers in more samples, to be solved in series
+  std::unique_ptr<LayerCurves> Stored; ///< layers at the depths of the samples
+  std::unique_ptr<LayerCurves> Local;  ///< layers in more samples, to be solved in series
   ResponseSampling LocalSampling;
   double LocalRange;
   std::shared_ptr<const LocalContact> Contact; ///< with its corrections; null: none

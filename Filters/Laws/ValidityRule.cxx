@@ -59,8 +59,8 @@ ValidityRule::Answer ValidityRule::at(const ContactSpot& spot, double curvature)
   }
   if (layer)
   {
-    consider(
-      this->Law.totalDeflection(spot, Compression * spot.thickness), ResponseLimit::Thickness);
+    const double thinnest = spot.thinnest > 0.0 ? spot.thinnest : spot.thickness;
+    consider(this->Law.totalDeflection(spot, Compression * thinnest), ResponseLimit::Thickness);
   }
   return first.depth < this->Range ? first : Answer{ this->Range, ResponseLimit::None };
 }

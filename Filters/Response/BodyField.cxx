@@ -35,6 +35,47 @@ vtkIdType firstTriangle(vtkPolyData* body)
   return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 
+/// A stack as the numbers of <name>LayerStack, four a layer, and back; without layers where they
+/// are no stack.
+std::vector<double> numbersOf(const LayerStack& stack)
+{
+  std::vector<double> numbers;
+  const auto add = [&numbers](const StackLayer& layer, double thickness)
+  {
+    numbers.insert(numbers.end(),
+      { thickness, layer.youngsModulus, layer.poissonsRatio, layer.slips ? 1.0 : 0.0 });
+  };
+  for (const StackLayer& layer : stack.layers)
+  {
+    add(layer, layer.thickness);
+  }
+  if (stack.hasHalfSpace)
+  {
+    add(stack.halfSpace, 0.0);
+  }
+  return numbers;
+}
+
+LayerStack stackOf(const std::vector<double>& numbers, LayerBase base)
+{
+  LayerStack stack;
+  stack.base = base;
+  for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
+  {
+    const StackLayer layer{ numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3] != 0.0 };
+    if (layer.thickness > 0.0)
+    {
+      stack.layers.push_back(layer);
+    }
+    else
+    {
+      stack.hasHalfSpace = true;
+      stack.halfSpace = layer;
+    }
+  }
+  return stack;
+}
+
 /// What one rank knows of a triangle, on all.
 FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
 {
@@ -58,6 +99,10 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
     numbers.insert(numbers.end(), { x.x(), x.y(), x.z(), own.thickness[k] });
   }
   numbers.push_back(static_cast<double>(own.base));
+  numbers.insert(numbers.end(), own.second.begin(), own.second.end());
+  const std::vector<double> stack = numbersOf(own.stack);
+  numbers.push_back(static_cast<double>(stack.size()));
+  numbers.insert(numbers.end(), stack.begin(), stack.end());
   for (const FieldTriangle::Mode& mode : own.modes)
   {
     numbers.push_back(mode.sign);
@@ -74,6 +119,11 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
     triangle.thickness[k] = next[3];
   }
   triangle.base = static_cast<LayerBase>(static_cast<int>(*next++));
+  std::copy_n(next, 3, triangle.second.begin());
+  next += 3;
+  const auto stackNumbers = static_cast<std::ptrdiff_t>(*next++);
+  triangle.stack = stackOf({ next, next + stackNumbers }, triangle.base);
+  next += stackNumbers;
   triangle.modes.clear();
   while (next < numbers.data() + numbers.size())
   {
@@ -165,6 +215,45 @@ bool isTriangle(vtkPolyData* body, vtkIdType cell)
   return cell >= first && cell < first + body->GetNumberOfPolys();
 }
 
+namespace
+{
+/// The stack that the body says it is, none where its arrays say nothing that makes sense.
+void readStack(
+  vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
+{
+  vtkDataArray* layers = body->GetFieldData()->GetArray((name + "LayerStack").c_str());
+  vtkDataArray* second = body->GetPointData()->GetArray((name + "SecondThickness").c_str());
+  if (!layers || layers->GetNumberOfComponents() != 4 || !(triangle.thickness[0] > 0.0))
+  {
+    return;
+  }
+  std::vector<double> numbers(static_cast<std::size_t>(layers->GetNumberOfValues()));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const auto index = static_cast<vtkIdType>(i);
+    numbers[i] = layers->GetComponent(index / 4, static_cast<int>(index % 4));
+  }
+  LayerStack stack = stackOf(numbers, triangle.base);
+  if (!stack.layers.empty())
+  {
+    stack.layers.front().thickness = triangle.thickness[0];
+  }
+  const bool hasSecond = second && hasShape(second, 1, body->GetNumberOfPoints());
+  for (vtkIdType i = 0; hasSecond && i < 3; ++i)
+  {
+    triangle.second[static_cast<std::size_t>(i)] = second->GetTuple1(corners->GetId(i));
+  }
+  if (stack.layers.size() > 1 && triangle.second[0] > 0.0)
+  {
+    stack.layers[1].thickness = triangle.second[0];
+  }
+  if (checkStack(stack).empty())
+  {
+    triangle.stack = stack;
+  }
+}
+} // namespace
+
 FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string& name)
 {
   FieldTriangle triangle;
@@ -192,6 +281,7 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   vtkDataArray* base = body->GetFieldData()->GetArray((name + "LayerBase").c_str());
   const bool slips = base && base->GetNumberOfValues() == 1 && base->GetTuple1(0) == 1.0;
   triangle.base = slips ? LayerBase::Slip : LayerBase::Bonded;
+  readStack(body, name, corners, triangle);
   return triangle;
 }
 

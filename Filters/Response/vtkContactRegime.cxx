@@ -62,8 +62,11 @@ int vtkContactRegime::RequestData(
   const palpate::Ranks ranks(this->Controller);
   const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   const palpate::LawRequest request{ this->Tool, this->ResponseName, this->Deflection,
-    { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
-      static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer },
+    palpate::layeredMaterial(
+      { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
+        this->LayerBase == 1 ? palpate::LayerBase::Slip : palpate::LayerBase::Bonded,
+        this->ComplianceExcludesLayer },
+      this->AddedLayers, this->LayerBase == 2, this->BaseYoungsModulus, this->BasePoissonRatio),
     palpate::arraysToProcess(
       this, [this, &body](int index) { return this->GetInputArrayToProcess(index, body); }) };
   const std::string fault =
@@ -73,6 +76,27 @@ int vtkContactRegime::RequestData(
     vtkErrorMacro(<< fault << ".");
   }
   return fault.empty() ? 1 : 0;
+}
+
+void vtkContactRegime::AddLayer(
+  double thickness, double youngsModulus, double poissonRatio, bool slips)
+{
+  this->AddedLayers.push_back({ thickness, youngsModulus, poissonRatio, slips ? 1.0 : 0.0 });
+  this->Modified();
+}
+
+void vtkContactRegime::RemoveAllLayers()
+{
+  if (!this->AddedLayers.empty())
+  {
+    this->AddedLayers.clear();
+    this->Modified();
+  }
+}
+
+int vtkContactRegime::GetNumberOfAddedLayers()
+{
+  return static_cast<int>(this->AddedLayers.size());
 }
 
 void vtkContactRegime::PrintSelf(ostream& os, vtkIndent indent)
@@ -86,5 +110,8 @@ void vtkContactRegime::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "LayerBase: " << this->LayerBase << "\n";
   os << indent << "ComplianceExcludesLayer: " << this->ComplianceExcludesLayer << "\n";
+  os << indent << "AddedLayers: " << this->AddedLayers.size() << "\n";
+  os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
+  os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

@@ -45,7 +45,9 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <array>  // For std::array
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkContactTool;
 class vtkMultiProcessController;
@@ -77,11 +79,22 @@ public:
   vtkGetMacro(PoissonRatio, double);
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
-  vtkSetClampMacro(LayerBase, int, 0, 1);
+  vtkSetClampMacro(LayerBase, int, 0, 2);
   vtkGetMacro(LayerBase, int);
   vtkSetMacro(ComplianceExcludesLayer, bool);
   vtkGetMacro(ComplianceExcludesLayer, bool);
   vtkBooleanMacro(ComplianceExcludesLayer, bool);
+  ///@}
+
+  ///@{
+  /** As vtkToolContactResponse has them. */
+  void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
+  void RemoveAllLayers();
+  int GetNumberOfAddedLayers();
+  vtkSetMacro(BaseYoungsModulus, double);
+  vtkGetMacro(BaseYoungsModulus, double);
+  vtkSetMacro(BasePoissonRatio, double);
+  vtkGetMacro(BasePoissonRatio, double);
   ///@}
 
   ///@{
@@ -116,6 +129,9 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = 0;
   bool ComplianceExcludesLayer = false;
+  std::vector<std::array<double, 4>> AddedLayers; ///< as AddLayer takes them
+  double BaseYoungsModulus = 1.0;
+  double BasePoissonRatio = 0.45;
   std::string ResponseName = "Response";
 };
 

@@ -64,8 +64,11 @@ int vtkToolContactResponse::RequestData(
   const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const palpate::LawRequest request{ this->Tool, this->ResponseName, this->MaximumDeflection,
-    { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
-      static_cast<palpate::LayerBase>(this->LayerBase), this->ComplianceExcludesLayer },
+    palpate::layeredMaterial(
+      { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
+        this->LayerBase == 1 ? palpate::LayerBase::Slip : palpate::LayerBase::Bonded,
+        this->ComplianceExcludesLayer },
+      this->AddedLayers, this->LayerBase == 2, this->BaseYoungsModulus, this->BasePoissonRatio),
     palpate::arraysToProcess(
       this, [this, &body](int index) { return this->GetInputArrayToProcess(index, body); }),
     this->NumberOfSamples,
@@ -88,6 +91,27 @@ int vtkToolContactResponse::RequestData(
   return 1;
 }
 
+void vtkToolContactResponse::AddLayer(
+  double thickness, double youngsModulus, double poissonRatio, bool slips)
+{
+  this->AddedLayers.push_back({ thickness, youngsModulus, poissonRatio, slips ? 1.0 : 0.0 });
+  this->Modified();
+}
+
+void vtkToolContactResponse::RemoveAllLayers()
+{
+  if (!this->AddedLayers.empty())
+  {
+    this->AddedLayers.clear();
+    this->Modified();
+  }
+}
+
+int vtkToolContactResponse::GetNumberOfAddedLayers()
+{
+  return static_cast<int>(this->AddedLayers.size());
+}
+
 void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -98,6 +122,9 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "LayerBase: " << this->LayerBase << "\n";
   os << indent << "ComplianceExcludesLayer: " << this->ComplianceExcludesLayer << "\n";
+  os << indent << "AddedLayers: " << this->AddedLayers.size() << "\n";
+  os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
+  os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";

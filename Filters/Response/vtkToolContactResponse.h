@@ -33,10 +33,10 @@
  * the array `Error` (float n, relative) keeps it.
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
- * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio. An index
- * that was never set, or set to an empty name, means the constant property, whatever arrays the
- * body has; one that was set but is not there is an error. So is a value out of range, naming
- * array, index and value.
+ * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
+ * (mm) of the second layer of a stack. An index that was never set, or set to an empty name, means
+ * the constant property, whatever arrays the body has; one that was set but is not there is an
+ * error. So is a value out of range, naming array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
  * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global
@@ -73,7 +73,9 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <array>  // For std::array
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkContactTool;
 class vtkMultiProcessController;
@@ -116,15 +118,18 @@ public:
   enum LayerBaseType
   {
     Bonded = 0,
-    Slip = 1
+    Slip = 1,
+    ElasticBase = 2
   };
 
   ///@{
-  /** How layers rest on their base: Bonded (default) or Slip, without friction. */
-  vtkSetClampMacro(LayerBase, int, Bonded, Slip);
+  /** How layers rest: Bonded to a rigid base (default), Slip, without friction, or on an elastic
+   * half-space, ElasticBase. */
+  vtkSetClampMacro(LayerBase, int, Bonded, ElasticBase);
   vtkGetMacro(LayerBase, int);
   void SetLayerBaseToBonded() { this->SetLayerBase(Bonded); }
   void SetLayerBaseToSlip() { this->SetLayerBase(Slip); }
+  void SetLayerBaseToElasticBase() { this->SetLayerBase(ElasticBase); }
   ///@}
 
   ///@{
@@ -136,6 +141,25 @@ public:
   vtkSetMacro(ComplianceExcludesLayer, bool);
   vtkGetMacro(ComplianceExcludesLayer, bool);
   vtkBooleanMacro(ComplianceExcludesLayer, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Layers below that of LayerThickness, from above, up to three: thickness (mm), Young's modulus
+   * (MPa), Poisson's ratio, and whether it slips without friction below the layer above it. The
+   * body is then a stack everywhere (palpate/LayerStack.h). Default none.
+   */
+  void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
+  void RemoveAllLayers();
+  int GetNumberOfAddedLayers();
+  ///@}
+
+  ///@{
+  /** Young's modulus (MPa) and Poisson's ratio of an ElasticBase. Default 1 and 0.45. */
+  vtkSetMacro(BaseYoungsModulus, double);
+  vtkGetMacro(BaseYoungsModulus, double);
+  vtkSetMacro(BasePoissonRatio, double);
+  vtkGetMacro(BasePoissonRatio, double);
   ///@}
 
   ///@{
@@ -251,6 +275,9 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = Bonded;
   bool ComplianceExcludesLayer = false;
+  std::vector<std::array<double, 4>> AddedLayers; ///< as AddLayer takes them
+  double BaseYoungsModulus = 1.0;
+  double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = false;
   int StrainModel = SmallStrain;
   double OgdenExponent = 2.0;

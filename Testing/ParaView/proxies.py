@@ -28,6 +28,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Input": None, "Length Unit": 0, "Tool": None, "Material": 0, "Young's Modulus (MPa)": 0.1,
         "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None",
         "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
+        "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
+        "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
         "Curvature Correction": 0, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
         "Error Tolerance": 0.0, "Store Error": 0,
@@ -36,6 +38,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Input": None, "Tool": None, "Deflection (mm)": 0.0, "Material": 0, "Young's Modulus (MPa)": 0.1,
         "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None",
         "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
+        "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
+        "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Response Name": "Response"},
     ("filters", "ToolContactProbe"): {
         "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Friction Coefficient": 0.0, "Friction Model": 0,
@@ -152,6 +156,23 @@ def direct_tool(specification):
     tool = palpate.vtkContactTool()
     assert tool.SetSpecification(specification)
     return tool
+
+
+def check_stack():
+    """The table of layers reaches the filter: equal layers are one layer."""
+    body = simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=4, YResolution=4)
+    body = simple.Triangulate(Input=body)
+    forces = []
+    for thickness, below in ((6, []), (2, [3, YOUNG, POISSON, 0, 1, YOUNG, POISSON, 0])):
+        response = simple.ToolContactResponse(Input=body)
+        response.YoungsModulusMPa = YOUNG
+        response.PoissonsRatio = POISSON
+        response.LayerThicknessmm = thickness
+        response.LayersBelow = below
+        response.UpdatePipeline()
+        assert response.GetClientSideObject().GetNumberOfAddedLayers() == len(below) // 4
+        forces.append(fetched(response, "ResponseForce"))
+    assert np.allclose(*forces, rtol=1e-6), forces
 
 
 def with_response(body):

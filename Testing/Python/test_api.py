@@ -118,6 +118,34 @@ class ClosedForms(unittest.TestCase):
         # The error is straight over the root of the depth between samples.
         self.assertAlmostEqual(np.interp(math.sqrt(depth), np.sqrt(sampled), error), 0.03, delta=1e-6)
 
+    def test_a_stack_of_equal_layers_is_one_layer(self):
+        tips = np.array([[0.3, 0.7, -0.5], [0.3, 0.7, -1.5]])
+        one = palpate.probe(palpate.response(plate(), layer=6.0), tips).forces
+        thickness = np.linspace(1.9, 2.1, 441)
+        for layers, accuracy in (([(3, YOUNG, POISSON), (1, YOUNG, POISSON)], 1e-6),
+                                 ([(4.0 - (thickness - 2.0), YOUNG, POISSON)], 1e-4)):  # interpolated over thickness
+            layer = 2.0 if accuracy < 1e-5 else thickness
+            body = palpate.response(plate(), layer=layer, layers=layers)
+            np.testing.assert_allclose(palpate.probe(body, tips).forces, one, rtol=accuracy, atol=1e-9)
+            self.assertEqual(body.GetFieldData().GetArray("ResponseLayerStack").GetNumberOfTuples(), 1 + len(layers))
+
+    def test_a_layer_on_an_equal_half_space_is_none(self):
+        tips = np.array([[0.3, 0.7, -1.5]])
+        plain, stack = (palpate.probe(palpate.response(plate(), **given), tips).forces[:, 2]
+                        for given in ({}, {"layer": 2.0, "base": ("elastic", YOUNG, POISSON)}))
+        np.testing.assert_allclose(stack, plain, rtol=1e-5)
+
+    def test_wrong_stacks_are_named(self):
+        for given, words in (({"layers": [(2, YOUNG, POISSON)]}, "Layer 0: its thickness"),
+                             ({"layer": 2, "layers": [(2, -1, POISSON)]}, "Layer 1: Young's modulus"),
+                             ({"layer": 2, "layers": [(1, 1, 0.4)] * 4}, "1 to 4 layers"),
+                             ({"layer": 2, "base": ("elastic", 1, 0.7)}, "half-space: Poisson's ratio"),
+                             ({"layer": 2, "layers": [(1, 1, 0.4)], "strain": "neohooke"}, "StrainModel has no law"),
+                             ({"layer": 2, "layers": [(1, 1, 0.4)], "young": np.full(441, 0.1)}, "one material each"),
+                             ({"layer": 2, "layers": [(np.zeros(441), 1, 0.4)]}, "SecondThickness.*point 0")):
+            with self.subTest(given=list(given)), self.assertRaisesRegex(ValueError, words):
+                palpate.response(plate(), **given)
+
     def test_a_tool_object(self):
         tool = vtkContactTool()
         tool.SetShapeToFlat()
@@ -432,7 +460,7 @@ class Errors(unittest.TestCase):
                 (ValueError, "PoissonRatio must lie between 0 and 0.5, but is 45", {"poisson": 45}),
                 (ValueError, "LayerThickness must be finite and not negative", {"layer": -1}),
                 (ValueError, "ComplianceExcludesLayer", {"layer": 5, "compliance": 0.1}),
-                (ValueError, "base must be 'bonded' or 'slip'", {"base": "glued"}),
+                (ValueError, "base must be 'bonded', 'slip' or", {"base": "glued"}),
                 (ValueError, "MaximumDeflection must be positive", {"maximum_deflection": 0}),
                 (TypeError, "maximum_deflection", {"maximum_deflection": "deep"}),
                 (ValueError, "NumberOfSamples must lie between 2 and 256, but is 1", {"samples": 1}),

@@ -146,6 +146,7 @@ LayerKernel::LayerKernel(double poissonsRatio, LayerBase base)
 LayerKernel::LayerKernel(const LayerStack& stack)
   : PoissonsRatio(stack.layers.front().poissonsRatio)
   , Base(stack.base)
+  , Stack(std::make_shared<const LayerStack>(stack))
 {
   this->tabulate(SampledTransform(stack));
 }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace palpate
@@ -60,6 +61,8 @@ public:
 
   double poissonsRatio() const noexcept { return this->PoissonsRatio; }
   LayerBase base() const noexcept { return this->Base; }
+  /// Of the stack it was made for; null for a single layer.
+  const LayerStack* stack() const noexcept { return this->Stack.get(); }
 
   /// M(s), 0 <= s <= 4 LargestRatio.
   double normal(double s) const noexcept { return this->Normal.evaluate(s); }
@@ -89,6 +92,7 @@ private:
 
   double PoissonsRatio;
   LayerBase Base;
+  std::shared_ptr<const LayerStack> Stack;
   PiecewiseChebyshev Normal;
   PiecewiseChebyshev Radial;
   std::vector<Eigen::Matrix<double, 2 * NodeCount, Eigen::Dynamic>> Table; ///< one per range of a/h

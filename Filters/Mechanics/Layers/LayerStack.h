@@ -17,6 +17,12 @@ struct StackLayer
   double youngsModulus = 0.1; ///< MPa
   double poissonsRatio = 0.45;
   bool slips = false; ///< without friction on the layer above; of the top one without meaning
+
+  bool operator==(const StackLayer& other) const
+  {
+    return this->thickness == other.thickness && this->youngsModulus == other.youngsModulus &&
+      this->poissonsRatio == other.poissonsRatio && this->slips == other.slips;
+  }
 };
 
 /**
@@ -37,6 +43,13 @@ struct LayerStack
   StackLayer halfSpace;               ///< its thickness has no meaning
 
   static constexpr std::size_t MostLayers = 4;
+
+  bool operator==(const LayerStack& other) const
+  {
+    return this->layers == other.layers && this->base == other.base &&
+      this->hasHalfSpace == other.hasHalfSpace &&
+      (!this->hasHalfSpace || this->halfSpace == other.halfSpace);
+  }
 };
 
 /// "" or what is wrong with a stack, naming layer and number: 1 to MostLayers layers, thickness and

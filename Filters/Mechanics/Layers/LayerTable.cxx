@@ -3,6 +3,7 @@
 
 #include "Mechanics/Numerics/ChebyshevRule.h"
 #include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/StackTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ double thinnestAnswered(
 
 LayerTable::LayerTable(
   const AxisymmetricTool& tool, const Layers& layers, std::vector<double> depths)
-  : Depths(std::move(depths))
+  : LayerCurves(std::move(depths))
   , Scale(tool.contactRadius(this->Depths.back()))
   , Ratios(layers.poissonsRatios)
   , FirstRatio(layers.poissonsRatios.front())
@@ -143,5 +144,15 @@ LayerTable::Curve LayerTable::sample(double thickness, double poissonsRatio) con
     }
   }
   return curve;
+}
+
+std::unique_ptr<LayerCurves> makeLayerCurves(
+  const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths)
+{
+  if (layers.stack)
+  {
+    return std::make_unique<StackTable>(tool, layers.stack, std::move(depths));
+  }
+  return std::make_unique<LayerTable>(tool, layers, std::move(depths));
 }
 } // namespace palpate

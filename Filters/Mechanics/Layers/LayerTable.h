@@ -4,11 +4,14 @@
 
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/Numerics/ChebyshevRule.h"
+#include "Mechanics/Layers/LayerCurves.h"
 #include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/Layers/StackKernels.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace palpate
@@ -23,35 +26,37 @@ namespace palpate
  * LayerContact to 1e-7; where Poisson's ratio takes more than DistinctRatios values, to 1e-5 while
  * a < 2h. Immutable and safe to use from any number of threads.
  */
-class PALPATE_EXPORT LayerTable
+class PALPATE_EXPORT LayerTable final : public LayerCurves
 {
 public:
   /// Up to this many values of Poisson's ratio are tabulated each for itself.
   static constexpr int DistinctRatios = 32;
 
   /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed) and
-  /// the values of Poisson's ratio that occur, ascending.
+  /// the values of Poisson's ratio that occur, ascending. Of a stack the kernels.
   struct Layers
   {
     LayerBase base = LayerBase::Bonded;
     double thinnest = 0.0;
     double thickest = 0.0;
     std::vector<double> poissonsRatios;
+    std::shared_ptr<const StackKernels> stack = {};
   };
 
   /// `depths` (mm) ascend; `tool` must outlive the table.
   LayerTable(const AxisymmetricTool& tool, const Layers& layers, std::vector<double> depths);
 
-  /// Whether a layer of this thickness is answered down to the last depth: the contact radius must
-  /// stay within LayerKernel::LargestRatio thicknesses.
+  bool answers(const LayerPlace& place) const noexcept override
+  {
+    return this->answers(place.thickness);
+  }
   bool answers(double thickness) const noexcept { return thickness >= this->Thinnest; }
 
-  /// F/E* (mm²), (dF/dδ)/E* (mm) and contact radius (mm) at each depth, one column each. NaN unless
-  /// answers(thickness).
-  using Curve = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  Curve sample(const LayerPlace& place) const override
+  {
+    return this->sample(place.thickness, place.poissonsRatio);
+  }
   Curve sample(double thickness, double poissonsRatio) const;
-
-  const std::vector<double>& depths() const noexcept { return this->Depths; }
 
 private:
   static constexpr int ThicknessPoints = 40;
@@ -63,7 +68,6 @@ private:
   ThicknessRule::Values thicknessFactors(double thickness) const;
   Eigen::ArrayXd ratioFactors(double poissonsRatio) const;
 
-  std::vector<double> Depths;
   double Thinnest = 0.0;
   double Scale = 1.0;
   double Begin = 0.0; ///< the interval of x
@@ -74,6 +78,11 @@ private:
   bool RatiosAreChebyshev = false;
   std::vector<Curves> Tables; ///< F, dF/dδ and a by depth; one per value of Poisson's ratio
 };
+
+/// The tool on these layers at these depths (mm, ascending): a LayerTable, or of a stack a
+/// StackTable. `tool` must outlive it.
+PALPATE_EXPORT std::unique_ptr<LayerCurves> makeLayerCurves(
+  const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths);
 } // namespace palpate
 
 #endif

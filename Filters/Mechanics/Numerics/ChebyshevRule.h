@@ -20,7 +20,7 @@ public:
 
   static const ChebyshevRule& standard()
   {
-    static const ChebyshevRule rule;
+    static const ChebyshevRule rule(N);
     return rule;
   }
 
@@ -38,18 +38,21 @@ public:
     return factors / factors.sum();
   }
 
-private:
-  ChebyshevRule()
+  /// Of `points` points, which are N unless that is Eigen::Dynamic.
+  explicit ChebyshevRule(Eigen::Index points)
   {
     constexpr double pi = 3.14159265358979323846;
-    for (int i = 0; i < N; ++i)
+    this->Points.resize(points);
+    this->Weights.resize(points);
+    for (Eigen::Index i = 0; i < points; ++i)
     {
-      const double angle = pi * (i + 0.5) / N;
+      const double angle = pi * (static_cast<double>(i) + 0.5) / static_cast<double>(points);
       this->Points[i] = std::cos(angle);
       this->Weights[i] = (i % 2 == 0 ? 1.0 : -1.0) * std::sin(angle);
     }
   }
 
+private:
   Values Points;
   Values Weights;
 };

@@ -6,6 +6,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -21,6 +22,21 @@
 
 namespace palpate
 {
+BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
+  const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
+  double baseRatio)
+{
+  for (const auto& [thickness, modulus, ratio, slips] : added)
+  {
+    first.deeper.push_back({ thickness, modulus, ratio, slips != 0.0 });
+  }
+  if (isElasticBase)
+  {
+    first.halfSpace = StackLayer{ 1.0, baseModulus, baseRatio };
+  }
+  return first;
+}
+
 MaterialArrays arraysToProcess(vtkAlgorithm* filter, const std::function<vtkDataArray*(int)>& find)
 {
   MaterialArrays arrays;
@@ -45,7 +61,7 @@ MaterialArrays arraysToProcess(vtkAlgorithm* filter, const std::function<vtkData
   return arrays;
 }
 
-MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 4>& names)
+MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 5>& names)
 {
   MaterialArrays arrays;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -64,8 +80,8 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
     return wrong;
   }
   BodyMaterial::Values values;
-  const std::array<PointValues*, 4> wanted = { &values.youngsModulus, &values.thickness,
-    &values.compliance, &values.poissonsRatio };
+  const std::array<PointValues*, 5> wanted = { &values.youngsModulus, &values.thickness,
+    &values.compliance, &values.poissonsRatio, &values.second };
   const vtkIdType points = body->GetNumberOfPoints();
   for (std::size_t index = 0; index < wanted.size(); ++index)
   {
@@ -100,9 +116,10 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)
   {
     return;
   }
-  const MaterialRange own =
-    hasPiece ? material.range() : MaterialRange(material.range().layers.base);
-  MaterialRange whole(own.layers.base);
+  const MaterialRange own = hasPiece
+    ? material.range()
+    : MaterialRange(material.range().layers.base, material.range().stack);
+  MaterialRange whole(own.layers.base, own.stack);
   const auto ratios = ranks.gather(own.layers.poissonsRatios);
   const auto extremes = ranks.gather(own.extremes);
   for (std::size_t rank = 0; rank < ratios.size(); ++rank)
@@ -114,12 +131,54 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)
   }
   whole.layers.thinnest = ranks.smallest(own.layers.thinnest);
   whole.layers.thickest = ranks.largest(own.layers.thickest);
+  whole.second.thinnest = ranks.smallest(own.second.thinnest);
+  whole.second.thickest = ranks.largest(own.second.thickest);
   whole.stiffens = ranks.any(own.stiffens);
   whole.hasHalfSpace = ranks.any(own.hasHalfSpace);
   whole.leastRatio = ranks.smallest(own.leastRatio);
   whole.mostRatio = ranks.largest(own.mostRatio);
   material.setRange(whole);
 }
+
+namespace
+{
+void attachStack(const BodyMaterial& material, const std::string& name, vtkPolyData* output)
+{
+  const LayerStack& stack = material.range().stack;
+  vtkNew<vtkDoubleArray> layers;
+  layers->SetName((name + "LayerStack").c_str());
+  layers->SetNumberOfComponents(4);
+  const auto add = [&layers](const StackLayer& layer, double thickness)
+  {
+    layers->InsertNextTuple4(
+      thickness, layer.youngsModulus, layer.poissonsRatio, layer.slips ? 1.0 : 0.0);
+  };
+  const std::array<double, 2> thinnest = { material.range().layers.thinnest,
+    material.range().second.thinnest };
+  for (std::size_t i = 0; i < stack.layers.size(); ++i)
+  {
+    add(stack.layers[i], i < thinnest.size() ? thinnest[i] : stack.layers[i].thickness);
+  }
+  if (stack.hasHalfSpace)
+  {
+    add(stack.halfSpace, 0.0);
+  }
+  output->GetFieldData()->AddArray(layers);
+  if (stack.layers.size() < 2)
+  {
+    return;
+  }
+  const ContactSpots spots = material.spots();
+  vtkNew<vtkFloatArray> second;
+  second->SetName((name + "SecondThickness").c_str());
+  second->SetNumberOfTuples(output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    second->SetValue(i, static_cast<float>(spots.at(static_cast<std::size_t>(i)).second));
+  }
+  output->GetPointData()->AddArray(second);
+}
+} // namespace
 
 void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output)
 {
@@ -141,5 +200,9 @@ void attachLayers(const BodyMaterial& material, const std::string& name, vtkPoly
   base->SetName((name + "LayerBase").c_str());
   base->InsertNextValue(static_cast<unsigned char>(material.range().layers.base));
   output->GetFieldData()->AddArray(base);
+  if (material.range().hasStack())
+  {
+    attachStack(material, name, output);
+  }
 }
 } // namespace palpate

@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataArray;
@@ -19,21 +20,27 @@ namespace palpate
 class Ranks;
 
 /// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness,
-/// 2 global compliance, 3 Poisson's ratio. One that is not wanted has no name; one that is wanted
-/// and not there has no array.
+/// 2 global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. One that is not
+/// wanted has no name; one that is wanted and not there has no array.
 struct MaterialArray
 {
   std::string name;
   vtkDataArray* array = nullptr;
 };
-using MaterialArrays = std::array<MaterialArray, 4>;
+using MaterialArrays = std::array<MaterialArray, 5>;
+
+/// With the layers that a filter was given besides, each as thickness (mm), Young's modulus (MPa),
+/// Poisson's ratio and whether it slips, and with an elastic base in place of the rigid one.
+BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
+  const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
+  double baseRatio);
 
 /// Those that a filter was told to process; `find(index)` fetches one.
 MaterialArrays arraysToProcess(
   vtkAlgorithm* filter, const std::function<vtkDataArray*(int index)>& find);
 /// Those of these names; "" for one that is not wanted.
 PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
-  vtkPolyData* body, const std::array<std::string, 4>& names);
+  vtkPolyData* body, const std::array<std::string, 5>& names);
 
 /// Gives `material` the values of the points of a body. Returns what is wrong, naming property or
 /// array, point and value, or "".
@@ -43,7 +50,10 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
 /// have none: the range of `material` becomes that of the whole body. Collective.
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material);
 
-/// Attaches <name>LayerThickness and <name>LayerBase, if there are layers.
+/// Attaches <name>LayerThickness and <name>LayerBase, if there are layers; of a stack also, as
+/// field data, <name>LayerStack (double 4: thickness in mm, 0 for the half-space; E in MPa, ν,
+/// whether it slips below what is above it; one tuple each, from the top, those that vary at their
+/// thinnest), and <name>SecondThickness per point.
 void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 } // namespace palpate
 

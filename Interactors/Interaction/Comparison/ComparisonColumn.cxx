@@ -294,7 +294,8 @@ std::string ComparisonColumn::makeMap()
   const std::string fault = attachRegime(Ranks(), this->Body,
     { shown.tool, shown.responseName, this->Deflection,
       { this->Material.youngsModulus, this->Material.poissonRatio, 0.0, LayerBase::Bonded, false },
-      materialArrays(this->Body, { "", given("LayerThickness"), given("GlobalCompliance"), "" }) },
+      materialArrays(
+        this->Body, { "", given("LayerThickness"), given("GlobalCompliance"), "", "" }) },
     judged);
   this->MapIsMade = fault.empty() && this->Map->SetBody(judged);
   return fault;

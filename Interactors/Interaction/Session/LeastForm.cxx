@@ -17,7 +17,7 @@ LeastForm findLeastForm(const LeastFormRequest& request)
     form.error = attachRegime(Ranks(), request.body,
       { request.tool, request.name, request.deflection,
         { request.youngsModulus, request.poissonRatio, 0.0, LayerBase::Bonded, false },
-        materialArrays(request.body, { "", "", request.complianceArray, "" }) },
+        materialArrays(request.body, { "", "", request.complianceArray, "", "" }) },
       judged);
   }
   ChoiceSettings settings;

@@ -18,7 +18,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
 
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=False,
-             strain="small", error_tolerance=0.0) -> vtkPolyData:
+             strain="small", error_tolerance=0.0, layers=()) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -32,7 +32,11 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     young : Young's modulus, MPa, > 0.
     poisson : Poisson's ratio, 0 to 0.5.
     layer : thickness of an elastic layer on a rigid base, mm; None (or 0) for a half-space.
-    base : how the layer rests there, "bonded" or "slip" (without friction).
+    base : how the layers rest there, "bonded" or "slip" (without friction); or ("elastic", young, poisson), an elastic
+        half-space in place of the rigid base.
+    layers : more layers below that one, from above, up to three: (thickness in mm, Young's modulus in MPa, Poisson's
+        ratio) or the same and True for one that slips below the one above. The thickness of the first of them may vary
+        as `layer` may; moduli are then constant.
     compliance : how far the body gives way as a whole, mm/N, beside the local dent; None for not at all.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : samples per curve, 2 to 256.
@@ -58,7 +62,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     the same bits for any number; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
     """
     made = vtkToolContactResponse()
-    given = _set_material(made, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer)
+    given = _set_material(made, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer,
+                          layers)
     made.SetInputData(given)
     tool = _tool(tool)
     made.SetTool(tool)
@@ -93,12 +98,12 @@ class Regime(NamedTuple):
 
 
 def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
-           name="Response", compliance_excludes_layer=False) -> Regime:
+           name="Response", compliance_excludes_layer=False, layers=()) -> Regime:
     """Whether a body gives way locally or globally under a tool, and so whether the tool's shape matters.
 
     Parameters
     ----------
-    body, young, poisson, layer, base, compliance, compliance_excludes_layer : as in palpate.response. Where the body
+    body, young, poisson, layer, base, compliance, compliance_excludes_layer, layers : as in palpate.response. Where the body
         carries the response `name`, the material must be the one that this was made of.
     deflection : how deep the tool is pressed, mm, > 0; None: half of the response's range at each point.
     tool : as in palpate.response; None: the tool of the response `name`.
@@ -115,7 +120,8 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
     TypeError for things of another kind.
     """
     found = vtkContactRegime()
-    given = _set_material(found, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer)
+    given = _set_material(found, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer,
+                          layers)
     found.SetInputData(given)
     found.SetResponseName(_text(name, "name"))
     if tool is not None:
@@ -131,18 +137,25 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
                     for array in ("RegimeIndex", "ToolSensitivity", "RegimeVerdict")))
 
 
-def _set_material(algorithm, body, young, poisson, layer, base, compliance, excludes):
+def _set_material(algorithm, body, young, poisson, layer, base, compliance, excludes, layers):
     """Sets what the body is made of; returns the body with the arrays that were given."""
-    if base not in BASES:
-        raise ValueError("base must be 'bonded' or 'slip', but is %r" % (base,))
-    algorithm.SetLayerBase(BASES[base])
+    if isinstance(base, (tuple, list)) and len(base) == 3 and base[0] == "elastic":
+        algorithm.SetLayerBase(vtkToolContactResponse.ElasticBase)
+        algorithm.SetBaseYoungsModulus(_number(base[1], "base: young (MPa)"))
+        algorithm.SetBasePoissonRatio(_number(base[2], "base: poisson"))
+    elif base not in BASES:
+        raise ValueError("base must be 'bonded', 'slip' or ('elastic', young, poisson), but is %r" % (base,))
+    else:
+        algorithm.SetLayerBase(BASES[base])
+    second = _add_layers(algorithm, layers)
     algorithm.SetComplianceExcludesLayer(bool(excludes))
     body = shallow_copy(body)
     for index, (argument, value, array, setter) in enumerate((
             ("young (MPa)", young, "YoungsModulus", algorithm.SetYoungsModulus),
             ("layer (mm)", layer, "LayerThickness", algorithm.SetLayerThickness),
             ("compliance (mm/N)", compliance, "GlobalCompliance", None),
-            ("poisson", poisson, "PoissonRatio", algorithm.SetPoissonRatio))):
+            ("poisson", poisson, "PoissonRatio", algorithm.SetPoissonRatio),
+            ("layers[0] (mm)", second, "SecondThickness", None))):
         if value is None and setter in (None, algorithm.SetLayerThickness):
             continue
         if np.ndim(value) == 0 and not isinstance(value, str):
@@ -158,6 +171,22 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
+
+
+def _add_layers(algorithm, layers):
+    """Adds them; returns the thickness of the first if it varies, else None."""
+    second = None
+    for i, layer in enumerate(layers):
+        what = "layers[%d]" % i
+        if not isinstance(layer, (tuple, list)) or len(layer) not in (3, 4):
+            raise ValueError("%s must be (thickness, young, poisson) or these and whether it slips, but is %r"
+                             % (what, layer))
+        thickness = layer[0]
+        if i == 0 and (isinstance(thickness, str) or np.ndim(thickness) > 0):
+            second, thickness = thickness, 1.0
+        algorithm.AddLayer(_number(thickness, what + " (mm)"), _number(layer[1], what + ": young (MPa)"),
+                           _number(layer[2], what + ": poisson"), bool(layer[3]) if len(layer) == 4 else False)
+    return second
 
 
 def _tool(tool):

@@ -15,7 +15,7 @@ using namespace palpate;
 
 namespace
 {
-constexpr BodyMaterial::Constants Usual = { 0.1, 0.45, 0.0, LayerBase::Bonded, false };
+const BodyMaterial::Constants Usual = { 0.1, 0.45, 0.0, LayerBase::Bonded, false };
 
 std::string take(BodyMaterial::Constants constants, BodyMaterial::Values values, std::size_t points)
 {
