@@ -37,6 +37,7 @@ public:
   /// spans. Of a single layer `second` has no meaning.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
 
+  /// One stack of them.
   struct Node
   {
     double thickness; ///< of the first layer, mm
