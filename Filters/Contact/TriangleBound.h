@@ -143,8 +143,13 @@ public:
     this->Best = there;
     this->Triangle = triangle;
     const double distance = std::sqrt(there.squaredDistance);
-    this->BoxReach = squared(distance + this->TipRounding);
-    this->BoundReach = squared(distance + this->BoundRounding);
+    this->BoxReach = static_cast<float>(
+      std::min(squared(distance + this->TipRounding), static_cast<double>(LargestFloat)));
+    // Where it does not fit a float a bound need not either: every triangle is looked at.
+    const double bound = squared(distance + this->BoundRounding);
+    this->BoundReach = bound < static_cast<double>(LargestFloat)
+      ? static_cast<float>(bound)
+      : std::numeric_limits<float>::infinity();
   }
 
   /// Squared distance within which a box may hold something nearer.
@@ -158,11 +163,9 @@ public:
 private:
   static constexpr float LargestFloat = std::numeric_limits<float>::max();
 
-  static float squared(double reach) noexcept
+  static double squared(double reach) noexcept
   {
-    // 1e-6: a dozen roundings of the float distance.
-    return static_cast<float>(
-      std::min(reach * reach * (1.0 + 1e-6), static_cast<double>(LargestFloat)));
+    return reach * reach * (1.0 + 1e-6); // a dozen roundings of the float distance
   }
 
   double TipRounding;

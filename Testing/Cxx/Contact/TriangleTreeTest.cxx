@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 using namespace palpate::testing;
@@ -134,5 +135,23 @@ TEST(TriangleTree, OnePointBeyondAllDoesNotSpoilTheBody)
     const Vector3 tip = 1.5 * body.points.front();
     EXPECT_NEAR(TriangleTree(mesh).closest(tip).signedDistance, 10.0, 1e-5) // floats of 20 mm
       << beyond;
+  }
+}
+
+TEST(TriangleTree, ABodyWhoseBoundsDoNotFitAFloat)
+{
+  // Sixth powers of these lengths overflow: a bound that is infinite must not hide the long
+  // triangle, one edge of which is the y axis, behind the other. Either may be looked at first.
+  for (const double length : { 4e9, -4e9 })
+  {
+    Surface body;
+    body.points = { { 0, -length, 0 }, { 4, -length, 0 }, { 0, length, 0 }, { 0, 0, 7 },
+      { 4, 0, 7 }, { 0, 4, 7 } };
+    body.triangles = { { 3, 4, 5 }, { 0, 1, 2 } };
+    const PackedMesh mesh = body.packed();
+    const SurfacePoint found = TriangleTree(mesh).closest(Vector3(-1.0, 0.5, 2.0));
+    EXPECT_EQ(mesh.inputTriangle(found.triangle), 1);
+    // 1e-12: the mesh's centre is a float near the body's; all else is exact.
+    EXPECT_NEAR(std::abs(found.signedDistance), std::sqrt(5.0), 1e-12) << length;
   }
 }
