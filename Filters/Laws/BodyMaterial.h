@@ -32,6 +32,15 @@ public:
   /// What holds at every point without a value of its own.
   struct Constants
   {
+    Constants(double modulus, double ratio, double layer, LayerBase layerBase, bool excludes)
+      : youngsModulus(modulus)
+      , poissonsRatio(ratio)
+      , thickness(layer)
+      , base(layerBase)
+      , complianceExcludesLayer(excludes)
+    {
+    }
+
     double youngsModulus; ///< MPa
     double poissonsRatio;
     double thickness; ///< mm, 0 for a half-space
