@@ -109,4 +109,16 @@ void MaterialRange::widen(const ContactSpot& spot)
   extreme[2] = thinness(spot) > thinness(extreme[2]) ? spot : extreme[2];
   extreme[3] = thinness(spot) < thinness(extreme[3]) ? spot : extreme[3];
 }
+
+StrainBodies MaterialRange::strainBodies() const
+{
+  StrainBodies bodies{ this->leastRatio, this->mostRatio, this->hasHalfSpace, 0.0, 0.0,
+    this->layers.base };
+  if (this->hasLayers())
+  {
+    bodies.thinnest = this->layers.thinnest;
+    bodies.thickest = this->layers.thickest;
+  }
+  return bodies;
+}
 } // namespace palpate

@@ -3,6 +3,7 @@
 #define palpate_MaterialRange_h
 
 #include "Laws/ContactSpot.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerTable.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -25,6 +26,8 @@ public:
   bool hasStack() const noexcept { return !this->stack.layers.empty(); }
   /// The layers, of a stack with its kernels: they are made here (StackKernels.h).
   LayerTable::Layers prepared() const;
+  /// The bodies that a correction by finite strain is to serve.
+  StrainBodies strainBodies() const;
 
   LayerTable::Layers layers; ///< thinnest infinite and thickest 0 as long as there are none
   LayerStack stack;          ///< without layers: none

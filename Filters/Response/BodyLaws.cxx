@@ -8,6 +8,7 @@
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/BodyConversion.h"
+#include "Response/Curves/AutomaticTerms.h"
 #include "Response/Curves/CurvatureBound.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/Curves/ResponseStorage.h"
@@ -89,32 +90,31 @@ std::string checkRequest(const LawRequest& request)
   {
     return "StoreError needs an ErrorTolerance above 0";
   }
+  const double change = request.terms.changeTolerance;
+  if (!(change >= 0.0 && std::isfinite(change)))
+  {
+    return joined(
+      "TermTolerance must be finite and not negative (a fraction of the force), but is ", change);
+  }
   return request.responseName.empty() ? "ResponseName must not be empty" : "";
 }
 
-/// The correction by finite strain that is asked for, null for none; or what is wrong.
-std::string findStrain(const LawRequest& request, const BodyMaterial& material,
-  const std::function<bool(double)>& goOn, std::unique_ptr<StrainCorrection>& strain)
+/// The correction by finite strain, null for none; or what is wrong.
+std::string findStrain(const LawRequest& request, const StrainLaw& law,
+  const BodyMaterial& material, const std::function<bool(double)>& goOn,
+  std::unique_ptr<StrainCorrection>& strain)
 {
-  if (request.terms.strain.model == StrainModel::Linear)
+  if (law.model == StrainModel::Linear)
   {
     return {};
   }
-  const MaterialRange& range = material.range();
-  if (range.hasStack())
+  if (material.range().hasStack())
   {
     return "StrainModel has no law for layers on each other or on a half-space: use SmallStrain, "
            "whose ErrorTolerance says how far off that is";
   }
-  StrainBodies bodies{ range.leastRatio, range.mostRatio, range.hasHalfSpace, 0.0, 0.0,
-    range.layers.base };
-  if (range.hasLayers())
-  {
-    bodies.thinnest = range.layers.thinnest;
-    bodies.thickest = range.layers.thickest;
-  }
-  return makeStrainCorrection(
-    *request.tool->GetKernel(), request.terms.strain, bodies, request.deflection, goOn, strain);
+  return makeStrainCorrection(*request.tool->GetKernel(), law, material.range().strainBodies(),
+    request.deflection, goOn, strain);
 }
 
 /// What is beyond small strain on a flat surface, in words and as a sum of ModelPart.
@@ -314,30 +314,46 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   const float* normals = storage.Normal->GetPointer(0);
   const CurvatureBound bound(body, seam, normals);
-  const LawTerms& terms = request.terms;
+  LawTerms terms = request.terms;
   std::unique_ptr<SurfaceCurvature> curvature;
   if (terms.curvature || terms.errorTolerance > 0.0)
   {
     curvature = std::make_unique<SurfaceCurvature>(body, seam, normals);
   }
-  const double width = widthOf(body, ranks);
+  const SurfaceShape shape{ widthOf(body, ranks),
+    [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
+    [&curvature](std::size_t i) { return curvature->at(static_cast<vtkIdType>(i)); } };
+  std::unique_ptr<StrainCorrection> strain;
+  const auto makeStrain =
+    [&](const BodyMaterial& of, const StrainLaw& law, std::unique_ptr<StrainCorrection>& found)
+  { return findStrain(request, law, of, goOn, found); };
+  const FilterThreads threads;
+  std::string reason;
+  if (terms.automatic)
+  {
+    AutomaticTerms chosen{ terms, material };
+    fault = chooseTerms(ranks, body, request, shape, makeStrain, chosen);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    terms = chosen.terms;
+    material = std::move(chosen.material);
+    strain = std::move(chosen.strain);
+    reason = chosen.reason;
+  }
   if (!hasPiece)
   {
     return {};
   }
-  std::unique_ptr<StrainCorrection> strain;
-  fault = findStrain(request, material, goOn, strain);
+  fault = strain ? std::string() : makeStrain(material, terms.strain, strain);
   if (!fault.empty())
   {
     return fault;
   }
-  const FilterThreads threads;
-  const MadeResponse made = response(tool, material, request.deflection,
-    static_cast<std::size_t>(count),
-    { width,
-      [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
-      [&curvature](std::size_t i) { return curvature->at(static_cast<vtkIdType>(i)); } },
-    { terms.curvature, strain.get(), terms.errorTolerance }, storage.spans(), goOn);
+  const MadeResponse made =
+    response(tool, material, request.deflection, static_cast<std::size_t>(count), shape,
+      { terms.curvature, strain.get(), terms.errorTolerance }, storage.spans(), goOn);
   if (!made.complete)
   {
     output->Initialize();
@@ -355,6 +371,10 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
     { made.exponent, request.samples, tool.specification(), material.describe() + beyond.text,
       material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
+  if (!reason.empty())
+  {
+    addText(output, termsName(name), reason);
+  }
   return {};
 }
 
@@ -444,6 +464,8 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   attached.choice = chooseResponse(arrays, evidence, used);
   attached.numbersPerPointBefore = arrays.basis ? arrays.laws : 2 * arrays.samples;
   attached.reason = choiceReason(attached.choice, used, attached.numbersPerPointBefore);
+  const std::string terms = termsReason(body, responseName);
+  attached.reason += terms.empty() ? terms : ". Of its law: " + terms;
   copyWithOwnFields(body, output);
   if (attached.choice.need != ResponseNeed::PerVertex)
   {

@@ -31,6 +31,8 @@ struct LawTerms
   StrainLaw strain; ///< linear: small strain
   double errorTolerance = 0.0;
   bool storeError = false;
+  bool automatic = false;        ///< left out where they change little
+  double changeTolerance = 0.01; ///< of the force, relative: how little
 };
 
 /// A tool pressed into a material.

@@ -2,6 +2,7 @@
 #include "vtkToolContactResponse.h"
 
 #include "Response/BodyLaws.h"
+#include "Response/Curves/AutomaticTerms.h"
 #include "Response/FilterStage.h"
 #include "Response/Pieces/OwnPiece.h"
 #include "vtkContactTool.h"
@@ -75,10 +76,11 @@ int vtkToolContactResponse::RequestData(
     { this->CurvatureCorrection,
       { static_cast<palpate::StrainModel>(this->StrainModel),
         this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
-      this->ErrorTolerance, this->StoreError } };
+      this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance } };
   std::string warning;
   const std::string fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
+  this->TermReason = palpate::termsReason(output, this->ResponseName);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
@@ -131,6 +133,8 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "StoreError: " << this->StoreError << "\n";
+  os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
+  os << indent << "TermTolerance: " << this->TermTolerance << "\n";
   os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";

@@ -230,6 +230,29 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the law has no more than the forces need. Layers, CurvatureCorrection and finite strain
+   * are then left out where they change the force by no more than TermTolerance in sum; and
+   * Neo-Hooke is taken, where its tables have the tool and it changes more, without being asked
+   * for. Judged down to MaximumDeflection, by 95 % of some 400 points (palpate/TermEffect.h). What
+   * is in the law and what is not, each with its per cent, is told by GetTermReason and the field
+   * array `<name>Terms`. Default off: the law is what is asked for.
+   */
+  vtkSetMacro(AutomaticTerms, bool);
+  vtkGetMacro(AutomaticTerms, bool);
+  vtkBooleanMacro(AutomaticTerms, bool);
+  ///@}
+
+  ///@{
+  /** Change of the force, relative, that AutomaticTerms may leave out, >= 0. Default 0.01. */
+  vtkSetMacro(TermTolerance, double);
+  vtkGetMacro(TermTolerance, double);
+  ///@}
+
+  /// Of the last execution: what AutomaticTerms took and left out, in words; "" without it.
+  vtkGetMacro(TermReason, std::string);
+
+  ///@{
   /** Depth of the last sample, mm, > 0. Default 2. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
@@ -284,6 +307,9 @@ private:
   double DemirayExponent = 1.0;
   double ErrorTolerance = 0.0;
   bool StoreError = false;
+  bool AutomaticTerms = false;
+  double TermTolerance = 0.01;
+  std::string TermReason;
   double MaximumDeflection = 2.0;
   int NumberOfSamples = 8;
   std::string ResponseName = "Response";

@@ -32,7 +32,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
         "Curvature Correction": 0, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
-        "Error Tolerance": 0.0, "Store Error": 0,
+        "Error Tolerance": 0.0, "Store Error": 0, "Least Law That Keeps Forces": 0, "Term Tolerance": 0.01,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
     ("filters", "ContactRegime"): {
         "Input": None, "Tool": None, "Deflection (mm)": 0.0, "Material": 0, "Young's Modulus (MPa)": 0.1,

@@ -118,6 +118,16 @@ class ClosedForms(unittest.TestCase):
         # The error is straight over the root of the depth between samples.
         self.assertAlmostEqual(np.interp(math.sqrt(depth), np.sqrt(sampled), error), 0.03, delta=1e-6)
 
+    def test_a_law_has_what_the_force_needs(self):
+        # c of a 60 degree cone at nu = 0.3 is 1.075, at 0.45 0.994 (another code).
+        tips = np.array([[0.3, 0.7, -0.5]])
+        for poisson, tolerance, words in ((0.3, 0.05, "Neo-Hooke\\) is in the law"), (0.45, 0.05, "small strain suffices")):
+            body = palpate.response(plate(), tool="cone:60", poisson=poisson, automatic=tolerance)
+            self.assertRegex(body.GetFieldData().GetAbstractArray("ResponseTerms").GetValue(0), words)
+            small = palpate.response(plate(), tool="cone:60", poisson=poisson)
+            ratio = palpate.probe(body, tips).forces[0, 2] / palpate.probe(small, tips).forces[0, 2]
+            self.assertAlmostEqual(ratio, 1.075 if poisson == 0.3 else 1.0, delta=0.005 if poisson == 0.3 else 0)
+
     def test_a_stack_of_equal_layers_is_one_layer(self):
         tips = np.array([[0.3, 0.7, -0.5], [0.3, 0.7, -1.5]])
         one = palpate.probe(palpate.response(plate(), layer=6.0), tips).forces
@@ -469,6 +479,8 @@ class Errors(unittest.TestCase):
                 (ValueError, "Ogden", {"strain": ("ogden", 0)}),
                 (TypeError, "exponent of 'demiray'", {"strain": ("demiray", "much")}),
                 (ValueError, "ErrorTolerance must be finite", {"error_tolerance": -1}),
+                (ValueError, "TermTolerance must be finite", {"automatic": -1}),
+                (TypeError, "automatic", {"automatic": "yes"}),
                 (ValueError, "ResponseName must not be empty", {"name": ""})):
             with self.subTest(options=str(options)[:60]):
                 self.complains(kind, words, palpate.response, body, **options)

@@ -65,6 +65,15 @@ FiniteCurve forcesOf(const AxisymmetricTool& tool, FiniteLayer layer, StrainMode
   return pressTool(outline, problem, goOn);
 }
 
+/// Neo-Hooke's table of layers; null where it does not go.
+std::unique_ptr<StrainTable> layersTable(
+  const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest)
+{
+  return bodies.base == LayerBase::Bonded
+    ? neoHookeOnLayers(tool, bodies.thinnest, bodies.thickest, deepest)
+    : nullptr;
+}
+
 /// Solves for one table, or reads what was solved for before. Empty where `goOn` ended it.
 class TableMaker
 {
@@ -218,9 +227,7 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
   if (hasLayers)
   {
     std::unique_ptr<StrainTable> table =
-      law.model == StrainModel::NeoHooke && bodies.base == LayerBase::Bonded
-      ? neoHookeOnLayers(tool, bodies.thinnest, bodies.thickest, deepest)
-      : nullptr;
+      law.model == StrainModel::NeoHooke ? layersTable(tool, bodies, deepest) : nullptr;
     if (!table)
     {
       table = maker.make(
@@ -235,5 +242,12 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
   }
   made = std::move(correction);
   return {};
+}
+
+bool isStrainTabulated(const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest)
+{
+  const bool hasLayers = bodies.thickest > 0.0;
+  return (!bodies.hasHalfSpace || neoHookeOnHalfSpace(tool, deepest)) &&
+    (!hasLayers || layersTable(tool, bodies, deepest));
 }
 } // namespace palpate

@@ -64,6 +64,10 @@ private:
 PALPATE_EXPORT std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& law,
   const StrainBodies& bodies, double deepest, const std::function<bool(double)>& goOn,
   std::unique_ptr<StrainCorrection>& made);
+
+/// Whether makeStrainCorrection of Neo-Hooke needs no solver.
+PALPATE_EXPORT bool isStrainTabulated(
+  const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest);
 } // namespace palpate
 
 #endif
