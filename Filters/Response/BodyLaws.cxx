@@ -101,13 +101,8 @@ std::string findStrain(const LawRequest& request, const BodyMaterial& material,
     return {};
   }
   const MaterialRange& range = material.range();
-  if (range.hasStack())
-  {
-    return "StrainModel has no law for layers on each other or on a half-space: use SmallStrain, "
-           "whose ErrorTolerance says how far off that is";
-  }
   StrainBodies bodies{ range.leastRatio, range.mostRatio, range.hasHalfSpace, 0.0, 0.0,
-    range.layers.base };
+    range.layers.base, range.stack, range.second };
   if (range.hasLayers())
   {
     bodies.thinnest = range.layers.thinnest;
