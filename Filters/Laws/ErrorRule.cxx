@@ -57,7 +57,7 @@ void ErrorRule::addStrain(const ContactSpot& spot, const LocalState& state, Erro
   if (this->Scope.strain)
   {
     parts[ResponseLimit::Strain] =
-      this->Scope.strain->at(state.depth, spot.poissonsRatio, spot.thickness).error;
+      this->Scope.strain->at(state.depth, spot.poissonsRatio, spot.thickness, spot.second).error;
     return;
   }
   const double pressure = state.force / (Pi * state.radius * state.radius);

@@ -126,7 +126,7 @@ void LocalContact::strain(
       ? toolDepth(0) / nodes.depths[0]
       : (toolDepth(next) - toolDepth(last)) / (nodes.depths[next] - nodes.depths[last]);
     const StrainCorrection::Value value =
-      this->Strain->at(toolDepth(i), spot.poissonsRatio, spot.thickness);
+      this->Strain->at(toolDepth(i), spot.poissonsRatio, spot.thickness, spot.second);
     if (!std::isfinite(value.factor))
     {
       continue;

@@ -113,7 +113,7 @@ void MaterialRange::widen(const ContactSpot& spot)
 StrainBodies MaterialRange::strainBodies() const
 {
   StrainBodies bodies{ this->leastRatio, this->mostRatio, this->hasHalfSpace, 0.0, 0.0,
-    this->layers.base };
+    this->layers.base, this->stack, this->second };
   if (this->hasLayers())
   {
     bodies.thinnest = this->layers.thinnest;

@@ -118,7 +118,9 @@ double changeOfForce(const PressedBody& body, const LawModel& whole, const LawMo
 double boundOfStrain(const PressedBody& body, const LawModel& model)
 {
   const ModelledForce force(body, model);
-  const ErrorRule rule(body.tool, { model.curvature, nullptr, Infinity, 0.0, nullptr });
+  const MaterialRange& range = model.material.range();
+  const ErrorRule rule(body.tool,
+    { model.curvature, nullptr, Infinity, 0.0, range.hasStack() ? &range.stack : nullptr });
   return largestOfMost(body,
     [&](std::size_t i)
     {

@@ -40,8 +40,7 @@ struct LawModel
 PALPATE_EXPORT double changeOfForce(
   const PressedBody& body, const LawModel& whole, const LawModel& less);
 
-/// The same of finite strain in a Neo-Hooke body, no more than that: by smallStrainError, without
-/// solving. Of half-spaces and single layers.
+/// The same of finite strain in a Neo-Hooke body, no more than that: by ErrorRule, without solving.
 PALPATE_EXPORT double boundOfStrain(const PressedBody& body, const LawModel& model);
 } // namespace palpate
 

@@ -108,11 +108,6 @@ std::string findStrain(const LawRequest& request, const StrainLaw& law,
   {
     return {};
   }
-  if (material.range().hasStack())
-  {
-    return "StrainModel has no law for layers on each other or on a half-space: use SmallStrain, "
-           "whose ErrorTolerance says how far off that is";
-  }
   return makeStrainCorrection(*request.tool->GetKernel(), law, material.range().strainBodies(),
     request.deflection, goOn, strain);
 }

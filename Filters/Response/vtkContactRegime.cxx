@@ -85,7 +85,7 @@ void vtkContactRegime::AddLayer(
   this->Modified();
 }
 
-void vtkContactRegime::RemoveAllLayers()
+void vtkContactRegime::ClearLayers()
 {
   if (!this->AddedLayers.empty())
   {

@@ -89,7 +89,7 @@ public:
   ///@{
   /** As vtkToolContactResponse has them. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
-  void RemoveAllLayers();
+  void ClearLayers();
   int GetNumberOfAddedLayers();
   vtkSetMacro(BaseYoungsModulus, double);
   vtkGetMacro(BaseYoungsModulus, double);

@@ -100,7 +100,7 @@ void vtkToolContactResponse::AddLayer(
   this->Modified();
 }
 
-void vtkToolContactResponse::RemoveAllLayers()
+void vtkToolContactResponse::ClearLayers()
 {
   if (!this->AddedLayers.empty())
   {

@@ -150,7 +150,7 @@ public:
    * body is then a stack everywhere (palpate/LayerStack.h). Default none.
    */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
-  void RemoveAllLayers();
+  void ClearLayers();
   int GetNumberOfAddedLayers();
   ///@}
 

@@ -7,6 +7,7 @@
 #include "vtkContactSettings.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"
+#include "vtkToolContactResponse.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -22,6 +23,8 @@
 namespace
 {
 const char* const ThicknessArray = "LayerThickness";
+const char* const FirstArray = "LayerThickness0"; // of a stack
+const char* const SecondArray = "LayerThickness1";
 const char* const ComplianceArray = "GlobalCompliance";
 
 using Tool = vtkSmartPointer<vtkContactTool>;
@@ -72,6 +75,7 @@ struct vtkContactSetup::State
   vtkSmartPointer<vtkPolyData> body;
   vtkSmartPointer<vtkPolyData> copy; ///< of the body, for the other thread
   std::vector<Tool> tools;
+  std::vector<palpate::StackLayer> added; ///< layers below the first
 
   vtkSmartPointer<vtkPolyData> output;
   palpate::MadeResponses made; ///< what the output was assembled from
@@ -134,6 +138,24 @@ std::string vtkContactSetup::GetResponseName(int tool)
   return tool == 0 ? "Response" : "Response" + std::to_string(tool + 1);
 }
 
+void vtkContactSetup::AddLayer(
+  double thickness, double youngsModulus, double poissonRatio, bool slips)
+{
+  this->Kept->added.push_back({ thickness, youngsModulus, poissonRatio, slips });
+  this->Modified();
+}
+
+void vtkContactSetup::ClearLayers()
+{
+  this->Kept->added.clear();
+  this->Modified();
+}
+
+int vtkContactSetup::GetNumberOfAddedLayers()
+{
+  return static_cast<int>(this->Kept->added.size());
+}
+
 void vtkContactSetup::SetChosenTool(int tool)
 {
   this->ChosenTool = std::clamp(tool, 0, std::max(this->GetNumberOfTools() - 1, 0));
@@ -185,7 +207,8 @@ bool vtkContactSetup::HasModel(int model)
       return this->Model != Stored;
     case Layer:
       return this->Model != Stored &&
-        (this->LayerThickness > 0.0 || data->HasArray(ThicknessArray));
+        (this->LayerThickness > 0.0 ||
+          data->HasArray(this->Kept->added.empty() ? ThicknessArray : FirstArray));
     case Series:
       return this->Model != Stored && data->HasArray(ComplianceArray);
     case Stored:
@@ -225,15 +248,25 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   request.maximumDeflection = this->MaximumDeflection;
   request.tolerance = this->Tolerance;
   request.choiceDeflection = this->ChoiceDeflection;
-  if (this->Model == Layer && this->LayerThickness > 0.0)
+  if (this->Model == Layer)
   {
     request.layerThickness = this->LayerThickness;
+    const char* first = kept.added.empty() ? ThicknessArray : FirstArray;
+    request.thicknessArray = this->LayerThickness > 0.0 ? "" : first;
+    request.deeper = kept.added;
+    if (!kept.added.empty() && kept.added.front().thickness == 0.0)
+    {
+      request.secondArray = SecondArray;
+    }
+    request.base = this->LayerBase == vtkToolContactResponse::Slip ? palpate::LayerBase::Slip
+                                                                   : palpate::LayerBase::Bonded;
+    if (this->LayerBase == vtkToolContactResponse::ElasticBase)
+    {
+      request.halfSpace = palpate::StackLayer{ 1.0, this->BaseYoungsModulus, this->BasePoissonRatio,
+        this->BaseSlips };
+    }
   }
-  else if (this->Model == Layer)
-  {
-    request.thicknessArray = ThicknessArray;
-  }
-  else if (this->Model == Series)
+  if (this->Model == Series)
   {
     request.complianceArray = ComplianceArray;
     request.complianceFactor =
@@ -392,6 +425,11 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
   os << indent << "Model: " << this->Model << "\n";
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
+  os << indent << "AddedLayers: " << this->Kept->added.size() << "\n";
+  os << indent << "LayerBase: " << this->LayerBase << "\n";
+  os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
+  os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
+  os << indent << "BaseSlips: " << this->BaseSlips << "\n";
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ChoiceDeflection: " << this->ChoiceDeflection << " mm\n";

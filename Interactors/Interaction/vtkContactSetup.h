@@ -49,7 +49,7 @@ public:
   enum ModelType
   {
     HalfSpace = 0,
-    Layer = 1,  ///< on a rigid base, bonded: the property LayerThickness, or the array (mm)
+    Layer = 1,  ///< the property LayerThickness, or the array (mm); on LayerBase, or AddLayer's
     Series = 2, ///< local, in series with the array GlobalCompliance (mm/N)
     Stored = 3  ///< the body brings its responses: they are used as they are
   };
@@ -114,6 +114,28 @@ public:
   /** Thickness of the layer, mm, the same everywhere. Default 0: as the array of this name says. */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
+  ///@}
+  ///@{
+  /** Layers below that one, as vtkToolContactResponse has them, for the model Layer; a thickness of
+   * 0 is as the point array LayerThickness1 says (of the second layer only), and LayerThickness 0
+   * then as LayerThickness0 does. Default none. */
+  void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
+  void ClearLayers();
+  int GetNumberOfAddedLayers();
+  ///@}
+  ///@{
+  /** How the layers rest, as LayerBase of vtkToolContactResponse: 0 bonded to a rigid base
+   * (default), 1 slipping on it, 2 on an elastic half-space, of this modulus (MPa) and Poisson's
+   * ratio, default 1 and 0.45, which they may slip on, too. */
+  vtkSetClampMacro(LayerBase, int, 0, 2);
+  vtkGetMacro(LayerBase, int);
+  vtkSetMacro(BaseYoungsModulus, double);
+  vtkGetMacro(BaseYoungsModulus, double);
+  vtkSetMacro(BasePoissonRatio, double);
+  vtkGetMacro(BasePoissonRatio, double);
+  vtkSetMacro(BaseSlips, bool);
+  vtkGetMacro(BaseSlips, bool);
+  vtkBooleanMacro(BaseSlips, bool);
   ///@}
   ///@{
   /** Young's modulus (MPa) at which GlobalCompliance and the global modes of the body were found:
@@ -194,6 +216,10 @@ private:
   double MaximumDeflection = 2.0;
   int Model = HalfSpace;
   double LayerThickness = 0.0;
+  int LayerBase = 0;
+  double BaseYoungsModulus = 1.0;
+  double BasePoissonRatio = 0.45;
+  bool BaseSlips = false;
   double ComplianceModulus = 0.0;
   double Tolerance = 0.0;
   double ChoiceDeflection = 0.0;

@@ -76,6 +76,10 @@ std::string BlindTrial::chooseResponse(const TouchScene& scene, const TrialChoic
   {
     return "alternative '" + choice.name + "': the material of this body is not to be changed";
   }
+  if (law.layer.isStack() && !choice.layer && (choice.youngsModulus || choice.poissonsRatio))
+  {
+    return "alternative '" + choice.name + "': each of the layers has its own young and poisson";
+  }
   const std::string error = addToolResponse(scene, tool, law, maximumDeflection, responses);
   this->ResponseNames.push_back(responses.names.back());
   return error;

@@ -5,11 +5,14 @@
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkLayerThickness.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -19,6 +22,10 @@ namespace palpate
 {
 namespace
 {
+const char* const StackAssumptions =
+  "assumed: layers bonded to each other unless said, each homogeneous, thickness along the normal; "
+  "a thin stiff layer hides the soft one below it less, the larger the tool";
+
 const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal, "
   "small strain; a layer's force depends more on nu than a half-space's";
@@ -31,9 +38,116 @@ std::string rounded(double value, int decimals)
   return stream.str();
 }
 
+/// Of all layers together.
 vtkDataArray* scannedThickness(const TouchScene& scene)
 {
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;
+}
+/// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and 1;
+/// where it shows no bone, bone is taken to lie as deep as was looked for it. A layer of given
+/// thickness has at most half of the tissue.
+void splitTissue(TouchScene& scene)
+{
+  vtkDataArray* tissue = scannedThickness(scene);
+  vtkNew<vtkLayerThickness> settings;
+  const std::size_t other = 1 - scene.layer.scannedLayer;
+  const double given = scene.layer.stack.layers[other].thickness;
+  std::array<vtkSmartPointer<vtkFloatArray>, 2> parts;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    parts[i] = vtkSmartPointer<vtkFloatArray>::New();
+    parts[i]->SetName(i == 0 ? "LayerThickness0" : "LayerThickness1");
+    parts[i]->SetNumberOfTuples(tissue->GetNumberOfTuples());
+  }
+  for (vtkIdType p = 0; p < tissue->GetNumberOfTuples(); ++p)
+  {
+    const double found = tissue->GetTuple1(p);
+    const double whole = found > 0.0 ? found : settings->GetMaximumDepth();
+    const double own = std::min(given, 0.5 * whole);
+    parts[other]->SetValue(p, static_cast<float>(own));
+    parts[scene.layer.scannedLayer]->SetValue(p, static_cast<float>(whole - own));
+  }
+  const auto body = vtkSmartPointer<vtkPolyData>::New();
+  body->ShallowCopy(scene.body);
+  body->GetPointData()->AddArray(parts[0]);
+  body->GetPointData()->AddArray(parts[1]);
+  scene.body = body;
+}
+
+/// The layers under a point.
+LayerStack stackAt(const TouchScene& scene, vtkIdType point)
+{
+  LayerStack stack = scene.layer.stack;
+  for (std::size_t i = 0; scene.layer.scanned && i < stack.layers.size(); ++i)
+  {
+    const std::string name = "LayerThickness" + std::to_string(i);
+    stack.layers[i].thickness =
+      scene.body->GetPointData()->GetArray(name.c_str())->GetTuple1(point);
+  }
+  return stack;
+}
+
+/// What is known of a scanned thickness.
+struct Tissue
+{
+  std::vector<double> found; ///< where there is bone, ascending, mm
+  double share = 0.0;        ///< of the vertices, percent
+};
+Tissue tissueOf(vtkDataArray* thickness)
+{
+  Tissue tissue;
+  for (vtkIdType i = 0; i < thickness->GetNumberOfTuples(); ++i)
+  {
+    if (thickness->GetTuple1(i) > 0.0)
+    {
+      tissue.found.push_back(thickness->GetTuple1(i));
+    }
+  }
+  std::sort(tissue.found.begin(), tissue.found.end());
+  tissue.share = 100.0 * static_cast<double>(tissue.found.size()) /
+    static_cast<double>(thickness->GetNumberOfTuples());
+  return tissue;
+}
+
+std::string describeStack(const TouchScene& scene)
+{
+  const LayerStack& stack = scene.layer.stack;
+  std::string text = stack.layers.size() == 1 ? "elastic layer: " : "elastic layers from the top: ";
+  for (std::size_t i = 0; i < stack.layers.size(); ++i)
+  {
+    const StackLayer& layer = stack.layers[i];
+    const bool isScanned = scene.layer.scanned && i == scene.layer.scannedLayer;
+    text += joined(i > 0 ? layer.slips ? "; slipping, " : "; " : "",
+      isScanned ? std::string("what is left of the soft tissue") : joined(layer.thickness, " mm"),
+      " of ", layer.youngsModulus, " MPa, nu ", layer.poissonsRatio);
+  }
+  if (stack.hasHalfSpace)
+  {
+    return joined(text, stack.halfSpace.slips ? "; slipping on" : "; on", " a half-space of ",
+      stack.halfSpace.youngsModulus, " MPa, nu ", stack.halfSpace.poissonsRatio, "; ");
+  }
+  text += stack.base == LayerBase::Slip ? "; slipping on a rigid base" : "; bonded to a rigid base";
+  if (!scene.layer.scanned)
+  {
+    return text + "; ";
+  }
+  const Tissue tissue = tissueOf(scannedThickness(scene));
+  vtkNew<vtkLayerThickness> settings;
+  const std::string depth =
+    joined(", at the others taken to lie ", settings->GetMaximumDepth(), " mm deep; ");
+  return text + ", bone, found at " + rounded(tissue.share, 0) + " % of the vertices" +
+    (tissue.found.empty() ? std::string()
+                          : " below " + rounded(tissue.found.front(), 1) + " to " +
+          rounded(tissue.found.back(), 1) + " mm of soft tissue, median " +
+          rounded(tissue.found[tissue.found.size() / 2], 1) + " mm") +
+    depth;
+}
+
+/// How thick the layer is under a point of the body, mm; 0 for a half-space.
+double thicknessAt(const TouchScene& scene, vtkIdType point)
+{
+  vtkDataArray* thickness = scannedThickness(scene);
+  return thickness ? thickness->GetTuple1(point) : scene.layer.thickness;
 }
 } // namespace
 
@@ -54,14 +168,41 @@ std::string chooseLayer(const ViewerOptions& options, TouchScene& scene)
   scene.layer = options.layer.value_or(scene.layer);
   if (scene.layer.scanned && !scannedThickness(scene))
   {
-    return "--layer scan: " + (options.body.empty() ? "this scene" : options.body) +
+    return (scene.layer.isStack() ? "--layers scan: " : "--layer scan: ") +
+      (options.body.empty() ? "this scene" : options.body) +
       " is no scan in which the thickness of a layer could be measured";
   }
-  if (scene.layer.scanned || scene.layer.thickness > 0.0)
+  if (scene.layer.isStack())
+  {
+    scene.modelReason = StackAssumptions;
+    if (scene.layer.scanned)
+    {
+      splitTissue(scene);
+    }
+  }
+  else if (scene.layer.scanned || scene.layer.thickness > 0.0)
   {
     scene.modelReason = Assumptions;
   }
   return {};
+}
+
+std::string layerSource(const LayerChoice& layer)
+{
+  return layer.usual
+    ? "moduli of dermis and hypodermis by indentation in vivo, Pailler-Mattei, Bec and Zahouani "
+      "2008, on a forearm: other methods find up to a hundred times as much; skin 1.5 mm thick, "
+      "within the 0.8 to 2.0 mm of a face, Chopra et al. 2015; Poisson's ratios assumed; muscle is "
+      "not told from fat"
+    : "given on the command line";
+}
+
+std::string describeMaterial(const TouchScene& scene)
+{
+  return scene.layer.isStack()
+    ? "of each layer its own (" + scene.materialSource + ")"
+    : joined("E = ", scene.youngsModulus, " MPa, nu = ", scene.poissonsRatio, " (",
+        scene.materialSource, ")");
 }
 
 std::string describeLaw(const TouchScene& scene)
@@ -70,25 +211,20 @@ std::string describeLaw(const TouchScene& scene)
   {
     return {};
   }
+  if (scene.layer.isStack())
+  {
+    return describeStack(scene);
+  }
   if (vtkDataArray* thickness = scannedThickness(scene))
   {
-    std::vector<double> found;
-    for (vtkIdType i = 0; i < thickness->GetNumberOfTuples(); ++i)
-    {
-      if (thickness->GetTuple1(i) > 0.0)
-      {
-        found.push_back(thickness->GetTuple1(i));
-      }
-    }
+    const Tissue tissue = tissueOf(thickness);
+    const std::vector<double>& found = tissue.found;
     if (found.empty())
     {
       return "elastic half-space at every vertex: the scan shows no bone; ";
     }
-    std::sort(found.begin(), found.end());
-    const double share =
-      static_cast<double>(found.size()) / static_cast<double>(thickness->GetNumberOfTuples());
     vtkNew<vtkLayerThickness> settings;
-    return joined("elastic layer on rigid bone at the ", rounded(100.0 * share, 0),
+    return joined("elastic layer on rigid bone at the ", rounded(tissue.share, 0),
       " % of the vertices where the scan shows bone within ", settings->GetMaximumDepth(), " mm (",
       rounded(found.front(), 1), " to ", rounded(found.back(), 1), " mm thick, median ",
       rounded(found[found.size() / 2], 1), " mm), half-space at the others; ");
@@ -98,14 +234,18 @@ std::string describeLaw(const TouchScene& scene)
     : "elastic half-space at every vertex; ";
 }
 
-double thicknessAt(const TouchScene& scene, vtkIdType point)
-{
-  vtkDataArray* thickness = scannedThickness(scene);
-  return thickness ? thickness->GetTuple1(point) : scene.layer.thickness;
-}
-
 std::string describeSpot(const TouchScene& scene, vtkIdType point)
 {
+  if (scene.layer.isStack())
+  {
+    const LayerStack stack = stackAt(scene, point);
+    std::string text = scene.layer.scanned ? ", here layers of " : ", layers of ";
+    for (std::size_t i = 0; i < stack.layers.size(); ++i)
+    {
+      text += (i > 0 ? " + " : "") + rounded(stack.layers[i].thickness, 1);
+    }
+    return text + " mm";
+  }
   const double thickness = thicknessAt(scene, point);
   if (scene.layer.scanned)
   {
@@ -118,13 +258,19 @@ std::string describeSpot(const TouchScene& scene, vtkIdType point)
 std::string describeStiffening(
   const TouchScene& scene, const ResponseSet& responses, vtkIdType point, double depth, double deep)
 {
-  const double thickness = thicknessAt(scene, point);
+  const bool isStack = scene.layer.isStack();
+  const LayerStack stack = isStack ? stackAt(scene, point) : LayerStack();
+  const double thickness = isStack ? stack.layers.front().thickness : thicknessAt(scene, point);
   if (!(thickness > 0.0))
   {
     return {};
   }
-  const auto kernel = std::make_shared<const LayerKernel>(scene.poissonsRatio, LayerBase::Bonded);
-  std::string all = rounded(thickness, 1) + " mm thick; times the force on a half-space";
+  const auto kernel = isStack
+    ? std::make_shared<const LayerKernel>(stack)
+    : std::make_shared<const LayerKernel>(scene.poissonsRatio, LayerBase::Bonded);
+  std::string all = isStack
+    ? describeSpot(scene, point).substr(2) + "; times the force on a half-space of the first"
+    : rounded(thickness, 1) + " mm thick; times the force on a half-space";
   for (std::size_t i = 0; i < responses.tools.size(); ++i)
   {
     const AxisymmetricTool& tool = *responses.tools[i]->GetKernel();

@@ -19,11 +19,14 @@ std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice&
 /// error, or "": scan wanted where there was none.
 std::string chooseLayer(const ViewerOptions& options, TouchScene& scene);
 
+/// Where the numbers of a stack come from, for the summary.
+std::string layerSource(const LayerChoice& layer);
+
+/// What the body is made of, for the summary.
+std::string describeMaterial(const TouchScene& scene);
+
 /// The law in words, for the summary: what is a layer and what a half-space.
 std::string describeLaw(const TouchScene& scene);
-
-/// How thick the layer is under a point of the body, mm; 0 for a half-space.
-double thicknessAt(const TouchScene& scene, vtkIdType point);
 
 /// ": 6.4 mm of soft tissue over bone" or the like; "" where the scene knows of no layer.
 std::string describeSpot(const TouchScene& scene, vtkIdType point);

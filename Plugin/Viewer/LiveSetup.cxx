@@ -4,6 +4,7 @@
 #include "CollectingWindow.h"
 
 #include "vtkContactSetup.h"
+#include "vtkToolContactResponse.h"
 
 #include <cstdio>
 
@@ -13,10 +14,29 @@ namespace
 {
 int modelOf(const TouchScene& scene)
 {
-  return scene.stored                                    ? vtkContactSetup::Stored
-    : scene.solid                                        ? vtkContactSetup::Series
-    : scene.layer.scanned || scene.layer.thickness > 0.0 ? vtkContactSetup::Layer
-                                                         : vtkContactSetup::HalfSpace;
+  return scene.stored ? vtkContactSetup::Stored
+    : scene.solid     ? vtkContactSetup::Series
+    : scene.layer.scanned || scene.layer.thickness > 0.0 || scene.layer.isStack()
+    ? vtkContactSetup::Layer
+    : vtkContactSetup::HalfSpace;
+}
+/// The top layer's material is the scene's.
+void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
+{
+  const LayerStack& stack = layer.stack;
+  setup->SetLayerThickness(layer.scanned ? 0.0 : stack.layers.front().thickness);
+  for (std::size_t i = 1; i < stack.layers.size(); ++i)
+  {
+    const StackLayer& below = stack.layers[i];
+    setup->AddLayer(
+      layer.scanned ? 0.0 : below.thickness, below.youngsModulus, below.poissonsRatio, below.slips);
+  }
+  setup->SetLayerBase(stack.hasHalfSpace ? vtkToolContactResponse::ElasticBase
+      : stack.base == LayerBase::Slip    ? vtkToolContactResponse::Slip
+                                         : vtkToolContactResponse::Bonded);
+  setup->SetBaseYoungsModulus(stack.halfSpace.youngsModulus);
+  setup->SetBasePoissonRatio(stack.halfSpace.poissonsRatio);
+  setup->SetBaseSlips(stack.halfSpace.slips);
 }
 } // namespace
 
@@ -40,6 +60,10 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetPoissonRatio(scene.poissonsRatio);
   setup->SetMaximumDeflection(options.maximumDeflection);
   setup->SetLayerThickness(scene.layer.scanned ? 0.0 : scene.layer.thickness);
+  if (scene.layer.isStack())
+  {
+    giveStack(scene.layer, setup);
+  }
   setup->SetComplianceModulus(scene.solid ? scene.youngsModulus : 0.0);
   setup->SetModel(modelOf(scene));
   setup->SetTolerance(options.automatic ? options.tolerance : 0.0);

@@ -44,13 +44,8 @@ vtkSmartPointer<vtkPolyData> judgeBody(
   bare->SetPolys(body->GetPolys());
   const ContactLaw law = lawOf(scene);
   auto judged = vtkSmartPointer<vtkPolyData>::New();
-  error = attachRegime(Ranks(), bare,
-    { tool, "", scene.depth,
-      { law.youngsModulus, law.poissonsRatio, law.layer.thickness, LayerBase::Bonded, false },
-      materialArrays(body,
-        { "", law.layer.scanned ? "LayerThickness" : "", scene.solid ? "GlobalCompliance" : "",
-          "" }) },
-    judged);
+  error = attachRegime(
+    Ranks(), bare, { tool, "", scene.depth, materialOf(law), arraysOf(law, scene, body) }, judged);
   return error.empty() ? judged : nullptr;
 }
 

@@ -113,8 +113,7 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
   std::printf("  body        %lld vertices, %lld triangles\n",
     static_cast<long long>(responses.body->GetNumberOfPoints()),
     static_cast<long long>(responses.body->GetNumberOfPolys()));
-  std::printf("  material    E = %g MPa, nu = %g (%s)\n", scene.youngsModulus, scene.poissonsRatio,
-    scene.materialSource.c_str());
+  std::printf("  material    %s\n", describeMaterial(scene).c_str());
   std::printf("  tools      ");
   for (const std::string& tool : scene.tools)
   {

@@ -136,9 +136,8 @@ std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene)
   const std::string words = describe(scene, tool, judged);
   stage.addWords(words, { 0.5, 0.0, 1.0, 0.5 });
   stage.lookFrom(judged, scene.viewFrom, scene.up);
-  std::printf("%s\n  material    E = %g MPa, nu = %g (%s)\n  model       %s%s\n", words.c_str(),
-    scene.youngsModulus, scene.poissonsRatio, scene.materialSource.c_str(),
-    describeLaw(scene).c_str(), scene.modelReason.c_str());
+  std::printf("%s\n  material    %s\n  model       %s%s\n", words.c_str(),
+    describeMaterial(scene).c_str(), describeLaw(scene).c_str(), scene.modelReason.c_str());
   if (options.window)
   {
     turn(stage.window());

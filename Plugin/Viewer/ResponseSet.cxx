@@ -2,7 +2,6 @@
 #include "ResponseSet.h"
 
 #include "CollectingWindow.h"
-#include "Response/BodyLaws.h"
 #include "Response/FlatBodyConversion.h"
 #include "Mechanics/Files/WholeFile.h"
 
@@ -53,6 +52,35 @@ ContactLaw lawOf(const TouchScene& scene)
   return { scene.youngsModulus, scene.poissonsRatio, scene.layer };
 }
 
+BodyMaterial::Constants materialOf(const ContactLaw& law)
+{
+  BodyMaterial::Constants made{ law.youngsModulus, law.poissonsRatio, law.layer.thickness,
+    law.layer.stack.base, false };
+  if (law.layer.isStack())
+  {
+    const LayerStack& stack = law.layer.stack;
+    const StackLayer& top = stack.layers.front();
+    made.youngsModulus = top.youngsModulus;
+    made.poissonsRatio = top.poissonsRatio;
+    made.thickness = top.thickness;
+    made.deeper.assign(stack.layers.begin() + 1, stack.layers.end());
+    if (stack.hasHalfSpace)
+    {
+      made.halfSpace = stack.halfSpace;
+    }
+  }
+  return made;
+}
+
+MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyData* body)
+{
+  const bool isStack = law.layer.isStack();
+  const std::string first = isStack ? "LayerThickness0" : "LayerThickness";
+  return materialArrays(body,
+    { "", law.layer.scanned ? first : "", scene.solid ? "GlobalCompliance" : "", "",
+      law.layer.scanned && isStack ? "LayerThickness1" : "" });
+}
+
 std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
   double maximumDeflection, ResponseSet& responses)
 {
@@ -73,12 +101,8 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   const std::string error = attachResponse(Ranks(), responses.body,
-    { shape, name, maximumDeflection,
-      { law.youngsModulus, law.poissonsRatio, law.layer.thickness, LayerBase::Bonded, false },
-      materialArrays(responses.body,
-        { "", law.layer.scanned ? "LayerThickness" : "", scene.solid ? "GlobalCompliance" : "",
-          "" }) },
-    {}, body, warning);
+    { shape, name, maximumDeflection, materialOf(law), arraysOf(law, scene, responses.body) }, {},
+    body, warning);
   warn(warning);
   if (error.empty())
   {

@@ -2,6 +2,7 @@
 #ifndef palpate_ResponseSet_h
 #define palpate_ResponseSet_h
 
+#include "Response/BodyLaws.h"
 #include "TouchScene.h"
 
 #include "vtkAlgorithm.h"
@@ -39,6 +40,10 @@ struct ContactLaw
 
 /// The scene's own.
 ContactLaw lawOf(const TouchScene& scene);
+
+/// The same as the laws take it: constants, and the arrays of the body that override them.
+BodyMaterial::Constants materialOf(const ContactLaw& law);
+MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyData* body);
 
 /// Adds the response of one more tool, or of another law. Returns an error, or "".
 std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,

@@ -166,8 +166,9 @@ std::string drawThickness(const std::string& file, const TouchScene& scene)
   std::array<char, 200> text{};
   vtkNew<vtkLayerThickness> settings;
   std::snprintf(text.data(), text.size(),
-    "%s\nThickness of the layer, along the normal\nGrey: no bone within %g mm, a half-space",
-    scene.title.c_str(), settings->GetMaximumDepth());
+    "%s\nThickness of the %s, along the normal\nGrey: no bone within %g mm, %s",
+    scene.title.c_str(), scene.layer.isStack() ? "layers" : "layer", settings->GetMaximumDepth(),
+    scene.layer.isStack() ? "taken to be that deep" : "a half-space");
   caption->SetInput(text.data());
   style(caption->GetTextProperty());
   caption->GetTextProperty()->SetLineSpacing(1.2);

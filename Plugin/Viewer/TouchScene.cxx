@@ -48,6 +48,13 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   {
     scene.materialSource = "given on the command line";
   }
+  if (options.layer && options.layer->isStack())
+  {
+    const StackLayer& top = options.layer->stack.layers.front();
+    scene.youngsModulus = top.youngsModulus;
+    scene.poissonsRatio = top.poissonsRatio;
+    scene.materialSource = layerSource(*options.layer);
+  }
   scene.youngsModulus = options.youngsModulus.value_or(scene.youngsModulus);
   scene.poissonsRatio = options.poissonsRatio.value_or(scene.poissonsRatio);
   scene.depth = options.depth.value_or(scene.depth);

@@ -26,7 +26,7 @@ struct TouchScene
   double poissonsRatio = 0.45;
   bool stored = false; ///< the body brings the response "Response", to be used as it is
   std::string materialSource;
-  LayerChoice layer;       ///< scanned: the body's array LayerThickness
+  LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1
   std::string modelReason; ///< why this law, and how far to trust it
   std::vector<std::string> tools;
   double depth = 1.0;

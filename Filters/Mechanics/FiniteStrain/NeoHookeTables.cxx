@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
 
+#include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include <array>
@@ -90,13 +91,13 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
   const StrainTable::Axes axes{ ratios(), {}, roots() };
   if (isTool(tool, ToolShape::Sphere, found) && deepest <= SphereDeepest * found.Radius)
   {
-    return std::make_unique<StrainTable>(axes, flattened(Sphere),
-      std::vector<double>{ SphereDeepest * found.Radius }, false, TableError);
+    return std::make_unique<StrainTable>(
+      axes, flattened(Sphere), StrainReach{ SphereDeepest * found.Radius }, false, TableError);
   }
   if (isTool(tool, ToolShape::Flat, found) && deepest <= FlatDeepest * found.Radius)
   {
     return std::make_unique<StrainTable>(
-      axes, flattened(Flat), std::vector<double>{ FlatDeepest * found.Radius }, false, FlatError);
+      axes, flattened(Flat), StrainReach{ FlatDeepest * found.Radius }, false, FlatError);
   }
   if (isTool(tool, ToolShape::Cone, found) && found.HalfAngle >= 45.0)
   {
@@ -105,7 +106,7 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
       return nullptr;
     }
     return std::make_unique<StrainTable>(
-      axes, coneFactors(found.HalfAngle), std::vector<double>{ deepest }, true, ConeError);
+      axes, coneFactors(found.HalfAngle), StrainReach{ deepest }, true, ConeError);
   }
   return nullptr;
 }
@@ -121,11 +122,9 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
     return nullptr;
   }
   std::vector<double> thicknesses;
-  std::vector<double> deepests;
   for (const double node : TableLayers)
   {
     thicknesses.push_back(node * found.Radius);
-    deepests.push_back(LayerDeepest * node * found.Radius);
   }
   std::vector<double> factors;
   for (std::size_t i = 0; i < Ratios; ++i)
@@ -136,6 +135,6 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
     }
   }
   return std::make_unique<StrainTable>(StrainTable::Axes{ ratios(), thicknesses, roots() },
-    std::move(factors), std::move(deepests), false, TableError);
+    std::move(factors), StrainReach{ Infinity, LayerDeepest }, false, TableError);
 }
 } // namespace palpate

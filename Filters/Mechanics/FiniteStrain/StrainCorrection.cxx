@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
-#include "Mechanics/FiniteStrain/StrainCache.h"
-#include "Mechanics/Files/NumberText.h"
+#include "Mechanics/FiniteStrain/StrainSolution.h"
 #include "Mechanics/JoinedText.h"
-#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +18,9 @@ const std::vector<double> SolvedRoots = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0
 constexpr double LargestRatio = 0.495;       // of those that are solved for
 constexpr int RatioNodes = 4;                // unless there is but one value
 constexpr double ThicknessStep = 2.0;        // between nodes, at most
+constexpr double DeepestFraction = 0.7;      // of the layers on a rigid base
 constexpr double SolvedError = 0.003;        // of c: mesh, far field and interpolation
 constexpr double BeyondLargestRatio = 0.006; // c from 0.495 to 0.5 at δ = R
-constexpr double Fillet = 0.1;               // of the contact radius, at corners
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
 {
@@ -48,142 +46,100 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
-/// Forces at the roots of `deepest`, as far as there is an equilibrium.
-FiniteCurve forcesOf(const AxisymmetricTool& tool, FiniteLayer layer, StrainModel model, bool slips,
-  double deepest, const std::function<bool(double)>& goOn)
+/// Deep enough for the thickest, and nowhere deeper than a fraction of what is there.
+StrainReach reachOf(double deepest, const StrainBodies& bodies)
 {
-  layer.model = model;
-  FiniteProblem problem;
-  problem.layers = { layer };
-  problem.slipBase = slips;
-  problem.contactRadius = tool.contactRadius(deepest);
-  for (const double root : SolvedRoots)
+  const LayerStack& stack = bodies.stack;
+  if (stack.hasHalfSpace)
   {
-    problem.depths.push_back(deepest * root * root);
+    return { deepest };
   }
-  const ToolOutline outline(tool, 3.0 * problem.contactRadius, Fillet * problem.contactRadius);
-  return pressTool(outline, problem, goOn);
+  StrainReach reach{ Infinity, DeepestFraction };
+  for (std::size_t i = 2; i < stack.layers.size(); ++i)
+  {
+    reach.below += stack.layers[i].thickness;
+  }
+  const double most = reach.at(bodies.thickest, bodies.second.thickest);
+  reach.endless = deepest < most ? 1.0 / (1.0 / deepest - 1.0 / most) : Infinity;
+  return reach;
 }
 
 /// Neo-Hooke's table of layers; null where it does not go.
 std::unique_ptr<StrainTable> layersTable(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest)
 {
-  return bodies.base == LayerBase::Bonded
+  return bodies.base == LayerBase::Bonded && bodies.stack.layers.empty()
     ? neoHookeOnLayers(tool, bodies.thinnest, bodies.thickest, deepest)
     : nullptr;
 }
 
-/// Solves for one table, or reads what was solved for before. Empty where `goOn` ended it.
-class TableMaker
+/// The layers as they are solved for: the top one is 1 MPa stiff, since c knows no unit.
+LayerStack solvedStack(const StrainBodies& bodies)
 {
-public:
-  TableMaker(const AxisymmetricTool& tool, const StrainLaw& law, LayerBase base, double deepest)
-    : Tool(tool)
-    , Law(law)
-    , Base(base)
-    , Deepest(deepest)
+  LayerStack stack = bodies.stack;
+  if (stack.layers.empty())
   {
+    stack.layers = { StackLayer{ 1.0, 1.0, 0.0 } };
+    stack.base = bodies.base;
   }
-
-  std::unique_ptr<StrainTable> make(
-    const StrainTable::Axes& axes, const std::function<bool(double)>& goOn) const
+  const double unit = stack.layers.front().youngsModulus;
+  const auto held = [unit](StackLayer& layer)
   {
-    const std::string key = this->key(axes);
-    const std::size_t rows = axes.ratios.size() * std::max<std::size_t>(1, axes.thicknesses.size());
-    std::vector<double> factors = readStrainCache(key, rows * axes.roots.size());
-    if (factors.empty())
+    layer.youngsModulus /= unit;
+    layer.poissonsRatio = std::min(layer.poissonsRatio, LargestRatio);
+  };
+  std::for_each(stack.layers.begin(), stack.layers.end(), held);
+  held(stack.halfSpace);
+  return stack;
+}
+
+/// Of c besides: that of the layers whose ratio is not solved for.
+double ratioError(const LayerStack& stack)
+{
+  const auto isBeyond = [](const StackLayer& layer) { return layer.poissonsRatio > LargestRatio; };
+  return std::any_of(stack.layers.begin(), stack.layers.end(), isBeyond) ||
+      (stack.hasHalfSpace && isBeyond(stack.halfSpace))
+    ? BeyondLargestRatio
+    : 0.0;
+}
+
+std::string checkBonds(const LayerStack& stack)
+{
+  for (std::size_t i = 1; i < stack.layers.size(); ++i)
+  {
+    if (stack.layers[i].slips)
     {
-      factors = this->solve(axes, rows, goOn);
-      if (factors.empty())
-      {
-        return nullptr;
-      }
-      writeStrainCache(key, factors);
+      return joined("Layer ", i,
+        " slips below the one above it: StrainModel has a law for layers bonded to each other; use "
+        "SmallStrain, whose ErrorTolerance says how far off that is");
     }
-    return std::make_unique<StrainTable>(
-      axes, std::move(factors), std::vector<double>{ this->Deepest }, false, SolvedError);
   }
+  return stack.hasHalfSpace && stack.halfSpace.slips
+    ? "The layers slip on their half-space: StrainModel has a law for bonded ones; use "
+      "SmallStrain, "
+      "whose ErrorTolerance says how far off that is"
+    : "";
+}
 
-private:
-  std::string key(const StrainTable::Axes& axes) const
-  {
-    std::string key = joined("finite strain 1|", this->Tool.specification(), "|",
-      describe(this->Law), "|", static_cast<int>(this->Base), "|", shortestDecimals(this->Deepest));
-    for (const std::vector<double>* axis : { &axes.ratios, &axes.thicknesses, &axes.roots })
-    {
-      key += "|";
-      for (const double value : *axis)
-      {
-        key += shortestDecimals(value) + ",";
-      }
-    }
-    return key;
-  }
-
-  std::vector<double> solve(
-    const StrainTable::Axes& axes, std::size_t rows, const std::function<bool(double)>& goOn) const
-  {
-    std::vector<double> factors;
-    std::size_t done = 0;
-    for (const double ratio : axes.ratios)
-    {
-      for (std::size_t j = 0; j < rows / axes.ratios.size(); ++j)
-      {
-        FiniteLayer layer;
-        layer.poissonsRatio = ratio;
-        layer.youngsModulus = 1.0;
-        layer.parameter = this->Law.parameter;
-        if (!axes.thicknesses.empty())
-        {
-          layer.thickness = axes.thicknesses[j];
-        }
-        bool ended = false;
-        const auto part = [&](double from, double width)
-        {
-          return [&, from, width](double fraction)
-          {
-            const double all = (static_cast<double>(done) + from + width * fraction);
-            ended = ended || (goOn && !goOn(all / static_cast<double>(rows)));
-            return !ended;
-          };
-        };
-        const bool slips = this->Base == LayerBase::Slip;
-        const FiniteCurve small =
-          forcesOf(this->Tool, layer, StrainModel::Linear, slips, this->Deepest, part(0.0, 0.3));
-        const FiniteCurve finite =
-          forcesOf(this->Tool, layer, this->Law.model, slips, this->Deepest, part(0.3, 0.7));
-        if (ended)
-        {
-          return {};
-        }
-        for (std::size_t k = 0; k < axes.roots.size(); ++k)
-        {
-          const bool known = k < small.points.size() && k < finite.points.size();
-          factors.push_back(known ? finite.points[k].force / small.points[k].force : 0.0);
-        }
-        ++done;
-      }
-    }
-    return factors;
-  }
-
-  const AxisymmetricTool& Tool;
-  const StrainLaw& Law;
-  LayerBase Base;
-  double Deepest;
-};
+std::unique_ptr<StrainTable> solvedTable(const StrainProblem& problem,
+  const StrainTable::Axes& axes, double error, const std::function<bool(double)>& goOn)
+{
+  std::vector<double> factors = solveStrain(problem, axes, goOn);
+  return factors.empty() ? nullptr
+                         : std::make_unique<StrainTable>(
+                             axes, std::move(factors), problem.reach, false, SolvedError + error);
+}
 } // namespace
 
 StrainCorrection::Value StrainCorrection::at(
-  double depth, double poissonsRatio, double thickness) const
+  double depth, double poissonsRatio, double thickness, double second) const
 {
   const StrainTable* table = thickness > 0.0 ? this->Layers.get() : this->HalfSpace.get();
   if (!table)
   {
     return {};
   }
-  Value found = table->at(depth, std::min(poissonsRatio, LargestRatio), thickness);
+  Value found = table->at(depth, std::min(poissonsRatio, LargestRatio), thickness, second);
   found.error += poissonsRatio > LargestRatio ? BeyondLargestRatio : 0.0;
   return found;
 }
@@ -198,25 +154,28 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
     return {};
   }
   std::string fault = checkStrainEnergy(law.model, law.parameter);
+  fault = fault.empty() ? checkBonds(bodies.stack) : fault;
   if (!fault.empty())
   {
     return fault;
   }
   const bool hasLayers = bodies.thickest > 0.0;
+  const bool isStack = !bodies.stack.layers.empty();
   auto correction = std::make_unique<StrainCorrection>();
-  const TableMaker maker(tool, law, bodies.base, deepest);
   const auto half = [&](double from, double width)
   {
     return [&goOn, from, width](double fraction) { return !goOn || goOn(from + width * fraction); };
   };
   const double forHalfSpace = bodies.hasHalfSpace && hasLayers ? 0.5 : 1.0;
+  const double forLayers = bodies.hasHalfSpace ? 0.5 : 1.0;
   if (bodies.hasHalfSpace)
   {
     std::unique_ptr<StrainTable> table =
       law.model == StrainModel::NeoHooke ? neoHookeOnHalfSpace(tool, deepest) : nullptr;
     if (!table)
     {
-      table = maker.make({ ratioNodes(bodies), {}, SolvedRoots }, half(0.0, forHalfSpace));
+      table = solvedTable({ tool, law, {}, { deepest } }, { ratioNodes(bodies), {}, SolvedRoots },
+        0.0, half(0.0, forHalfSpace));
     }
     if (!table)
     {
@@ -230,9 +189,17 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
       law.model == StrainModel::NeoHooke ? layersTable(tool, bodies, deepest) : nullptr;
     if (!table)
     {
-      table = maker.make(
-        { ratioNodes(bodies), thicknessNodes(bodies.thinnest, bodies.thickest), SolvedRoots },
-        half(1.0 - forHalfSpace, forHalfSpace));
+      StrainTable::Axes axes{ isStack
+          ? std::vector<double>{ std::min(bodies.leastRatio, LargestRatio) }
+          : ratioNodes(bodies),
+        thicknessNodes(bodies.thinnest, bodies.thickest), SolvedRoots };
+      if (bodies.stack.layers.size() > 1)
+      {
+        axes.seconds = thicknessNodes(bodies.second.thinnest, bodies.second.thickest);
+      }
+      const double error = bodies.leastRatio > LargestRatio ? 0.0 : ratioError(bodies.stack);
+      table = solvedTable({ tool, law, solvedStack(bodies), reachOf(deepest, bodies) }, axes, error,
+        half(1.0 - forLayers, forLayers));
     }
     if (!table)
     {

@@ -4,7 +4,8 @@
 
 #include "Mechanics/FiniteStrain/StrainLaw.h"
 #include "Mechanics/FiniteStrain/StrainTable.h"
-#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/Layers/LayerStack.h"
+#include "Mechanics/Layers/StackKernels.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <functional>
@@ -26,6 +27,9 @@ struct StrainBodies
   double thinnest = 0.0; ///< of layers, mm; 0: none
   double thickest = 0.0;
   LayerBase base = LayerBase::Bonded;
+  /// Where the layer is the first of a stack, that; its second is as thick as `second` says.
+  LayerStack stack = {};
+  ThicknessSpan second = { 0.0, 0.0 };
 };
 
 /**
@@ -35,10 +39,15 @@ struct StrainBodies
  * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius, δ =
  * 0.7 R) and a cone (45° to 75°) on a half-space, and below a sphere on a bonded layer (half to
  * four radii thick, δ = h/2), is a table made once by the solver. All else is solved for at four
- * Poisson's ratios (or the one there is), at thicknesses of a ratio of 2 or less, and at eight
- * depths, 3 s to a minute a curve, and kept by content in $PALPATE_CACHE, or
- * $XDG_CACHE_HOME/palpate, or
- * ~/.cache/palpate; with PALPATE_CACHE empty it is not kept.
+ * Poisson's ratios (or the one there is), at thicknesses of a ratio of 2 or less (of a stack, of
+ * its first two layers), and at eight depths: to 0.7 of all layers on a rigid base, beyond which
+ * the error grows. COST a curve, on all threads, the same bits for any number of
+ * them; kept by content in $PALPATE_CACHE, or $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with
+ * PALPATE_CACHE empty it is not kept.
+ *
+ * In a stack all layers are of the one law, each with its own modulus and Poisson's ratio, and
+ * bonded to each other; the rigid base may slip. Layers that slip on each other are refused: the
+ * two sides of the gap move apart, which the solver's mesh does not.
  *
  * Poisson's ratios above 0.495 get c of 0.495, and an error for it. Safe to use from any number of
  * threads.
@@ -48,8 +57,9 @@ class PALPATE_EXPORT StrainCorrection
 public:
   using Value = StrainFactor;
 
-  /// `depth` (mm) of the tool at small strain; `thickness` (mm) 0 for a half-space. Below 1 µs.
-  Value at(double depth, double poissonsRatio, double thickness) const;
+  /// `depth` (mm) of the tool at small strain; `thickness` (mm) 0 for a half-space, `second` (mm)
+  /// that of a stack's second layer. Below 1 µs.
+  Value at(double depth, double poissonsRatio, double thickness, double second = 0.0) const;
 
   void setHalfSpace(std::unique_ptr<StrainTable> table) { this->HalfSpace = std::move(table); }
   void setLayers(std::unique_ptr<StrainTable> table) { this->Layers = std::move(table); }

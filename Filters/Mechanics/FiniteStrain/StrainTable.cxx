@@ -61,10 +61,10 @@ Weights weightsAt(std::size_t nodes, const Node& node, double x)
 } // namespace
 
 StrainTable::StrainTable(
-  Axes axes, std::vector<double> factors, std::vector<double> deepest, bool constant, double error)
+  Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error)
   : Given(std::move(axes))
   , Factors(std::move(factors))
-  , Deepest(std::move(deepest))
+  , Reach(reach)
   , Constant(constant)
   , Error(error)
 {
@@ -83,60 +83,52 @@ StrainTable::StrainTable(
   }
 }
 
-double StrainTable::deepestAt(double thickness) const
+StrainFactor StrainTable::at(
+  double depth, double poissonsRatio, double thickness, double second) const
 {
-  const std::vector<double>& heights = this->Given.thicknesses;
-  if (this->Deepest.size() < 2)
-  {
-    return this->Deepest.front();
-  }
-  // A fraction of the thickness, straight over it between the nodes.
-  const double held = std::clamp(thickness, heights.front(), heights.back());
-  std::size_t above = 1;
-  while (above + 1 < heights.size() && heights[above] < held)
-  {
-    ++above;
-  }
-  const double fraction = (held - heights[above - 1]) / (heights[above] - heights[above - 1]);
-  return this->Deepest[above - 1] + fraction * (this->Deepest[above] - this->Deepest[above - 1]);
-}
-
-StrainFactor StrainTable::at(double depth, double poissonsRatio, double thickness) const
-{
-  const std::vector<double>& roots = this->Given.roots;
-  const std::size_t columns = roots.size();
-  const double deepest = this->deepestAt(thickness);
+  const Axes& axes = this->Given;
+  const std::size_t columns = axes.roots.size();
+  const auto held = [](const std::vector<double>& nodes, double value)
+  { return nodes.empty() ? 0.0 : std::clamp(value, nodes.front(), nodes.back()); };
+  const double deepest =
+    this->Reach.at(held(axes.thicknesses, thickness), held(axes.seconds, second));
   const double root = std::sqrt(std::max(depth, 0.0) / deepest);
+  const auto over = [](const std::vector<double>& nodes, double value)
+  {
+    return nodes.size() < 2
+      ? Weights{}
+      : weightsAt(
+          nodes.size(), [&](std::size_t i) { return std::log(nodes[i]); }, std::log(value));
+  };
   const Weights ratio = weightsAt(
-    this->Given.ratios.size(), [&](std::size_t i) { return this->Given.ratios[i]; }, poissonsRatio);
-  const std::size_t heights = std::max<std::size_t>(this->Given.thicknesses.size(), 1);
-  const Weights height = this->Given.thicknesses.empty()
-    ? Weights{}
-    : weightsAt(
-        heights, [&](std::size_t i) { return std::log(this->Given.thicknesses[i]); },
-        std::log(thickness));
+    axes.ratios.size(), [&](std::size_t i) { return axes.ratios[i]; }, poissonsRatio);
+  const Weights height = over(axes.thicknesses, thickness);
+  const Weights lower = over(axes.seconds, second);
   // One node more than columns: that of no depth.
   const Weights place = weightsAt(
-    columns + 1, [&](std::size_t i) { return i == 0 ? 0.0 : roots[i - 1]; }, root);
+    columns + 1, [&](std::size_t i) { return i == 0 ? 0.0 : axes.roots[i - 1]; }, root);
 
+  const std::size_t heights = std::max<std::size_t>(axes.thicknesses.size(), 1);
+  const std::size_t lowers = std::max<std::size_t>(axes.seconds.size(), 1);
   StrainFactor found{ 0.0, 0.0, this->Error };
   double known = 1.0;
-  for (std::size_t i = 0; i < ratio.count; ++i)
+  for (std::size_t n = 0; n < ratio.count * height.count * lower.count; ++n)
   {
-    for (std::size_t j = 0; j < height.count; ++j)
+    const std::size_t i = n / (height.count * lower.count);
+    const std::size_t j = n / lower.count % height.count;
+    const std::size_t l = n % lower.count;
+    const std::size_t row =
+      ((ratio.begin + i) * heights + height.begin + j) * lowers + lower.begin + l;
+    known = std::min(known, this->Known[row]);
+    const double weight = ratio.value[i] * height.value[j] * lower.value[l];
+    for (std::size_t k = 0; k < place.count; ++k)
     {
-      const std::size_t row = (ratio.begin + i) * heights + height.begin + j;
-      known = std::min(known, this->Known[row]);
-      const double weight = ratio.value[i] * height.value[j];
-      for (std::size_t k = 0; k < place.count; ++k)
-      {
-        const std::size_t column = place.begin + k;
-        const double c = column > 0 ? this->Factors[row * columns + column - 1]
-          : this->Constant          ? this->Factors[row * columns]
-                                    : 1.0;
-        found.factor += weight * place.value[k] * c;
-        found.slope += weight * place.slope[k] * c;
-      }
+      const std::size_t column = place.begin + k;
+      const double c = column > 0 ? this->Factors[row * columns + column - 1]
+        : this->Constant          ? this->Factors[row * columns]
+                                  : 1.0;
+      found.factor += weight * place.value[k] * c;
+      found.slope += weight * place.slope[k] * c;
     }
   }
   const bool beyond = root > known;

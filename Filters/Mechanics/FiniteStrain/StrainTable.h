@@ -17,11 +17,26 @@ struct StrainFactor
   double error = 0.0;
 };
 
+/// How deep a table goes where the layers are H thick in all, 1/δ_max = 1/endless + 1/(fraction H):
+/// as smooth in H as c.
+struct StrainReach
+{
+  double endless;        ///< where they have no end, mm; may be infinite
+  double fraction = 0.0; ///< of H; 0: their thickness does not count
+  double below = 0.0;    ///< of H, the part below the two layers that vary, mm
+
+  double at(double thickness, double second) const noexcept
+  {
+    const double whole = this->fraction * (thickness + second + this->below);
+    return whole > 0.0 ? 1.0 / (1.0 / this->endless + 1.0 / whole) : this->endless;
+  }
+};
+
 /**
- * c of one tool over Poisson's ratio, thickness of the layer and depth: cubic polynomials through
- * four nodes (or as many as there are) over ν, ln h and √(δ/δ_max), where c is smooth: on a sphere
- * c - 1 is nearly in proportion to √δ. At δ = 0, which is a node of its own, c is 1, or, of a tool
- * without a length (cone), what it is at every depth.
+ * c of one tool over Poisson's ratio, thickness of the layer (of a stack, of its first two) and
+ * depth: cubic polynomials through four nodes (or as many as there are) over ν, ln h and
+ * √(δ/δ_max), where c is smooth: on a sphere c - 1 is nearly in proportion to √δ. At δ = 0, which
+ * is a node of its own, c is 1, or, of a tool without a length (cone), what it is at every depth.
  *
  * Rows may end early, where no equilibrium was found: beyond, the factor stays at its last and the
  * error grows by the distance from there.
@@ -32,30 +47,28 @@ public:
   /// What lies where; thicknesses empty for a half-space. All ascend.
   struct Axes
   {
-    std::vector<double> ratios;      ///< Poisson's
-    std::vector<double> thicknesses; ///< mm
-    std::vector<double> roots;       ///< √(δ/δ_max), 0 < root <= 1
+    std::vector<double> ratios;       ///< Poisson's
+    std::vector<double> thicknesses;  ///< mm
+    std::vector<double> roots;        ///< √(δ/δ_max), 0 < root <= 1
+    std::vector<double> seconds = {}; ///< of a stack's second layer, mm; empty: it has none
   };
 
-  /// `factors`: by ratio, then thickness, then root; 0 where unknown, then unknown to the row's
-  /// end. `deepest` (mm): δ_max, one for each thickness, or one. `constant`: c does not depend on
-  /// depth. `error`: of the nodes themselves.
-  StrainTable(Axes axes, std::vector<double> factors, std::vector<double> deepest, bool constant,
-    double error);
+  /// `factors`: by ratio, then thickness, then second, then root; 0 where unknown, then unknown to
+  /// the row's end. `constant`: c does not depend on depth. `error`: of the nodes themselves.
+  StrainTable(
+    Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error);
 
   /// Does not allocate.
-  StrainFactor at(double depth, double poissonsRatio, double thickness) const;
+  StrainFactor at(double depth, double poissonsRatio, double thickness, double second = 0.0) const;
 
   const Axes& axes() const noexcept { return this->Given; }
   const std::vector<double>& factors() const noexcept { return this->Factors; }
 
 private:
-  double deepestAt(double thickness) const;
-
   Axes Given;
   std::vector<double> Factors;
   std::vector<double> Known; ///< the last known root of each row
-  std::vector<double> Deepest;
+  StrainReach Reach;
   bool Constant;
   double Error;
 };

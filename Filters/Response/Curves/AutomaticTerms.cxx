@@ -163,7 +163,7 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
   const std::string name = describe(law);
   const bool curved = chosen.terms.curvature;
   const LawModel small{ material, curved, nullptr };
-  if (law.model == StrainModel::NeoHooke && !material.range().hasStack())
+  if (law.model == StrainModel::NeoHooke)
   {
     const double bound = chooser.bound(small);
     if (chooser.canSpare(bound))
@@ -182,10 +182,6 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
         ": this tool has no table of ", name, ", which takes the solver"));
       return {};
     }
-  }
-  else if (!isAsked)
-  {
-    return {};
   }
   const std::string fault = makeStrain(material, law, chosen.strain);
   if (!fault.empty() || !chosen.strain)

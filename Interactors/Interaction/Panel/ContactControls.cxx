@@ -169,7 +169,8 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
   {
     if (setup->HasModel(model))
     {
-      models.push_back({ always(ModelNames[static_cast<std::size_t>(model)]),
+      const bool isStack = model == vtkContactSetup::Layer && setup->GetNumberOfAddedLayers() > 0;
+      models.push_back({ always(isStack ? "Layers" : ModelNames[static_cast<std::size_t>(model)]),
         [setup, model] { setup->SetModel(model); },
         [setup, model] { return model == setup->GetModel(); } });
     }

@@ -55,9 +55,10 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
     return;
   }
   const LawRequest law{ request.tools[tool], request.names[tool], request.maximumDeflection,
-    { request.youngsModulus, request.poissonRatio, request.layerThickness, LayerBase::Bonded,
-      false },
-    materialArrays(made.body, { "", request.thicknessArray, request.complianceArray, "", "" }) };
+    { request.youngsModulus, request.poissonRatio, request.layerThickness, request.base, false,
+      request.deeper, request.halfSpace },
+    materialArrays(made.body,
+      { "", request.thicknessArray, request.complianceArray, "", request.secondArray }) };
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   made.error = attachResponse(

@@ -3,6 +3,7 @@
 #define ResponseMaker_h
 
 #include "Interaction/Session/BodyKernels.h"
+#include "Laws/BodyMaterial.h"
 
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"
@@ -10,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +29,14 @@ struct ResponseRequest
   double maximumDeflection = 0.0; ///< mm
   double layerThickness = 0.0;    ///< mm, of a body without such an array
   std::string thicknessArray;     ///< "": the constant
-  std::string complianceArray;    ///< "": none
-  double complianceFactor = 1.0;  ///< the body's, by which compliance and modes are multiplied
-  double tolerance = 0.0;         ///< of the form that is felt; 0: the responses as they are
-  double choiceDeflection = 0.0;  ///< mm, that the form is chosen for; 0: half of the deepest
+  LayerBase base = LayerBase::Bonded;
+  std::vector<StackLayer> deeper = {};      ///< below that layer
+  std::string secondArray = {};             ///< thickness of the first of these; "": the constant
+  std::optional<StackLayer> halfSpace = {}; ///< in place of a rigid base
+  std::string complianceArray;              ///< "": none
+  double complianceFactor = 1.0; ///< the body's, by which compliance and modes are multiplied
+  double tolerance = 0.0;        ///< of the form that is felt; 0: the responses as they are
+  double choiceDeflection = 0.0; ///< mm, that the form is chosen for; 0: half of the deepest
   /// Kernel of the same surface, to be spared making it again; may be null.
   std::shared_ptr<const ContactBody> surface;
 };

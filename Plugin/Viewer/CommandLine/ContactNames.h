@@ -38,6 +38,7 @@ inline constexpr NumberRange PoissonsRatioRange =
   NumberRange::between(0.0, 0.5, "Poisson's ratio, e.g. 0.45");
 inline constexpr NumberRange LayerRange =
   NumberRange::positive("a thickness in mm, e.g. 7, or none", Kilometre);
+inline constexpr NumberRange StackRange{ "a thickness in mm, e.g. 1.5", 0.0, Kilometre };
 } // namespace palpate
 
 #endif

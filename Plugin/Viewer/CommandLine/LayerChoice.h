@@ -2,18 +2,28 @@
 #ifndef palpate_LayerChoice_h
 #define palpate_LayerChoice_h
 
+#include "Mechanics/Layers/LayerStack.h"
+
+#include <cstddef>
+
 namespace palpate
 {
 /// What lies under the surface: a layer on a rigid base, as thick as the scan shows or everywhere
-/// alike; thickness 0 is a half-space.
+/// alike, thickness 0 is a half-space; or a stack of layers.
 struct LayerChoice
 {
   bool scanned = false;
   double thickness = 0.0; ///< mm, unless scanned
+  LayerStack stack = {};  ///< without layers: none
+  /// Of a scanned stack of two: the layer that takes what the other leaves of the soft tissue.
+  std::size_t scannedLayer = 0;
+  bool usual = false; ///< skin over fat, with numbers from the literature
 
+  bool isStack() const { return !this->stack.layers.empty(); }
   bool operator==(const LayerChoice& other) const
   {
-    return this->scanned == other.scanned && this->thickness == other.thickness;
+    return this->scanned == other.scanned && this->thickness == other.thickness &&
+      this->stack == other.stack && this->scannedLayer == other.scannedLayer;
   }
 };
 } // namespace palpate

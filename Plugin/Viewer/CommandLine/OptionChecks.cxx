@@ -2,9 +2,11 @@
 #include "OptionChecks.h"
 
 #include "ContactNames.h"
+#include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -38,8 +40,113 @@ CLI::Validator notNegative(const char* what)
 
 std::string readLayer(const std::string& text, LayerChoice& layer)
 {
-  layer = { text == "scan", 0.0 };
+  layer = {};
+  layer.scanned = text == "scan";
   return layer.scanned || text == "none" ? std::string() : LayerRange.read(text, layer.thickness);
+}
+
+namespace
+{
+/// Skin over the fat that the scan leaves; see HeadScene.cxx for the numbers.
+LayerChoice skinOverFat()
+{
+  LayerChoice choice;
+  choice.scanned = true;
+  choice.scannedLayer = 1;
+  choice.usual = true;
+  choice.stack.layers = { { 1.5, 0.035, 0.48 }, { 1.0, 0.002, 0.49 } };
+  return choice;
+}
+
+/// MM:MPA:NU or that and :slip.
+std::string readStackLayer(const std::string& text, StackLayer& layer, bool& scanned)
+{
+  std::vector<std::string> parts = CLI::detail::split(text, ':');
+  layer.slips = parts.size() == 4 && parts.back() == "slip";
+  if (parts.size() != 3 && !layer.slips)
+  {
+    return "'" + text.substr(0, 40) + "' is none; MM:MPA:NU or MM:MPA:NU:slip, e.g. 1.5:0.2:0.48";
+  }
+  scanned = parts[0] == "scan";
+  std::string fault = scanned ? "" : StackRange.read(parts[0], layer.thickness);
+  fault = fault.empty() ? YoungsModulusRange.read(parts[1], layer.youngsModulus) : fault;
+  return fault.empty() ? PoissonsRatioRange.read(parts[2], layer.poissonsRatio) : fault;
+}
+
+/// What the layers together must be.
+std::string checkLayers(const LayerChoice& choice, std::size_t scanned)
+{
+  const LayerStack& stack = choice.stack;
+  if (stack.layers.empty())
+  {
+    return "a half-space alone is no stack: give --young and --poisson";
+  }
+  if (stack.layers.size() > LayerStack::MostLayers)
+  {
+    return joined(stack.layers.size(), " layers are too many: at most ", LayerStack::MostLayers,
+      ", and a half-space below them");
+  }
+  if (stack.layers.front().slips)
+  {
+    return "layer 1: nothing lies above it on which it could slip";
+  }
+  if (scanned > 0 && (scanned > 1 || stack.layers.size() != 2 || stack.hasHalfSpace))
+  {
+    return "scan stands for the thickness of one of two layers on the rigid base";
+  }
+  return {};
+}
+} // namespace
+
+std::string readLayers(const std::string& text, LayerChoice& layer)
+{
+  if (text == "scan")
+  {
+    layer = skinOverFat();
+    return {};
+  }
+  LayerChoice read;
+  std::vector<std::string> parts = CLI::detail::split(text, ',');
+  const bool hasSlipBase = !parts.empty() && parts.back() == "slip";
+  parts.resize(parts.size() - (hasSlipBase ? 1 : 0));
+  std::size_t scanned = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    StackLayer one;
+    bool isScanned = false;
+    const std::string fault = readStackLayer(parts[i], one, isScanned);
+    if (!fault.empty())
+    {
+      return joined("layer ", i + 1, ": ", fault);
+    }
+    if (isScanned)
+    {
+      ++scanned;
+      read.scannedLayer = i;
+    }
+    if (one.thickness > 0.0)
+    {
+      read.stack.layers.push_back(one);
+    }
+    else if (i + 1 < parts.size())
+    {
+      return joined("layer ", i + 1, ": only the last can be 0 mm thick, a half-space");
+    }
+    else
+    {
+      read.stack.hasHalfSpace = true;
+      read.stack.halfSpace = one;
+    }
+  }
+  read.scanned = scanned > 0;
+  read.stack.base = hasSlipBase ? LayerBase::Slip : LayerBase::Bonded;
+  if (hasSlipBase && read.stack.hasHalfSpace)
+  {
+    return "slip at the end is of a rigid base; of a half-space write 0:MPA:NU:slip";
+  }
+  const std::string fault = checkLayers(read, scanned);
+  layer = fault.empty() ? read : layer;
+  return fault;
 }
 
 std::string readLengthUnit(std::string& text)

@@ -21,6 +21,11 @@ CLI::Validator notNegative(const char* what);
 
 /// --layer: "scan", "none" or a thickness.
 std::string readLayer(const std::string& text, LayerChoice& layer);
+/// --layers: "scan", or layers MM:MPA:NU with commas between them, outermost first. MM may be
+/// "scan" in one of two layers on the rigid base, and 0 in the last, which is then the half-space
+/// below;
+/// ":slip" after a layer: without friction on the one above, ",slip" at the end: on the rigid base.
+std::string readLayers(const std::string& text, LayerChoice& layer);
 /// --length-unit: mm per unit, in CLI11's text.
 std::string readLengthUnit(std::string& text);
 /// --fixed, as vtkVoxelBody takes it.

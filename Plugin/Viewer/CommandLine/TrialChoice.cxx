@@ -2,6 +2,7 @@
 #include "TrialChoice.h"
 
 #include "ContactNames.h"
+#include "OptionChecks.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include <functional>
@@ -69,7 +70,8 @@ std::string readLayer(const std::string& text, TrialChoice& choice)
 {
   double thickness = 0.0;
   const std::string fault = text == "none" ? "" : LayerRange.read(text, thickness);
-  choice.layer = LayerChoice{ false, thickness };
+  choice.layer.emplace();
+  choice.layer->thickness = thickness;
   return fault;
 }
 
@@ -89,6 +91,12 @@ std::string readSetting(const std::string& name, const std::string& value, Trial
     { "young", [&] { return readInto(choice.youngsModulus, YoungsModulusRange, value); } },
     { "poisson", [&] { return readInto(choice.poissonsRatio, PoissonsRatioRange, value); } },
     { "layer", [&] { return readLayer(value, choice); } },
+    { "layers",
+      [&]
+      {
+        const std::string fault = readLayers(value, choice.layer.emplace());
+        return choice.layer->scanned ? "what a scan shows is --layers for all alternatives" : fault;
+      } },
   };
   for (const SettingRow& setting : SettingTable)
   {
@@ -133,7 +141,9 @@ std::string readChoice(const std::string& text, TrialChoice& choice)
     }
     choice.tool = part;
   }
-  return {};
+  return choice.layer && choice.layer->isStack() && (choice.youngsModulus || choice.poissonsRatio)
+    ? "'" + text.substr(0, 40) + "': each of the layers has its own young and poisson"
+    : std::string();
 }
 } // namespace
 

@@ -26,6 +26,7 @@ struct TrialChoice
  * Reads "sphere:6.35,flat:1.6", "friction=0,friction=0.3" or
  * "sphere:6.35+layer=7,sphere:6.35+layer=none": alternatives with commas between them, each made of
  * a tool, settings, or both with a plus between them. Settings: young, poisson, layer (MM or none),
+ * layers (as --layers, without scan),
  * and those of SettingTable that are options, with the values of the options of these names. A
  * piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
  *

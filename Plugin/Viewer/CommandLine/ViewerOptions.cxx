@@ -29,6 +29,8 @@ Examples:
   palpate liver.stl --measured press.csv --tool sphere:1.6   felt with another tool than measured
   palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
   palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
+  palpate --layers scan                      the head as skin over fat over bone
+  palpate liver.stl --layers 1.5:0.2:0.48,6:0.03:0.49   two layers, outermost first, on a rigid base
   palpate --compare                          a body that bends beside one that dents, same tools
   palpate --map                              where on the head the shape of the tool matters
   palpate --window                           the head in a window, under the mouse
@@ -100,7 +102,8 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
   app
     .add_option("--trial", alternatives,
       "compare blindly: A,B or more alternatives, each a tool, settings, or both, as "
-      "sphere:6.35+layer=7; settings: young, poisson, layer, and what the options of friction, "
+      "sphere:6.35+layer=7; settings: young, poisson, layer, layers, and what the options of "
+      "friction, "
       "force and surface "
       "set, as friction=0.3. In the window: space switches between X and Y, 1 or 2 answers; "
       "without "
@@ -165,8 +168,8 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
     "two bodies of rubber side by side under the same tools and motion: a strip on rollers, which "
     "bends, and a block on a plate, which only dents; curves and verdict under each");
   for (const char* option : { "BODY", "--scene", "--scan", "--measured", "--voxel", "--layer",
-         "--site", "--slide-to", "--length-unit", "--resolution", "--save", "--export", "--device",
-         "--record", "--trial", "--pictures" })
+         "--layers", "--site", "--slide-to", "--length-unit", "--resolution", "--save", "--export",
+         "--device", "--record", "--trial", "--pictures" })
   {
     compare->excludes(app.get_option(option));
   }
@@ -189,6 +192,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   std::array<double, 3> site{};
   std::array<double, 3> slideTo{};
   std::string layer;
+  std::string layers;
   std::string alternatives;
 
   app.add_option("BODY", options.body, "the body to touch; without one, the --scene");
@@ -247,6 +251,27 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "scan|none|MM"))
     ->excludes("--measured")
     ->excludes("--voxel");
+  app
+    .add_option("--layers", layers,
+      "layers on each other, outermost first, on a rigid base: MM:MPA:NU,MM:MPA:NU,...; 0 mm in "
+      "the "
+      "last is an elastic half-space below; scan for the mm of one of two: what the other leaves "
+      "of "
+      "the scan's soft tissue; :slip after a layer: without friction on the one above, ,slip at "
+      "the "
+      "end: on the rigid base. scan alone: skin over fat")
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        LayerChoice ignored;
+        return readLayers(text, ignored);
+      },
+      "scan|MM:MPA:NU,..."))
+    ->excludes("--layer")
+    ->excludes("--measured")
+    ->excludes("--voxel")
+    ->excludes("--young")
+    ->excludes("--poisson");
   app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
     ->check(any("a grey level, e.g. 35"))
     ->capture_default_str();
@@ -327,6 +352,11 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   {
     options.layer.emplace();
     readLayer(layer, *options.layer);
+  }
+  if (app.count("--layers") > 0)
+  {
+    options.layer.emplace();
+    readLayers(layers, *options.layer);
   }
   if (app.count("--slide-to") > 0)
   {

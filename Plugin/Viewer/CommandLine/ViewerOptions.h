@@ -26,7 +26,7 @@ struct ViewerOptions
   std::optional<double> poissonsRatio;
   std::optional<double> depth;
   double maximumDeflection = 2.0;
-  std::optional<LayerChoice> layer;
+  std::optional<LayerChoice> layer;  ///< --layer or --layers
   double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
   std::vector<std::string> measured; ///< files of curves
   std::string registration;          ///< of their frame with the body's; empty: one frame
