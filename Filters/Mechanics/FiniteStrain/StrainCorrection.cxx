@@ -23,6 +23,7 @@ constexpr double ThicknessStep = 2.0;        // between nodes, at most
 constexpr double SolvedError = 0.003;        // of c: mesh, far field and interpolation
 constexpr double BeyondLargestRatio = 0.006; // c from 0.495 to 0.5 at δ = R
 constexpr double Fillet = 0.1;               // of the contact radius, at corners
+constexpr double CornerError = 0.01;         // of c: that fillet against one half as large
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
 {
@@ -48,6 +49,12 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
+ToolOutline outlineOf(const AxisymmetricTool& tool, double deepest)
+{
+  const double radius = tool.contactRadius(deepest);
+  return { tool, 3.0 * radius, Fillet * radius };
+}
+
 /// Forces at the roots of `deepest`, as far as there is an equilibrium.
 FiniteCurve forcesOf(const AxisymmetricTool& tool, FiniteLayer layer, StrainModel model, bool slips,
   double deepest, const std::function<bool(double)>& goOn)
@@ -61,8 +68,7 @@ FiniteCurve forcesOf(const AxisymmetricTool& tool, FiniteLayer layer, StrainMode
   {
     problem.depths.push_back(deepest * root * root);
   }
-  const ToolOutline outline(tool, 3.0 * problem.contactRadius, Fillet * problem.contactRadius);
-  return pressTool(outline, problem, goOn);
+  return pressTool(outlineOf(tool, deepest), problem, goOn);
 }
 
 /// Solves for one table, or reads what was solved for before. Empty where `goOn` ended it.
@@ -92,8 +98,9 @@ public:
       }
       writeStrainCache(key, factors);
     }
-    return std::make_unique<StrainTable>(
-      axes, std::move(factors), std::vector<double>{ this->Deepest }, false, SolvedError);
+    const bool hasCorner = !outlineOf(this->Tool, this->Deepest).fillets().empty();
+    return std::make_unique<StrainTable>(axes, std::move(factors),
+      std::vector<double>{ this->Deepest }, false, SolvedError + (hasCorner ? CornerError : 0.0));
   }
 
 private:
