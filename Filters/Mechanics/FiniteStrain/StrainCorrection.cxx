@@ -21,6 +21,7 @@ constexpr double ThicknessStep = 2.0;        // between nodes, at most
 constexpr double DeepestFraction = 0.7;      // of the layers on a rigid base
 constexpr double SolvedError = 0.003;        // of c: mesh, far field and interpolation
 constexpr double BeyondLargestRatio = 0.006; // c from 0.495 to 0.5 at δ = R
+constexpr double CornerError = 0.01;         // of c: a corner's fillet against one half as large
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
 {
@@ -121,6 +122,12 @@ std::string checkBonds(const LayerStack& stack)
     : "";
 }
 
+/// Of c besides: that of a corner, which is solved for with a fillet.
+double cornerError(const AxisymmetricTool& tool, double deepest)
+{
+  return solvedOutline(tool, tool.contactRadius(deepest)).fillets().empty() ? 0.0 : CornerError;
+}
+
 std::unique_ptr<StrainTable> solvedTable(const StrainProblem& problem,
   const StrainTable::Axes& axes, double error, const std::function<bool(double)>& goOn)
 {
@@ -175,7 +182,7 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
     if (!table)
     {
       table = solvedTable({ tool, law, {}, { deepest } }, { ratioNodes(bodies), {}, SolvedRoots },
-        0.0, half(0.0, forHalfSpace));
+        cornerError(tool, deepest), half(0.0, forHalfSpace));
     }
     if (!table)
     {
@@ -197,7 +204,8 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
       {
         axes.seconds = thicknessNodes(bodies.second.thinnest, bodies.second.thickest);
       }
-      const double error = bodies.leastRatio > LargestRatio ? 0.0 : ratioError(bodies.stack);
+      const double error = cornerError(tool, deepest) +
+        (bodies.leastRatio > LargestRatio ? 0.0 : ratioError(bodies.stack));
       table = solvedTable({ tool, law, solvedStack(bodies), reachOf(deepest, bodies) }, axes, error,
         half(1.0 - forLayers, forLayers));
     }

@@ -108,8 +108,7 @@ std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row
   {
     finite.depths.push_back(row.deepest * root * root);
   }
-  const ToolOutline outline(
-    problem.tool, 3.0 * finite.contactRadius, CornerFillet * finite.contactRadius);
+  const ToolOutline outline = solvedOutline(problem.tool, finite.contactRadius);
   const auto forces = [&](const StrainLaw& law, double from, double width)
   {
     finite.layers = finiteLayers(row, law);
@@ -215,6 +214,11 @@ bool solveRows(std::size_t rows,
   return !ended;
 }
 } // namespace
+
+ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius)
+{
+  return { tool, 3.0 * contactRadius, CornerFillet * contactRadius };
+}
 
 std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable::Axes& axes,
   const std::function<bool(double)>& goOn)

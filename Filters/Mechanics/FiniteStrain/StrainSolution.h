@@ -4,6 +4,7 @@
 
 #include "Mechanics/FiniteStrain/StrainLaw.h"
 #include "Mechanics/FiniteStrain/StrainTable.h"
+#include "Mechanics/FiniteStrain/ToolOutline.h"
 #include "Mechanics/Layers/LayerStack.h"
 
 #include <functional>
@@ -23,6 +24,9 @@ struct StrainProblem
   LayerStack stack;
   StrainReach reach;
 };
+
+/// The tool as it is solved for: its corners have fillets of a tenth of `contactRadius` (mm).
+ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius);
 
 /**
  * c = F_finite/F_small of the solver, on one mesh, at the nodes of a table, as StrainTable takes

@@ -196,15 +196,55 @@ TEST(StrainCorrection, SpheresAreThoseOfCalculix)
   }
 }
 
+/// c - 1 goes with the contact radius a: 1 is the limit, not what is met at a small depth. The
+/// slope at 0 by another code, d(c - 1)/d(a/R); its own is that of a fit.
 TEST(StrainCorrection, ToSmallDepthsItIsNone)
 {
   const auto made = correction(*tool("sphere:5"), 5.0, halfSpaces());
-  for (const double nu : { 0.3, 0.45, 0.5 })
+  struct Case
   {
-    // c - 1 goes with the contact radius: 0.09 a/R at ν = 0.3.
-    EXPECT_NEAR(made->at(5e-4, nu, 0.0).factor, 1.0, 1.1e-3);
-    EXPECT_DOUBLE_EQ(made->at(0.0, nu, 0.0).factor, 1.0);
+    double ratio;
+    double slope;
+  };
+  for (const Case& given : { Case{ 0.3, 0.087 }, Case{ 0.45, -0.006 }, Case{ 0.495, -0.05 } })
+  {
+    const double near = made->at(5e-4, given.ratio, 0.0).factor; // a/R = 0.01
+    const double twice = made->at(2e-3, given.ratio, 0.0).factor;
+    EXPECT_NEAR(2.0 * near - twice, 1.0, 1e-4) << given.ratio; // 1e-3 is allowed
+    EXPECT_NEAR((near - 1.0) / 0.01, given.slope, 0.02) << given.ratio;
+    EXPECT_DOUBLE_EQ(made->at(0.0, given.ratio, 0.0).factor, 1.0);
   }
+}
+
+/// The fillet that stands for a corner is an error: that of the correction covers what half the
+/// fillet changes, on a layer and of a tool that no table was made for.
+TEST(StrainCorrection, ACornerHasAnErrorOfItsOwn)
+{
+  const auto flat = tool("flat:1");
+  constexpr double deepest = 0.25;
+  const auto factor = [&](double fillet)
+  {
+    FiniteProblem problem;
+    FiniteLayer layer;
+    layer.thickness = 1.0;
+    layer.poissonsRatio = 0.3;
+    problem.contactRadius = 1.0;
+    problem.depths = { deepest };
+    problem.edge = 0.1;
+    const ToolOutline outline(*flat, 3.0, fillet);
+    problem.layers = { layer };
+    const double finite = pressTool(outline, problem).points.at(0).force;
+    problem.layers[0].model = StrainModel::Linear;
+    return finite / pressTool(outline, problem).points.at(0).force;
+  };
+  const double change = std::abs(factor(0.05) / factor(0.1) - 1.0);
+  const StrainBodies layer{ 0.3, 0.3, false, 1.0, 1.0, LayerBase::Bonded };
+  const auto made = correction(*flat, deepest, layer);
+  EXPECT_GT(made->at(deepest, 0.3, 1.0).error, change);
+  EXPECT_LT(made->at(deepest, 0.3, 1.0).error, 0.02); // and is no multiple of it
+  // A sphere has no corner.
+  const auto round = correction(*tool("paraboloid:1"), deepest, layer);
+  EXPECT_LT(round->at(deepest, 0.3, 1.0).error + 0.005, made->at(deepest, 0.3, 1.0).error);
 }
 
 TEST(StrainCorrection, TheSlopeIsThatOfTheFactor)

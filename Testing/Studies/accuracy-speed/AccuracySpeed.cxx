@@ -4,6 +4,7 @@
 #include "ColdRead.h"
 #include "MethodErrors.h"
 #include "MethodTimer.h"
+#include "StrainTruth.h"
 #include "StudyConvergence.h"
 #include "StudyScene.h"
 
@@ -34,6 +35,8 @@ struct Options
   bool isQuick = false;
   bool isTimed = true;
   bool withFinite = true;
+  std::string strain;
+  bool isDeep = false;
 };
 
 /// An empty field for what is not known.
@@ -157,7 +160,7 @@ std::vector<StudyScene> makeScenes(const Options& options, const StudyEffort& ef
   return scenes;
 }
 
-void study(const Options& options, Report& report)
+void study(const Options& options, std::ostream& stream)
 {
   StudyEffort effort = options.isQuick ? StudyEffort::quick() : StudyEffort();
   effort.withFinite = options.withFinite;
@@ -175,6 +178,12 @@ void study(const Options& options, Report& report)
     std::cerr << "a cold read takes " << read.largePages << " ns in large pages, "
               << read.smallPages << " ns in small ones\n";
   }
+  if (!options.strain.empty())
+  {
+    studyStrain(stream, options.strain, options.isDeep, timer.get());
+    return;
+  }
+  Report report(stream);
   const std::vector<StudyScene> scenes = makeScenes(options, effort);
   for (const StudyScene& scene : scenes)
   {
@@ -199,6 +208,8 @@ int main(int argc, char* argv[])
   app.add_flag("--quick", options.isQuick, "few tips");
   app.add_flag("!--no-times", options.isTimed, "errors only");
   app.add_flag("!--no-finite", options.withFinite, "without finite elements beside the tick");
+  app.add_option("--strain", options.strain, "folder Data: instead, against finite strain");
+  app.add_flag("--deep", options.isDeep, "--strain also where the solver is asked");
   CLI11_PARSE(app, argc, argv);
   try
   {
@@ -211,8 +222,7 @@ int main(int argc, char* argv[])
         throw std::runtime_error("cannot write " + options.output);
       }
     }
-    Report report(options.output.empty() ? std::cout : file);
-    study(options, report);
+    study(options, options.output.empty() ? std::cout : file);
   }
   catch (const std::exception& error)
   {

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ways to render a contact: how true, how fast, how large.
 
-    ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...]
+    ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...] [--only-strain]
 
 Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
 convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the same as tables), and with
-matplotlib accuracy-speed.png and convergence.png. Times are of this machine; all else is the same everywhere.
+matplotlib accuracy-speed.png and convergence.png. Then the same for finite strain itself as the truth: finite-strain.csv,
+finite-strain.md, finite-strain.png (--only-strain: these alone). Times are of this machine; all else is the same everywhere.
 """
 import argparse
 import csv
@@ -19,10 +20,12 @@ import sys
 import head
 import pictures
 import rows as study
+import strain
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build" / "release" / "bin" / "palpateAccuracySpeed"
 CURVES = ROOT / "Data" / "Studies" / "calculix"
+DATA = ROOT / "Data"
 METHOD_COLUMNS = ("scene", "tool", "method", "vertices", "edge_mm", "bytes_per_vertex", "model_bytes_per_vertex", "tips",
                   "unanswered", "error", "error_sites", "error_path", "noticed", "error_calculix", "hot_ns", "onset_ns",
                   "cold_ns", "pareto")
@@ -113,6 +116,20 @@ def report(text, folder):
     return methods, convergence
 
 
+def report_strain(program, quick, folder):
+    """Against finite strain: where the solver is asked, what it found is kept in DIR/cache."""
+    options = ["--strain", str(DATA)] + (["--quick"] if quick else ["--deep"])
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PALPATE_CACHE=str(folder / "cache"))
+    text = subprocess.run([str(program)] + options, env=environment, check=True, stdout=subprocess.PIPE,
+                          universal_newlines=True).stdout
+    (folder / "finite-strain.csv").write_text(text, encoding="utf-8")
+    rows = strain.read(text)
+    (folder / "finite-strain.md").write_text(strain.tables(rows), encoding="utf-8")
+    if not strain.draw(rows, folder / "finite-strain.png"):
+        print("no finite-strain.png: no matplotlib", file=sys.stderr)
+    print(strain.tables(rows))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build" / "studies" / "accuracy-speed")
@@ -120,13 +137,18 @@ def main():
     parser.add_argument("--quick", action="store_true", help="few tips, no finite elements, a coarse head")
     parser.add_argument("--scene", action="append", choices=("block", "layer", "plate", "head"), default=[])
     parser.add_argument("--redraw", type=pathlib.Path, help="rows of an earlier run (rows.csv) instead of a new one")
+    parser.add_argument("--only-strain", action="store_true", help="against finite strain alone")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
+    if not arguments.program.exists() and not arguments.redraw:
+        parser.error("there is no {}: was it left out of the build?".format(arguments.program))
+    if not arguments.redraw:
+        report_strain(arguments.program, arguments.quick, arguments.output)
+    if arguments.only_strain:
+        return
     if arguments.redraw:
         text = arguments.redraw.read_text(encoding="utf-8")
     else:
-        if not arguments.program.exists():
-            parser.error("there is no {}: was it left out of the build?".format(arguments.program))
         heads, why = [], ""
         if not arguments.scene or "head" in arguments.scene:
             heads, why = head.prepare(arguments.output, (4.0,) if arguments.quick else (0.0, 2.0, 4.0))

@@ -37,13 +37,16 @@ def material(filters, modulus, poisson_ratio, layer=0.0, compliance=None):
         filters.SetInputArrayToProcess(2, 0, 0, 0, compliance)
 
 
-def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compliance=None, samples=8):
-    """The body with the response of a tool to `depth` mm."""
+def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compliance=None, samples=8, strain="small"):
+    """The body with the response of a tool to `depth` mm; `strain`: "small" or "neohooke"."""
     response = vtkToolContactResponse()
     response.SetInputData(body)
     response.SetTool(contact_tool(specification))
     response.SetMaximumDeflection(depth)
     response.SetNumberOfSamples(samples)
+    response.SetCurvatureCorrection(False)
+    response.SetErrorTolerance(0)   # validity by contact radius, as small strain is spoken of
+    response.SetStrainModel(response.NeoHooke if strain == "neohooke" else response.SmallStrain)
     material(response, modulus, poisson_ratio, layer, compliance)
     response.Update()
     output = vtkPolyData()

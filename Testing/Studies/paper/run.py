@@ -12,6 +12,7 @@ import pathlib
 import sys
 
 import castigliano
+import finite_strain
 import friction
 import liver_slab
 import local_rubber
@@ -22,7 +23,7 @@ import st_venant
 
 PARTS = {"st_venant": st_venant, "castigliano": castigliano, "rubber_on_edges": rubber_on_edges,
          "local_rubber": local_rubber, "liver_slab": liver_slab, "friction": friction,
-         "sliding": sliding}
+         "sliding": sliding, "finite_strain": finite_strain}
 
 
 def main():
