@@ -63,7 +63,7 @@ def tabulated_stacks(name="", kind=""):
     """(tool, depth, force over that on a half-space) and what palpate.response wants of the stack."""
     folder = Path(__file__).parents[2] / "Data/Reference/deep"
     stacks = {}
-    for row in csv.DictReader((folder / "stack_definitions.csv").open(encoding="utf-8")):
+    for row in csv.DictReader((folder / "stack_definitions.csv").read_text(encoding="utf-8").splitlines()):
         layers = []
         for words in (text.split() for text in row["layers (h E nu [slip interface above])"].split("|")):
             layers.append((float(words[0]), YOUNG * float(words[1]), float(words[2]), words[3:] == ["slip-top"]))
@@ -73,7 +73,7 @@ def tabulated_stacks(name="", kind=""):
             base = ("elastic", YOUNG * young, poisson)
         stacks[row["stack"]] = {"layer": layers[0][0], "young": layers[0][1], "poisson": layers[0][2],
                                 "layers": layers[1:], "base": base}
-    for row in csv.DictReader((folder / "stack_force_ratio.csv").open(encoding="utf-8")):
+    for row in csv.DictReader((folder / "stack_force_ratio.csv").read_text(encoding="utf-8").splitlines()):
         if row["stack"].startswith(name) and row["tool"].startswith(kind):
             value = float(row["value"])
             tool = {"f": "flat:%r" % value, "s": "sphere:" + row["tool"].split("=")[-1], "c": "cone:60"}[row["tool"][0]]

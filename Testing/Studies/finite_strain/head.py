@@ -6,7 +6,8 @@
 
 Colin 27's skin with its soft tissue over the bone (Debian's mricron-data): one layer of 0.035 MPa and nu 0.49, a half-space
 where there is no bone; and skin over fat, 1.5 mm of 0.035 MPa over what is left, of 0.002 MPa. For each material: seconds of a
-response at small strain, of one whose correction is solved for (in a cache of its own, empty at first), and of the same again.
+response at small strain, of one whose correction is solved for (in a cache of its own, empty at first), and of the same again;
+beside it seconds of processors, which a busy machine does not change much.
 Then how far c of the stack at thicknesses between its nodes is from c solved for there.
 """
 import os
@@ -51,22 +52,22 @@ def main():
     print("%d points, tissue %.1f to %.1f mm, %s, to 2 mm" % (len(tissue), whole.min(), whole.max(), tool))
 
     def response(stack, strain):
-        begin = time.perf_counter()
+        begin, work = time.perf_counter(), time.process_time()
         given = ({"young": 0.035, "poisson": 0.48, "layer": SKIN, "layers": [(whole - SKIN, 0.002, 0.49)]} if stack else
                  {"young": 0.035, "poisson": 0.49, "layer": tissue})
         palpate.response(body, tool, strain=strain, **given)
-        return time.perf_counter() - begin
+        return time.perf_counter() - begin, time.process_time() - work
 
-    print("%-20s %-12s %8s %8s %8s" % ("body", "material", "small", "once", "again"))
+    print("%-16s %-12s %17s %17s %17s" % ("body", "material", "small (cpu)", "once (cpu)", "again (cpu)"))
     for stack in (False, True):
         small = response(stack, "small")
         for strain in ("neohooke", ("ogden", 9.0), ("ogden", -5.0), ("demiray", 2.0)):
             with tempfile.TemporaryDirectory() as folder:
                 os.environ["PALPATE_CACHE"] = folder
                 once, again = response(stack, strain), response(stack, strain)
-            print("%-20s %-12s %7.1fs %7.1fs %7.1fs" % ("skin over fat" if stack else "one layer", strain if
-                                                       isinstance(strain, str) else "%s %g" % strain, small, once, again),
-                  flush=True)
+            print("%-16s %-12s %7.1f (%6.1f) s %7.1f (%6.1f) s %7.1f (%6.1f) s" % (
+                "skin over fat" if stack else "one layer", strain if isinstance(strain, str) else "%s %g" % strain,
+                *small, *once, *again), flush=True)
 
     # Between the nodes: three thicknesses in a body of all, and each alone.
     between = np.array([2.6, 6.0, 13.0])
