@@ -34,9 +34,10 @@
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
- * (mm) of the second layer of a stack. An index that was never set, or set to an empty name, means
- * the constant property, whatever arrays the body has; one that was set but is not there is an
- * error. So is a value out of range, naming array, index and value.
+ * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
+ * array counts by its index, not by its name). An index that was never set, or set to an empty
+ * name, means the constant property, whatever arrays the body has; one that was set but is not
+ * there is an error. So is a value out of range, naming array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
  * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global
@@ -187,7 +188,8 @@ public:
   /**
    * How the body resists large strain: SmallStrain (default), the exact laws of linear elasticity;
    * NeoHooke; Ogden with one term of the exponent OgdenExponent; Demiray with the exponent
-   * DemirayExponent. Modulus and Poisson's ratio are those at small strain.
+   * DemirayExponent. Modulus and Poisson's ratio are those at small strain. In a stack all layers
+   * are of the one model, bonded to each other; layers that slip on each other are an error.
    */
   vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
   vtkGetMacro(StrainModel, int);

@@ -24,7 +24,7 @@ namespace
 {
 const char* const StackAssumptions =
   "assumed: layers bonded to each other unless said, each homogeneous, thickness along the normal; "
-  "a thin stiff layer hides the soft one below it less, the larger the tool";
+  "small strain";
 
 const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal, "
@@ -190,10 +190,11 @@ std::string chooseLayer(const ViewerOptions& options, TouchScene& scene)
 std::string layerSource(const LayerChoice& layer)
 {
   return layer.usual
-    ? "moduli of dermis and hypodermis by indentation in vivo, Pailler-Mattei, Bec and Zahouani "
-      "2008, on a forearm: other methods find up to a hundred times as much; skin 1.5 mm thick, "
-      "within the 0.8 to 2.0 mm of a face, Chopra et al. 2015; Poisson's ratios assumed; muscle is "
-      "not told from fat"
+    ? "moduli of the order that dermis and hypodermis show by indentation in vivo, Pailler-Mattei, "
+      "Bec and Zahouani 2008, uncertain: in its plane skin is far stiffer; skin 1.5 mm thick, "
+      "within "
+      "the 0.8 to 2.0 mm of dermis in a face, Chopra et al. 2015; Poisson's ratios assumed; muscle "
+      "is not told from fat"
     : "given on the command line";
 }
 

@@ -30,7 +30,7 @@ constexpr vtkIdType PointCount = Side * Side;
 constexpr vtkIdType TriangleCount = 2 * (Side - 1) * (Side - 1);
 constexpr std::size_t Samples = 8;
 
-/// A wavy square with normals and arrays `E` (MPa), `C` (mm/N) and `h` (mm). Built once.
+/// A wavy square with normals and arrays `E` (MPa), `C` (mm/N), `h` and `h2` (mm). Built once.
 vtkPolyData* grid()
 {
   static const vtkNew<vtkPolyData> body;
@@ -52,6 +52,9 @@ vtkPolyData* grid()
   vtkNew<vtkFloatArray> thickness;
   thickness->SetName("h");
   thickness->SetNumberOfTuples(PointCount);
+  vtkNew<vtkFloatArray> second;
+  second->SetName("h2");
+  second->SetNumberOfTuples(PointCount);
   vtkNew<vtkTypeInt64Array> corners;
   corners->SetNumberOfValues(3 * TriangleCount);
   vtkIdType next = 0;
@@ -68,6 +71,7 @@ vtkPolyData* grid()
       young->SetValue(id, 0.1F + 0.001F * static_cast<float>(id % 101));
       compliance->SetValue(id, 0.01F * static_cast<float>(id % 11));
       thickness->SetValue(id, 2.0F + 0.001F * static_cast<float>(id % 9973));
+      second->SetValue(id, 2.0F + 0.001F * static_cast<float>(id % 15991));
       if (i + 1 < Side && j + 1 < Side)
       {
         for (const vtkIdType corner : { id, id + 1, id + Side + 1, id, id + Side + 1, id + Side })
@@ -85,6 +89,7 @@ vtkPolyData* grid()
   body->GetPointData()->AddArray(young);
   body->GetPointData()->AddArray(compliance);
   body->GetPointData()->AddArray(thickness);
+  body->GetPointData()->AddArray(second);
   return body;
 }
 
@@ -138,6 +143,7 @@ struct Given
   int index = 0;
   const char* array = "";
   const char* tool = "sphere:5";
+  bool stack = false; ///< a second layer below, of ten times the modulus, as thick as `h2`
 };
 
 void response(benchmark::State& state, const Given& given)
@@ -156,6 +162,11 @@ void response(benchmark::State& state, const Given& given)
     filter->SetNumberOfSamples(static_cast<int>(Samples));
     filter->SetInputArrayToProcess(
       given.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, given.array);
+    if (given.stack)
+    {
+      filter->AddLayer(1.0, 10.0 * filter->GetYoungsModulus(), 0.4);
+      filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "h2");
+    }
     forgetFreedMemory();
     palpate::testing::resetPeakMemory();
     const double before = palpate::testing::residentMemory();
@@ -202,11 +213,21 @@ void ResponseOfThicknessArray(benchmark::State& state, const char* tool)
 {
   response(state, { 1, "h", tool });
 }
+/// Two layers, each of a thickness of its own at each point, 2 to 12 and 2 to 18 mm. Its peer is
+/// the layer of the same tool.
+void ResponseOfStack(benchmark::State& state, const char* tool)
+{
+  response(state, { 1, "h", tool, true });
+}
 } // namespace
 
 BENCHMARK(ResponseOfConstants)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(1.0);
 BENCHMARK(ResponseOfModulusArray)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(1.0);
 BENCHMARK(ResponseOfComplianceArray)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(ResponseOfStack, sphere, "sphere:6.35")
+  ->UseManualTime()
+  ->Unit(benchmark::kMillisecond)
+  ->Iterations(1);
 #define PALPATE_LAYER_BENCHMARK(name, tool)                                                        \
   BENCHMARK_CAPTURE(ResponseOfThicknessArray, name, tool)                                          \
     ->UseManualTime()                                                                              \

@@ -90,6 +90,8 @@ void checkBody(const ViewerOptions& options)
     "Poisson's ratio");
   require(!options.layer || options.layer->scanned || isNotNegative(options.layer->thickness),
     "a thickness");
+  require(!options.layer || !options.layer->isStack() || checkStack(options.layer->stack).empty(),
+    "a stack of layers");
   require(isPositive(options.reach) && isNotNegative(options.voxel), "lengths of the body");
   require(
     options.lengthScale == 1.0 || options.lengthScale == 10.0 || options.lengthScale == 1000.0,

@@ -5,6 +5,7 @@
 The body is a plate of one facet plane, z = 0, facing +z: a tip at (x, y, -d) is d deep whatever the mesh.
 """
 import ast
+import csv
 import gc
 import inspect
 import math
@@ -56,6 +57,35 @@ def scattered(count, seed=1):
     random = np.random.default_rng(seed)
     direction = random.normal(size=(count, 3))
     return (50.2 - 1.5 * random.random((count, 1))) * direction / np.linalg.norm(direction, axis=1)[:, None]
+
+
+def tabulated_stacks(name="", kind=""):
+    """(tool, depth, force over that on a half-space) and what palpate.response wants of the stack."""
+    folder = Path(__file__).parents[2] / "Data/Reference/deep"
+    stacks = {}
+    for row in csv.DictReader((folder / "stack_definitions.csv").read_text(encoding="utf-8").splitlines()):
+        layers = []
+        for words in (text.split() for text in row["layers (h E nu [slip interface above])"].split("|")):
+            layers.append((float(words[0]), YOUNG * float(words[1]), float(words[2]), words[3:] == ["slip-top"]))
+        base = "bonded"
+        if row["base"] != "rigid":
+            young, poisson = (float(text) for text in row["base"].strip("()").split(","))
+            base = ("elastic", YOUNG * young, poisson)
+        stacks[row["stack"]] = {"layer": layers[0][0], "young": layers[0][1], "poisson": layers[0][2],
+                                "layers": layers[1:], "base": base}
+    for row in csv.DictReader((folder / "stack_force_ratio.csv").read_text(encoding="utf-8").splitlines()):
+        if row["stack"].startswith(name) and row["tool"].startswith(kind):
+            value = float(row["value"])
+            tool = {"f": "flat:%r" % value, "s": "sphere:" + row["tool"].split("=")[-1], "c": "cone:60"}[row["tool"][0]]
+            yield ((tool, 0.1 if tool[0] == "f" else value, float(row["F_over_F_halfspace_of_top_layer"])),
+                   stacks[row["stack"]])
+
+
+def half_space_force(tool, depth, stack):
+    """Of a tool on a half-space of the first layer."""
+    law = vtkContactTool()
+    law.SetSpecification(tool)
+    return law.GetForce(depth, stack["young"] / (1 - stack["poisson"] ** 2))
 
 
 def address(array):
@@ -139,6 +169,51 @@ class ClosedForms(unittest.TestCase):
             np.testing.assert_allclose(palpate.probe(body, tips).forces, one, rtol=accuracy, atol=1e-9)
             self.assertEqual(body.GetFieldData().GetArray("ResponseLayerStack").GetNumberOfTuples(), 1 + len(layers))
 
+    def test_stacks_as_tabulated(self):
+        # Sphere, flat and cone on seven stacks by another code, two ways of its own agreeing to 2.2e-5.
+        compared = 0
+        for row, stack in tabulated_stacks():
+            tool, depth, expected = row
+            made = palpate.response(plate(1), tool, maximum_deflection=depth, samples=2, **stack)
+            force = vtk_to_numpy(made.GetPointData().GetArray("ResponseForce"))[:, -1]
+            with self.subTest(tool=tool, depth=depth, stack=stack):
+                np.testing.assert_allclose(force, half_space_force(tool, depth, stack) * expected, rtol=3e-5)
+            compared += 1
+        self.assertEqual(compared, 119)
+
+    def test_maps_of_two_thicknesses_as_tabulated(self):
+        # What is asked of maps is 1e-3; here thicknesses vary by 2 and 2.7 around those of the table.
+        spread = np.linspace(-1, 1, 9)
+        for row, stack in list(tabulated_stacks("stiff_skin", "sphere"))[::3] + list(
+                tabulated_stacks("skin_slip", "cone"))[::2]:
+            tool, depth, expected = row
+            second, *others = stack["layers"]
+            given = dict(stack, layer=stack["layer"] * 2.0 ** (0.5 * spread), layers=[
+                (second[0] * 2.7 ** (0.5 * spread[::-1]),) + second[1:], *others])
+            made = palpate.response(plate(2), tool, maximum_deflection=depth, samples=2, **given)
+            force = vtk_to_numpy(made.GetPointData().GetArray("ResponseForce"))[:, -1]
+            with self.subTest(tool=tool, depth=depth, stack=stack):
+                np.testing.assert_allclose(force[4], half_space_force(tool, depth, stack) * expected, rtol=1e-3)
+                self.assertGreater(np.ptp(force), 0.1 * force[4])
+
+    def test_finite_strain_on_a_stack_of_equal_layers_is_that_of_one(self):
+        tips = np.array([[0.3, 0.7, -0.5], [0.3, 0.7, -1.5]])
+        with tempfile.TemporaryDirectory() as folder:
+            before = os.environ.get("PALPATE_CACHE")
+            os.environ["PALPATE_CACHE"] = folder
+            try:
+                for given in ({"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]},
+                              {"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]}):  # and from the cache
+                    stack = palpate.probe(palpate.response(plate(), strain="neohooke", **given), tips).forces[:, 2]
+                    one = palpate.probe(palpate.response(plate(), strain="neohooke", layer=7.5), tips).forces[:, 2]
+                    small = palpate.probe(palpate.response(plate(), layer=7.5), tips).forces[:, 2]
+                    np.testing.assert_allclose(stack, one, rtol=0.004)  # the table's 0.003, and the mesh
+                    self.assertGreater(abs(one[1] / small[1] - 1), 0.005)
+                self.assertEqual(len(list(Path(folder).iterdir())), 1)
+            finally:
+                os.environ.pop("PALPATE_CACHE")
+                os.environ.update({} if before is None else {"PALPATE_CACHE": before})
+
     def test_a_layer_on_an_equal_half_space_is_none(self):
         tips = np.array([[0.3, 0.7, -1.5]])
         plain, stack = (palpate.probe(palpate.response(plate(), **given), tips).forces[:, 2]
@@ -150,7 +225,10 @@ class ClosedForms(unittest.TestCase):
                              ({"layer": 2, "layers": [(2, -1, POISSON)]}, "Layer 1: Young's modulus"),
                              ({"layer": 2, "layers": [(1, 1, 0.4)] * 4}, "1 to 4 layers"),
                              ({"layer": 2, "base": ("elastic", 1, 0.7)}, "half-space: Poisson's ratio"),
-                             ({"layer": 2, "layers": [(1, 1, 0.4)], "strain": "neohooke"}, "StrainModel has no law"),
+                             ({"layer": 2, "layers": [(1, 1, 0.4, True)], "strain": "neohooke"},
+                              "Layer 1 slips.*StrainModel"),
+                             ({"layer": 2, "layers": [(1, 1)]}, r"layers\[0\] must be \(thickness"),
+                             ({"layer": 2, "layers": [(np.ones(7), 1, 0.4)]}, r"layers\[0\].*shape"),
                              ({"layer": 2, "layers": [(1, 1, 0.4)], "young": np.full(441, 0.1)}, "one material each"),
                              ({"layer": 2, "layers": [(np.zeros(441), 1, 0.4)]}, "SecondThickness.*point 0")):
             with self.subTest(given=list(given)), self.assertRaisesRegex(ValueError, words):

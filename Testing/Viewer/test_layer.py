@@ -63,6 +63,46 @@ class Layer(SessionCase):
         self.assertIn("the scan shows no bone", none.stdout)
         self.assertEqual(peak_force(none), peak_force(plain))
 
+    def test_layers_on_each_other(self):
+        press = lambda *options: self.press(bodies.sphere(), "ball.vtp", "--tool", "sphere:3", *options)
+        one = peak_force(press("--layer", "6", "--young", "0.05", "--poisson", "0.45"))
+        equal = press("--layers", "1.5:0.05:0.45,4.5:0.05:0.45")
+        self.assertAlmostEqual(peak_force(equal) / one, 1.0, delta=2e-3)  # as it is printed, four digits
+        self.assertIn("1.5 mm of 0.05 MPa, nu 0.45; 4.5 mm", equal.stdout)
+        half_space = peak_force(press("--young", "0.05", "--poisson", "0.45"))
+        on_equal = peak_force(press("--layers", "2:0.05:0.45,0:0.05:0.45"))
+        self.assertAlmostEqual(on_equal / half_space, 1.0, delta=2e-3)
+        self.assertAlmostEqual(peak_force(press("--layers", "6:0.05:0.45")) / one, 1.0, delta=2e-3)
+        slips = peak_force(press("--layers", "1.5:0.05:0.45,4.5:0.05:0.45:slip"))
+        slippery = peak_force(press("--layers", "1.5:0.05:0.45,4.5:0.05:0.45,slip"))
+        self.assertLess(slips, 0.98 * one)
+        self.assertLess(slippery, 0.98 * one)
+
+    def test_layers_of_a_scan(self):
+        path = bodies.write(scanned_ball(), self.folder / "ball.nii.gz")
+        saved = self.folder / "saved.vtp"
+        usual = ("--tool", "sphere:3", "--contour", "50", "--save", saved)
+        result = self.succeed(path, *usual, "--layers", "2:0.2:0.48,scan:0.03:0.49", pictures=(*PICTURES, "thickness"))
+        body = read(saved)
+        numpy.testing.assert_allclose(array(body, "LayerThickness0"), 2.0)
+        numpy.testing.assert_allclose(array(body, "LayerThickness1"), THICKNESS - 2.0, atol=0.2)
+        stack = vtk_to_numpy(body.GetFieldData().GetArray("ResponseLayerStack"))
+        numpy.testing.assert_allclose(stack[:, 1:3], [[0.2, 0.48], [0.03, 0.49]])
+        self.assertIn("what is left of the soft tissue of 0.03 MPa", result.stdout)
+        self.assertIn("the first: sphere:3 0.", result.stdout)   # soft below: less than of the first alone
+        # More than half of it is never the layer of given thickness.
+        self.succeed(path, *usual, "--layers", "scan:0.03:0.49,50:0.2:0.48", pictures=(*PICTURES, "thickness"))
+        body = read(saved)
+        numpy.testing.assert_allclose(array(body, "LayerThickness0"), array(body, "LayerThickness1"))
+        usual_layers = self.succeed(path, *usual, "--layers", "scan", pictures=(*PICTURES, "thickness"))
+        self.assertIn("Pailler-Mattei", usual_layers.stdout)
+
+    def test_only_a_scan_shows_its_layers(self):
+        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+        self.refuse(path, "--layers", "scan", words=("--layers scan", "no scan"))
+        self.refuse(path, "--layers", "scan", "--young", "1", words=("--layers", "--young"))
+        self.refuse(path, "--layers", "1:1:0.4", "--layer", "5", words=("--layers", "--layer"))
+
     def test_only_a_scan_shows_its_layer(self):
         path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
         self.refuse(path, "--layer", "scan", words=("ball.vtp", "no scan"))

@@ -24,7 +24,9 @@ using HalfSpaceTable = double[Ratios][Roots];
 constexpr double SphereDeepest = 1.0; // radii
 constexpr double FlatDeepest = 0.7;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
-constexpr double TableError = 0.003;  // of mesh, far field and interpolation
+// Of the thinnest: beyond the table's end c stays, with its error.
+constexpr double LayerAnswers = 0.7;
+constexpr double TableError = 0.003; // of mesh, far field and interpolation
 // Of a sharp flat: its rim follows the body, the table's is rounded.
 constexpr double FlatError = 0.01;
 constexpr double ConeError = 0.005;
@@ -115,7 +117,7 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest)
 {
   ToolSpecification found;
-  if (!isTool(tool, ToolShape::Sphere, found) || deepest > LayerDeepest * thinnest ||
+  if (!isTool(tool, ToolShape::Sphere, found) || deepest > LayerAnswers * thinnest ||
     thinnest < TableLayers[0] * found.Radius ||
     thickest > *(std::end(TableLayers) - 1) * found.Radius)
   {

@@ -14,7 +14,8 @@ class AxisymmetricTool;
 /// at the tool's size; null for another tool, and deeper than the tables go.
 std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, double deepest);
 
-/// The same for a sphere on bonded layers of half to four radii, to half of the thinnest.
+/// The same for a sphere on bonded layers of half to four radii, to half of each; null if `deepest`
+/// is more than 0.7 of the thinnest.
 std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
 } // namespace palpate

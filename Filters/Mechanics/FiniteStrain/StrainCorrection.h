@@ -41,7 +41,7 @@ struct StrainBodies
  * four radii thick, δ = h/2), is a table made once by the solver. All else is solved for at four
  * Poisson's ratios (or the one there is), at thicknesses of a ratio of 2 or less (of a stack, of
  * its first two layers), and at eight depths: to 0.7 of all layers on a rigid base, beyond which
- * the error grows. COST a curve, on all threads, the same bits for any number of
+ * the error grows. 3 s to a minute a curve, on all threads, the same bits for any number of
  * them; kept by content in $PALPATE_CACHE, or $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with
  * PALPATE_CACHE empty it is not kept.
  *

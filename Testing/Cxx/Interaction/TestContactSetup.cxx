@@ -144,6 +144,32 @@ void checkModels()
   setup->SetLayerThickness(2.0);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK(deepest(setup, 1) > 1.3 * halfSpace);
+  // A stack of equal layers is one layer of them all; on an equal half-space it is that.
+  const double layer = deepest(setup, 1);
+  setup->SetLayerThickness(0.7);
+  setup->AddLayer(1.3, Modulus, Poisson);
+  PALPATE_CHECK(setup->GetNumberOfAddedLayers() == 1);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / layer, 1.0, 1e-6);
+  setup->SetLayerBase(2);
+  setup->SetBaseYoungsModulus(Modulus);
+  setup->SetBasePoissonRatio(Poisson);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / halfSpace, 1.0, 1e-5);
+  setup->SetLayerBase(0);
+  // Thicknesses per point, one going where the other comes from.
+  const Body uneven = planeBody(10.0, 10);
+  pointArray(uneven, "LayerThickness0", [](vtkIdType i) { return 0.7 + 0.01 * ((i - 60) % 11); });
+  pointArray(uneven, "LayerThickness1", [](vtkIdType i) { return 1.3 - 0.01 * ((i - 60) % 11); });
+  setup->SetBody(uneven);
+  setup->SetLayerThickness(0.0);
+  setup->ClearLayers();
+  setup->AddLayer(0.0, Modulus, Poisson);
+  PALPATE_CHECK(setup->HasModel(vtkContactSetup::Layer));
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / layer, 1.0, 1e-4); // interpolated over both
+  setup->ClearLayers();
+  setup->SetBody(body);
   // In series: 1/k = 1/(2 a E*) + C, the compliance being that of the modulus it was found at.
   constexpr double compliance = 0.8;
   pointArray(body, "GlobalCompliance", [](vtkIdType) { return compliance; });
