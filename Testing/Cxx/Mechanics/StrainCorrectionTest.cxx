@@ -123,7 +123,8 @@ TEST(StrainCorrection, SphereOnALayerIsThatOfAnotherCode)
   }
 }
 
-/// The layer of ν = ½ of Long, Hall, Wu and Hui (2011), right to 1.5 % for h/R from 0.5 to 2.
+/// The layer of ν = ½ of Long, Hall, Wu and Hui (2011), for h/R from 0.5 to 2. Our ν is 0.495; the
+/// limit itself is in Testing/Studies/finite_strain/test_curves.py.
 TEST(StrainCorrection, SphereOnAnIncompressibleLayerIsThatOfLong)
 {
   const auto sphere = tool("sphere:1");
@@ -142,8 +143,9 @@ TEST(StrainCorrection, SphereOnAnIncompressibleLayerIsThatOfLong)
         (1.0 + 1.15 * std::cbrt(omega) + alpha * omega + beta * omega * omega) /
         (1.0 + 2.3 * omega);
       const double small = contact.evaluate(depth, reducedModulus(1.0, 0.495)).force;
-      // 1.5 % by the other code, and 0.3 % between it and ours.
-      EXPECT_NEAR(small * made->at(depth, 0.495, h).factor / published, 1.0, 0.018)
+      // 1.503 % at h = 0.5, δ = 0.2 h, of which 3e-4 are the mesh (elements half as long) and 1.3 %
+      // that ν is not ½: extrapolated to ½ it is 0.2 %.
+      EXPECT_NEAR(small * made->at(depth, 0.495, h).factor / published, 1.0, 0.0155)
         << "h " << h << ", depth " << depth;
     }
   }
@@ -211,7 +213,7 @@ TEST(StrainCorrection, ToSmallDepthsItIsNone)
     const double near = made->at(5e-4, given.ratio, 0.0).factor; // a/R = 0.01
     const double twice = made->at(2e-3, given.ratio, 0.0).factor;
     EXPECT_NEAR(2.0 * near - twice, 1.0, 1e-4) << given.ratio; // 1e-3 is allowed
-    EXPECT_NEAR((near - 1.0) / 0.01, given.slope, 0.02) << given.ratio;
+    EXPECT_NEAR((near - 1.0) / 0.01, given.slope, 0.035) << given.ratio;
     EXPECT_DOUBLE_EQ(made->at(0.0, given.ratio, 0.0).factor, 1.0);
   }
 }

@@ -15,7 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 COLUMNS = ("tool", "thickness_mm", "nu", "model", "parameter", "edge", "fillet_mm", "depth_mm", "force_over_modulus_mm2",
            "contact_radius_mm", "least_volume")
-SPHERE, LARGE, SMALL, FLAT, CONE = "sphere:1", "sphere:6.35", "sphere:1.6", "flat:1", "cone:60"
+SPHERE, LARGE, SMALL, FLAT = "sphere:1", "sphere:6.35", "sphere:1.6", "flat:1"
 NEO = ("neohooke", 0)
 STIFFENING = (("ogden", 9), ("ogden", -5), ("demiray", 0.5), ("demiray", 2))
 LIVER = 10  # mm
@@ -31,16 +31,12 @@ def cases():
             for law in (NEO, *(STIFFENING if nu == 0.495 else ())):
                 yield tool, LIVER, nu, *law, deepest, edge, 0.1
     for law in STIFFENING:
-        yield SPHERE, 0, 0.495, *law, 1.35, edge, 0.1
+        yield SPHERE, 0, 0.495, *law, 1.35, 0.08 if law[0] == "demiray" else edge, 0.1
     for h in (0.5, 1, 2):
         for nu in (0.3, 0.45, 0.495, 0.4995):
             yield SPHERE, h, nu, *NEO, 0.5 * h, edge, 0.1
-    for nu in (0.495, 0.45, 0.3):
-        for fillet in (0.1, 0.05):
-            for model in ("neohooke", "linear"):
-                yield FLAT, 0, nu, model, 0, 0.75, edge, fillet
-    for nu in (0.495, 0.45, 0.3):
-        yield CONE, 0, nu, *NEO, 0.4, edge, 0.02
+    for model in ("neohooke", "linear"):
+        yield FLAT, 0, 0.495, model, 0, 0.75, edge, 0.1
 
 
 def key(case):
