@@ -223,6 +223,9 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   request.youngsModulus = this->YoungsModulus;
   request.poissonRatio = this->PoissonRatio;
   request.maximumDeflection = this->MaximumDeflection;
+  request.terms = { this->CurvatureCorrection,
+    { static_cast<palpate::StrainModel>(this->StrainModel), this->StrainExponent },
+    this->ErrorTolerance, true };
   request.tolerance = this->Tolerance;
   request.choiceDeflection = this->ChoiceDeflection;
   if (this->Model == Layer && this->LayerThickness > 0.0)
@@ -393,6 +396,10 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Model: " << this->Model << "\n";
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
+  os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
+  os << indent << "StrainModel: " << this->StrainModel << "\n";
+  os << indent << "StrainExponent: " << this->StrainExponent << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ChoiceDeflection: " << this->ChoiceDeflection << " mm\n";
   os << indent << "Settings: " << this->Settings.Get() << "\n";

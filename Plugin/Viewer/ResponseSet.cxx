@@ -77,7 +77,8 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
       { law.youngsModulus, law.poissonsRatio, law.layer.thickness, LayerBase::Bonded, false },
       materialArrays(responses.body,
         { "", law.layer.scanned ? "LayerThickness" : "", scene.solid ? "GlobalCompliance" : "",
-          "" }) },
+          "" }),
+      8, scene.terms },
     {}, body, warning);
   warn(warning);
   if (error.empty())

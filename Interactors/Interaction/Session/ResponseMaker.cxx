@@ -57,7 +57,8 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
   const LawRequest law{ request.tools[tool], request.names[tool], request.maximumDeflection,
     { request.youngsModulus, request.poissonRatio, request.layerThickness, LayerBase::Bonded,
       false },
-    materialArrays(made.body, { "", request.thicknessArray, request.complianceArray, "", "" }) };
+    materialArrays(made.body, { "", request.thicknessArray, request.complianceArray, "", "" }), 8,
+    request.terms };
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   made.error = attachResponse(

@@ -3,6 +3,7 @@
 #define ResponseMaker_h
 
 #include "Interaction/Session/BodyKernels.h"
+#include "Laws/LawTerms.h"
 
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"
@@ -29,6 +30,7 @@ struct ResponseRequest
   std::string thicknessArray;     ///< "": the constant
   std::string complianceArray;    ///< "": none
   double complianceFactor = 1.0;  ///< the body's, by which compliance and modes are multiplied
+  LawTerms terms;                 ///< of the law
   double tolerance = 0.0;         ///< of the form that is felt; 0: the responses as they are
   double choiceDeflection = 0.0;  ///< mm, that the form is chosen for; 0: half of the deepest
   /// Kernel of the same surface, to be spared making it again; may be null.

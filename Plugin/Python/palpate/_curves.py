@@ -16,6 +16,7 @@ class Curves(NamedTuple):
     deflection: np.ndarray
     force: np.ndarray
     stiffness: np.ndarray
+    error: np.ndarray
 
 
 def curves(body, points=None, deflection=None, rows=101, name="Response") -> Curves:
@@ -34,7 +35,8 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
     Curves, a tuple of float64 arrays:
         deflection (d,) : mm;
         force (p, d) : N, NaN beyond a point's range and where it has no response;
-        stiffness (p, d) : dF/d(deflection), N/mm, likewise.
+        stiffness (p, d) : dF/d(deflection), N/mm, likewise;
+        error (p, d) : estimated error of the force, a fraction of it, likewise, and NaN of a response that keeps none.
     One row only, shape (d,), if `points` is a single number.
 
     Raises ValueError for a body without the response, or points that are not there; TypeError for things of another
@@ -59,4 +61,5 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
     depths = np.atleast_1d(_arrays.reals(deflection, "deflection (mm)", np.shape(deflection)[:1])).astype(float)
     force, stiffness = contract.evaluate(stored, chosen[..., None], depths)
     beyond = ~(depths <= reach[..., None]) | ~usable[..., None]
-    return Curves(depths, np.where(beyond, np.nan, force), np.where(beyond, np.nan, stiffness))
+    error = contract.error(stored, chosen[..., None], depths)
+    return Curves(depths, *(np.where(beyond, np.nan, values) for values in (force, stiffness, error)))

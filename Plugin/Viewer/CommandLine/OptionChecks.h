@@ -3,6 +3,7 @@
 #define palpate_OptionChecks_h
 
 #include "LayerChoice.h"
+#include "Mechanics/FiniteStrain/StrainLaw.h"
 #include "NumberRange.h"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,8 @@ CLI::Validator notNegative(const char* what);
 
 /// --layer: "scan", "none" or a thickness.
 std::string readLayer(const std::string& text, LayerChoice& layer);
+/// --strain: "small", "neo-hooke", "ogden:ALPHA", "demiray:B".
+std::string readStrain(const std::string& text, StrainLaw& law);
 /// --length-unit: mm per unit, in CLI11's text.
 std::string readLengthUnit(std::string& text);
 /// --fixed, as vtkVoxelBody takes it.

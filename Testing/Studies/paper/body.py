@@ -44,6 +44,8 @@ def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compl
     response.SetTool(contact_tool(specification))
     response.SetMaximumDeflection(depth)
     response.SetNumberOfSamples(samples)
+    response.CurvatureCorrectionOff()  # the paper's law: that of a flat surface
+    response.SetErrorTolerance(0)
     material(response, modulus, poisson_ratio, layer, compliance)
     response.Update()
     output = vtkPolyData()
