@@ -13,8 +13,7 @@ def load(body, prefix="Response"):
     """Response arrays of a vtkPolyData as a dictionary of numpy arrays; either form.
 
     Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
-    status (points) and exponent m, and error (points x n, relative; None where it is not kept).
-    KeyError names what is missing.
+    status (points) and exponent m. KeyError names what is missing.
     """
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -36,22 +35,7 @@ def load(body, prefix="Response"):
         stiffness = fetch(points, "Stiffness").reshape(-1, n).astype(float)
     return {"force": force, "stiffness": stiffness, "normal": fetch(points, "Normal").astype(float),
             "range": fetch(points, "Range").astype(float), "status": fetch(points, "Status"),
-            "exponent": float(fetch(field, "Exponent")[0]),
-            "error": fetch(points, "Error") if points.HasArray(prefix + "Error") else None}
-
-
-def error(response, point, deflection):
-    """Estimated relative error of the force, as evaluate: straight over sqrt(d) between samples, NaN beyond range."""
-    point, d = np.broadcast_arrays(np.asarray(point), np.asarray(deflection, dtype=float))
-    if response["error"] is None:
-        return np.full(point.shape, np.nan)
-    stored, reach = response["error"].astype(float)[point], response["range"][point]
-    with np.errstate(all="ignore"):
-        place = np.maximum(np.sqrt(np.maximum(d, 0) / reach) * stored.shape[-1] - 1, 0)
-    low = np.clip(np.nan_to_num(place).astype(int), 0, stored.shape[-1] - 1)
-    high = np.minimum(low + 1, stored.shape[-1] - 1)
-    a, b = (np.take_along_axis(stored, j[..., None], -1)[..., 0] for j in (low, high))
-    return np.where(d <= reach, a + (place - low) * (b - a), np.nan)
+            "exponent": float(fetch(field, "Exponent")[0])}
 
 
 def evaluate(response, point, deflection):
