@@ -12,7 +12,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastSum = 0.5;    // of the tool's curvature, that it may still be said to fit
 constexpr int NodesBeforeFlat = 16; // of the sag alone, until a flat end is touched whole
 
 /// (κ_t+κ₁)(κ_t+κ₂): the two sums.
@@ -80,18 +79,20 @@ SagPoint sagAt(const SagLaw& sag, double radius)
 void ContactNodes::reserve(std::size_t nodes)
 {
   for (std::vector<double>* column :
-    { &this->depths, &this->forces, &this->stiffnesses, &this->radii })
+    { &this->depths, &this->forces, &this->stiffnesses, &this->radii, &this->toolDepths })
   {
     column->reserve(nodes);
   }
 }
 
-void ContactNodes::add(double depth, double force, double stiffness, double radius)
+void ContactNodes::add(
+  double depth, double force, double stiffness, double radius, double toolDepth)
 {
   this->depths.push_back(depth);
   this->forces.push_back(force);
   this->stiffnesses.push_back(stiffness);
   this->radii.push_back(radius);
+  this->toolDepths.push_back(toolDepth);
 }
 
 LocalState NodeLaw::at(double depth) const
@@ -113,7 +114,8 @@ LocalState NodeLaw::at(double depth) const
     const double power = nodes.stiffnesses[0] * nodes.depths[0] / nodes.forces[0];
     const double part = depth / nodes.depths[0];
     const double force = nodes.forces[0] * std::pow(part, power);
-    return { depth, force, power * force / depth, nodes.radii[0] * std::sqrt(part) };
+    return { depth, force, power * force / depth, nodes.radii[0] * std::sqrt(part),
+      nodes.toolDepths[0] * part, nodes.toolDepths[0] / nodes.depths[0], nodes.coversTouch };
   }
   const double from = std::sqrt(nodes.depths[next - 1]);
   const double width = std::sqrt(nodes.depths[next]) - from;
@@ -129,7 +131,8 @@ LocalState NodeLaw::at(double depth) const
   const double force = force0 + x * (slope0 + x * (square + x * cube));
   const double slope = slope0 + x * (2.0 * square + 3.0 * x * cube);
   return { depth, force, slope / (2.0 * root * width),
-    nodes.radii[next - 1] + x * (nodes.radii[next] - nodes.radii[next - 1]) };
+    nodes.radii[next - 1] + x * (nodes.radii[next] - nodes.radii[next - 1]),
+    nodes.toolDepths[next - 1] + x * (nodes.toolDepths[next] - nodes.toolDepths[next - 1]) };
 }
 
 IndentationPoint NodeLaw::evaluate(double deflection, double reducedModulus) const
@@ -144,8 +147,8 @@ double ellipseFactor(double toolCurvature, const SpotCurvature& curvature)
   return sums.fits ? ellipseOf(sums) : Infinity;
 }
 
-ContactNodes onCurvedBody(const ContactNodes& flat, const std::vector<double>& toolCurvature,
-  const SagLaw& sag, const SpotCurvature& curvature)
+ContactNodes onCurvedBody(
+  const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature)
 {
   ContactNodes curved;
   curved.reserve(flat.size() + NodesBeforeFlat);
@@ -154,13 +157,10 @@ ContactNodes onCurvedBody(const ContactNodes& flat, const std::vector<double>& t
   if (isFlatEnd)
   {
     const Sums sums = sumsOf(0.0, curvature);
-    if (!(sums.smaller > 0.0))
-    {
-      return curved; // a hollow is touched by the rim first
-    }
+    curved.coversTouch = sums.smaller >= 0.0; // a hollow is touched by the rim first
     const double kappa = std::sqrt(sums.smaller * sums.larger);
     const double factor = 1.0 + ellipseOf(sums);
-    for (int i = 1; i <= NodesBeforeFlat; ++i)
+    for (int i = 1; sums.smaller > 0.0 && i <= NodesBeforeFlat; ++i)
     {
       const double a = flat.radii[0] * i / NodesBeforeFlat;
       const SagPoint point = sagAt(sag, a);
@@ -168,17 +168,22 @@ ContactNodes onCurvedBody(const ContactNodes& flat, const std::vector<double>& t
       const SagPoint less = sagAt(sag, 0.999 * a);
       const double stiffness = (point.force - less.force) / (point.depth - less.depth);
       curved.add(kappa / sag.curvature * point.depth, factor * kappa / sag.curvature * point.force,
-        factor * stiffness, a);
+        factor * stiffness, a, 0.0);
     }
   }
   for (std::size_t i = 0; i < flat.size(); ++i)
   {
-    const Sums sums = sumsOf(toolCurvature[i], curvature);
+    const double toolCurvature = flat.toolDepths[i] / (flat.radii[i] * flat.radii[i]);
+    const Sums sums = sumsOf(toolCurvature, curvature);
     if (!sums.fits)
     {
+      if (isFlatEnd && curved.size() == 0)
+      {
+        continue;
+      }
       break;
     }
-    const double kappa = std::sqrt(sums.smaller * sums.larger) - toolCurvature[i];
+    const double kappa = std::sqrt(sums.smaller * sums.larger) - toolCurvature;
     const double factor = 1.0 + ellipseOf(sums);
     const SagPoint point = sagAt(sag, flat.radii[i]);
     const double depth = flat.depths[i] + kappa / sag.curvature * point.depth;
@@ -187,7 +192,7 @@ ContactNodes onCurvedBody(const ContactNodes& flat, const std::vector<double>& t
       break;
     }
     curved.add(depth, factor * (flat.forces[i] + kappa / sag.curvature * point.force),
-      factor * flat.stiffnesses[i], flat.radii[i]);
+      factor * flat.stiffnesses[i], flat.radii[i], flat.toolDepths[i]);
   }
   return curved;
 }

@@ -12,6 +12,9 @@
 
 namespace palpate
 {
+/// Of the sum of two curvatures, over the tool's, that a tool still fits into a hollow.
+constexpr double LeastSum = 0.5;
+
 /// A contact for E* = 1 on one body, at ascending depths: what is between is interpolated.
 struct ContactNodes
 {
@@ -19,10 +22,12 @@ struct ContactNodes
   std::vector<double> forces;      ///< F/E*, mm²
   std::vector<double> stiffnesses; ///< (dF/dδ)/E*, mm
   std::vector<double> radii;       ///< of the contact, mm
+  std::vector<double> toolDepths;  ///< of the tool with that radius on the flat body, mm
+  bool coversTouch = true;         ///< false: no law holds above the first node
 
   std::size_t size() const noexcept { return this->depths.size(); }
   void reserve(std::size_t nodes);
-  void add(double depth, double force, double stiffness, double radius);
+  void add(double depth, double force, double stiffness, double radius, double toolDepth);
 };
 
 /// A contact at one depth, for E* = 1; NaN beyond the last node.
@@ -32,6 +37,10 @@ struct LocalState
   double force = 0.0;     ///< F/E*, mm²
   double stiffness = 0.0; ///< (dF/dδ)/E*, mm
   double radius = 0.0;    ///< mm
+  /// Of the tool with that radius on the flat body, mm; negative: to be found from the radius.
+  double toolDepth = -1.0;
+  double toolTurn = 1.0; ///< how fast that grows with the depth
+  bool isCovered = true; ///< false: the law says nothing there, this only leads to where it does
 };
 
 /**
@@ -77,11 +86,12 @@ struct SagLaw
  * κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t, κ_t = g(a)/a² of the tool at that circle, and F by
  * 1 + ln²((κ_t+κ₂)/(κ_t+κ₁))/48: 1e-4 to a ratio of 3 for a sphere (Hertz's ellipse).
  *
- * Where the body is hollow and the tool does not fit into it (a sum below half of κ_t) there is
- * no law: the result then ends, and may be empty. `toolCurvature[i]` is κ_t of node i.
+ * Where the body is hollow and the tool does not fit into it (a sum below LeastSum of κ_t) there is
+ * no law: the result then ends, and may be empty. A flat end meets a hollow with its rim: the
+ * result begins where it fits.
  */
-PALPATE_EXPORT ContactNodes onCurvedBody(const ContactNodes& flat,
-  const std::vector<double>& toolCurvature, const SagLaw& sag, const SpotCurvature& curvature);
+PALPATE_EXPORT ContactNodes onCurvedBody(
+  const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature);
 
 /// ln²(B/A)/48 of a tool of curvature κ_t (1/mm) on the body; +inf where it does not fit.
 PALPATE_EXPORT double ellipseFactor(double toolCurvature, const SpotCurvature& curvature);

@@ -116,7 +116,9 @@ double ErrorRule::curvaturePart(
   const double mean = std::abs(curvature.mean());
   const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
   const double structural = spot.compliance == 0.0 ? BallCompliance * a * mean : 0.0;
-  const double toolCurvature = this->Tool.depthAtContactRadius(a) / (a * a);
+  const double toolDepth =
+    state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
+  const double toolCurvature = toolDepth / (a * a);
   const double ellipse = curvature.isFlat() ? 0.0 : ellipseFactor(toolCurvature, curvature);
   const double leftOut = this->Scope.curvature ? 0.0 : perCurvature * mean;
   return std::min(1.0, leftOut + ellipse + structural + perCurvature * curvature.error);

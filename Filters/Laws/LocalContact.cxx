@@ -31,11 +31,17 @@ std::vector<double> nodeDepths(double deepest)
   return depths;
 }
 
+double deepestOf(const AxisymmetricTool& tool, double range, bool deeper)
+{
+  return std::min(
+    range * ForHollows * (deeper ? ForNegativeCompliance : 1.0), tool.depthLimit().depth);
+}
+
 ContactNodes nodesOf(const std::vector<double>& depths, const LayerCurves::Curve& curve)
 {
   const auto column = [&curve](Eigen::Index i)
   { return std::vector<double>(curve.col(i).begin(), curve.col(i).end()); };
-  return { depths, column(0), column(1), column(2) };
+  return { depths, column(0), column(1), column(2), depths, true };
 }
 } // namespace
 
@@ -44,13 +50,13 @@ LocalContact::LocalContact(
   : Tool(tool)
   , Range(range)
   , Strain(strain)
+  , Direct(tool, deepestOf(tool, range, deeper))
 {
-  const double deepest =
-    std::min(range * ForHollows * (deeper ? ForNegativeCompliance : 1.0), tool.depthLimit().depth);
+  const double deepest = deepestOf(tool, range, deeper);
   for (const double depth : nodeDepths(deepest))
   {
     const IndentationPoint at = tool.evaluate(depth, 1.0);
-    this->HalfSpace.add(depth, at.force, at.stiffness, at.contactRadius);
+    this->HalfSpace.add(depth, at.force, at.stiffness, at.contactRadius, depth);
   }
   const double a = this->HalfSpace.radii.back();
   this->SagCurvature = deepest / (a * a);
@@ -81,18 +87,12 @@ ContactNodes LocalContact::flatNodes(const ContactSpot& spot) const
 
 ContactNodes LocalContact::curvedNodes(const ContactSpot& spot, const ContactNodes& flat) const
 {
-  std::vector<double> toolCurvature;
-  toolCurvature.reserve(flat.size());
-  for (const double a : flat.radii)
-  {
-    toolCurvature.push_back(this->Tool.depthAtContactRadius(a) / (a * a));
-  }
   SagLaw sag{ this->SagCurvature, {} };
   if (spot.thickness > 0.0)
   {
     sag.nodes = nodesOf(this->SagLayers->depths(), this->SagLayers->sample(spot.place()));
   }
-  return onCurvedBody(flat, toolCurvature, sag, spot.curvature);
+  return onCurvedBody(flat, sag, spot.curvature);
 }
 
 NodeLaw LocalContact::law(const ContactSpot& spot, bool& fits) const
@@ -106,27 +106,46 @@ NodeLaw LocalContact::law(const ContactSpot& spot, bool& fits) const
   }
   if (this->Strain)
   {
-    this->strain(spot, flat, nodes);
+    this->strain(spot, nodes);
   }
   return NodeLaw(std::move(nodes));
 }
 
-void LocalContact::strain(
-  const ContactSpot& spot, const ContactNodes& flat, ContactNodes& nodes) const
+bool LocalContact::states(
+  const ContactSpot& spot, const std::vector<double>& deflections, LocalState* states) const
 {
-  // At the same contact radius, the depth of the tool on the flat body: the last nodes are those of
-  // `flat` one by one, the sag's own, before a flat end is touched whole, have none.
-  const std::size_t alone = nodes.size() > flat.size() ? nodes.size() - flat.size() : 0;
-  const auto toolDepth = [&](std::size_t i) { return i < alone ? 0.0 : flat.depths[i - alone]; };
+  const double softness = spot.compliance * spot.reducedModulus;
+  const bool fits = this->Direct.solve(spot.curvature, softness, deflections, states);
+  if (!fits)
+  {
+    this->Direct.solve({}, softness, deflections, states);
+  }
+  for (std::size_t i = 0; this->Strain && i < deflections.size(); ++i)
+  {
+    LocalState& state = states[i];
+    const StrainCorrection::Value value =
+      this->Strain->at(state.toolDepth, spot.poissonsRatio, 0.0);
+    if (std::isfinite(value.factor))
+    {
+      state.stiffness = value.factor * state.stiffness + state.force * value.slope * state.toolTurn;
+      state.force *= value.factor;
+    }
+  }
+  return fits;
+}
+
+void LocalContact::strain(const ContactSpot& spot, ContactNodes& nodes) const
+{
+  const std::vector<double>& toolDepth = nodes.toolDepths;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const std::size_t next = std::min(i + 1, nodes.size() - 1);
     const std::size_t last = i == 0 ? 0 : i - 1;
     const double turn = i == 0
-      ? toolDepth(0) / nodes.depths[0]
-      : (toolDepth(next) - toolDepth(last)) / (nodes.depths[next] - nodes.depths[last]);
+      ? toolDepth[0] / nodes.depths[0]
+      : (toolDepth[next] - toolDepth[last]) / (nodes.depths[next] - nodes.depths[last]);
     const StrainCorrection::Value value =
-      this->Strain->at(toolDepth(i), spot.poissonsRatio, spot.thickness, spot.second);
+      this->Strain->at(toolDepth[i], spot.poissonsRatio, spot.thickness, spot.second);
     if (!std::isfinite(value.factor))
     {
       continue;

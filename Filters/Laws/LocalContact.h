@@ -4,6 +4,7 @@
 
 #include "Laws/ContactSpot.h"
 #include "Laws/CurvedContact.h"
+#include "Laws/CurvedHalfSpace.h"
 #include "Mechanics/Layers/LayerTable.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -20,7 +21,8 @@ class StrainCorrection;
  * curvature of the body (CurvedContact.h) and finite strain (StrainCorrection.h), which multiplies
  * the force at the depth the tool has at the same contact radius on the flat body.
  *
- * In nodes; see NodeLaw for their error. Cost: 1 to 2 µs for a law on a half-space, 3 on a layer.
+ * On a half-space found depth by depth (CurvedHalfSpace.h), else in nodes; see NodeLaw for their
+ * error. Cost: 40 ns a depth on a half-space, with finite strain 0.3 µs; 3 µs a law on a layer.
  * Safe to use from any number of threads once it is prepared.
  */
 class PALPATE_EXPORT LocalContact
@@ -50,15 +52,27 @@ public:
     return this->law(spot, fits);
   }
 
+  /// Whether states() answers: on a half-space with no compliance, or one that does not stiffen.
+  bool isDirect(const ContactSpot& spot) const
+  {
+    return !(spot.thickness > 0.0) &&
+      (spot.compliance == 0.0 || (spot.compliance > 0.0 && !this->Strain));
+  }
+  /// The contact for E* = 1 at deflections (mm) of the whole series, which ascend to the range;
+  /// returns what law() tells as `fits`.
+  bool states(
+    const ContactSpot& spot, const std::vector<double>& deflections, LocalState* states) const;
+
 private:
   ContactNodes flatNodes(const ContactSpot& spot) const;
   ContactNodes curvedNodes(const ContactSpot& spot, const ContactNodes& flat) const;
-  void strain(const ContactSpot& spot, const ContactNodes& flat, ContactNodes& nodes) const;
+  void strain(const ContactSpot& spot, ContactNodes& nodes) const;
 
   const AxisymmetricTool& Tool;
   double Range;
   const StrainCorrection* Strain;
   ContactNodes HalfSpace;
+  CurvedHalfSpace Direct;
   std::unique_ptr<AxisymmetricTool> Sag; ///< the paraboloid that stands for the body's sag
   double SagCurvature;                   ///< 1/mm
   std::unique_ptr<LayerCurves> Layers;

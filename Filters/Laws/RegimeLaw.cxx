@@ -3,8 +3,12 @@
 
 #include "Contact/ParallelRanges.h"
 #include "Laws/BodyMaterial.h"
+#include "Laws/LocalContact.h"
+#include "Mechanics/SeriesCompliance.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palpate
@@ -15,6 +19,48 @@ namespace
 constexpr double SizeStep = 0.01;
 constexpr int Samples = 8; // of laws that are never stored
 constexpr double ResponseAgreement = 0.02;
+
+/// The forces that a response with the body's curvature in its law has.
+std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMaterial& material,
+  const ComparedResponse& stored, const std::vector<double>& depths)
+{
+  const MaterialRange& bounds = material.range();
+  const float* ranges = stored.arrays.range;
+  const double deepest =
+    depths.empty() ? 1.0 : static_cast<double>(*std::max_element(ranges, ranges + depths.size()));
+  LocalContact contact(tool, deepest, bounds.stiffens, nullptr);
+  if (bounds.hasLayers())
+  {
+    contact.prepareLayers(bounds.prepared());
+  }
+  const ContactSpots spots = material.spots();
+  std::vector<double> forces(depths.size());
+  forRanges(depths.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        ContactSpot spot = spots.at(i);
+        spot.curvature = stored.curvature(i);
+        if (contact.isDirect(spot))
+        {
+          // Down to the range, where it is decided whether the tool fits.
+          const std::vector<double> both = { depths[i],
+            std::max(depths[i], static_cast<double>(ranges[i])) };
+          std::array<LocalState, 2> states;
+          contact.states(spot, both, states.data());
+          forces[i] = spot.reducedModulus * states[0].force;
+        }
+        else if (contact.answers(spot))
+        {
+          forces[i] =
+            seriesResponse(contact.law(spot), spot.reducedModulus, spot.compliance, depths[i])
+              .force;
+        }
+      }
+    });
+  return forces;
+}
 
 /// Where the stored response is not of the material that gives `forces` at `depths`, or "".
 std::string compare(const ComparedResponse& given, const std::vector<double>& depths,
@@ -104,7 +150,10 @@ std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
         forces[i] = law.force(spots.at(i), depths[i]);
       }
     });
-  std::string fault = stored ? compare(*stored, depths, forces) : std::string();
+  std::string fault = !stored
+    ? std::string()
+    : compare(*stored, depths,
+        stored->curvature ? curvedForces(tool, material, *stored, depths) : forces);
   if (!fault.empty())
   {
     return fault;

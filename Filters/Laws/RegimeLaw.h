@@ -11,6 +11,7 @@
 #include "Laws/ResponseLaw.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,11 +64,13 @@ struct RegimeSpans
   std::uint8_t* verdict;
 };
 
-/// A response that a body has, and its name.
+/// A response that a body has, and its name; the curvatures that are in its law, none if it is that
+/// of a flat surface.
 struct ComparedResponse
 {
   ResponseArrays arrays;
   std::string name;
+  std::function<SpotCurvature(std::size_t)> curvature = {};
 };
 
 /**

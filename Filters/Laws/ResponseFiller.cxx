@@ -18,6 +18,12 @@ constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
 constexpr std::size_t MostBlocks = 20;         // after each of which the caller is asked
 constexpr std::size_t PointsPerThread = 65536; // in a block: threads cost less than that
 constexpr double AtTouch = 1e-3;               // of the first sample's depth
+
+/// Whether the contact of a spot is that of every half-space.
+bool isBare(const ContactSpot& spot)
+{
+  return spot.thickness == 0.0 && spot.compliance == 0.0 && spot.curvature.isFlat();
+}
 } // namespace
 
 ResponseFiller::ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
@@ -35,6 +41,15 @@ void ResponseFiller::estimate(const LocalContact& contact, const LawScope& scope
   this->Contact = &contact;
   this->Errors = std::make_unique<ErrorRule>(this->Tool, scope);
   this->Tolerance = tolerance;
+  this->ErrorDepths = { AtTouch * this->Law.depths().front() };
+  this->ErrorDepths.insert(
+    this->ErrorDepths.end(), this->Law.depths().begin(), this->Law.depths().end());
+  this->FlatStates.clear();
+  if (!contact.corrects({}))
+  {
+    this->FlatStates.resize(this->ErrorDepths.size());
+    contact.states({}, this->ErrorDepths, this->FlatStates.data());
+  }
 }
 
 void ResponseFiller::fill(std::size_t i, const ContactSpot& spot, double curvature) const
@@ -64,23 +79,56 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
   std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
 {
   const auto n = static_cast<std::size_t>(this->Spans.samples);
-  if (this->Spans.status[i] == Valid && bound >= 0.0 && this->Contact->answers(spot))
+  float* force = this->Spans.force + n * i;
+  float* stiffness = this->Spans.stiffness + n * i;
+  unsigned char& status = this->Spans.status[i];
+  const bool isAnswered = status == Valid && bound >= 0.0 && this->Contact->answers(spot);
+  if (!isAnswered)
   {
-    bool fits = true;
-    const NodeLaw local = this->Contact->law(spot, fits);
-    float* force = this->Spans.force + n * i;
-    float* stiffness = this->Spans.stiffness + n * i;
-    this->Spans.status[i] = static_cast<unsigned char>(this->Contact->corrects(spot)
-        ? this->Law.sample(local, spot, force, stiffness)
-        : this->Law.sample(spot, force, stiffness));
-    if (this->Spans.status[i] == Valid)
+    status = this->fillCurve(i, spot, bound);
+  }
+  else if (!this->FlatStates.empty() && isBare(spot))
+  {
+    status = static_cast<unsigned char>(this->Law.sample(spot, force, stiffness));
+    if (status == Valid)
     {
-      return this->estimated(i, local, fits, spot, curvature);
+      return this->estimated(
+        i, [this](std::size_t k) { return this->FlatStates[k]; }, true, spot, curvature);
+    }
+  }
+  else if (this->Contact->isDirect(spot))
+  {
+    static thread_local std::vector<LocalState> states; // one for all points of a thread
+    states.resize(n + 1);
+    const bool fits = this->Contact->states(spot, this->ErrorDepths, states.data());
+    status = static_cast<unsigned char>(this->Contact->corrects(spot)
+        ? this->Law.sample(states.data() + 1, spot, force, stiffness)
+        : this->Law.sample(spot, force, stiffness));
+    if (status == Valid)
+    {
+      const LocalState* found = states.data();
+      return this->estimated(
+        i, [found](std::size_t k) { return found[k]; }, fits, spot, curvature);
     }
   }
   else
   {
-    this->Spans.status[i] = this->fillCurve(i, spot, bound);
+    bool fits = true;
+    const NodeLaw local = this->Contact->law(spot, fits);
+    status = static_cast<unsigned char>(this->Contact->corrects(spot)
+        ? this->Law.sample(local, spot, force, stiffness)
+        : this->Law.sample(spot, force, stiffness));
+    if (status == Valid)
+    {
+      const auto stateAt = [&](std::size_t k)
+      {
+        const double depth = this->ErrorDepths[k];
+        return local.at(spot.compliance == 0.0
+            ? depth
+            : seriesResponse(local, spot.reducedModulus, spot.compliance, depth).localDeflection);
+      };
+      return this->estimated(i, stateAt, fits, spot, curvature);
+    }
   }
   if (this->Spans.error)
   {
@@ -89,49 +137,43 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
   return { 0.0, ResponseLimit::None };
 }
 
-ErrorParts ResponseFiller::errorAt(
-  const NodeLaw& local, const ContactSpot& spot, const SpotCurvature& curvature, double depth) const
-{
-  const double own = spot.compliance == 0.0
-    ? depth
-    : seriesResponse(local, spot.reducedModulus, spot.compliance, depth).localDeflection;
-  return this->Errors->at(spot, curvature, local.at(own));
-}
-
 /// Between the samples the error is straight over √δ, as strain is below a sphere.
-ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const NodeLaw& local, bool fits,
+template <class StateAt>
+ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& stateAt, bool fits,
   const ContactSpot& spot, const SpotCurvature& curvature) const
 {
-  const int n = this->Spans.samples;
-  const ResponseSampling sampling(n, 1.0);
-  const double range = this->Range;
-  ValidityRule::Answer trusted{ range, ResponseLimit::None };
-  double before = 0.0;
-  for (int k = 0; k <= n; ++k)
+  const auto n = static_cast<std::size_t>(this->Spans.samples);
+  const auto range = static_cast<double>(this->Range);
+  ValidityRule::Answer trusted{ 0.0, ResponseLimit::None };
+  bool isTrusted = false;
+  double below = 0.0; // the error of the sample that was seen before, which is the deeper one
+  for (std::size_t k = n + 1; k-- > 0;)
   {
-    const double depth = k == 0 ? AtTouch * sampling.depth(0, range) : sampling.depth(k - 1, range);
-    ErrorParts parts = this->errorAt(local, spot, curvature, depth);
-    if (!fits)
+    const LocalState state = stateAt(k);
+    ErrorParts parts = this->Errors->at(spot, curvature, state);
+    if (!fits || !state.isCovered)
     {
       parts[ResponseLimit::Curvature] = 1.0;
     }
     const double error = parts.total();
     if (k > 0 && this->Spans.error)
     {
-      this->Spans.error[static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k - 1)] =
-        static_cast<float>(error);
+      this->Spans.error[n * i + k - 1] = static_cast<float>(error);
     }
-    if (trusted.limit == ResponseLimit::None && !(error <= this->Tolerance))
+    if (!isTrusted && error <= this->Tolerance)
     {
-      const double fraction = k == 0 ? 0.0 : (this->Tolerance - before) / (error - before);
-      const double root = k == 0 ? 0.0 : (k - 1 + (std::isfinite(fraction) ? fraction : 0.0)) / n;
-      trusted = { range * root * root, parts.largest() };
+      isTrusted = true;
+      const double fraction = k == n ? 0.0 : (this->Tolerance - error) / (below - error);
+      const double root = (static_cast<double>(k) + (std::isfinite(fraction) ? fraction : 0.0)) /
+        static_cast<double>(n);
+      trusted.depth = range * root * root;
       if (!this->Spans.error)
       {
         break;
       }
     }
-    before = error;
+    trusted.limit = isTrusted ? trusted.limit : parts.largest();
+    below = error;
   }
   return trusted;
 }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace palpate
 {
@@ -39,7 +40,8 @@ struct ResponseTerms
 {
   bool curvature = false;                   ///< the body's sag
   const StrainCorrection* strain = nullptr; ///< finite strain
-  /// Validity is the depth at which the estimated error passes this; 0: where ValidityRule breaks.
+  /// Validity is the largest depth at which the estimated error is within this; 0: where
+  /// ValidityRule breaks.
   double errorTolerance = 0.0;
 };
 
@@ -67,8 +69,8 @@ public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
-  /// From now on with the error: validity ends where `tolerance` (> 0) is passed. `contact` is the
-  /// law's, and must outlive this.
+  /// From now on with the error: validity ends where it is within `tolerance` (> 0) no more.
+  /// `contact` is the law's, and must outlive this.
   void estimate(const LocalContact& contact, const LawScope& scope, double tolerance);
 
   /// Point `i`; different points may be filled at the same time. `curvature` (1/mm) as in
@@ -84,10 +86,9 @@ private:
   /// The curve, and the validity by its error.
   ValidityRule::Answer fillEstimated(
     std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const;
-  ValidityRule::Answer estimated(std::size_t i, const NodeLaw& local, bool fits,
+  template <class StateAt>
+  ValidityRule::Answer estimated(std::size_t i, const StateAt& stateAt, bool fits,
     const ContactSpot& spot, const SpotCurvature& curvature) const;
-  ErrorParts errorAt(const NodeLaw& local, const ContactSpot& spot, const SpotCurvature& curvature,
-    double depth) const;
 
   const AxisymmetricTool& Tool;
   const ResponseLaw& Law;
@@ -95,7 +96,9 @@ private:
   float Range;
   ValidityRule Rule;
   const LocalContact* Contact = nullptr;
-  std::unique_ptr<ErrorRule> Errors; ///< null: not estimated
+  std::unique_ptr<ErrorRule> Errors;  ///< null: not estimated
+  std::vector<double> ErrorDepths;    ///< mm: just at touch, then of the samples
+  std::vector<LocalState> FlatStates; ///< there, on a flat half-space; empty with finite strain
   double Tolerance = 0.0;
 };
 

@@ -80,10 +80,11 @@ ResponseLaw::ResponseLaw(const AxisymmetricTool& tool, double range, int samples
   : Tool(tool)
   , Range(range)
   , Samples(samples)
+  , Depths(depthsOf(ResponseSampling(samples, 1.0), range))
   , LocalSampling(LocalSamples, tool.forceExponent())
   , LocalRange(range)
 {
-  for (const double depth : depthsOf(ResponseSampling(samples, 1.0), range))
+  for (const double depth : this->Depths)
   {
     const IndentationPoint at = tool.evaluate(depth, 1.0);
     this->HalfSpace.forces.push_back(at.force);
@@ -109,8 +110,7 @@ void ResponseLaw::UnitCurve::findExtremes()
 void ResponseLaw::prepareLayers(const LayerTable::Layers& layers, bool stiffening)
 {
   this->LocalRange = stiffening ? LocalDepths * this->Range : this->Range;
-  this->Stored = makeLayerCurves(
-    this->Tool, layers, depthsOf(ResponseSampling(this->Samples, 1.0), this->Range));
+  this->Stored = makeLayerCurves(this->Tool, layers, this->Depths);
   this->Local =
     makeLayerCurves(this->Tool, layers, depthsOf(this->LocalSampling, this->LocalRange));
 }
@@ -127,6 +127,12 @@ ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerCurves& table, const C
 ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float* stiffness) const
 {
   ResponseStatus status = ResponseStatus::Valid;
+  if (this->isCorrected(spot) && this->Contact->isDirect(spot))
+  {
+    std::vector<LocalState> states(this->Depths.size());
+    this->Contact->states(spot, this->Depths, states.data());
+    return this->sample(states.data(), spot, force, stiffness);
+  }
   if (this->isCorrected(spot))
   {
     status = this->Contact->answers(spot)
@@ -155,6 +161,22 @@ ResponseStatus ResponseLaw::sample(
   const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const
 {
   return this->orNothing(this->solve(local, spot, force, stiffness), force, stiffness);
+}
+
+ResponseStatus ResponseLaw::sample(
+  const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const
+{
+  ResponseStatus status = ResponseStatus::Valid;
+  for (int i = 0; i < this->Samples; ++i)
+  {
+    const double whole = spot.reducedModulus * states[i].force;
+    const double local = spot.reducedModulus * states[i].stiffness;
+    const double slope = local / (1.0 + spot.compliance * local);
+    status = fitsFloat(whole) && fitsFloat(slope) ? status : ResponseStatus::NotFinite;
+    force[i] = static_cast<float>(whole);
+    stiffness[i] = static_cast<float>(slope);
+  }
+  return this->orNothing(status, force, stiffness);
 }
 
 /// Zeros where there is no curve.

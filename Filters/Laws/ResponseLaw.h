@@ -21,7 +21,7 @@ namespace palpate
  * Half-space: evaluated once for E* = 1 and scaled. Layer: interpolated over the thickness
  * (LayerTable.h) and scaled. Points of finite global compliance are solved one by one
  * (SeriesCompliance.h). A spot with a curvature has the body's sag in its law (CurvedContact.h),
- * and finite strain multiplies the local force, where these are asked for: about 2 µs a point more.
+ * and finite strain multiplies the local force, where these are asked for (LocalContact.h).
  * Safe to use from any number of threads.
  */
 class PALPATE_EXPORT ResponseLaw
@@ -46,6 +46,13 @@ public:
   /// The same of a local contact that was made already.
   ResponseStatus sample(
     const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
+
+  /// The same of the local contact at each of depths().
+  ResponseStatus sample(
+    const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const;
+
+  /// Of the samples, mm.
+  const std::vector<double>& depths() const { return this->Depths; }
 
   /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm), to 1e-6 on a layer; NaN
   /// where there is no stable contact.
@@ -90,6 +97,7 @@ private:
   const AxisymmetricTool& Tool;
   double Range;
   int Samples;
+  std::vector<double> Depths;
   UnitCurve HalfSpace;
   std::unique_ptr<LayerCurves> Stored; ///< layers at the depths of the samples
   std::unique_ptr<LayerCurves> Local;  ///< layers in more samples, to be solved in series

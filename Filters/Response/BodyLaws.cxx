@@ -86,10 +86,6 @@ std::string checkRequest(const LawRequest& request)
       "depths of small strain), but is ",
       tolerance);
   }
-  if (request.terms.storeError && tolerance == 0.0)
-  {
-    return "StoreError needs an ErrorTolerance above 0";
-  }
   const double change = request.terms.changeTolerance;
   if (!(change >= 0.0 && std::isfinite(change)))
   {
@@ -300,7 +296,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   const std::string& name = request.responseName;
   const vtkIdType count = body->GetNumberOfPoints();
-  ResponseStorage storage(name, count, request.samples, request.terms.storeError);
+  ResponseStorage storage(name, count, request.samples, request.terms.keepsError());
   const BodySeam seam(ranks, body);
   fault = fillPointNormals(body, seam, storage.Normal, storage.Status);
   if (!fault.empty())
@@ -407,13 +403,26 @@ std::string attachRegime(
   }
   agreeOnRange(ranks, hasPiece, material);
   RegimeStorage storage(body->GetNumberOfPoints());
+  auto* normals = vtkFloatArray::SafeDownCast(
+    body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));
+  const int parts = hasPiece ? responseModel(body, name).parts : 0;
+  std::unique_ptr<SurfaceCurvature> curvature;
+  if (ranks.any((parts & CurvaturePart) != 0 && normals))
+  {
+    curvature = std::make_unique<SurfaceCurvature>(
+      body, BodySeam(ranks, body), normals ? normals->GetPointer(0) : nullptr);
+  }
   if (hasPiece)
   {
     ComparedResponse stored{ {}, name };
+    if (curvature)
+    {
+      stored.curvature = [&curvature](std::size_t i)
+      { return curvature->at(static_cast<vtkIdType>(i)); };
+    }
     std::string noResponse;
-    // The regime is that of small strain on a flat surface.
-    constexpr int beyond = FiniteStrainPart | CurvaturePart;
-    const bool isStored = (responseModel(body, name).parts & beyond) == 0 &&
+    // The regime is that of small strain.
+    const bool isStored = (parts & FiniteStrainPart) == 0 &&
       responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
       viewResponse(body, name, stored.arrays, noResponse);
     const FilterThreads threads;

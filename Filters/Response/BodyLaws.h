@@ -11,7 +11,7 @@
 
 #include "Contact/Reduction/ResponseChoice.h" // For palpate::ResponseChoice
 #include "Laws/BodyMaterial.h"                // For palpate::BodyMaterial
-#include "Mechanics/FiniteStrain/StrainLaw.h" // For palpate::StrainLaw
+#include "Laws/LawTerms.h"                    // For palpate::LawTerms
 #include "Response/Curves/MaterialArrays.h"   // For palpate::MaterialArrays
 #include "Response/Pieces/Ranks.h"            // For palpate::Ranks
 
@@ -23,18 +23,6 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// What a response takes into account beyond small strain on a flat surface; see
-/// vtkToolContactResponse.
-struct LawTerms
-{
-  bool curvature = false;
-  StrainLaw strain; ///< linear: small strain
-  double errorTolerance = 0.0;
-  bool storeError = false;
-  bool automatic = false;        ///< left out where they change little
-  double changeTolerance = 0.01; ///< of the force, relative: how little
-};
-
 /// A tool pressed into a material.
 struct LawRequest
 {

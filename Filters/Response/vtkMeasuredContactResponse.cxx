@@ -330,6 +330,7 @@ bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* outpu
   request.responseName = this->ResponseName;
   request.deflection = this->MaximumDeflection;
   request.samples = this->NumberOfSamples;
+  request.terms = palpate::LawTerms::plain(); // the law that the measurement was identified with
   request.material.poissonsRatio = this->PoissonRatio;
   request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
   // No site has both; between sites, each has its share.

@@ -3,6 +3,7 @@
 
 #include "Response/BodyConversion.h"
 #include "Contact/ResponseField.h"
+#include "Response/Curves/StoredError.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -18,6 +19,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -29,6 +31,7 @@ struct NamedResponse
   std::string name;
   std::unique_ptr<palpate::ResponseField> field;
   vtkDataArray* ranges;
+  palpate::StoredError errors;
 
   bool covers(vtkIdType id) const { return this->field->isValid(static_cast<std::int32_t>(id)); }
 };
@@ -42,6 +45,26 @@ std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t co
     kept.push_back(ids[count == 1 ? 0 : i * (ids.size() - 1) / (count - 1)]);
   }
   return kept;
+}
+
+/// The columns of what the forces may be by their errors; at most nothing to twice as much.
+void addBand(const NamedResponse& response, vtkIdType id, vtkDoubleArray* deflection,
+  vtkDoubleArray* force, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> least;
+  vtkNew<vtkDoubleArray> most;
+  const std::string where = response.name + " at point " + std::to_string(id);
+  least->SetName((where + ", least (N)").c_str());
+  most->SetName((where + ", most (N)").c_str());
+  for (vtkIdType row = 0; row < deflection->GetNumberOfTuples(); ++row)
+  {
+    const double error = std::min(response.errors.at(id, deflection->GetValue(row)), 1.0);
+    const double off = error * std::abs(force->GetValue(row));
+    least->InsertNextValue(force->GetValue(row) - off);
+    most->InsertNextValue(force->GetValue(row) + off);
+  }
+  table->AddColumn(least);
+  table->AddColumn(most);
 }
 } // namespace
 
@@ -171,7 +194,7 @@ int vtkResponseCurves::RequestData(
     }
     vtkDataArray* ranges = body->GetPointData()->GetArray(
       palpate::arrayName(name, palpate::ResponseArray::Range).c_str());
-    responses.push_back({ name, std::move(field), ranges });
+    responses.push_back({ name, std::move(field), ranges, palpate::StoredError(body, name) });
   }
 
   if (selection)
@@ -227,6 +250,7 @@ int vtkResponseCurves::RequestData(
     deflection->InsertNextValue(longest * row / (this->NumberOfRows - 1));
   }
   output->AddColumn(deflection);
+  vtkNew<vtkTable> bands;
   for (const NamedResponse& response : responses)
   {
     for (const vtkIdType id : ids)
@@ -245,7 +269,15 @@ int vtkResponseCurves::RequestData(
             : response.field->evaluate(static_cast<std::int32_t>(id), depth).force);
       }
       output->AddColumn(force);
+      if (this->ErrorBand && response.errors.isKept())
+      {
+        addBand(response, id, deflection, force, bands);
+      }
     }
+  }
+  for (vtkIdType column = 0; column < bands->GetNumberOfColumns(); ++column)
+  {
+    output->AddColumn(bands->GetColumn(column));
   }
   return 1;
 }
@@ -256,6 +288,7 @@ void vtkResponseCurves::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointIds: " << this->PointIds.size() << "\n";
   os << indent << "SelectionExtractor: " << this->SelectionExtractor.Get() << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
+  os << indent << "ErrorBand: " << this->ErrorBand << "\n";
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
   os << indent << "MoreResponseNames:";

@@ -10,7 +10,9 @@
  * Output: a vtkTable with column `Deflection (mm)`, from 0 to the largest Range of the chosen
  * points in NumberOfRows steps, and one column of force in N per response and point, named
  * `<response> at point <id> (N)` and evaluated as the kernel does. Beyond a point's Range the
- * column is NaN.
+ * column is NaN. Where the response keeps its error and ErrorBand is on, two columns more for each
+ * follow after all these, what the force may be by its estimated error: `<response> at point <id>,
+ * least (N)` and `<response> at point <id>, most (N)`.
  *
  * A given point without response, or an id out of range, is an error naming it. Selected points
  * without response are left out, with one warning that counts them; if none is left, that is an
@@ -78,6 +80,13 @@ public:
   void RemoveAllMoreResponseNames();
   ///@}
 
+  ///@{
+  /** Whether the least and the most that each force may be are columns, too. Default on. */
+  vtkSetMacro(ErrorBand, bool);
+  vtkGetMacro(ErrorBand, bool);
+  vtkBooleanMacro(ErrorBand, bool);
+  ///@}
+
 protected:
   vtkResponseCurves();
   ~vtkResponseCurves() override;
@@ -95,6 +104,7 @@ private:
   vtkSmartPointer<vtkExtractSelection> SelectionExtractor;
   int MaximumNumberOfPoints = 20;
   int NumberOfRows = 101;
+  bool ErrorBand = true;
   std::string ResponseName = "Response";
   std::vector<std::string> MoreResponseNames;
 };

@@ -5,6 +5,7 @@
 #include "Response/Pieces/BodyPiece.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/ContactArrays.h"
+#include "Response/Curves/StoredError.h"
 #include "Response/Pieces/OwnPiece.h"
 #include "Response/Pieces/PieceProbe.h"
 #include "Response/Pieces/Ranks.h"
@@ -192,6 +193,7 @@ int vtkToolContactProbe::RequestData(
       { arrays.store(tip, contact, firstPoly); });
     output->ShallowCopy(tips);
     arrays.attach(output);
+    palpate::addContactErrors(body, this->ResponseName, output);
   }
   else if (!this->TouchPieces(ranks, body, tips, settings, output))
   {

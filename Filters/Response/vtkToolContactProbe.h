@@ -25,7 +25,9 @@
  * - `ContactState` (uint8): 0 none, 1 stick (friction below Coulomb's limit), 2 slide, 3 beyond
  *   range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not finite, or
  * a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
- * friction slides.
+ *   friction slides;
+ * - `RelativeError` (double), where the response keeps its error: the estimated error of Force,
+ *   relative, blended as the force is; 0 without contact, NaN beyond range. On one process only.
  *
  * The force blends the curves of the triangle's three vertices by area coordinates (Mahvash and
  * Hayward 2002, eqs. 3 and 4). How, on which surface and with which friction, vtkContactSettings

@@ -20,17 +20,19 @@
  *   data `LayerBase` (uint8), so that vtkContactDeflection knows the field.
  * See palpate/contract.py for how they are evaluated.
  *
- * **Validity** is the depth at which the first assumption of the law breaks, at most Range, and
- * **Limit** says which: 0 none within Range, 1 strain, 2 curvature, 3 thickness, 5 edge. Strain:
- * a/R exceeds 0.4, the contact radius over the tip radius (for Flat and Cone, which have no tip
- * radius, δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any depth). Curvature:
- * the body's normal turns by more than 0.2 rad under the contact radius, by the largest normal
- * curvature along the edges at the point; beyond it the body no longer looks flat to the tool.
- * Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is wider than the
- * whole body, by the middle one of the three lengths of its box (a tool larger than the body; how
- * far off an edge on a larger body is, is not looked at). With an ErrorTolerance validity is the
- * depth at which the estimated error passes it, and Limit its largest part there; with StoreError
- * the array `Error` (float n, relative) keeps it.
+ * **Error** (point data, float n) is the estimated relative error of the force at each sample: what
+ * strain, curvature, thickness, edge and storage may add up to (palpate/ErrorRule.h). **Validity**
+ * is the largest depth at which it is within ErrorTolerance, at most Range, and **Limit** the
+ * largest part just beyond: 0 none within Range, 1 strain, 2 curvature, 3 thickness, 5 edge.
+ *
+ * With an ErrorTolerance of 0 there is no `Error`, and validity is the depth at which the first
+ * assumption of the law breaks. Strain: a/R exceeds 0.4, the contact radius over the tip radius
+ * (for Flat and Cone, which have no tip radius, δ/a, which equals a/R for a paraboloid; a 60° cone
+ * exceeds it at any depth). Curvature: the body's normal turns by more than 0.2 rad under the
+ * contact radius, by the largest normal curvature along the edges at the point; beyond it the body
+ * no longer looks flat to the tool. Thickness: δ exceeds 20 % of a layer's thickness. Edge: the
+ * contact circle is wider than the whole body, by the middle one of the three lengths of its box (a
+ * tool larger than the body; how far off an edge on a larger body is, is not looked at).
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
@@ -48,9 +50,10 @@
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
  * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
  * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool;
- * CurvatureCorrection, StrainModel and ErrorTolerance some 10 µs together, and a StrainModel what
- * its solver takes, once (palpate/StrainCorrection.h). Threaded by vtkSMPTools; the same bits for
- * any number of threads. Abort leaves no output.
+ * CurvatureCorrection and ErrorTolerance another 0.7 µs on a half-space, a StrainModel 3 µs and
+ * what its solver takes, once (palpate/StrainCorrection.h); on layers some 10 µs together.
+ * StoreError writes 4 n bytes more. Threaded by vtkSMPTools; the same bits for any number of
+ * threads. Abort leaves no output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
  * set the limit. A kilometre away (1e6 mm) points stored as float lie on a grid of 0.0625 mm, and
@@ -166,7 +169,7 @@ public:
   ///@{
   /**
    * Whether the body's sag under the tool is in the law: its principal curvatures, found from the
-   * mesh, are added to the tool's profile (palpate/CurvedContact.h). Default off: the surface
+   * mesh, are added to the tool's profile (palpate/CurvedContact.h). Default on; off: the surface
    * counts as flat. Where the tool does not fit into a hollow the law stays that of the flat
    * surface.
    */
@@ -214,7 +217,7 @@ public:
   ///@{
   /**
    * The estimated relative error of the force (palpate/ErrorRule.h) that Validity is to stay
-   * within, 0.05 for 5 %. Default 0: Validity is the depth at which the first assumption breaks, as
+   * within. Default 0.05, 5 %. 0: Validity is the depth at which the first assumption breaks, as
    * above.
    */
   vtkSetMacro(ErrorTolerance, double);
@@ -223,8 +226,9 @@ public:
 
   ///@{
   /**
-   * Whether the estimated relative error is kept at each sample, in the array `Error` (float n).
-   * Needs an ErrorTolerance. Default off.
+   * Whether the estimated relative error is kept at each sample, in the array `Error` (float n),
+   * which displays take it from: 4 n bytes per point. Default on; without effect where
+   * ErrorTolerance is 0.
    */
   vtkSetMacro(StoreError, bool);
   vtkGetMacro(StoreError, bool);
@@ -303,12 +307,12 @@ private:
   std::vector<std::array<double, 4>> AddedLayers; ///< as AddLayer takes them
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
-  bool CurvatureCorrection = false;
+  bool CurvatureCorrection = true;
   int StrainModel = SmallStrain;
   double OgdenExponent = 2.0;
   double DemirayExponent = 1.0;
-  double ErrorTolerance = 0.0;
-  bool StoreError = false;
+  double ErrorTolerance = 0.05;
+  bool StoreError = true;
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   std::string TermReason;

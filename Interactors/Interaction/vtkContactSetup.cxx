@@ -246,6 +246,9 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   request.youngsModulus = this->YoungsModulus;
   request.poissonRatio = this->PoissonRatio;
   request.maximumDeflection = this->MaximumDeflection;
+  request.terms = { this->CurvatureCorrection,
+    { static_cast<palpate::StrainModel>(this->StrainModel), this->StrainExponent },
+    this->ErrorTolerance, true };
   request.tolerance = this->Tolerance;
   request.choiceDeflection = this->ChoiceDeflection;
   if (this->Model == Layer)
@@ -431,6 +434,10 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "BaseSlips: " << this->BaseSlips << "\n";
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
+  os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
+  os << indent << "StrainModel: " << this->StrainModel << "\n";
+  os << indent << "StrainExponent: " << this->StrainExponent << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ChoiceDeflection: " << this->ChoiceDeflection << " mm\n";
   os << indent << "Settings: " << this->Settings.Get() << "\n";

@@ -145,6 +145,30 @@ public:
   ///@}
 
   ///@{
+  /** Whether the body's sag under the tool counts; see vtkToolContactResponse. Default on. */
+  vtkSetMacro(CurvatureCorrection, bool);
+  vtkGetMacro(CurvatureCorrection, bool);
+  vtkBooleanMacro(CurvatureCorrection, bool);
+  ///@}
+  ///@{
+  /** How the body resists large strain, a value of vtkToolContactResponse::StrainModelType.
+   * Default SmallStrain. */
+  vtkSetClampMacro(StrainModel, int, 0, 3);
+  vtkGetMacro(StrainModel, int);
+  ///@}
+  ///@{
+  /** The exponent of Ogden's or Demiray's law. Default 2. */
+  vtkSetMacro(StrainExponent, double);
+  vtkGetMacro(StrainExponent, double);
+  ///@}
+  ///@{
+  /** The estimated relative error that the responses are valid to; 0: where the first assumption
+   * breaks, without an error. Default 0.05. */
+  vtkSetMacro(ErrorTolerance, double);
+  vtkGetMacro(ErrorTolerance, double);
+  ///@}
+
+  ///@{
   /** Largest error of the force, relative, at which a session is given a simpler form of a response
    * than a curve per point (vtkResponseChoice, and what that means by it). Default 0: responses are
    * felt as they are. The output has them whole in any case. */
@@ -221,6 +245,10 @@ private:
   double BasePoissonRatio = 0.45;
   bool BaseSlips = false;
   double ComplianceModulus = 0.0;
+  bool CurvatureCorrection = true;
+  int StrainModel = 0;
+  double StrainExponent = 2.0;
+  double ErrorTolerance = 0.05;
   double Tolerance = 0.0;
   double ChoiceDeflection = 0.0;
   vtkSmartPointer<vtkContactSettings> Settings;

@@ -38,6 +38,27 @@ double largestIn(vtkTable* table, vtkIdType column)
   return largest;
 }
 
+/// Deflection, least and most force, of the rows of `table` that have them.
+vtkSmartPointer<vtkTable> bandOf(vtkTable* table)
+{
+  auto band = vtkSmartPointer<vtkTable>::New();
+  for (const vtkIdType column : { 0, 2, 3 })
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(table->GetColumnName(column));
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      const double least = table->GetValue(row, 2).ToDouble();
+      if (std::isfinite(least) && std::isfinite(table->GetValue(row, 3).ToDouble()))
+      {
+        values->InsertNextValue(table->GetValue(row, column).ToDouble());
+      }
+    }
+    band->AddColumn(values);
+  }
+  return band;
+}
+
 /// Rows of `table` with deflection in [low, high].
 vtkSmartPointer<vtkTable> rowsBetween(vtkTable* table, double low, double high)
 {
@@ -106,6 +127,10 @@ bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label, doubl
                   << "' needs a table with two columns: deflection (mm) and force (N).");
     return false;
   }
+  if (table->GetNumberOfColumns() >= 4)
+  {
+    this->AddBand(table);
+  }
   const double lowest = -std::numeric_limits<double>::infinity();
   const double deepest = std::numeric_limits<double>::infinity();
   auto trusted = rowsBetween(table, lowest, validDepth);
@@ -128,6 +153,16 @@ bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label, doubl
   palpate::fitAxis(this->Chart->GetAxis(vtkAxis::LEFT), this->LargestForce);
   this->Modified();
   return true;
+}
+
+void vtkResponseChart::AddBand(vtkTable* table)
+{
+  const vtkSmartPointer<vtkTable> band = bandOf(table);
+  if (band->GetNumberOfRows() > 1)
+  {
+    palpate::addBand(this->Chart, band,
+      palpate::CurveColors[static_cast<std::size_t>(this->Curves) % palpate::CurveColors.size()]);
+  }
 }
 
 void vtkResponseChart::AddLine(vtkTable* table, const std::string& label, int penStyle)

@@ -8,7 +8,8 @@
  * and colours and dashes that the colour-blind can tell apart; it starts at (0, 0) and ends where
  * the longest curve does.
  *
- * A curve may be marked valid up to a depth: beyond it the line turns dotted.
+ * A curve may be marked valid up to a depth: beyond it the line turns dotted. A table with a third
+ * and a fourth column, the least and the most that the force may be (N), has these as a band.
  */
 #ifndef vtkResponseChart_h
 #define vtkResponseChart_h
@@ -51,6 +52,7 @@ private:
   vtkResponseChart(const vtkResponseChart&) = delete;
   void operator=(const vtkResponseChart&) = delete;
 
+  void AddBand(vtkTable* table);
   void AddLine(vtkTable* table, const std::string& label, int penStyle);
 
   vtkSmartPointer<vtkChartXY> Chart;

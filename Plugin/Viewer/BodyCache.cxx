@@ -91,6 +91,7 @@ std::string store(vtkPolyData* body, const std::string& file)
   request.tool = tool;
   request.responseName = CacheResponse;
   request.deflection = CacheDepth;
+  request.terms = LawTerms::plain();
   vtkNew<vtkPolyData> made;
   std::string warning;
   const std::string error = attachResponse(Ranks(), body, request, {}, made, warning);

@@ -101,8 +101,9 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   const std::string error = attachResponse(Ranks(), responses.body,
-    { shape, name, maximumDeflection, materialOf(law), arraysOf(law, scene, responses.body) }, {},
-    body, warning);
+    { shape, name, maximumDeflection, materialOf(law), arraysOf(law, scene, responses.body), 8,
+      scene.terms },
+    {}, body, warning);
   warn(warning);
   if (error.empty())
   {

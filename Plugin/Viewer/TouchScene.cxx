@@ -58,6 +58,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   scene.youngsModulus = options.youngsModulus.value_or(scene.youngsModulus);
   scene.poissonsRatio = options.poissonsRatio.value_or(scene.poissonsRatio);
   scene.depth = options.depth.value_or(scene.depth);
+  scene.terms = options.terms;
   if (!options.tools.empty())
   {
     scene.tools = options.tools;

@@ -24,6 +24,7 @@ struct TouchScene
   std::vector<std::string> notes; ///< what was done to get the body, a sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
+  LawTerms terms;      ///< of the law: strain, curvature, error
   bool stored = false; ///< the body brings the response "Response", to be used as it is
   std::string materialSource;
   LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1

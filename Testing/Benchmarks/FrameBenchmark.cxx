@@ -59,6 +59,8 @@ vtkSmartPointer<vtkPolyData> withResponse(vtkPolyData* body)
   vtkNew<vtkToolContactResponse> response;
   response->SetInputData(body);
   response->SetTool(tool);
+  response->CurvatureCorrectionOff();
+  response->SetErrorTolerance(0.0);
   response->Update();
   return response->GetOutput();
 }

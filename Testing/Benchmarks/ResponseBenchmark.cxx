@@ -159,6 +159,8 @@ void response(benchmark::State& state, const Given& given)
     vtkNew<vtkToolContactResponse> filter;
     filter->SetInputData(body);
     filter->SetTool(tool);
+    filter->CurvatureCorrectionOff();
+    filter->SetErrorTolerance(0.0);
     filter->SetNumberOfSamples(static_cast<int>(Samples));
     filter->SetInputArrayToProcess(
       given.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, given.array);

@@ -49,6 +49,8 @@ std::unique_ptr<palpate::ResponseField> store(const std::string& tool, double co
   vtkNew<vtkToolContactResponse> filter;
   filter->SetInputData(body);
   filter->SetTool(shape);
+  filter->CurvatureCorrectionOff();
+  filter->SetErrorTolerance(0.0);
   filter->SetYoungsModulus(Modulus);
   filter->SetPoissonRatio(0.0);
   filter->SetMaximumDeflection(Range);

@@ -89,10 +89,11 @@ def hertz(depth, modulus=REDUCED, radius=6.35):
 
 def body_with_responses():
     ball = simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60)
-    first = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
+    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0}    # closed forms, without bands
+    first = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, **plain)
     first.Tool.Shape, first.Tool.Radiusmm = "Paraboloid", 6.35
     both = simple.ToolContactResponse(Input=first, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, ResponseName="Flat",
-                                      MaximumDeflectionmm=3)
+                                      MaximumDeflectionmm=3, **plain)
     both.Tool.Shape, both.Tool.Radiusmm = "Flat", 2
     both.UpdatePipeline()
     return both
@@ -151,6 +152,31 @@ def check_several(body, curves, view):
     assert names(curves)[1:] == ["Flat at point 5 (N)"]
 
 
+def check_band():
+    """What a force may be by its error: thin lines of its own colour, beside it and not in the legend."""
+    body = simple.ToolContactResponse(Input=simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60))
+    curves = simple.ResponseCurves(Input=body, PointIds=[70])
+    force = "Response at point 70"
+    band = [force + ", least (N)", force + ", most (N)"]
+    assert names(curves) == ["Deflection (mm)", force + " (N)", *band], names(curves)
+    middle, least, most = (column(curves, name) for name in (force + " (N)", *band))
+    assert (least[1:] < middle[1:]).all() and (middle[1:] < most[1:]).all()
+    view, shown = opened(curves)
+    assert visible(shown) == {force + " (N)", *band}, visible(shown)
+    chart = chart_of(view)
+    plots = [chart.GetPlot(i) for i in range(chart.GetNumberOfPlots())]
+    colours = set()
+    for plot in plots:
+        colour = [0.0, 0.0, 0.0]
+        plot.GetPen().GetColorF(colour)
+        colours.add(tuple(colour))
+    assert len(plots) == 3 and len(colours) == 1, colours
+    assert sorted(plot.GetLegendVisibility() for plot in plots) == [False, False, True]
+    picture(view, "chart_band.png")
+    curves.ErrorBand = 0
+    assert len(names(curves)) == 2
+
+
 def check_history(body):
     """Along a line into the ball: over deflection, since no time is known; over time where it is."""
     way = simple.Line(Point1=(53, 0, 5), Point2=(48, 0, 5), Resolution=50)
@@ -205,5 +231,6 @@ def check_measured():
 body = body_with_responses()
 curves, view = check_selected(body)
 check_several(body, curves, view)
+check_band()
 check_history(body)
 check_measured()

@@ -13,6 +13,32 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 SEMI_AXES = np.array([45.0, 32.0, 24.0])                    # mm
 
 
+def swelling(way):
+    """Of the radius in the directions `way`, unit vectors."""
+    return sum(height * np.exp((way @ np.array(to) / np.linalg.norm(to) - 1) / width)
+               for height, width, to in ((0.18, 0.15, (1, 0.6, 0.4)), (0.12, 0.1, (-1, -0.5, 0.6))))
+
+
+def curvatures(place):
+    """The principal curvatures (1/mm) of the surface near a place, positive where it is convex."""
+    def level(x):
+        q = x / SEMI_AXES
+        return np.linalg.norm(q) / (1 + swelling(q / np.linalg.norm(q))) - 1
+
+    def gradient(x, h=1e-3):
+        return np.array([(level(x + h * e) - level(x - h * e)) / (2 * h) for e in np.eye(3)])
+
+    x = np.array(place, float)
+    for _ in range(20):
+        x -= level(x) * gradient(x) / (gradient(x) @ gradient(x))
+    slope = gradient(x)
+    steepness = np.linalg.norm(slope)
+    along = np.eye(3) - np.outer(slope, slope) / steepness**2
+    bend = np.array([(gradient(x + 1e-2 * e) - gradient(x - 1e-2 * e)) / 2e-2 for e in np.eye(3)])
+    found = np.linalg.eigvalsh(along @ (0.5 * (bend + bend.T)) @ along / steepness)
+    return np.delete(found, np.argmin(np.abs(found)))        # along the normal there is none
+
+
 def organ(level=6, size=1.0):
     """10 · 4^level + 2 points of an ellipsoid with two broad swellings, `size` times SEMI_AXES; outward normals."""
     solid = vtkPlatonicSolidSource()
@@ -24,10 +50,8 @@ def organ(level=6, size=1.0):
     ball = finer.GetOutput()
     way = vtk_to_numpy(ball.GetPoints().GetData()).astype(float)
     way /= np.linalg.norm(way, axis=1)[:, None]
-    swelling = sum(height * np.exp((way @ np.array(to) / np.linalg.norm(to) - 1) / width)
-                   for height, width, to in ((0.18, 0.15, (1, 0.6, 0.4)), (0.12, 0.1, (-1, -0.5, 0.6))))
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(size * way * SEMI_AXES * (1 + swelling)[:, None], deep=True))
+    points.SetData(numpy_to_vtk(size * way * SEMI_AXES * (1 + swelling(way))[:, None], deep=True))
     body = vtkPolyData()
     body.SetPoints(points)
     body.SetPolys(ball.GetPolys())

@@ -181,6 +181,7 @@ def with_response(body):
     response.Tool.Radiusmm = 6.35
     response.YoungsModulusMPa = YOUNG
     response.PoissonsRatio = POISSON
+    response.CurvatureCorrection, response.ErrorTolerance = 0, 0    # the tool's own law
     response.UpdatePipeline()
     made = response.GetClientSideObject()
     assert type(made) is palpate.vtkToolContactResponse

@@ -110,7 +110,7 @@ class ClosedForms(unittest.TestCase):
         body = palpate.response(plate(), tool=tool, young=YOUNG, poisson=POISSON, **options)
         tips = np.stack([0.3 + 0 * self.DEPTHS, 0.7 + 0 * self.DEPTHS, -self.DEPTHS], axis=1)
         forces, deflection, *rest = palpate.probe(body, tips)
-        self.assertEqual(len(rest), 6)
+        self.assertEqual(len(rest), 7)
         np.testing.assert_allclose(deflection, self.DEPTHS, rtol=1e-15)
         self.assertEqual(np.abs(forces[:, :2]).max(), 0.0)
         return forces[:, 2]
@@ -138,8 +138,29 @@ class ClosedForms(unittest.TestCase):
                          .forces[:, 2] for strain in ("small", "neohooke"))
         np.testing.assert_allclose(finite / small, 1.075, atol=0.005)
 
+    def test_each_force_has_its_error(self):
+        body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3)
+        depths = np.array([0.4, 1.0, 2.0])
+        felt = palpate.probe(body, np.column_stack([0.3 + 0 * depths, 0.7 + 0 * depths, -depths]))
+        # K s of the mean pressure, s = 4/(3 pi) sqrt(d/R) (Hertz), and what that leaves over.
+        s = 4 / (3 * math.pi) * np.sqrt(depths / 5)
+        # Straight over sqrt(d) between samples, 0.0335 apart in s: the square is off by 0.1 * 0.0335**2 / 4.
+        np.testing.assert_allclose(felt.error, (-0.148 + 0.61 * 4 / 7) * s + 0.1 * s**2, atol=2.9e-5)
+        np.testing.assert_allclose(palpate.curves(body, 60, depths).error, felt.error, atol=1e-7)
+        without = palpate.response(plate(), tool="paraboloid:5", error_tolerance=0)
+        self.assertTrue(np.isnan(palpate.probe(without, [0.3, 0.7, -1.0]).error).all())
+        self.assertTrue(np.isnan(palpate.curves(without, 60, 1.0).error).all())
+
+    def test_a_curved_body_is_a_sharper_tool(self):
+        # Hertz: 1/R + 1/R_b; without the curvature the law of the tool alone.
+        body = ball()
+        for curvature, radius in ((True, 1 / (1 / 5 + 1 / 50)), (False, 5.0)):
+            felt = palpate.curves(palpate.response(body, "paraboloid:5", YOUNG, POISSON, curvature=curvature), 60, 1.0)
+            # Hertz differs by 4.7 %; the curvature of the mesh by some per cent of that.
+            np.testing.assert_allclose(felt.force, 4 / 3 * REDUCED * math.sqrt(radius), rtol=0.005)
+
     def test_the_error_is_kept_where_it_has_a_tolerance(self):
-        body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3, error_tolerance=0.03, curvature=True)
+        body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3, error_tolerance=0.03)
         data = body.GetPointData()
         error = np.array([data.GetArray("ResponseError").GetComponent(60, k) for k in range(8)])
         self.assertTrue((np.diff(error) > 0).all())
@@ -494,7 +515,7 @@ class Probing(unittest.TestCase):
         body = palpate.response(plate())
         felt = palpate.probe(body, np.zeros((0, 3)))
         self.assertEqual([array.shape for array in felt],
-                         [(0, 3), (0,), (0,), (0, 3), (0, 3), (0, 3), (0,), (0,)])
+                         [(0, 3), (0,), (0,), (0, 3), (0, 3), (0, 3), (0,), (0,), (0,)])
         outside = palpate.probe(body, [0.3, 0.7, 2.0])
         self.assertEqual(outside.contact_cell.tolist(), [-1])
         self.assertEqual(outside.contact_state.tolist(), [0])
@@ -504,7 +525,7 @@ class CurvesAndRegime(unittest.TestCase):
     def test_curves(self):
         body = palpate.response(plate(), "cone:60", maximum_deflection=1.5, samples=12)
         found = palpate.curves(body, [3, 8], rows=31)
-        self.assertEqual([array.shape for array in found], [(31,), (2, 31), (2, 31)])
+        self.assertEqual([array.shape for array in found], [(31,), (2, 31), (2, 31), (2, 31)])
         np.testing.assert_allclose(found.deflection, np.linspace(0, 1.5, 31), rtol=1e-15)
         law = 2 / math.pi * REDUCED * math.tan(math.radians(60))
         np.testing.assert_allclose(found.force[0], law * found.deflection**2, rtol=STORED)

@@ -12,10 +12,11 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
            "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
-           "--pictures", "--no-pictures", "--tolerance")
+           "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
+           "--no-curvature")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
-           "--friction", "--tangential-stiffness", "--scale", "--tolerance")
+           "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance")
 
 
 class CommandLine(SessionCase):
@@ -70,6 +71,12 @@ class CommandLine(SessionCase):
                 (("--closing", "-1"), "--closing"),
                 (("--rate", "0"), "--rate"),
                 (("--voxel", "0"), "--voxel"),
+                (("--strain", "finite"), "finite"),
+                (("--strain", "ogden"), "exponent"),
+                (("--strain", "ogden:0"), "Ogden's exponent"),
+                (("--strain", "demiray:-1"), "Demiray's coefficient"),
+                (("--strain", "neo-hooke:2"), "has no exponent"),
+                (("--error-tolerance", "-0.1"), "-0.1"),
                 (("--layer", "0"), "--layer"),
                 (("--layer", "-3"), "-3"),
                 (("--layer", "5mm"), "5mm"),

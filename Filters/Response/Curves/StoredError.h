@@ -8,15 +8,40 @@
 
 #include <string>
 
+class vtkFloatArray;
 class vtkPolyData;
 
 namespace palpate
 {
-/// Estimated relative error of a point's force at a depth (mm), from the response's array Error:
-/// straight over √δ between its samples, as it was found, and below the first what it is there. NaN
-/// where the response keeps none, or beyond its range.
-PALPATERESPONSE_EXPORT double storedError(
-  vtkPolyData* body, const std::string& responseName, vtkIdType point, double depth);
+/// The error at a depth (mm) of a curve whose samples have these: straight over √δ, as it was
+/// found, and below the first what it is there. NaN beyond the range (mm).
+PALPATERESPONSE_EXPORT double errorBetween(
+  const float* errors, int samples, double range, double depth);
+
+/// The estimated relative errors that a response keeps in its array Error.
+class PALPATERESPONSE_EXPORT StoredError
+{
+public:
+  /// `body` must outlive this.
+  StoredError(vtkPolyData* body, const std::string& responseName);
+
+  bool isKept() const { return this->Errors != nullptr; }
+  /// Of a point's force at a depth (mm). NaN where none is kept, or beyond the range.
+  double at(vtkIdType point, double depth) const;
+  /// Of the force on a place of a triangle, given by its cell and a point on it.
+  double at(vtkIdType cell, const double* point, double depth) const;
+
+private:
+  vtkPolyData* Body;
+  vtkFloatArray* Errors;
+  vtkFloatArray* Range;
+};
+
+/// Adds to tips that were touched (ContactCell, ContactPoint, Deflection) the array RelativeError
+/// (double): of the force on each, 0 without contact, NaN where it is not known. Nothing where the
+/// response keeps none.
+PALPATERESPONSE_EXPORT void addContactErrors(
+  vtkPolyData* body, const std::string& responseName, vtkPolyData* tips);
 
 /// What to write behind a force: " ± 4 %"; from 100 % on that nothing is known; "" of NaN.
 PALPATERESPONSE_EXPORT std::string errorInWords(double relativeError);

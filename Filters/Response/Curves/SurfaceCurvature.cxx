@@ -4,6 +4,10 @@
 #include "Response/Pieces/BodySeam.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
@@ -109,22 +113,56 @@ std::array<float, 3> solve(const EdgeSums& sums)
   Eigen::Matrix3d products;
   products << sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5];
   const Eigen::Vector3d right(sums[6], sums[7], sums[8]);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(products);
-  constexpr double LeastSpread =
-    1e-3; // of the edges' number: three directions, none beside another
-  if (!(spread.eigenvalues()[0] > LeastSpread * sums[10]))
+  // Of the edges' number, the least eigenvalue: three directions, none beside another. It is above
+  // where the products without it are still positive definite.
+  constexpr double LeastSpread = 1e-3;
+  const Eigen::Matrix3d least = LeastSpread * sums[10] * Eigen::Matrix3d::Identity();
+  if (Eigen::LLT<Eigen::Matrix3d>(products - least).info() != Eigen::Success)
   {
     // t² + u² = 1: the curvatures sum up to the first and last product.
     const double mean = (sums[6] + sums[8]) / sums[10];
     const double largest = std::sqrt(sums[9]);
     return { static_cast<float>(mean), static_cast<float>(mean), static_cast<float>(largest) };
   }
-  const Eigen::Vector3d form = products.ldlt().solve(right);
+  const Eigen::Vector3d form = products.llt().solve(right);
   const double mean = 0.5 * (form[0] + form[2]);
   const double half = std::hypot(0.5 * (form[0] - form[2]), form[1]);
   const double left = std::max(0.0, sums[9] - form.dot(right)) / sums[10];
   return { static_cast<float>(mean - half), static_cast<float>(mean + half),
     static_cast<float>(std::sqrt(left)) };
+}
+
+/// Places of points, whatever they are stored as.
+template <class Number>
+struct Places
+{
+  const Number* values;
+
+  Eigen::Vector3d operator()(std::size_t point) const
+  {
+    return Eigen::Map<const Eigen::Matrix<Number, 3, 1>>(values + 3 * point)
+      .template cast<double>();
+  }
+};
+
+/// Calls `visit` with the places of the points; those of other types are copied.
+template <class Visit>
+void withPlaces(vtkPoints* points, const Visit& visit)
+{
+  vtkDataArray* data = points->GetData();
+  if (auto* floats = vtkFloatArray::SafeDownCast(data))
+  {
+    visit(Places<float>{ floats->GetPointer(0) });
+    return;
+  }
+  vtkNew<vtkDoubleArray> copy;
+  auto* doubles = vtkDoubleArray::SafeDownCast(data);
+  if (!doubles)
+  {
+    copy->DeepCopy(data);
+    doubles = copy;
+  }
+  visit(Places<double>{ doubles->GetPointer(0) });
 }
 } // namespace
 
@@ -143,48 +181,47 @@ SurfaceCurvature::SurfaceCurvature(vtkPolyData* body, const BodySeam& seam, cons
     corners.insert(corners.end(), ids, ids + size);
   }
   const TrianglesOfPoints around(corners, points);
-  const auto placeOf = [body](vtkIdType point)
+  std::vector<EdgeSums> own;
+  const auto find = [&](const auto& placeOf)
   {
-    Eigen::Vector3d place;
-    body->GetPoint(point, place.data());
-    return place;
-  };
-  const auto sumsOf = [&](std::size_t point)
-  {
-    EdgeSums sums{};
-    const Eigen::Vector3d normal = normalOf(normals, point);
-    if (!(normal.squaredNorm() > 0.0))
+    const auto sumsOf = [&](std::size_t point)
     {
-      return sums;
-    }
-    const TangentFrame frame(normal);
-    const Eigen::Vector3d here = placeOf(static_cast<vtkIdType>(point));
-    around.forCornersOf(point,
-      [&](std::size_t corner)
+      EdgeSums sums{};
+      const Eigen::Vector3d normal = normalOf(normals, point);
+      if (!(normal.squaredNorm() > 0.0))
       {
-        for (std::size_t step = 1; step < 3; ++step)
+        return sums;
+      }
+      const TangentFrame frame(normal);
+      const Eigen::Vector3d here = placeOf(point);
+      around.forCornersOf(point,
+        [&](std::size_t corner)
         {
-          const vtkIdType other = corners[corner - corner % 3 + (corner % 3 + step) % 3];
-          const Eigen::Vector3d turn = normalOf(normals, static_cast<std::size_t>(other)) - normal;
-          addEdge(frame, placeOf(other) - here, turn, sums);
+          const std::size_t place = corner % 3;
+          for (const std::size_t next : { place == 2 ? 0 : place + 1, place == 0 ? 2 : place - 1 })
+          {
+            const auto other = static_cast<std::size_t>(corners[corner - place + next]);
+            addEdge(frame, placeOf(other) - here, normalOf(normals, other) - normal, sums);
+          }
+        });
+      return sums;
+    };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(points),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+        {
+          this->Found[i] = solve(sumsOf(i));
         }
       });
-    return sums;
-  };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points),
-    [&](vtkIdType first, vtkIdType last)
+    for (const BodySeam::Place& place : seam.places())
     {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const auto place = static_cast<std::size_t>(i);
-        this->Found[place] = solve(sumsOf(place));
-      }
-    });
-
-  std::vector<EdgeSums> own;
-  for (const BodySeam::Place& place : seam.places())
+      own.push_back(sumsOf(static_cast<std::size_t>(place.point)));
+    }
+  };
+  if (points > 0)
   {
-    own.push_back(sumsOf(static_cast<std::size_t>(place.point)));
+    withPlaces(body->GetPoints(), find);
   }
   const std::vector<EdgeSums> whole = seam.combined(own, EdgeSums{},
     [](EdgeSums sum, const EdgeSums& part)

@@ -231,11 +231,9 @@ PlaceValidity TouchedBody::validity(const TouchedPlace& place, double depth) con
   }
   weakest.known = true;
   weakest.depth = std::numeric_limits<double>::infinity();
-  weakest.error = 0.0;
-  int corner = 0;
+  weakest.error = StoredError(this->Body, this->Name).at(place.cell, place.point.data(), depth);
   for (const vtkIdType id : cornersOf(this->Body, place.cell))
   {
-    weakest.error += place.weights[corner++] * storedError(this->Body, this->Name, id, depth);
     const double trusted = validity[id];
     if (trusted < weakest.depth)
     {

@@ -8,7 +8,9 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPen.h"
+#include "vtkPlotArea.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkTextProperty.h"
 
 #include <array>
@@ -101,5 +103,19 @@ void styleTitle(vtkChart* chart, int size)
 void setTitle(vtkChart* chart, const std::string& title)
 {
   chart->SetTitle(title.empty() ? title : title + "\n "); // the empty line is the gap
+}
+
+void addBand(vtkChart* chart, vtkTable* table, const Color& color)
+{
+  constexpr double Opacity = 0.22;
+  auto* area = vtkPlotArea::SafeDownCast(chart->AddPlot(vtkChart::AREA));
+  area->SetInputData(table);
+  for (int column = 0; column < 3; ++column)
+  {
+    area->SetInputArray(column, table->GetColumnName(column));
+  }
+  area->SetColorF(color[0], color[1], color[2], Opacity);
+  area->GetPen()->SetLineType(vtkPen::NO_PEN);
+  area->SetLegendVisibility(false);
 }
 } // namespace palpate

@@ -2,10 +2,13 @@
 #ifndef ChartStyle_h
 #define ChartStyle_h
 
+#include "Interaction/Display/DisplayColors.h"
+
 #include <string>
 
 class vtkAxis;
 class vtkChart;
+class vtkTable;
 
 namespace palpate
 {
@@ -26,6 +29,9 @@ void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize);
 /// Size of the title in points; and its text, "" for none. VTK would put it on the frame.
 void styleTitle(vtkChart* chart, int size);
 void setTitle(vtkChart* chart, const std::string& title);
+
+/// A pale area between the second and the third column of a table over its first, without a legend.
+void addBand(vtkChart* chart, vtkTable* table, const Color& color);
 } // namespace palpate
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Charts/ContactCurvesChart.h"
 
+#include "Interaction/Charts/ChartStyle.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,7 @@ constexpr const char* DeflectionName = "Deflection (mm)";
 ContactCurvesChart::Line::Line(const std::string& label)
   : trusted(DeflectionName, (label + " (N)").c_str())
   , beyond(DeflectionName, (label + " beyond validity (N)").c_str())
+  , band(DeflectionName, (label + ", least (N)").c_str(), (label + ", most (N)").c_str())
 {
 }
 
@@ -22,10 +25,17 @@ void ContactCurvesChart::Line::show(const Curve& curve)
   const double join = std::clamp(curve.validity, 0.0, curve.end);
   this->trusted.begin();
   this->beyond.begin();
+  this->band.begin();
   for (int i = 0; std::isfinite(curve.end) && i <= Steps; ++i)
   {
     const double depth = curve.end * i / Steps;
     const double before = curve.end * (i - 1) / Steps;
+    const double error = curve.error ? std::min(curve.error(depth), 1.0) : 0.0;
+    if (curve.error && std::isfinite(error))
+    {
+      const double force = curve.force(depth);
+      this->band.add(depth, (1.0 - error) * force, (1.0 + error) * force);
+    }
     if (before < join && join < depth) // both parts have the point where they join
     {
       this->trusted.add(join, curve.force(join));
@@ -42,6 +52,7 @@ void ContactCurvesChart::Line::show(const Curve& curve)
   }
   this->trusted.end();
   this->beyond.end();
+  this->band.end();
 }
 
 ContactCurvesChart::ContactCurvesChart()
@@ -62,6 +73,10 @@ void ContactCurvesChart::choose(const std::vector<Style>& styles)
   for (const Style& style : styles)
   {
     auto line = std::make_unique<Line>(style.label);
+    if (style.hasBand)
+    {
+      addBand(this->chart(), line->band.table(), style.color);
+    }
     line->trusted.addLine(this->chart(), style.label, style.color, style.width);
     line->beyond.addLine(this->chart(), "", style.color, style.width, vtkPen::DOT_LINE);
     this->Lines.push_back(std::move(line));

@@ -2,6 +2,7 @@
 #ifndef ContactCurvesChart_h
 #define ContactCurvesChart_h
 
+#include "Interaction/Charts/BandTable.h"
 #include "Interaction/Charts/LiveChart.h"
 #include "Interaction/Charts/PlotTable.h"
 
@@ -12,8 +13,8 @@
 
 namespace palpate
 {
-/// Force (N) over deflection (mm) of some curves at a contact, dotted beyond validity, with a
-/// running point.
+/// Force (N) over deflection (mm) of some curves at a contact, dotted beyond validity, in a band of
+/// what the force may be by its error, with a running point.
 class ContactCurvesChart : public LiveChart
 {
 public:
@@ -25,10 +26,12 @@ public:
     std::string label;
     Color color;
     float width;
+    bool hasBand = false;
 
     bool operator==(const Style& other) const
     {
-      return this->label == other.label && this->color == other.color && this->width == other.width;
+      return this->label == other.label && this->color == other.color &&
+        this->width == other.width && this->hasBand == other.hasBand;
     }
   };
   /// What it is.
@@ -37,6 +40,7 @@ public:
     std::function<double(double)> force; ///< N at mm; NaN: there is none
     double end = 0.0;                    ///< mm
     double validity = 0.0;               ///< mm
+    std::function<double(double)> error; ///< relative, at mm; null: there is no band
   };
 
   ContactCurvesChart();
@@ -57,6 +61,7 @@ private:
 
     PlotTable trusted; ///< up to validity
     PlotTable beyond;
+    BandTable band;
   };
 
   std::vector<Style> Styles;

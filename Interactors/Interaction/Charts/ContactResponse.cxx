@@ -2,11 +2,13 @@
 #include "Interaction/Charts/ContactResponse.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Curves/StoredError.h"
 #include "Contact/SmoothTriangle.h"
 #include "Contact/TriangleProjection.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -128,6 +130,13 @@ std::unique_ptr<ContactResponse> ContactResponse::read(
   three.range = range.data();
   three.status = status.data();
   std::unique_ptr<ContactResponse> response(new ContactResponse(three, triangle.weights));
+  auto* errors = vtkFloatArray::SafeDownCast(
+    body->GetPointData()->GetArray(arrayName(name, ResponseArray::Error).c_str()));
+  if (errors && errors->GetNumberOfTuples() == body->GetNumberOfPoints())
+  {
+    response->Errors = ofCorners<float>(
+      errors->GetPointer(0), corners, static_cast<std::size_t>(errors->GetNumberOfComponents()));
+  }
   const float* validity = nullptr;
   const unsigned char* limit = nullptr;
   std::string untold;
@@ -161,6 +170,21 @@ double ContactResponse::force(double deflection) const
 {
   return this->isSound() ? this->blend().evaluate(deflection).force
                          : std::numeric_limits<double>::quiet_NaN();
+}
+
+double ContactResponse::error(double deflection) const
+{
+  const std::size_t samples = this->Errors.size() / 3;
+  double error = samples > 0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; samples > 0 && k < 3; ++k)
+  {
+    const double weight = this->Weights[static_cast<Eigen::Index>(k)];
+    error += weight == 0.0 ? 0.0
+                           : weight *
+        errorBetween(this->Errors.data() + k * samples, static_cast<int>(samples),
+          this->Field.range(static_cast<std::int32_t>(k)), deflection);
+  }
+  return error;
 }
 
 double ContactResponse::range() const

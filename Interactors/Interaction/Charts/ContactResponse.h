@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 
@@ -43,7 +44,10 @@ public:
   /// Blended, N and mm; NaN if a corner with a say has no response.
   double force(double deflection) const;
   double range() const;
-  /// Depth at which the first assumption of a corner breaks, mm; infinite if the body does not
+  /// Estimated relative error of force(), blended as it is; NaN beyond a range.
+  bool hasError() const { return !this->Errors.empty(); }
+  double error(double deflection) const;
+  /// Depth to which all corners are valid, mm; infinite if the body does not
   /// tell.
   double validity() const { return this->Validity; }
 
@@ -58,6 +62,7 @@ private:
 
   ResponseField Field; ///< of three points
   Vector3 Weights;
+  std::vector<float> Errors; ///< of the samples of the three; empty: not kept
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

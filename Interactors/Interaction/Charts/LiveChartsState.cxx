@@ -117,10 +117,14 @@ void vtkLiveCharts::Parts::showCorners(const palpate::ContactTriangle& place, st
   }
   shown.push_back({ [&response](double depth) { return response->force(depth); },
     std::max(response->range(), this->touched.contact.deflection), response->validity() });
+  if (response->hasError())
+  {
+    shown.back().error = [&response](double depth) { return response->error(depth); };
+  }
   const auto& colors = palpate::CurveColors;
-  this->curves.choose(
-    { { "Corner 1", colors[5], CornerWidth }, { "Corner 2", colors[4], CornerWidth },
-      { "Corner 3", colors[3], CornerWidth }, { "Blend", palpate::TextColor, BlendWidth } });
+  this->curves.choose({ { "Corner 1", colors[5], CornerWidth },
+    { "Corner 2", colors[4], CornerWidth }, { "Corner 3", colors[3], CornerWidth },
+    { "Blend", palpate::TextColor, BlendWidth, response->hasError() } });
   this->curves.show(shown);
 }
 
@@ -141,9 +145,13 @@ void vtkLiveCharts::Parts::showCompared(const palpate::ContactTriangle& place, s
     styles.push_back({ !label.empty() ? label
         : tool.empty()                ? each
                                       : tool,
-      colors[styles.size() % colors.size()], ComparedWidth });
+      colors[styles.size() % colors.size()], ComparedWidth, response->hasError() });
     shown.push_back({ [response](double depth) { return response->force(depth); },
       response->range(), response->validity() });
+    if (response->hasError())
+    {
+      shown.back().error = [response](double depth) { return response->error(depth); };
+    }
   }
   this->curves.choose(styles);
   this->curves.show(shown);

@@ -5,6 +5,7 @@
 #include "Interaction/Display/DisplayColors.h"
 #include "Contact/ResponseField.h"
 #include "Response/BodyConversion.h"
+#include "Response/Curves/StoredError.h"
 #include "Interaction/Comparison/PointCopy.h"
 #include "vtkContactTool.h"
 #include "vtkResponseChart.h"
@@ -24,6 +25,7 @@
 #include "vtkRenderer.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -36,14 +38,17 @@ constexpr float MarkSize = 13.0F;
 constexpr float DepthWidth = 1.5F;
 constexpr Color DepthColor = { 0.45, 0.45, 0.48 };
 
-/// Two columns, deflection and force.
-vtkSmartPointer<vtkTable> makeTable(const std::vector<std::array<double, 2>>& rows)
+/// Deflection and force; with four, the least and the most that it may be.
+template <std::size_t Columns>
+vtkSmartPointer<vtkTable> makeTable(const std::vector<std::array<double, Columns>>& rows)
 {
+  constexpr std::array<const char*, 4> names = { "Deflection (mm)", "Force (N)", "Least (N)",
+    "Most (N)" };
   auto table = vtkSmartPointer<vtkTable>::New();
-  for (std::size_t column = 0; column < 2; ++column)
+  for (std::size_t column = 0; column < Columns; ++column)
   {
     vtkNew<vtkDoubleArray> values;
-    values->SetName(column == 0 ? "Deflection (mm)" : "Force (N)");
+    values->SetName(names[column]);
     for (const auto& row : rows)
     {
       values->InsertNextValue(row[column]);
@@ -57,7 +62,7 @@ vtkSmartPointer<vtkTable> makeTable(const std::vector<std::array<double, 2>>& ro
 ComparisonChart::ComparisonChart()
   : Renderer(vtkSmartPointer<vtkRenderer>::New())
   , Chart(vtkSmartPointer<vtkResponseChart>::New())
-  , Point(makeTable({ { 0.0, 0.0 } }))
+  , Point(makeTable<2>({ { 0.0, 0.0 } }))
 {
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
   this->Renderer->InteractiveOff();
@@ -98,11 +103,14 @@ std::string ComparisonChart::drawCurves(
     {
       return "point " + std::to_string(point) + " has no response '" + compared.responseName + "'";
     }
-    std::vector<std::array<double, 2>> curve;
+    const StoredError errors(one, compared.responseName);
+    std::vector<std::array<double, 4>> curve;
     for (int row = 0; row < CurveRows; ++row)
     {
       const double depth = response->range(0) * row / (CurveRows - 1);
-      curve.push_back({ depth, response->evaluate(0, depth).force });
+      const double force = response->evaluate(0, depth).force;
+      const double error = std::min(errors.at(0, depth), 1.0);
+      curve.push_back({ depth, force, (1.0 - error) * force, (1.0 + error) * force });
     }
     vtkDataArray* validity = one->GetPointData()->GetArray(
       palpate::arrayName(compared.responseName, palpate::ResponseArray::Validity).c_str());
@@ -118,7 +126,7 @@ void ComparisonChart::drawDepth(double deflection)
 {
   const double top = this->Chart->GetChart()->GetAxis(vtkAxis::LEFT)->GetMaximum();
   vtkPlot* line = this->Chart->GetChart()->AddPlot(vtkChart::LINE);
-  line->SetInputData(makeTable({ { deflection, 0.0 }, { deflection, top } }), 0, 1);
+  line->SetInputData(makeTable<2>({ { deflection, 0.0 }, { deflection, top } }), 0, 1);
   line->GetPen()->SetColorF(DepthColor[0], DepthColor[1], DepthColor[2]);
   line->GetPen()->SetLineType(vtkPen::DASH_LINE);
   line->SetWidth(DepthWidth);

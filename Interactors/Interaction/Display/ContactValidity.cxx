@@ -28,13 +28,13 @@ void findValidity(vtkPolyData* body, const std::string& responseName, ShownConta
   {
     return;
   }
+  const StoredError errors(body, responseName);
   vtkNew<vtkIdList> corners;
   body->GetCellPoints(contact.cell, corners);
   for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
   {
     const vtkIdType corner = corners->GetId(i);
-    const double error =
-      palpate::storedError(body, responseName, corner, contact.tick.contact.deflection);
+    const double error = errors.at(corner, contact.tick.contact.deflection);
     contact.error = error > contact.error || i == 0 ? error : contact.error;
     if (validity->GetTuple1(corner) < contact.validity)
     {

@@ -57,8 +57,9 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
   const LawRequest law{ request.tools[tool], request.names[tool], request.maximumDeflection,
     { request.youngsModulus, request.poissonRatio, request.layerThickness, request.base, false,
       request.deeper, request.halfSpace },
-    materialArrays(made.body,
-      { "", request.thicknessArray, request.complianceArray, "", request.secondArray }) };
+    materialArrays(
+      made.body, { "", request.thicknessArray, request.complianceArray, "", request.secondArray }),
+    8, request.terms };
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   made.error = attachResponse(

@@ -2,10 +2,14 @@
 #include "TouchForm.h"
 
 #include "Haptics/Devices/DeviceList.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Response/Curves/StoredError.h"
 #include "TouchSession.h"
 #include "TouchSource.h"
 #include "pqForceBar.h"
+#include "vtkHapticSession.h"
 #include "vtkMath.h"
+#include "vtkPolyData.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -30,6 +34,24 @@ Widget* named(const char* name, const char* help)
   widget->setObjectName(name);
   widget->setToolTip(help);
   return widget;
+}
+
+/// "± 4 %" of the newest tick; "–" without a contact, or where the response keeps no error.
+QString errorOf(vtkHapticSession* session)
+{
+  const Tick tick = session->GetNewestTick();
+  vtkPolyData* body = session->GetBody();
+  const Contact& contact = tick.contact;
+  if (!body || contact.triangle < 0 || contact.triangle >= body->GetNumberOfPolys())
+  {
+    return "–";
+  }
+  const vtkIdType cell =
+    body->GetNumberOfVerts() + body->GetNumberOfLines() + static_cast<vtkIdType>(contact.triangle);
+  const std::string words =
+    errorInWords(StoredError(body, session->GetResponseName())
+                   .at(cell, contact.contactPoint.data(), contact.deflection));
+  return words.empty() ? QString("–") : QString::fromStdString(words).trimmed();
 }
 
 QLabel* wrapped(const char* name, const char* help)
@@ -81,6 +103,7 @@ TouchForm::TouchForm(QWidget* contents)
       "The force the device applies; outline: the ideal force; red: the most the device can give."))
   , force(named<QLabel>("force", "The force the device applies, N."))
   , limit(named<QLabel>("limit", "The largest force of the device, N."))
+  , error(named<QLabel>("error", "How far the ideal force may be off, by the response's estimate."))
   , deflection(named<QLabel>("deflection", "How deep the tip is in the undeformed body, mm."))
   , servo(named<QLabel>("servo", "Ticks of the servo loop, and how many were missed."))
   , grant(wrapped("grant", "What the system granted the servo thread, and why not more."))
@@ -118,6 +141,7 @@ TouchForm::TouchForm(QWidget* contents)
   rows->addRow("State", this->state);
   rows->addRow("", this->remark);
   rows->addRow("Force", felt);
+  rows->addRow("Error", this->error);
   rows->addRow("Limit", this->limit);
   rows->addRow("Deflection", this->deflection);
   rows->addRow("Servo", this->servo);
@@ -196,6 +220,7 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   this->bar->setScale(1.2 * std::min(most, touch.peakForce()), most);
   this->bar->setForce(vtkMath::Norm(applied), vtkMath::Norm(ideal));
   set(this->force, QString("%1 N").arg(vtkMath::Norm(applied), 0, 'f', 3));
+  set(this->error, errorOf(session));
   set(this->limit, QString("%1 N").arg(most, 0, 'g', 3));
   set(this->deflection, QString("%1 mm").arg(session->GetDeflection(), 0, 'f', 3));
   set(this->servo,
@@ -213,7 +238,8 @@ void TouchForm::showRest(const TouchSession& touch, bool canStart, const QString
   set(this->state, isPreparing ? "preparing body and device …" : "stopped");
   set(this->remark, fault);
   this->bar->setForce(0.0, 0.0);
-  for (QLabel* label : { this->force, this->limit, this->deflection, this->servo, this->grant })
+  for (QLabel* label :
+    { this->force, this->error, this->limit, this->deflection, this->servo, this->grant })
   {
     set(label, "–");
   }

@@ -36,6 +36,7 @@ struct TouchForm
   pqForceBar* bar;
   QLabel* force;      ///< N, applied
   QLabel* limit;      ///< N
+  QLabel* error;      ///< of the ideal force, relative
   QLabel* deflection; ///< mm
   QLabel* servo;      ///< ticks per second, and missed
   QLabel* grant;      ///< what the system granted the servo thread

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkForceChartRepresentation.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkAxis.h"
 #include "vtkChartXY.h"
+#include "vtkContextMapper2D.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVView.h"
+#include "vtkPen.h"
 #include "vtkPlot.h"
 #include "vtkTable.h"
+
+#include <array>
+#include <map>
 
 vtkStandardNewMacro(vtkForceChartRepresentation);
 
@@ -45,6 +51,7 @@ void vtkForceChartRepresentation::PrepareForRendering()
   const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
+  this->StyleBands(table);
   if (table->GetNumberOfRows() < 2) // a line of one point cannot be drawn: a history that begins
   {
     vtkChartXY* chart = this->GetChart();
@@ -54,6 +61,44 @@ void vtkForceChartRepresentation::PrepareForRendering()
       {
         chart->GetPlot(i)->SetVisible(false);
       }
+    }
+  }
+}
+
+/// What a force may be by its error, vtkResponseCurves.h: thin lines of the force's own colour,
+/// which need no legend.
+void vtkForceChartRepresentation::StyleBands(vtkTable* table)
+{
+  vtkChartXY* chart = this->GetChart();
+  const auto columnOf = [table](vtkPlot* plot)
+  {
+    vtkAbstractArray* column = plot->GetInput() == table
+      ? plot->GetData()->GetInputAbstractArrayToProcess(1, table)
+      : nullptr;
+    return std::string(column && column->GetName() ? column->GetName() : "");
+  };
+  std::map<std::string, vtkPlot*> plots;
+  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  {
+    plots[columnOf(chart->GetPlot(i))] = chart->GetPlot(i);
+  }
+  for (const auto& [name, plot] : plots)
+  {
+    for (const std::string end : { ", least (N)", ", most (N)" })
+    {
+      if (name.size() <= end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0)
+      {
+        continue;
+      }
+      const auto force = plots.find(name.substr(0, name.size() - end.size()) + " (N)");
+      if (force != plots.end())
+      {
+        std::array<double, 3> color{};
+        force->second->GetPen()->GetColorF(color.data());
+        plot->GetPen()->SetColorF(color[0], color[1], color[2]);
+      }
+      plot->SetWidth(1.0F);
+      plot->SetLegendVisibility(false);
     }
   }
 }

@@ -16,6 +16,8 @@
 
 #include <string> // For std::string
 
+class vtkTable;
+
 class PALPATESERVERMANAGER_EXPORT vtkForceChartRepresentation : public vtkXYChartRepresentation
 {
 public:
@@ -42,6 +44,7 @@ private:
   vtkForceChartRepresentation(const vtkForceChartRepresentation&) = delete;
   void operator=(const vtkForceChartRepresentation&) = delete;
 
+  void StyleBands(vtkTable* table);
   void TitleAxis(int axis, const std::string& title, std::string& given);
 
   std::string Abscissa = GetFirstColumn();

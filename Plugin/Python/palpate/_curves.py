@@ -16,6 +16,21 @@ class Curves(NamedTuple):
     deflection: np.ndarray
     force: np.ndarray
     stiffness: np.ndarray
+    error: np.ndarray
+
+
+def _error(array, ranges, points, depths):
+    """Straight over the root of the depth between the samples, below the first as there; NaN where none is kept."""
+    points, depths = np.broadcast_arrays(points, depths)
+    if array is None:
+        return np.full(depths.shape, np.nan)
+    stored = _arrays.to_numpy(array).astype(float)[points]
+    with np.errstate(all="ignore"):
+        place = np.maximum(np.sqrt(np.maximum(depths, 0) / ranges[points]) * stored.shape[-1] - 1, 0)
+    low = np.clip(np.nan_to_num(place).astype(int), 0, stored.shape[-1] - 1)
+    high = np.minimum(low + 1, stored.shape[-1] - 1)
+    below, above = (np.take_along_axis(stored, at[..., None], -1)[..., 0] for at in (low, high))
+    return below + (place - low) * (above - below)
 
 
 def curves(body, points=None, deflection=None, rows=101, name="Response") -> Curves:
@@ -34,7 +49,8 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
     Curves, a tuple of float64 arrays:
         deflection (d,) : mm;
         force (p, d) : N, NaN beyond a point's range and where it has no response;
-        stiffness (p, d) : dF/d(deflection), N/mm, likewise.
+        stiffness (p, d) : dF/d(deflection), N/mm, likewise;
+        error (p, d) : estimated error of the force, a fraction of it, likewise, and NaN of a response that keeps none.
     One row only, shape (d,), if `points` is a single number.
 
     Raises ValueError for a body without the response, or points that are not there; TypeError for things of another
@@ -59,4 +75,5 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
     depths = np.atleast_1d(_arrays.reals(deflection, "deflection (mm)", np.shape(deflection)[:1])).astype(float)
     force, stiffness = contract.evaluate(stored, chosen[..., None], depths)
     beyond = ~(depths <= reach[..., None]) | ~usable[..., None]
-    return Curves(depths, np.where(beyond, np.nan, force), np.where(beyond, np.nan, stiffness))
+    error = _error(body.GetPointData().GetArray(name + "Error"), stored["range"], chosen[..., None], depths)
+    return Curves(depths, *(np.where(beyond, np.nan, values) for values in (force, stiffness, error)))

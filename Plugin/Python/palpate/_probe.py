@@ -31,6 +31,7 @@ class Probe(NamedTuple):
     contact_point: np.ndarray
     contact_cell: np.ndarray
     contact_state: np.ndarray
+    error: np.ndarray
 
 
 def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffness=1.0,
@@ -68,7 +69,9 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         contact_point (n, 3) : on the undeformed body, mm;
         contact_cell (n,) : number of the triangle, -1 without contact;
         contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
-            5 invalid (a tip that is not finite, or no response there).
+            5 invalid (a tip that is not finite, or no response there);
+        error (n,) : estimated error of the force, a fraction of it (0.04 for 4 %); 0 without contact, NaN beyond the
+            range and of a response that keeps none.
 
     Raises ValueError with the words of vtkToolContactProbe, TypeError for things of another kind, OSError and
     RuntimeError for files; defects of the mesh give a RuntimeWarning. Tips for themselves run on all threads of
@@ -94,9 +97,11 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         points = _filters.run(felt).GetOutput().GetPointData()
         arrays = [points.GetArray(array) for array in (
             "Force", "Deflection", "NormalForce", "FrictionForce", "Normal", "ContactPoint", "ContactCell",
-            "ContactState")]
+            "ContactState", "RelativeError")]
     if arrays[0] is None:                               # no tips, or a body without points
         return _nothing(tips.GetNumberOfPoints())
+    if arrays[-1] is None:
+        return Probe(*map(_arrays.to_numpy, arrays[:-1]), np.full(tips.GetNumberOfPoints(), np.nan))
     return Probe(*map(_arrays.to_numpy, arrays))
 
 
@@ -125,7 +130,7 @@ def _choose(argument, value):
 
 def _nothing(count):
     return Probe(*(np.zeros((count, 3) if isvector else count) for isvector in (1, 0, 0, 1, 1, 1)),
-                 np.full(count, -1), np.zeros(count, dtype=np.uint8))
+                 np.full(count, -1), np.zeros(count, dtype=np.uint8), np.zeros(count))
 
 
 class _prepared:

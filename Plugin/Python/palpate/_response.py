@@ -17,8 +17,8 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
 
 
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
-             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=False,
-             strain="small", error_tolerance=0.0, layers=(), automatic=None) -> vtkPolyData:
+             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
+             strain="small", error_tolerance=0.05, layers=(), automatic=None) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -42,10 +42,11 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     samples : samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body take several names.
     compliance_excludes_layer : set it where the compliance was found without the layer's base, so that both count.
-    curvature : whether the body's sag under the tool counts, by the curvatures of the mesh.
+    curvature : whether the body's sag under the tool counts, by the curvatures of the mesh; False: it is flat.
     strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): how the body resists large strain.
-    error_tolerance : a fraction of the force, 0.05 for 5 %: Validity is then the depth at which the estimated error
-        passes it, and the error is kept at each sample, in NAME + Error; 0 for the depths of small strain.
+    error_tolerance : a fraction of the force, 0.05 for 5 %: Validity is the depth at which the estimated error passes
+        it, and the error is kept at each sample, in NAME + Error; 0: the depth at which the first assumption of the
+        law breaks, without an error.
     automatic : a fraction of the force, 0.01 for 1 %: layers, curvature and finite strain are left out of the law where
         they change no more than that in sum, and "neohooke" is taken where its tables have the tool and it changes
         more. What was taken and left out, and why, stands in the field array NAME + Terms. None: the law as it is asked for.
@@ -77,7 +78,6 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     _set_strain(made, strain)
     tolerance = _number(error_tolerance, "error_tolerance")
     made.SetErrorTolerance(tolerance)
-    made.SetStoreError(tolerance > 0)
     if automatic is not None:
         made.AutomaticTermsOn()
         made.SetTermTolerance(_number(automatic, "automatic"))

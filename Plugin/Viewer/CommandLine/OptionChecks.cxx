@@ -149,6 +149,31 @@ std::string readLayers(const std::string& text, LayerChoice& layer)
   return fault;
 }
 
+std::string readStrain(const std::string& text, StrainLaw& law)
+{
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::map<std::string, StrainModel> models = { { "small", StrainModel::Linear },
+    { "neo-hooke", StrainModel::NeoHooke }, { "ogden", StrainModel::Ogden },
+    { "demiray", StrainModel::Demiray } };
+  const auto found = models.find(name);
+  if (found == models.end())
+  {
+    return "'" + text.substr(0, 40) + "' is not small, neo-hooke, ogden:ALPHA or demiray:B";
+  }
+  law = { found->second, 0.0 };
+  const bool needsExponent = law.model == StrainModel::Ogden || law.model == StrainModel::Demiray;
+  if (needsExponent != (colon != std::string::npos))
+  {
+    return needsExponent ? "'" + name + "' needs its exponent, e.g. " + name + ":2"
+                         : "'" + name + "' has no exponent";
+  }
+  const std::string fault = needsExponent
+    ? NumberRange::any("an exponent, e.g. 2").read(text.substr(colon + 1), law.parameter)
+    : std::string();
+  return fault.empty() ? checkStrainEnergy(law.model, law.parameter) : fault;
+}
+
 std::string readLengthUnit(std::string& text)
 {
   const std::map<std::string, std::string> units = { { "mm", "1" }, { "cm", "10" },

@@ -272,6 +272,31 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->excludes("--voxel")
     ->excludes("--young")
     ->excludes("--poisson");
+  app
+    .add_option_function<std::string>(
+      "--strain", [&options](const std::string& text) { readStrain(text, options.terms.strain); },
+      "how the body resists large strain: small (not at all otherwise than small strain), "
+      "neo-hooke, ogden:ALPHA or demiray:B (solved for once, a minute or so, and kept)")
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        StrainLaw ignored;
+        return readStrain(text, ignored);
+      },
+      "LAW"))
+    ->excludes("--measured")
+    ->default_str("small");
+  app
+    .add_option("--error-tolerance", options.terms.errorTolerance,
+      "estimated error of the force, relative, that curves are drawn in full up to; 0: up to where "
+      "the first assumption of the law breaks, and no error is told")
+    ->check(notNegative("a relative error, e.g. 0.05"))
+    ->excludes("--measured")
+    ->capture_default_str();
+  app
+    .add_flag("--curvature,!--no-curvature", options.terms.curvature,
+      "count the body's sag under the tool (default; --no-curvature: every point is flat)")
+    ->disable_flag_override();
   app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
     ->check(any("a grey level, e.g. 35"))
     ->capture_default_str();

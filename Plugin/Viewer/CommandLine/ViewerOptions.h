@@ -3,6 +3,7 @@
 #define palpate_ViewerOptions_h
 
 #include "Contact/ContactSettings.h"
+#include "Laws/LawTerms.h"
 #include "LayerChoice.h"
 #include "TrialChoice.h"
 
@@ -26,6 +27,7 @@ struct ViewerOptions
   std::optional<double> poissonsRatio;
   std::optional<double> depth;
   double maximumDeflection = 2.0;
+  LawTerms terms;                    ///< strain, curvature, error
   std::optional<LayerChoice> layer;  ///< --layer or --layers
   double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
   std::vector<std::string> measured; ///< files of curves

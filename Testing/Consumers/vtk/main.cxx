@@ -26,6 +26,7 @@ int main()
   response->SetTool(tool);
   response->SetYoungsModulus(0.75);
   response->SetPoissonRatio(0.5); // E* = 1 MPa
+  response->CurvatureCorrectionOff();
   vtkNew<vtkPoints> point;
   point->InsertNextPoint(0.0, 0.0, 49.5);
   vtkNew<vtkPolyData> tip;

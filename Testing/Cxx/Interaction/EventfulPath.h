@@ -66,6 +66,7 @@ inline Body openBall()
   filter->SetInputData(cut);
   filter->SetTool(makeTool("sphere:5"));
   filter->SetMaximumDeflection(Range);
+  makePlain(filter);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "E");
   filter->Update();
   Body body = Body::New();

@@ -110,6 +110,7 @@ inline Body unevenResponse(vtkPolyData* body, const std::string& tool)
   filter->SetInputData(body);
   filter->SetTool(makeTool(tool));
   filter->SetPoissonRatio(0.0);
+  makePlain(filter);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "E");
   filter->Update();
   auto copy = Body::New();

@@ -63,6 +63,7 @@ inline Body threeTools()
     filter->SetYoungsModulus(3.45);
     filter->SetPoissonRatio(0.0);
     filter->SetResponseName(name);
+    makePlain(filter);
     filter->Update();
     body = Body::New();
     body->ShallowCopy(filter->GetOutput());

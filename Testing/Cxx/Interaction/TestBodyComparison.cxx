@@ -86,6 +86,7 @@ Body makeBody(double compliance)
     filter->SetPoissonRatio(0.0);
     filter->SetMaximumDeflection(Range);
     filter->SetResponseName("Response" + std::to_string(i + 1));
+    makePlain(filter);
     if (compliance > 0.0)
     {
       filter->SetInputArrayToProcess(

@@ -213,6 +213,7 @@ void checkCompared()
     filter->SetInputData(last);
     filter->SetTool(makeTool(tool));
     filter->SetResponseName(name);
+    makePlain(filter);
     filter->Update();
     last = Body::New();
     last->ShallowCopy(filter->GetOutput());

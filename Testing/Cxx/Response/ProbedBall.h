@@ -67,6 +67,7 @@ inline Body heterogeneousBall(const char* tool, double modulus = 0.0)
   filter->SetInputData(body);
   filter->SetTool(makeTool(tool));
   filter->SetPoissonRatio(0.0);
+  makePlain(filter);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "E");
   filter->Update();
   Body output = Body::New();

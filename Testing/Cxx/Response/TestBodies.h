@@ -178,7 +178,14 @@ inline vtkSmartPointer<vtkContactTool> makeTool(const std::string& specification
   return tool;
 }
 
-/// The body with the response of a tool; E* = 3.45 MPa at ν = 0, as in the reference tables.
+/// The exact law of the textbook, and validity where its first assumption breaks.
+inline void makePlain(vtkToolContactResponse* filter)
+{
+  filter->CurvatureCorrectionOff();
+  filter->SetErrorTolerance(0.0);
+}
+
+/// The body with the plain response of a tool; E* = 3.45 MPa at ν = 0, as in the reference tables.
 inline Body withResponse(vtkPolyData* body, const std::string& tool, double range = 2.0)
 {
   vtkNew<vtkToolContactResponse> filter;
@@ -187,6 +194,7 @@ inline Body withResponse(vtkPolyData* body, const std::string& tool, double rang
   filter->SetYoungsModulus(3.45);
   filter->SetPoissonRatio(0.0);
   filter->SetMaximumDeflection(range);
+  makePlain(filter);
   filter->Update();
   auto copy = Body::New();
   copy->ShallowCopy(filter->GetOutput());

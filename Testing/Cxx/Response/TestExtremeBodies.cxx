@@ -191,6 +191,7 @@ void checkToolLargerThanBody()
   layer->SetInputData(cube);
   layer->SetTool(makeTool("flat:6"));
   layer->SetLayerThickness(20.0);
+  makePlain(layer);
   layer->Update();
   const vtkIdType top = cube->vtkDataSet::FindPoint(0.0, 0.0, 5.0);
   PALPATE_CHECK(valueOf(layer->GetOutput(), "ResponseLimit", top) == Edge);

@@ -34,6 +34,7 @@ Body respond(vtkPolyData* body, const std::string& tool, int index = -1, const c
   vtkNew<vtkToolContactResponse> filter;
   filter->SetInputData(body);
   filter->SetTool(makeTool(tool));
+  makePlain(filter);
   if (index >= 0)
   {
     filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);

@@ -32,6 +32,7 @@ Body respond(vtkPolyData* body, const std::string& tool, int index = -1, const c
   filter->SetYoungsModulus(Rubber);
   filter->SetPoissonRatio(0.0);
   filter->SetMaximumDeflection(Deepest);
+  makePlain(filter);
   if (index >= 0)
   {
     filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);

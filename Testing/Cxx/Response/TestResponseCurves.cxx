@@ -27,6 +27,7 @@ Body variedBody()
   vtkNew<vtkToolContactResponse> filter;
   filter->SetInputData(body);
   filter->SetTool(makeTool("sphere:5"));
+  makePlain(filter);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "E");
   filter->Update();
   Body output = Body::New();
@@ -34,6 +35,37 @@ Body variedBody()
   // Ranges differ where curves were measured; no filter of this version makes such a body.
   output->GetPointData()->GetArray("ResponseRange")->SetTuple1(3, 0.8);
   return output;
+}
+
+/// What a force may be by its error follows after all forces; where there is none, or nobody wants
+/// it, nothing does.
+void checkBand()
+{
+  vtkNew<vtkToolContactResponse> filter;
+  filter->SetInputData(planeBody(5.0, 2));
+  filter->SetTool(makeTool("sphere:5"));
+  filter->SetPoissonRatio(0.3);
+  vtkNew<vtkResponseCurves> curves;
+  curves->SetInputConnection(filter->GetOutputPort());
+  curves->AddPointId(4);
+  curves->AddPointId(0);
+  curves->SetNumberOfRows(9);
+  curves->Update();
+  vtkTable* table = curves->GetOutput();
+  PALPATE_CHECK(table->GetNumberOfColumns() == 7);
+  PALPATE_CHECK_TEXT(table->GetColumnName(1), "Response at point 4 (N)");
+  PALPATE_CHECK_TEXT(table->GetColumnName(3), "Response at point 4, least (N)");
+  PALPATE_CHECK_TEXT(table->GetColumnName(6), "Response at point 0, most (N)");
+  // The last row is the last sample.
+  vtkDataArray* stored = filter->GetOutput()->GetPointData()->GetArray("ResponseError");
+  const double error = stored->GetComponent(4, 7);
+  const double force = table->GetValue(8, 1).ToDouble();
+  PALPATE_CHECK(error > 0.02);
+  PALPATE_CHECK_NEAR(table->GetValue(8, 3).ToDouble(), (1.0 - error) * force, 1e-12);
+  PALPATE_CHECK_NEAR(table->GetValue(8, 4).ToDouble(), (1.0 + error) * force, 1e-12);
+  curves->ErrorBandOff();
+  curves->Update();
+  PALPATE_CHECK(curves->GetOutput()->GetNumberOfColumns() == 3);
 }
 
 void checkTable(vtkPolyData* body)
@@ -227,6 +259,8 @@ void checkSeveral()
 {
   vtkNew<vtkToolContactResponse> second;
   vtkNew<vtkToolContactResponse> first;
+  makePlain(first);
+  makePlain(second);
   first->SetInputData(planeBody(5.0, 2));
   first->SetTool(makeTool("sphere:5"));
   second->SetInputConnection(first->GetOutputPort());
@@ -275,6 +309,7 @@ void checkSeveral()
 
 int TestResponseCurves(int, char*[])
 {
+  checkBand();
   const Body body = variedBody();
   checkTable(body);
   checkSelections(body);

@@ -6,6 +6,7 @@
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkToolContactProbe.h"
 #include "vtkToolTouch.h"
 
 #include <functional>
@@ -59,7 +60,7 @@ void checkBall(double sign)
     body = turned;
   }
   const Filter filter = filterOf(body, "paraboloid:5", 1.0);
-  filter->CurvatureCorrectionOn();
+  filter->SetErrorTolerance(0.0); // the law alone
   filter->Update();
   const double radius = 1.0 / (0.2 + sign * 0.05);
   const double hertz = 4.0 / 3.0 * Reduced * std::sqrt(radius);
@@ -94,9 +95,6 @@ void checkEllipsoid()
   }
   body->GetPointData()->SetNormals(normals);
   const Filter filter = filterOf(body, "paraboloid:5", 1.0);
-  filter->CurvatureCorrectionOn();
-  filter->SetErrorTolerance(0.05);
-  filter->StoreErrorOn();
   filter->Update();
   for (int k = 0; k < 3; ++k)
   {
@@ -123,11 +121,10 @@ void checkNeoHooke()
 {
   const Body body = planeBody(40.0, 4);
   const Filter small = filterOf(body, "sphere:5", 2.5);
+  makePlain(small);
   small->Update();
   const Filter finite = filterOf(body, "sphere:5", 2.5);
   finite->SetStrainModelToNeoHooke();
-  finite->SetErrorTolerance(0.05);
-  finite->StoreErrorOn();
   finite->Update();
   const double c = last(finite, "ResponseForce", 5) / last(small, "ResponseForce", 5);
   PALPATE_CHECK_NEAR(c, 0.988, 0.005);
@@ -144,9 +141,12 @@ void checkUntouched()
 {
   Body body = sphereBody(20.0, 2);
   const Filter plain = filterOf(body, "sphere:5", 1.0);
+  makePlain(plain);
+  PALPATE_CHECK(plain->GetStoreError()); // without effect
   plain->Update();
   const Filter estimated = filterOf(body, "sphere:5", 1.0);
-  estimated->SetErrorTolerance(0.05);
+  estimated->CurvatureCorrectionOff();
+  estimated->StoreErrorOff();
   estimated->Update();
   PALPATE_CHECK(!plain->GetOutput()->GetPointData()->HasArray("ResponseError"));
   PALPATE_CHECK(!estimated->GetOutput()->GetPointData()->HasArray("ResponseError"));
@@ -163,6 +163,68 @@ void checkUntouched()
   PALPATE_CHECK_NEAR(last(estimated, "ResponseLimit", 3), 2.0, 0.0);
 }
 
+/// What nobody has set: the curvature is in the law, the error is kept, and validity ends at 5 %.
+void checkDefaults()
+{
+  vtkNew<vtkToolContactResponse> fresh;
+  PALPATE_CHECK(fresh->GetCurvatureCorrection() && fresh->GetStoreError());
+  PALPATE_CHECK(fresh->GetErrorTolerance() == 0.05);
+  PALPATE_CHECK(fresh->GetStrainModel() == vtkToolContactResponse::SmallStrain);
+  // On a plane at ν = 0.3 (n = 4/7): K s and what that leaves over, s = 4/(3π) √(δ/R) of a
+  // paraboloid (Hertz); its storage is exact.
+  const Filter filter = filterOf(planeBody(40.0, 4), "paraboloid:5", 2.5);
+  filter->SetPoissonRatio(0.3);
+  filter->Update();
+  const auto errorAt = [](double depth)
+  {
+    const double s = 4.0 / (3.0 * vtkMath::Pi()) * std::sqrt(depth / 5.0);
+    return (-0.148 + 0.61 * 4.0 / 7.0) * s + 0.1 * s * s;
+  };
+  PALPATE_CHECK_NEAR(last(filter, "ResponseError", 5), errorAt(2.5), 1e-6);
+  // Straight over √δ between the samples: the square term is off by 0.1 (Δs)²/4 there.
+  PALPATE_CHECK_NEAR(errorAt(last(filter, "ResponseValidity", 5)), 0.05, 1e-4);
+  PALPATE_CHECK(last(filter, "ResponseLimit", 5) == 1.0);
+}
+
+/// A flat end on a cylinder: touched along a line first, then whole, and then off by little.
+void checkFlatOnCylinder()
+{
+  Body body = Body::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  constexpr int cells = 20;
+  constexpr double radius = 30.0;
+  for (int j = 0; j <= cells; ++j)
+  {
+    for (int i = 0; i <= cells; ++i)
+    {
+      const double angle = 0.02 * (i - cells / 2);
+      points->InsertNextPoint(
+        radius * std::sin(angle), j - cells / 2, radius * (std::cos(angle) - 1.0));
+      normals->InsertNextTuple3(std::sin(angle), 0.0, std::cos(angle));
+      if (i < cells && j < cells)
+      {
+        const vtkIdType at = static_cast<vtkIdType>(j) * (cells + 1) + i;
+        triangles->InsertNextCell({ at, at + 1, at + cells + 2 });
+        triangles->InsertNextCell({ at, at + cells + 2, at + cells + 1 });
+      }
+    }
+  }
+  body->SetPoints(points);
+  body->SetPolys(triangles);
+  body->GetPointData()->SetNormals(normals);
+  const Filter filter = filterOf(body, "flat:1.6", 1.0);
+  filter->Update();
+  const vtkIdType middle = (cells / 2) * (cells + 2);
+  // Touched whole, what counts of the sag is its mean over the circle: F = 2E*(aδ - a³κ_m/3).
+  const double wanted = 2.0 * Reduced * (1.6 - 1.6 * 1.6 * 1.6 / (2.0 * radius) / 3.0);
+  PALPATE_CHECK_NEAR(last(filter, "ResponseForce", middle), wanted, 1e-3 * wanted);
+  PALPATE_CHECK(last(filter, "ResponseError", middle) < 0.1);
+  PALPATE_CHECK(last(filter, "ResponseLimit", middle) != 2.0);
+}
+
 std::string touchText(vtkToolTouch* touch)
 {
   auto* table = vtkTable::SafeDownCast(touch->GetOutputDataObject(vtkToolTouch::TextPort));
@@ -174,8 +236,6 @@ void checkTouch()
 {
   const Filter filter = filterOf(planeBody(40.0, 8), "sphere:5", 2.0);
   filter->SetPoissonRatio(0.3);
-  filter->SetErrorTolerance(0.05);
-  filter->StoreErrorOn();
   vtkNew<vtkToolTouch> touch;
   touch->SetInputConnection(filter->GetOutputPort());
   touch->SetTipPosition(0.0, 0.0, 0.0);
@@ -183,6 +243,44 @@ void checkTouch()
   touch->Update();
   // K s = 0.2 · 0.424 √0.2 (Hertz), and what that leaves over.
   PALPATE_CHECK_TEXT(touchText(touch), "N \u00b1 4 %", "Within the law's validity");
+}
+
+/// A probe's tips have the error of their force: that of the sample at its depth, the mean of three
+/// equal corners; none where the response keeps none.
+void checkProbe()
+{
+  const Filter filter = filterOf(planeBody(40.0, 8), "sphere:5", 2.0);
+  filter->SetPoissonRatio(0.3);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const double depth : { -0.5, 2.0 * 36.0 / 64.0, 2.0 * 42.25 / 64.0, 2.5 })
+  {
+    points->InsertNextPoint(1.0, 2.0, -depth);
+  }
+  vtkNew<vtkPolyData> tips;
+  tips->SetPoints(points);
+  vtkNew<vtkToolContactProbe> probe;
+  probe->SetInputConnection(0, filter->GetOutputPort());
+  probe->SetInputData(1, tips);
+  probe->Update();
+  auto* error =
+    vtkDoubleArray::SafeDownCast(probe->GetOutput()->GetPointData()->GetArray("RelativeError"));
+  PALPATE_CHECK(error && error->GetNumberOfTuples() == 4);
+  if (!error)
+  {
+    return;
+  }
+  vtkDataArray* stored = filter->GetOutput()->GetPointData()->GetArray("ResponseError");
+  const double sixth = stored->GetComponent(0, 5);
+  const double seventh = stored->GetComponent(0, 6);
+  PALPATE_CHECK(seventh > sixth && sixth > 0.03);
+  PALPATE_CHECK(error->GetValue(0) == 0.0);
+  PALPATE_CHECK_NEAR(error->GetValue(1), sixth, 1e-7);
+  PALPATE_CHECK_NEAR(error->GetValue(2), 0.5 * (sixth + seventh), 1e-7); // half way in √δ
+  PALPATE_CHECK(std::isnan(error->GetValue(3)));
+  filter->StoreErrorOff();
+  probe->Update();
+  PALPATE_CHECK(!probe->GetOutput()->GetPointData()->HasArray("RelativeError"));
 }
 
 void checkFaults()
@@ -196,7 +294,6 @@ void checkFaults()
     filter->Update();
     PALPATE_CHECK_TEXT(messages.errors(), words);
   };
-  expect("StoreError needs an ErrorTolerance", [](const Filter& f) { f->StoreErrorOn(); });
   expect("ErrorTolerance must be", [](const Filter& f) { f->SetErrorTolerance(-0.1); });
   expect("ErrorTolerance must be", [](const Filter& f) { f->SetErrorTolerance(std::nan("")); });
   expect("Ogden",
@@ -215,7 +312,10 @@ int TestResponseError(int, char*[])
   checkEllipsoid();
   checkNeoHooke();
   checkUntouched();
+  checkDefaults();
+  checkFlatOnCylinder();
   checkTouch();
+  checkProbe();
   checkFaults();
   return result();
 }

@@ -35,6 +35,7 @@ Filter makeFilter(vtkPolyData* body, const std::string& tool, double poisson = 0
   filter->SetTool(makeTool(tool));
   filter->SetYoungsModulus(Young);
   filter->SetPoissonRatio(poisson);
+  makePlain(filter);
   return filter;
 }
 

@@ -46,6 +46,7 @@ vtkSmartPointer<vtkToolContactResponse> makeFilter(vtkPolyData* body, vtkContact
   filter->SetPoissonRatio(Poisson);
   filter->SetMaximumDeflection(Range);
   filter->SetNumberOfSamples(Samples);
+  makePlain(filter);
   return filter;
 }
 

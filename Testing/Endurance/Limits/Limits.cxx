@@ -98,6 +98,7 @@ Body respond(vtkPolyData* body)
   filter->SetYoungsModulus(Modulus);
   filter->SetPoissonRatio(0.0);
   filter->SetMaximumDeflection(Range);
+  filter->CurvatureCorrectionOff(); // the closed form of a flat body
   filter->Update();
   auto output = Body::New();
   output->ShallowCopy(filter->GetOutput());

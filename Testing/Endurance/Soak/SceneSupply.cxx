@@ -113,6 +113,7 @@ SuppliedScene SceneSupply::make()
   response->SetPoissonRatio(PoissonRatio);
   response->SetMaximumDeflection(Reach);
   response->SetResponseName(ResponseName);
+  response->CurvatureCorrectionOff(); // the closed form of a flat body
   response->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, Modulus);
   response->Update();
   made.body = vtkSmartPointer<vtkPolyData>::New();

@@ -60,6 +60,8 @@ class Felt:
         response.SetYoungsModulus(MODULUS * (1 - POISSON**2))
         response.SetPoissonRatio(POISSON)
         response.SetMaximumDeflection(4.0)
+        response.CurvatureCorrectionOff()  # compared with the law of a flat surface
+        response.SetErrorTolerance(0)
         tips = case.place(*case.path.T)
         probe = vtkToolContactProbe()
         probe.SetInputConnection(0, response.GetOutputPort())

@@ -102,6 +102,8 @@ def respond(body, arrays, specification):
     response.SetYoungsModulus(YOUNG)
     response.SetPoissonRatio(POISSON)
     response.SetMaximumDeflection(DEPTH)
+    response.CurvatureCorrectionOff()  # bodies that differ by their material alone
+    response.SetErrorTolerance(0)
     for index, name in arrays.items():
         response.SetInputArrayToProcess(index, 0, 0, 0, name)
     response.Update()

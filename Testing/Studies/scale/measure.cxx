@@ -114,6 +114,8 @@ Body respond(vtkPolyData* body, const char* array)
   filter->SetTool(tool);
   filter->SetYoungsModulus(ReducedModulus * (1.0 - PoissonRatio * PoissonRatio));
   filter->SetPoissonRatio(PoissonRatio);
+  filter->CurvatureCorrectionOff(); // what the study compares with knows a flat surface
+  filter->SetErrorTolerance(0.0);
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);
   filter->Update();
   auto output = Body::New();

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tool on a curved half-space at given depths: closed forms of paraboloids, cones and flat ends,
+// in series, in hollows.
+#include "Laws/CurvedHalfSpace.h"
+#include "Laws/LocalContact.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/ToolSpecification.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+using namespace palpate;
+
+namespace
+{
+constexpr double Deepest = 2.1;
+const std::vector<double> Depths = { 1e-5, 0.01, 0.1, 0.4, 1.0 };
+
+std::vector<LocalState> solved(
+  const ToolSpecification& tool, const SpotCurvature& curvature, double softness = 0.0)
+{
+  std::vector<LocalState> states(Depths.size());
+  const auto made = makeTool(tool);
+  const CurvedHalfSpace contact(*made, Deepest);
+  EXPECT_TRUE(contact.solve(curvature, softness, Depths, states.data()));
+  return states;
+}
+} // namespace
+
+/// 1/R + κ is the curvature of another paraboloid (Hertz 1882); what is interpolated of it is a
+/// power.
+TEST(CurvedHalfSpace, AParaboloidOnABallIsASharperOne)
+{
+  for (const double kappa : { -0.12, 0.0, 0.05, 5.0 })
+  {
+    const double radius = 1.0 / (0.25 + kappa);
+    const auto states = solved({ ToolShape::Paraboloid, 4.0 }, { kappa, kappa, 0.0 });
+    for (std::size_t i = 0; i < Depths.size(); ++i)
+    {
+      const double d = Depths[i];
+      EXPECT_NEAR(states[i].radius / std::sqrt(radius * d), 1.0, 1e-9);
+      EXPECT_NEAR(states[i].force / (4.0 / 3.0 * std::sqrt(radius) * std::pow(d, 1.5)), 1.0, 1e-9);
+      EXPECT_NEAR(states[i].stiffness / (2.0 * states[i].radius), 1.0, 1e-12);
+      EXPECT_NEAR(states[i].depth, d, 1e-9 * d);
+    }
+  }
+}
+
+/// The exact sphere between the nodes of its table, and in the first of its pieces, where its
+/// radius counts as a power.
+TEST(CurvedHalfSpace, OnAFlatBodyTheToolIsAlone)
+{
+  for (const ToolSpecification& tool :
+    { ToolSpecification{ ToolShape::Sphere, 2.5 }, ToolSpecification{ ToolShape::Flat, 1.6 } })
+  {
+    const auto made = makeTool(tool);
+    const auto states = solved(tool, {});
+    for (std::size_t i = 0; i < Depths.size(); ++i)
+    {
+      const IndentationPoint exact = made->evaluate(Depths[i], 1.0);
+      const double within = i == 0 ? 1e-4 : 1e-7;
+      EXPECT_NEAR(states[i].force / exact.force, 1.0, within);
+      EXPECT_NEAR(states[i].radius / exact.contactRadius, 1.0, within);
+    }
+  }
+}
+
+/// A cone of g = (π/2) c a on a ball of δ_sag = κ a²: depth and force at a radius add.
+TEST(CurvedHalfSpace, AConeOnABall)
+{
+  const ToolSpecification cone{ ToolShape::Cone, 0.0, 60.0 };
+  const double c = 1.0 / std::tan(Pi / 3.0);
+  constexpr double kappa = 0.05;
+  const auto states = solved(cone, { kappa, kappa, 0.0 });
+  for (std::size_t i = 0; i < Depths.size(); ++i)
+  {
+    const double p = 0.5 * Pi * c;
+    const double a = (std::sqrt(p * p + 4.0 * kappa * Depths[i]) - p) / (2.0 * kappa);
+    EXPECT_NEAR(states[i].radius / a, 1.0, 1e-7);
+    EXPECT_NEAR(
+      states[i].force / (0.5 * Pi * c * a * a + 4.0 / 3.0 * kappa * a * a * a), 1.0, 1e-7);
+  }
+}
+
+/// A flat end is touched whole after a²κ, by a ball until then; then F = 2(aδ - a³κ/3).
+TEST(CurvedHalfSpace, AFlatEndOnABall)
+{
+  constexpr double a = 1.6;
+  constexpr double kappa = 0.05; // whole at 0.128 mm
+  const auto states = solved({ ToolShape::Flat, a }, { kappa, kappa, 0.0 });
+  for (std::size_t i = 0; i < Depths.size(); ++i)
+  {
+    const double d = Depths[i];
+    const double force = d < a * a * kappa ? 4.0 / 3.0 * std::sqrt(1.0 / kappa) * std::pow(d, 1.5)
+                                           : 2.0 * (a * d - a * a * a * kappa / 3.0);
+    EXPECT_NEAR(states[i].force / force, 1.0, 1e-9);
+    EXPECT_TRUE(states[i].isCovered);
+  }
+}
+
+/// A flat end meets a hollow with its rim: there is no law until it lies in it, and then the mean
+/// of the sag counts, as over any circle that is touched whole.
+TEST(CurvedHalfSpace, AFlatEndInAHollow)
+{
+  constexpr double a = 1.6;
+  const SpotCurvature saddle{ -0.03, 0.01, 0.0 };
+  const auto states = solved({ ToolShape::Flat, a }, saddle);
+  EXPECT_FALSE(states[1].isCovered);
+  EXPECT_TRUE(states[3].isCovered);
+  EXPECT_NEAR(states[4].force / (2.0 * (a - a * a * a * saddle.mean() / 3.0)), 1.0, 2e-3);
+  for (std::size_t i = 1; i < Depths.size(); ++i)
+  {
+    EXPECT_GT(states[i].force, states[i - 1].force);
+  }
+}
+
+/// δ = δ_local + C F: the local part of the series gives the force that the rest asks for.
+TEST(CurvedHalfSpace, InSeries)
+{
+  constexpr double softness = 0.3;
+  for (const ToolShape shape : { ToolShape::Paraboloid, ToolShape::Flat })
+  {
+    const auto states = solved({ shape, 1.6 }, { 0.1, 0.1, 0.0 }, softness);
+    for (std::size_t i = 0; i < Depths.size(); ++i)
+    {
+      EXPECT_NEAR(states[i].depth + softness * states[i].force, Depths[i], 1e-8 * Depths[i]);
+    }
+  }
+  const auto one = solved({ ToolShape::Paraboloid, 4.0 }, { 0.1, 0.1, 0.0 }, softness);
+  const double local = one[4].depth;
+  EXPECT_NEAR(one[4].force / (4.0 / 3.0 / std::sqrt(0.35) * std::pow(local, 1.5)), 1.0, 1e-9);
+}
+
+TEST(CurvedHalfSpace, ANarrowHollowIsSaid)
+{
+  const auto tool = makeTool({ ToolShape::Paraboloid, 4.0 });
+  const CurvedHalfSpace contact(*tool, Deepest);
+  std::vector<LocalState> states(Depths.size());
+  EXPECT_TRUE(contact.solve({ -0.12, 0.0, 0.0 }, 0.0, Depths, states.data()));
+  EXPECT_FALSE(contact.solve({ -0.13, 0.0, 0.0 }, 0.0, Depths, states.data()));
+  EXPECT_FALSE(contact.solve({ -3.0, -3.0, 0.0 }, 0.0, Depths, states.data()));
+}
+
+/// With finite strain the two ways of one contact agree: nodes (1e-6, their stiffness by
+/// differences, 1e-3) and depth by depth.
+TEST(CurvedHalfSpace, FiniteStrainAsInNodes)
+{
+  const auto tool = makeTool({ ToolShape::Sphere, 4.0 });
+  std::unique_ptr<StrainCorrection> strain;
+  ASSERT_EQ(makeStrainCorrection(
+              *tool, { StrainModel::NeoHooke, 0.0 }, { 0.3, 0.3, true }, 1.0, {}, strain),
+    "");
+  const LocalContact contact(*tool, 1.0, false, strain.get());
+  const ContactSpot spot{ 1.0, 0.3, 0.0, 0.0, { 0.03, 0.06, 0.0 } };
+  ASSERT_TRUE(contact.isDirect(spot));
+  std::vector<LocalState> states(Depths.size());
+  EXPECT_TRUE(contact.states(spot, Depths, states.data()));
+  const NodeLaw nodes = contact.law(spot);
+  for (std::size_t i = 2; i < Depths.size(); ++i)
+  {
+    EXPECT_NEAR(states[i].force / nodes.at(Depths[i]).force, 1.0, 1e-5);
+    EXPECT_NEAR(states[i].stiffness / nodes.at(Depths[i]).stiffness, 1.0, 2e-3);
+  }
+}
