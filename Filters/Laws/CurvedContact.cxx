@@ -138,6 +138,14 @@ IndentationPoint NodeLaw::evaluate(double deflection, double reducedModulus) con
   return { reducedModulus * state.force, reducedModulus * state.stiffness, state.radius };
 }
 
+double wholeFrom(double b, const SpotCurvature& curvature)
+{
+  const double one = curvature.first;
+  const double other = curvature.second;
+  const bool isConvex = std::min(one, other) > 0.0;
+  return isConvex ? 0.0 : b * b * std::max(std::abs(one), std::abs(other));
+}
+
 double ellipseFactor(double toolCurvature, const SpotCurvature& curvature)
 {
   const Sums sums = sumsOf(toolCurvature, curvature);
@@ -151,13 +159,10 @@ ContactNodes onCurvedBody(const ContactNodes& flat, const std::vector<double>& t
   curved.reserve(flat.size() + NodesBeforeFlat);
   // A flat end: its first node has its whole radius, and hardly a depth.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
-  if (isFlatEnd)
+  const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
+  if (isFlatEnd && whole == 0.0)
   {
     const Sums sums = sumsOf(0.0, curvature);
-    if (!(sums.smaller > 0.0))
-    {
-      return curved; // a hollow is touched by the rim first
-    }
     const double kappa = std::sqrt(sums.smaller * sums.larger);
     const double factor = 1.0 + ellipseOf(sums);
     for (int i = 1; i <= NodesBeforeFlat; ++i)
@@ -169,25 +174,34 @@ ContactNodes onCurvedBody(const ContactNodes& flat, const std::vector<double>& t
       const double stiffness = (point.force - less.force) / (point.depth - less.depth);
       curved.add(kappa / sag.curvature * point.depth, factor * kappa / sag.curvature * point.force,
         factor * stiffness, a);
+      curved.toolDepths.push_back(0.0);
     }
   }
   for (std::size_t i = 0; i < flat.size(); ++i)
   {
     const Sums sums = sumsOf(toolCurvature[i], curvature);
-    if (!sums.fits)
+    if (!isFlatEnd && !sums.fits)
     {
       break;
     }
-    const double kappa = std::sqrt(sums.smaller * sums.larger) - toolCurvature[i];
-    const double factor = 1.0 + ellipseOf(sums);
+    const double kappa =
+      isFlatEnd ? curvature.mean() : std::sqrt(sums.smaller * sums.larger) - toolCurvature[i];
+    const double factor = isFlatEnd ? 1.0 : 1.0 + ellipseOf(sums);
     const SagPoint point = sagAt(sag, flat.radii[i]);
     const double depth = flat.depths[i] + kappa / sag.curvature * point.depth;
-    if (!(depth > (curved.size() > 0 ? curved.depths.back() : 0.0)))
+    const double force = factor * (flat.forces[i] + kappa / sag.curvature * point.force);
+    const bool isLater =
+      curved.size() == 0 || (depth > curved.depths.back() && force > curved.forces.back());
+    if (isFlatEnd && (!(depth >= whole && depth > 0.0 && force > 0.0) || !isLater))
+    {
+      continue; // not yet touched whole
+    }
+    if (!(depth > 0.0) || !isLater)
     {
       break;
     }
-    curved.add(depth, factor * (flat.forces[i] + kappa / sag.curvature * point.force),
-      factor * flat.stiffnesses[i], flat.radii[i]);
+    curved.add(depth, force, factor * flat.stiffnesses[i], flat.radii[i]);
+    curved.toolDepths.push_back(flat.depths[i]);
   }
   return curved;
 }

@@ -106,18 +106,15 @@ NodeLaw LocalContact::law(const ContactSpot& spot, bool& fits) const
   }
   if (this->Strain)
   {
-    this->strain(spot, flat, nodes);
+    this->strain(spot, nodes);
   }
   return NodeLaw(std::move(nodes));
 }
 
-void LocalContact::strain(
-  const ContactSpot& spot, const ContactNodes& flat, ContactNodes& nodes) const
+void LocalContact::strain(const ContactSpot& spot, ContactNodes& nodes) const
 {
-  // At the same contact radius, the depth of the tool on the flat body: the last nodes are those of
-  // `flat` one by one, the sag's own, before a flat end is touched whole, have none.
-  const std::size_t alone = nodes.size() > flat.size() ? nodes.size() - flat.size() : 0;
-  const auto toolDepth = [&](std::size_t i) { return i < alone ? 0.0 : flat.depths[i - alone]; };
+  const std::vector<double>& depths = nodes.toolDepths.empty() ? nodes.depths : nodes.toolDepths;
+  const auto toolDepth = [&depths](std::size_t i) { return depths[i]; };
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const std::size_t next = std::min(i + 1, nodes.size() - 1);

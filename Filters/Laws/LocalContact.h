@@ -53,7 +53,7 @@ public:
 private:
   ContactNodes flatNodes(const ContactSpot& spot) const;
   ContactNodes curvedNodes(const ContactSpot& spot, const ContactNodes& flat) const;
-  void strain(const ContactSpot& spot, const ContactNodes& flat, ContactNodes& nodes) const;
+  void strain(const ContactSpot& spot, ContactNodes& nodes) const;
 
   const AxisymmetricTool& Tool;
   double Range;

@@ -43,13 +43,13 @@ void ResponseFiller::fill(std::size_t i, const ContactSpot& spot, double curvatu
 }
 
 void ResponseFiller::fill(
-  std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
+  std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const
 {
   this->Spans.range[i] = this->Range;
   ValidityRule::Answer trusted{ 0.0, ResponseLimit::None };
   if (this->Errors)
   {
-    trusted = this->fillEstimated(i, spot, bound, curvature);
+    trusted = this->fillEstimated(i, spot, bound, surface);
   }
   else
   {
@@ -61,7 +61,7 @@ void ResponseFiller::fill(
 }
 
 ValidityRule::Answer ResponseFiller::fillEstimated(
-  std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
+  std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const
 {
   const auto n = static_cast<std::size_t>(this->Spans.samples);
   if (this->Spans.status[i] == Valid && bound >= 0.0 && this->Contact->answers(spot))
@@ -75,7 +75,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
         : this->Law.sample(spot, force, stiffness));
     if (this->Spans.status[i] == Valid)
     {
-      return this->estimated(i, local, fits, spot, curvature);
+      return this->estimated(i, local, fits, spot, surface);
     }
   }
   else
@@ -90,17 +90,17 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
 }
 
 ErrorParts ResponseFiller::errorAt(
-  const NodeLaw& local, const ContactSpot& spot, const SpotCurvature& curvature, double depth) const
+  const NodeLaw& local, const ContactSpot& spot, const SpotSurface& surface, double depth) const
 {
   const double own = spot.compliance == 0.0
     ? depth
     : seriesResponse(local, spot.reducedModulus, spot.compliance, depth).localDeflection;
-  return this->Errors->at(spot, curvature, local.at(own));
+  return this->Errors->at(spot, surface, local.at(own));
 }
 
 /// Between the samples the error is straight over √δ, as strain is below a sphere.
 ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const NodeLaw& local, bool fits,
-  const ContactSpot& spot, const SpotCurvature& curvature) const
+  const ContactSpot& spot, const SpotSurface& surface) const
 {
   const int n = this->Spans.samples;
   const ResponseSampling sampling(n, 1.0);
@@ -110,7 +110,7 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const NodeLaw& loc
   for (int k = 0; k <= n; ++k)
   {
     const double depth = k == 0 ? AtTouch * sampling.depth(0, range) : sampling.depth(k - 1, range);
-    ErrorParts parts = this->errorAt(local, spot, curvature, depth);
+    ErrorParts parts = this->errorAt(local, spot, surface, depth);
     if (!fits)
     {
       parts[ResponseLimit::Curvature] = 1.0;
@@ -197,10 +197,11 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
         for (std::size_t i = begin + first; i < begin + last; ++i)
         {
           ContactSpot spot = spots.at(i);
-          const SpotCurvature curvature =
-            terms.curvature || estimates ? shape.curvature(i) : SpotCurvature{};
-          spot.curvature = terms.curvature ? curvature : SpotCurvature{};
-          filler.fill(i, spot, shape.bound(i), curvature);
+          const SpotSurface surface{ terms.curvature || estimates ? shape.curvature(i)
+                                                                  : SpotCurvature{},
+            estimates && shape.edge ? shape.edge(i) : NearEdge{} };
+          spot.curvature = terms.curvature ? surface.curvature : SpotCurvature{};
+          filler.fill(i, spot, shape.bound(i), surface);
         }
       });
     if (goOn && !goOn(static_cast<double>(block + 1) / static_cast<double>(blocks)))
