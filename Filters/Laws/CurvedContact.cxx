@@ -141,6 +141,14 @@ IndentationPoint NodeLaw::evaluate(double deflection, double reducedModulus) con
   return { reducedModulus * state.force, reducedModulus * state.stiffness, state.radius };
 }
 
+double wholeFrom(double b, const SpotCurvature& curvature)
+{
+  const double one = curvature.first;
+  const double other = curvature.second;
+  const bool isConvex = std::min(one, other) > 0.0;
+  return isConvex ? 0.0 : b * b * std::max(std::abs(one), std::abs(other));
+}
+
 double ellipseFactor(double toolCurvature, const SpotCurvature& curvature)
 {
   const Sums sums = sumsOf(toolCurvature, curvature);
@@ -154,10 +162,11 @@ ContactNodes onCurvedBody(
   curved.reserve(flat.size() + NodesBeforeFlat);
   // A flat end: its first node has its whole radius, and hardly a depth.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
-  if (isFlatEnd)
+  const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
+  curved.coversTouch = whole == 0.0; // where it is not convex its rim is touched first
+  if (isFlatEnd && whole == 0.0)
   {
     const Sums sums = sumsOf(0.0, curvature);
-    curved.coversTouch = sums.smaller >= 0.0; // a hollow is touched by the rim first
     const double kappa = std::sqrt(sums.smaller * sums.larger);
     const double factor = 1.0 + ellipseOf(sums);
     for (int i = 1; sums.smaller > 0.0 && i <= NodesBeforeFlat; ++i)
@@ -175,24 +184,27 @@ ContactNodes onCurvedBody(
   {
     const double toolCurvature = flat.toolDepths[i] / (flat.radii[i] * flat.radii[i]);
     const Sums sums = sumsOf(toolCurvature, curvature);
-    if (!sums.fits)
+    if (!isFlatEnd && !sums.fits)
     {
-      if (isFlatEnd && curved.size() == 0)
-      {
-        continue;
-      }
       break;
     }
-    const double kappa = std::sqrt(sums.smaller * sums.larger) - toolCurvature;
-    const double factor = 1.0 + ellipseOf(sums);
+    const double kappa =
+      isFlatEnd ? curvature.mean() : std::sqrt(sums.smaller * sums.larger) - toolCurvature;
+    const double factor = isFlatEnd ? 1.0 : 1.0 + ellipseOf(sums);
     const SagPoint point = sagAt(sag, flat.radii[i]);
     const double depth = flat.depths[i] + kappa / sag.curvature * point.depth;
-    if (!(depth > (curved.size() > 0 ? curved.depths.back() : 0.0)))
+    const double force = factor * (flat.forces[i] + kappa / sag.curvature * point.force);
+    const bool isLater =
+      curved.size() == 0 || (depth > curved.depths.back() && force > curved.forces.back());
+    if (isFlatEnd && (!(depth >= whole && depth > 0.0 && force > 0.0) || !isLater))
+    {
+      continue; // not yet touched whole
+    }
+    if (!(depth > 0.0) || !isLater)
     {
       break;
     }
-    curved.add(depth, factor * (flat.forces[i] + kappa / sag.curvature * point.force),
-      factor * flat.stiffnesses[i], flat.radii[i], flat.toolDepths[i]);
+    curved.add(depth, force, factor * flat.stiffnesses[i], flat.radii[i], flat.toolDepths[i]);
   }
   return curved;
 }

@@ -80,7 +80,13 @@ struct SagLaw
  * At one contact radius a the depths and the forces of two profiles add, since the contact problem
  * is linear in the profile once its circle is known (Sneddon 1965; on layers likewise). So the
  * tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and F + κ F_sag(a), with
- * dF/dδ as it was, which depends on a alone. Before a flat end is touched whole the sag is alone.
+ * dF/dδ as it was, which depends on a alone.
+ *
+ * A flat end of radius b that is touched whole feels the mean curvature alone, whatever the two
+ * are: F = 2E*b(δ - b²κ_m/3), δ of its middle. On a convex body it is touched whole from κ b² on,
+ * before that the sag is alone; on a saddle or in a hollow from b² times the larger of |κ₁|, |κ₂|
+ * (wholeFrom), before that, where its rim bears a part, the force is a power of the depth and no
+ * law.
  *
  * Unequal curvatures count by the radius whose square is the product of both sums,
  * κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t, κ_t = g(a)/a² of the tool at that circle, and F by
@@ -92,6 +98,10 @@ struct SagLaw
  */
 PALPATE_EXPORT ContactNodes onCurvedBody(
   const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature);
+
+/// Depth (mm) from which a flat end of radius `b` is touched whole by a body that is not convex all
+/// round; 0 where it is.
+PALPATE_EXPORT double wholeFrom(double b, const SpotCurvature& curvature);
 
 /// ln²(B/A)/48 of a tool of curvature κ_t (1/mm) on the body; +inf where it does not fit.
 PALPATE_EXPORT double ellipseFactor(double toolCurvature, const SpotCurvature& curvature);

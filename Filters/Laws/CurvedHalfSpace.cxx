@@ -131,12 +131,22 @@ CurvedHalfSpace::Contact CurvedHalfSpace::contactAt(double t, const SpotCurvatur
   const double factor = ellipse(body.one, body.other);
   return { { body.depth, factor * (circle.force + 4.0 / 3.0 * a * (body.depth - tool)),
              factor * 2.0 * a, a, tool, 2.0 * t / body.slope },
-    body.slope, std::min(body.one, body.other) > LeastSum * tool };
+    body.slope, this->FlatRadius > 0.0 || std::min(body.one, body.other) > LeastSum * tool };
 }
 
-/// A flat end on a bump, until it is touched whole.
+/// A flat end of radius b on a bump until it is touched whole, κ_m b² deep: as wide as Hertz has
+/// it, and where that is b already, straight on.
 LocalState CurvedHalfSpace::sagAlone(double depth, const SpotCurvature& curvature) const
 {
+  const double b = this->FlatRadius;
+  const double mean = curvature.mean() * b * b;
+  const double hertz = std::sqrt(curvature.first * curvature.second) * b * b;
+  if (depth > hertz && mean > hertz)
+  {
+    const double from = ellipse(curvature.first, curvature.second) * 4.0 / 3.0 * b * hertz;
+    const double slope = (4.0 / 3.0 * b * mean - from) / (mean - hertz);
+    return { depth, from + slope * (depth - hertz), slope, b, 0.0, 0.0 };
+  }
   const double a = std::sqrt(depth / std::sqrt(curvature.first * curvature.second));
   const double factor = ellipse(curvature.first, curvature.second);
   return { depth, factor * 4.0 / 3.0 * a * depth, factor * 2.0 * a, a, 0.0, 0.0 };
@@ -159,22 +169,23 @@ LocalState CurvedHalfSpace::sagInSeries(
   return this->sagAlone(depth, curvature);
 }
 
-bool CurvedHalfSpace::solve(const SpotCurvature& curvature, double softness,
+bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
   const std::vector<double>& deflections, LocalState* states) const
 {
   const double end = this->Step * PieceCount;
-  const double least = std::min(curvature.first, curvature.second);
   const double b = this->FlatRadius;
   const auto total = [softness](const LocalState& state)
   { return state.depth + softness * state.force; };
-  // A flat end on a bump is touched whole from here on; a hollow is met by its rim first, and has
-  // a law from there on.
-  const bool isRimFirst = b > 0.0 && least < 0.0;
-  const LocalState first = b > 0.0 && least > 0.0
-    ? this->sagAlone(std::sqrt(curvature.first * curvature.second) * b * b, curvature)
-    : isRimFirst
-    ? this->contactAt(b * std::sqrt(-least / (1.0 - LeastSum)) * (1.0 + 1e-9), curvature).local
-    : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
+  // A flat end feels the mean curvature alone from where it is touched whole. On a bump that is
+  // κ_m b² deep; elsewhere its rim is met first, and there is no law before.
+  const double mean = around.mean();
+  const SpotCurvature curvature = b > 0.0 ? SpotCurvature{ mean, mean, 0.0 } : around;
+  const double rim = b > 0.0 ? wholeFrom(b, around) : 0.0;
+  const bool isRimFirst = rim > 0.0;
+  const LocalState first = isRimFirst
+    ? this->contactAt(std::max(std::sqrt(rim - mean * b * b), 1e-6 * end), curvature).local
+    : b > 0.0 && mean > 0.0 ? this->sagAlone(mean * b * b, around)
+                            : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
   const double whole = total(first);
   // t² over the deflection: hardly changes, so the next lies straight on. The first as of two
   // paraboloids.
@@ -189,7 +200,7 @@ bool CurvedHalfSpace::solve(const SpotCurvature& curvature, double softness,
     if (deflection <= whole)
     {
       states[i] = isRimFirst ? beforeRim(first, deflection / whole)
-                             : this->sagInSeries(curvature, softness, deflection);
+                             : this->sagInSeries(around, softness, deflection);
       before = last = first.toolDepth / whole;
       continue;
     }

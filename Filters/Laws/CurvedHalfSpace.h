@@ -20,8 +20,9 @@ class AxisymmetricTool;
  * Of the tool alone, once: contact radius a, and force F over a t², over t = √depth, as cubic
  * polynomials, in which spheres, cones and flats are smooth. On a body of curvatures κ₁, κ₂ the
  * depth of the same circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)), solved for t by Newton's method;
- * the force is F + 4/3 a (y - t²), the stiffness 2a, both times 1 + ln²(B/A)/48. Errs by 1e-7, and
- * by 1e-4 near the kinks of a profile. Cost: 40 ns a depth. Safe to use from any number of threads.
+ * the force is F + 4/3 a (y - t²), the stiffness 2a, both times 1 + ln²(B/A)/48. A flat end that is
+ * touched whole has the mean curvature for both. Errs by 1e-7, and by 1e-4 near the kinks of a
+ * profile. Cost: 40 ns a depth. Safe to use from any number of threads.
  */
 class PALPATE_EXPORT CurvedHalfSpace
 {
@@ -32,8 +33,8 @@ public:
   /// The contact at `deflections` (mm), which ascend from above 0, in series with a compliance of
   /// `softness` = C E* (1/mm), not negative: the states are those of the local part. False where
   /// the tool does not fit into the body down to the last of them.
-  bool solve(const SpotCurvature& curvature, double softness,
-    const std::vector<double>& deflections, LocalState* states) const;
+  bool solve(const SpotCurvature& around, double softness, const std::vector<double>& deflections,
+    LocalState* states) const;
 
 private:
   /// Of one interval of t, coefficients of the powers of the fraction of it that is passed.

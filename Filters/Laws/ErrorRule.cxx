@@ -15,8 +15,19 @@ namespace palpate
 {
 namespace
 {
-// 2 |C_g E* R_b|: finite elements on balls and in cavities, ν = 0.45, -0.19 to -0.23.
-constexpr double BallCompliance = 0.46;
+/// 2 |C_g E* R_b|, by finite elements on balls and in cavities: what a body of mean curvature κ
+/// yields less as a whole than a half-space, per a |κ|.
+double wholeCompliance(double radius, double meanCurvature, double poissonsRatio)
+{
+  constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less where the volume gives way
+  if (!(meanCurvature < 0.0))
+  {
+    return ball;
+  }
+  const double n = 1.0 - 2.0 * poissonsRatio;
+  const double logarithm = std::max(0.0, -std::log(radius * std::abs(meanCurvature)));
+  return ball + 0.975 * n + 0.32 * n * n * logarithm;
+}
 } // namespace
 
 double ErrorParts::total() const
@@ -37,12 +48,12 @@ ErrorRule::ErrorRule(const AxisymmetricTool& tool, const LawScope& scope)
 }
 
 ErrorParts ErrorRule::at(
-  const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const
+  const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const
 {
   ErrorParts parts;
   this->addStrain(spot, state, parts);
-  parts[ResponseLimit::Curvature] = this->curvaturePart(spot, curvature, state);
-  parts[ResponseLimit::Edge] = 2.0 * state.radius > this->Scope.bodyWidth ? 1.0 : 0.0;
+  parts[ResponseLimit::Curvature] = this->curvaturePart(spot, surface.curvature, state);
+  parts[ResponseLimit::Edge] = this->edgePart(spot, surface.edge, state);
   const double local = 1.0 / (1.0 + spot.compliance * spot.reducedModulus * state.stiffness);
   for (double& part : parts.of)
   {
@@ -115,12 +126,38 @@ double ErrorRule::curvaturePart(
   const double a = state.radius;
   const double mean = std::abs(curvature.mean());
   const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
-  const double structural = spot.compliance == 0.0 ? BallCompliance * a * mean : 0.0;
+  const double structural = spot.compliance == 0.0
+    ? wholeCompliance(a, curvature.mean(), spot.poissonsRatio) * a * mean
+    : 0.0;
   const double toolDepth =
     state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
   const double toolCurvature = toolDepth / (a * a);
-  const double ellipse = curvature.isFlat() ? 0.0 : ellipseFactor(toolCurvature, curvature);
+  // A flat end touched whole feels the mean curvature alone; before that a hollow has no law.
+  const double end = this->Tool.smallestContactRadius();
+  const bool isWhole = end > 0.0 && a > 0.99 * end;
+  const double ellipse = curvature.isFlat()   ? 0.0
+    : !isWhole                                ? ellipseFactor(toolCurvature, curvature)
+    : state.depth < wholeFrom(end, curvature) ? 1.0
+                                              : 0.0;
   const double leftOut = this->Scope.curvature ? 0.0 : perCurvature * mean;
   return std::min(1.0, leftOut + ellipse + structural + perCurvature * curvature.error);
+}
+
+double ErrorRule::edgePart(
+  const ContactSpot& spot, const NearEdge& edge, const LocalState& state) const
+{
+  const double a = state.radius;
+  if (2.0 * a > this->Scope.bodyWidth)
+  {
+    return 1.0;
+  }
+  const auto distance = static_cast<double>(edge.distance);
+  if (spot.compliance != 0.0 || !std::isfinite(distance))
+  {
+    return 0.0;
+  }
+  const double base = spot.thickness > 0.0 ? std::exp(-distance / spot.thickness) : 1.0;
+  const double missing = static_cast<double>(edge.turn) / (0.5 * Pi); // of a quarter space
+  return std::min(1.0, base * missing * (1.0 - edgeFactor(spot.poissonsRatio, distance / a)));
 }
 } // namespace palpate

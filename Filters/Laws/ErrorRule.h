@@ -5,6 +5,7 @@
 #include "Contact/ResponseContract.h"
 #include "Laws/ContactSpot.h"
 #include "Laws/CurvedContact.h"
+#include "Laws/EdgeDistance.h"
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -25,6 +26,13 @@ struct ErrorParts
   ResponseLimit largest() const;
 };
 
+/// The body's surface around a spot, as its mesh has it.
+struct SpotSurface
+{
+  SpotCurvature curvature; ///< whether the law has it or not
+  NearEdge edge;
+};
+
 /// What a law takes into account, and what it does not.
 struct LawScope
 {
@@ -43,14 +51,19 @@ struct LawScope
  *   its larger term; with a StrainCorrection, that one's own error. In a stack the largest that one
  *   of its layers would have if all of the depth were its own, under the pressure that reaches it.
  * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool; in the law, none of
- *   that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and 0.46 a |κ_m| unless
- *   the body's own compliance is known: a ball yields less as a whole than a half-space.
- * - Edge: all of it where the contact is wider than the whole body; nothing before.
+ *   that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and, unless the body's
+ *   own compliance is known, q a |κ_m| for what a body yields less as a whole than a half-space:
+ *   q = 0.46 of a ball, in hollows more with a body that changes its volume, as in a cavity,
+ *   0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
+ * - Edge: 1 - Φ(d/a) of the next edge (edgeFactor), in proportion to the angle it turns by over a
+ *   right one; on a layer times e^(-d/h), as its base holds it. Not where the body's own compliance
+ *   is known, which contains it. All of the force where the contact is wider than the whole body.
  * - None: storage.
  *
  * In series with a compliance a local error counts by the local part of the series, k/k_local.
- * Sources: finite elements with finite strain, on layers and on balls; Hertz 1882. How often
- * the bound of strain holds: Testing/Cxx/Mechanics/StrainCorrectionTest.cxx.
+ * Sources: finite elements with finite strain, on layers, balls and in cavities; Hertz 1882;
+ * Hetényi 1970 (edges). How often it holds: Testing/Cxx/Laws/RandomContactTest.cxx and the study
+ * error.
  */
 class PALPATE_EXPORT ErrorRule
 {
@@ -58,15 +71,15 @@ public:
   /// `tool` and what `scope` points to must outlive this.
   ErrorRule(const AxisymmetricTool& tool, const LawScope& scope);
 
-  /// `state` is the local contact; `curvature` that of the body, whether the law has it or not.
-  ErrorParts at(
-    const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;
+  /// `state` is the local contact.
+  ErrorParts at(const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const;
 
 private:
   double stackPart(const ContactSpot& spot, const LocalState& state) const;
   void addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const;
   double curvaturePart(
     const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;
+  double edgePart(const ContactSpot& spot, const NearEdge& edge, const LocalState& state) const;
 
   const AxisymmetricTool& Tool;
   LawScope Scope;

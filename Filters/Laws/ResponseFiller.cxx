@@ -58,13 +58,13 @@ void ResponseFiller::fill(std::size_t i, const ContactSpot& spot, double curvatu
 }
 
 void ResponseFiller::fill(
-  std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
+  std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const
 {
   this->Spans.range[i] = this->Range;
   ValidityRule::Answer trusted{ 0.0, ResponseLimit::None };
   if (this->Errors)
   {
-    trusted = this->fillEstimated(i, spot, bound, curvature);
+    trusted = this->fillEstimated(i, spot, bound, surface);
   }
   else
   {
@@ -76,7 +76,7 @@ void ResponseFiller::fill(
 }
 
 ValidityRule::Answer ResponseFiller::fillEstimated(
-  std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const
+  std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const
 {
   const auto n = static_cast<std::size_t>(this->Spans.samples);
   float* force = this->Spans.force + n * i;
@@ -93,7 +93,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
     if (status == Valid)
     {
       return this->estimated(
-        i, [this](std::size_t k) { return this->FlatStates[k]; }, true, spot, curvature);
+        i, [this](std::size_t k) { return this->FlatStates[k]; }, true, spot, surface);
     }
   }
   else if (this->Contact->isDirect(spot))
@@ -108,7 +108,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
     {
       const LocalState* found = states.data();
       return this->estimated(
-        i, [found](std::size_t k) { return found[k]; }, fits, spot, curvature);
+        i, [found](std::size_t k) { return found[k]; }, fits, spot, surface);
     }
   }
   else
@@ -127,7 +127,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
             ? depth
             : seriesResponse(local, spot.reducedModulus, spot.compliance, depth).localDeflection);
       };
-      return this->estimated(i, stateAt, fits, spot, curvature);
+      return this->estimated(i, stateAt, fits, spot, surface);
     }
   }
   if (this->Spans.error)
@@ -140,7 +140,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
 /// Between the samples the error is straight over √δ, as strain is below a sphere.
 template <class StateAt>
 ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& stateAt, bool fits,
-  const ContactSpot& spot, const SpotCurvature& curvature) const
+  const ContactSpot& spot, const SpotSurface& surface) const
 {
   const auto n = static_cast<std::size_t>(this->Spans.samples);
   const auto range = static_cast<double>(this->Range);
@@ -150,7 +150,7 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& sta
   for (std::size_t k = n + 1; k-- > 0;)
   {
     const LocalState state = stateAt(k);
-    ErrorParts parts = this->Errors->at(spot, curvature, state);
+    ErrorParts parts = this->Errors->at(spot, surface, state);
     if (!fits || !state.isCovered)
     {
       parts[ResponseLimit::Curvature] = 1.0;
@@ -239,10 +239,11 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
         for (std::size_t i = begin + first; i < begin + last; ++i)
         {
           ContactSpot spot = spots.at(i);
-          const SpotCurvature curvature =
-            terms.curvature || estimates ? shape.curvature(i) : SpotCurvature{};
-          spot.curvature = terms.curvature ? curvature : SpotCurvature{};
-          filler.fill(i, spot, shape.bound(i), curvature);
+          const SpotSurface surface{ terms.curvature || estimates ? shape.curvature(i)
+                                                                  : SpotCurvature{},
+            estimates && shape.edge ? shape.edge(i) : NearEdge{} };
+          spot.curvature = terms.curvature ? surface.curvature : SpotCurvature{};
+          filler.fill(i, spot, shape.bound(i), surface);
         }
       });
     if (goOn && !goOn(static_cast<double>(block + 1) / static_cast<double>(blocks)))

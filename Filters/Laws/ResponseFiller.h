@@ -54,6 +54,8 @@ struct SurfaceShape
   std::function<double(std::size_t)> bound;
   /// The curvatures; asked only with terms that need them.
   std::function<SpotCurvature(std::size_t)> curvature;
+  /// The next edge; asked only where the error is estimated. Empty: there is none.
+  std::function<NearEdge(std::size_t)> edge = {};
 };
 
 /**
@@ -76,19 +78,18 @@ public:
   /// Point `i`; different points may be filled at the same time. `curvature` (1/mm) as in
   /// ValidityRule; negative where no triangle with an area meets, which is Degenerate.
   void fill(std::size_t i, const ContactSpot& spot, double curvature) const;
-  /// With the surface's curvatures, which the error needs whether the spot has them or not.
-  void fill(
-    std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const;
+  /// With what the error needs of the surface.
+  void fill(std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
 
 private:
   /// Returns the status of the point.
   unsigned char fillCurve(std::size_t i, const ContactSpot& spot, double bound) const;
   /// The curve, and the validity by its error.
   ValidityRule::Answer fillEstimated(
-    std::size_t i, const ContactSpot& spot, double bound, const SpotCurvature& curvature) const;
+    std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
   template <class StateAt>
   ValidityRule::Answer estimated(std::size_t i, const StateAt& stateAt, bool fits,
-    const ContactSpot& spot, const SpotCurvature& curvature) const;
+    const ContactSpot& spot, const SpotSurface& surface) const;
 
   const AxisymmetricTool& Tool;
   const ResponseLaw& Law;

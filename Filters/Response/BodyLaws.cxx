@@ -2,8 +2,10 @@
 #include "Response/BodyLaws.h"
 
 #include "Contact/Reduction/ChoiceReason.h"
+#include "Laws/EdgeDistance.h"
 #include "Laws/RegimeLaw.h"
 #include "Laws/ResponseFiller.h"
+#include "Laws/SurfaceCurvature.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
@@ -12,7 +14,6 @@
 #include "Response/Curves/CurvatureBound.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/Curves/ResponseStorage.h"
-#include "Response/Curves/SurfaceCurvature.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/ReplacedCurves.h"
@@ -28,9 +29,12 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -54,6 +58,77 @@ double widthOf(vtkPolyData* body, const Ranks& ranks)
   }
   std::sort(length.begin(), length.end());
   return length[1];
+}
+
+/// The shape of the own piece, as a contact of radius `a` (mm) feels it.
+struct BodyShape
+{
+  std::unique_ptr<SurfaceCurvature> curvature;
+  std::unique_ptr<EdgeDistance> edges;
+};
+
+/// The root of the area that each point of the whole body has, mm.
+double spacingOf(const TriangleSpans& surface, const Ranks& ranks)
+{
+  const auto place = [&](std::int32_t point)
+  { return Eigen::Map<const Vector3>(surface.points + 3 * static_cast<std::size_t>(point)); };
+  double twice = 0.0;
+  for (std::size_t t = 0; t < surface.triangleCount; ++t)
+  {
+    const std::int32_t* corner = surface.triangles + 3 * t;
+    const double area =
+      (place(corner[1]) - place(corner[0])).cross(place(corner[2]) - place(corner[0])).norm();
+    twice += std::isfinite(area) ? area : 0.0;
+  }
+  double area = 0.0;
+  double points = 0.0;
+  const auto all = ranks.gather(
+    std::vector<std::array<double, 2>>{ { 0.5 * twice, static_cast<double>(surface.pointCount) } });
+  for (const std::vector<std::array<double, 2>>& piece : all)
+  {
+    area += piece.at(0)[0];
+    points += piece.at(0)[1];
+  }
+  return std::sqrt(area / points);
+}
+
+/// Curvature for a law or an error, edges for an error alone. Collective.
+BodyShape findShape(
+  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms)
+{
+  BodyShape shape;
+  if (!terms.curvature && !(terms.errorTolerance > 0.0))
+  {
+    return shape;
+  }
+  const std::vector<double> points = copyPoints(body);
+  const std::vector<std::int32_t> triangles = copyTriangles(body);
+  const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
+    triangles.size() / 3 };
+  SurfaceSeam joins;
+  std::vector<unsigned char> isSeam(surface.pointCount, 0);
+  for (const BodySeam::Place& place : seam.places())
+  {
+    joins.points.push_back(place.point);
+    isSeam[static_cast<std::size_t>(place.point)] = 1;
+  }
+  joins.sum = [&seam](const std::vector<SurfaceSeam::Row>& own)
+  {
+    return seam.combined(own, SurfaceSeam::Row{},
+      [](SurfaceSeam::Row sum, const SurfaceSeam::Row& part)
+      {
+        std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<double>());
+        return sum;
+      });
+  };
+  const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface, seam.ranks()));
+  shape.curvature = std::make_unique<SurfaceCurvature>(surface, normals, steps, joins);
+  if (terms.errorTolerance > 0.0)
+  {
+    constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
+    shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a, isSeam.data());
+  }
+  return shape;
 }
 
 std::string checkRequest(const LawRequest& request)
@@ -306,18 +381,16 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   const float* normals = storage.Normal->GetPointer(0);
   const CurvatureBound bound(body, seam, normals);
   LawTerms terms = request.terms;
-  std::unique_ptr<SurfaceCurvature> curvature;
-  if (terms.curvature || terms.errorTolerance > 0.0)
-  {
-    curvature = std::make_unique<SurfaceCurvature>(body, seam, normals);
-  }
+  const BodyShape found =
+    findShape(body, seam, normals, tool.contactRadius(request.deflection), terms);
   const SurfaceShape shape{ widthOf(body, ranks),
     [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
-    [&curvature](std::size_t i) { return curvature->at(static_cast<vtkIdType>(i)); } };
+    [&found](std::size_t i) { return found.curvature->at(i); },
+    [&found](std::size_t i) { return found.edges->at(i); } };
   std::unique_ptr<StrainCorrection> strain;
   const auto makeStrain =
-    [&](const BodyMaterial& of, const StrainLaw& law, std::unique_ptr<StrainCorrection>& found)
-  { return findStrain(request, law, of, goOn, found); };
+    [&](const BodyMaterial& of, const StrainLaw& law, std::unique_ptr<StrainCorrection>& made)
+  { return findStrain(request, law, of, goOn, made); };
   const FilterThreads threads;
   std::string reason;
   if (terms.automatic)

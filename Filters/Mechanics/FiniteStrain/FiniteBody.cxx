@@ -6,6 +6,7 @@
 #include "Mechanics/ReducedModulus.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@ constexpr double Growth = 1.6;
 constexpr double FarAway = 1000.0;      // contact radii to where a half-space is held
 constexpr double PenaltyFactor = 300.0; // of E* per contact radius
 constexpr double ElementsPerFillet = 5.0;
+constexpr double CentralHole = 0.02; // of a ball's radius: where elements would have no width
 
 constexpr int GaussCount = 3;
 constexpr std::array<double, 3> GaussNode = { -0.774596669241483377, 0.0, 0.774596669241483377 };
@@ -53,26 +55,48 @@ ElementPoint pointOf(const Element& element, int i, int k)
   const auto ny = shapes(y);
   const auto sx = slopes(x);
   const auto sy = slopes(y);
-  const double r = element.r + 0.5 * element.dr * (1.0 + x);
-  ElementPoint point;
-  point.pressure = { 1.0, x, y };
-  point.weight = GaussWeight[static_cast<std::size_t>(i)] *
-    GaussWeight[static_cast<std::size_t>(k)] * 0.25 * element.dr * element.dz * 2.0 * Pi * r;
+  Eigen::Matrix<double, 9, 1> shape;
+  Eigen::Matrix<double, 9, 2> slope; // by x and y
   for (std::size_t j = 0; j < 3; ++j)
   {
     for (std::size_t m = 0; m < 3; ++m)
     {
-      const auto node = 2 * static_cast<Eigen::Index>(3 * j + m);
-      const double byR = sx[m] * ny[j] * 2.0 / element.dr;
-      const double byZ = nx[m] * sy[j] * 2.0 / element.dz;
-      point.b(0, node) = byR;
-      point.b(1, node) = byZ;
-      point.b(2, node + 1) = byR;
-      point.b(3, node + 1) = byZ;
-      point.b(4, node) = nx[m] * ny[j] / r;
+      const auto node = static_cast<Eigen::Index>(3 * j + m);
+      shape[node] = nx[m] * ny[j];
+      slope(node, 0) = sx[m] * ny[j];
+      slope(node, 1) = nx[m] * sy[j];
     }
   }
+  const Eigen::Matrix2d jacobian = element.places * slope; // of (r, z) by (x, y)
+  const Eigen::Matrix<double, 9, 2> byPlace = slope * jacobian.inverse();
+  const double r = element.places.row(0).dot(shape);
+  ElementPoint point;
+  point.pressure = { 1.0, x, y };
+  point.weight = GaussWeight[static_cast<std::size_t>(i)] *
+    GaussWeight[static_cast<std::size_t>(k)] * jacobian.determinant() * 2.0 * Pi * r;
+  for (Eigen::Index node = 0; node < 9; ++node)
+  {
+    point.b(0, 2 * node) = byPlace(node, 0);
+    point.b(1, 2 * node) = byPlace(node, 1);
+    point.b(2, 2 * node + 1) = byPlace(node, 0);
+    point.b(3, 2 * node + 1) = byPlace(node, 1);
+    point.b(4, 2 * node) = shape[node] / r;
+  }
   return point;
+}
+
+/// (r, z) of what lies `along` the surface from the axis and `below` it; z = 0 is where the axis
+/// meets it.
+Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
+{
+  if (bodyRadius == 0.0)
+  {
+    return { along, -below };
+  }
+  const double angle = along / bodyRadius;
+  const double half = std::sin(0.5 * angle);
+  return { (bodyRadius - below) * std::sin(angle),
+    -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
 StrainEnergy::Gradient<double> gradientOf(const Eigen::Matrix<double, 5, 1>& h)
@@ -104,8 +128,17 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   const bool isHalfSpace = std::isinf(thickness);
   interfaces.pop_back();
   const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;
-  const double bottom = isHalfSpace ? above + FarAway * a : thickness;
-  const double width = isHalfSpace ? above + FarAway * a : 2.0 * a + 10.0 * thickness;
+  // Along a ball as far as the plane that mirrors it, along a cavity to its other end; into a ball
+  // almost to its centre.
+  const double curved = problem.bodyRadius;
+  const bool isWholeBall = isHalfSpace && curved > 0.0;
+  const double bottom = isWholeBall ? (1.0 - CentralHole) * curved
+    : isHalfSpace                   ? above + FarAway * a
+                                    : thickness;
+  const double width = curved > 0.0 ? 0.5 * Pi * curved
+    : curved < 0.0                  ? -Pi * curved
+    : isHalfSpace                   ? above + FarAway * a
+                                    : 2.0 * a + 10.0 * thickness;
 
   std::vector<FineRange> across = { { 0.0, 1.1 * a, edge } };
   std::vector<FineRange> down = { { 0.0, 1.05 * a, edge } };
@@ -129,9 +162,10 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       const auto node = 2 * static_cast<std::size_t>(nodeAt(column, row));
       const bool isBottom = row == rows - 1;
       const bool isOuter = column == columns - 1;
-      const bool isHeldR =
-        column == 0 || isOuter || (isBottom && !(problem.slipBase && !isHalfSpace));
-      const bool isHeldZ = isBottom || (isOuter && isHalfSpace);
+      const bool isBase = isBottom && !isWholeBall;
+      const bool isHeldR = column == 0 || (isOuter && !(curved > 0.0)) ||
+        (isBase && !(problem.slipBase && !isHalfSpace));
+      const bool isHeldZ = isBase || (isOuter && (isHalfSpace || curved > 0.0) && !(curved < 0.0));
       this->UnknownOf[node] = isHeldR ? -1 : static_cast<int>(this->Unknowns++);
       this->UnknownOf[node + 1] = isHeldZ ? -1 : static_cast<int>(this->Unknowns++);
     }
@@ -143,28 +177,34 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       std::upper_bound(interfaces.begin(), interfaces.end(), middle) - interfaces.begin());
     for (std::size_t i = 0; i + 1 < rs.size(); ++i)
     {
-      Element element{ {}, rs[i], rs[i + 1] - rs[i], zs[k + 1] - zs[k], layer };
+      Element element{ {}, layer, {} };
       for (int j = 0; j < 3; ++j)
       {
         for (int m = 0; m < 3; ++m)
         {
           // The element's y grows with z, upwards.
-          element.nodes[3 * static_cast<std::size_t>(j) + static_cast<std::size_t>(m)] =
+          const auto node = 3 * static_cast<std::size_t>(j) + static_cast<std::size_t>(m);
+          element.nodes[node] =
             nodeAt(2 * static_cast<int>(i) + m, 2 * static_cast<int>(k) + 2 - j);
+          element.places.col(static_cast<Eigen::Index>(node)) = placeOf(curved,
+            rs[i] + 0.5 * m * (rs[i + 1] - rs[i]), zs[k + 1] + 0.5 * j * (zs[k] - zs[k + 1]));
         }
       }
       this->Elements.push_back(element);
     }
   }
-  for (std::size_t i = 0; i + 1 < rs.size(); ++i)
+  // The tool, which goes on without an end, is not to meet the other side of a cavity.
+  const double touchable = curved != 0.0 ? Pi / 3.0 * std::abs(curved) : width;
+  for (std::size_t i = 0; i + 1 < rs.size() && rs[i + 1] <= touchable; ++i)
   {
     const double length = rs[i + 1] - rs[i];
     for (std::size_t g = 0; g < GaussCount; ++g)
     {
-      const double r = rs[i] + 0.5 * length * (1.0 + GaussNode[g]);
+      const Eigen::Vector2d place =
+        placeOf(curved, rs[i] + 0.5 * length * (1.0 + GaussNode[g]), 0.0);
       const int column = 2 * static_cast<int>(i);
-      this->Surface.push_back({ { column, column + 1, column + 2 }, shapes(GaussNode[g]), r,
-        GaussWeight[g] * 0.5 * length * 2.0 * Pi * r });
+      this->Surface.push_back({ { column, column + 1, column + 2 }, shapes(GaussNode[g]), place,
+        GaussWeight[g] * 0.5 * length * 2.0 * Pi * place.x() });
     }
   }
   this->makePattern();
@@ -332,11 +372,11 @@ FiniteBody::Gap FiniteBody::gapAt(
 {
   if (this->IsLinear)
   {
-    return { this->Tool.height(point.r) - depth - displacement.y(), { 0.0, -1.0 },
-      Eigen::Matrix2d::Zero(), -1.0, Eigen::Vector2d::Zero() };
+    return { this->Tool.height(point.place.x()) - depth - point.place.y() - displacement.y(),
+      { 0.0, -1.0 }, Eigen::Matrix2d::Zero(), -1.0, Eigen::Vector2d::Zero() };
   }
   const ToolOutline::Distance distance =
-    this->Tool.distance({ point.r + displacement.x(), displacement.y() + depth });
+    this->Tool.distance(point.place + displacement + Eigen::Vector2d(0.0, depth));
   return { distance.value, distance.gradient, distance.hessian, distance.gradient.y(),
     distance.hessian.col(1) };
 }
@@ -468,7 +508,7 @@ FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
   {
     const Eigen::Vector2d displacement = this->displacementAt(point, u);
     const Gap gap = this->gapAt(point, displacement, depth);
-    const double radius = point.r + (this->IsLinear ? 0.0 : displacement.x());
+    const double radius = point.place.x() + (this->IsLinear ? 0.0 : displacement.x());
     if (gap.value < 0.0)
     {
       found.force += this->Penalty * point.weight * gap.value * gap.byDepth;

@@ -59,10 +59,8 @@ private:
   struct Element
   {
     std::array<int, 9> nodes;
-    double r;  ///< mm, of its lower left corner
-    double dr; ///< its lengths
-    double dz;
     std::size_t layer;
+    Eigen::Matrix<double, 2, 9> places; ///< (r, z) of the nodes, mm
   };
   struct Material
   {
@@ -74,8 +72,8 @@ private:
   {
     std::array<int, 3> nodes;
     std::array<double, 3> shape;
-    double r;      ///< mm, undeformed
-    double weight; ///< mm²
+    Eigen::Vector2d place; ///< (r, z), mm, undeformed
+    double weight;         ///< mm²
   };
   struct Gap
   {

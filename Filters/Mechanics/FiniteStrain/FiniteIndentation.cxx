@@ -160,6 +160,12 @@ std::string checkProblem(const FiniteProblem& problem)
     return joined(
       "The contact radius must be positive and finite (mm), but is ", problem.contactRadius);
   }
+  const double least = 2.0 * problem.contactRadius;
+  if (problem.bodyRadius != 0.0 && !(std::abs(problem.bodyRadius) >= least))
+  {
+    return joined("The body's radius must be 0 (flat), or at least two contact radii (", least,
+      " mm), but is ", problem.bodyRadius);
+  }
   if (!(problem.edge >= FiniteProblem::ShortestEdge && problem.edge <= FiniteProblem::LongestEdge))
   {
     return joined("The edge of the elements must lie between ", FiniteProblem::ShortestEdge,

@@ -30,6 +30,10 @@ struct FiniteProblem
 {
   std::vector<FiniteLayer> layers; ///< the last may be a half-space, else it lies on a rigid base
   bool slipBase = false;           ///< that it slides on without friction
+  /// Radius of the body's surface, mm: 0 flat; above 0 a ball, pressed from two opposite sides;
+  /// below 0 a spherical cavity, pressed at one. At least two contact radii. Layers are shells; the
+  /// half-space is the rest of the ball, or all that lies around the cavity.
+  double bodyRadius = 0.0;
   /// The largest contact radius to be expected, mm: what the mesh is made for.
   double contactRadius = 1.0;
   std::vector<double> depths; ///< mm, of the tool's tip, ascending, > 0

@@ -100,6 +100,28 @@ TEST(CurvedContact, AFlatEndOnABall)
   }
 }
 
+/// Touched whole, on saddles, cylinders and in hollows, F = 2 (aδ - a³κ_m/3), δ of its middle.
+TEST(CurvedContact, AFlatEndInAHollowAndOnASaddle)
+{
+  constexpr double a = 2.0;
+  for (const auto& [first, second] : { std::pair{ -0.1, -0.1 }, std::pair{ -0.05, 0.1 },
+         std::pair{ -0.1, 0.02 }, std::pair{ 0.0, 0.1 } })
+  {
+    const double mean = 0.5 * (first + second);
+    const SpotCurvature shape{ first, second, 0.0 };
+    EXPECT_NEAR(wholeFrom(a, shape), 0.1 * a * a, 1e-12);
+    for (const double depth : { 0.5, 1.0 })
+    {
+      const double whole = 2.0 * (a * depth - a * a * a * mean / 3.0);
+      EXPECT_NEAR(force({ ToolShape::Flat, a }, curved(first, second), depth) / whole, 1.0, 1e-4);
+    }
+    // Before it is touched whole the force rises from nothing, and steadily.
+    const double early = force({ ToolShape::Flat, a }, curved(first, second), 0.1);
+    EXPECT_GT(early, 0.0);
+    EXPECT_LT(early, force({ ToolShape::Flat, a }, curved(first, second), 0.3));
+  }
+}
+
 /// ΔF = -(2/3) a³ κ_m to first order, for any tool.
 TEST(CurvedContact, TheFirstOrderIsThatOfAnyTool)
 {

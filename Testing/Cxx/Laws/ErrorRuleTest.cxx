@@ -36,7 +36,7 @@ protected:
     double compliance = 0.0, double width = Wide) const
   {
     const ErrorRule rule(*this->Tool, { corrected, nullptr, width, 0.001 });
-    return rule.at({ 0.5, 0.45, compliance, 0.0, {} }, curvature, state);
+    return rule.at({ 0.5, 0.45, compliance, 0.0, {} }, { curvature, {} }, state);
   }
 
   Paraboloid Shape;

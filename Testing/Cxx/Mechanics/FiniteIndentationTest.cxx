@@ -152,6 +152,37 @@ TEST(FiniteIndentation, LayersOfOneMaterialAreOneLayer)
   EXPECT_GT(pressTool(outline, problem).points.at(0).force, 1.1 * one.points[0].force);
 }
 
+/// Balls and cavities, pressed from two sides, by another code; ν = 0.45, where finite strain does
+/// nothing at these depths.
+TEST(FiniteIndentation, OnABallAndInACavityAsTabulated)
+{
+  const ReferenceTable table("deep/curvature_sphere_on_ball.csv");
+  const auto sphere = tool("sphere:1");
+  int rows = 0;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const double radius = table.number(row, "Rb_over_R(negative: cavity)");
+    const double depth = table.number(row, "delta_over_R");
+    if ((radius != 2.0 && radius != -5.0) || table.number(row, "nu") != 0.45 || depth < 0.085)
+    {
+      continue;
+    }
+    FiniteProblem problem;
+    problem.layers = { unitLayer(0.45) };
+    problem.layers[0].youngsModulus = 1.0;
+    problem.bodyRadius = radius;
+    problem.depths = { depth };
+    problem.contactRadius = sphere->contactRadius(depth);
+    problem.edge = 0.08;
+    const FiniteCurve curve = pressTool(ToolOutline(*sphere, 0.99, 0.1), problem);
+    ASSERT_EQ(curve.fault, "");
+    // Two meshes, and c of the tables: 0.3 % each.
+    EXPECT_TRUE(agrees(curve.points[0].force, table.number(row, "F_fe_over_E"), 6e-3)) << radius;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 2);
+}
+
 TEST(FiniteIndentation, SphereOnAHalfSpaceAsTabulated)
 {
   const ReferenceTable table("deep/finite_sphere_halfspace.csv");

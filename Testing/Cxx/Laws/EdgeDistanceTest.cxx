@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is an edge for a contact, how far it is, and what it takes of the force.
+#include "Laws/EdgeDistance.h"
+#include "Laws/ErrorRule.h"
+#include "Mechanics/Numerics/Constants.h"
+
+#include "Paraboloid.h"
+#include "ReferenceTable.h"
+
+#include <array>
+#include <functional>
+#include <map>
+
+using namespace palpate;
+using palpate::testing::Paraboloid;
+using palpate::testing::ReferenceTable;
+
+namespace
+{
+struct Mesh
+{
+  std::vector<double> points;
+  std::vector<std::int32_t> triangles;
+
+  std::array<double, 3> point(std::size_t i) const
+  {
+    return { this->points[3 * i], this->points[3 * i + 1], this->points[3 * i + 2] };
+  }
+  std::size_t size() const { return this->points.size() / 3; }
+  TriangleSpans spans() const
+  {
+    return { this->points.data(), this->size(), this->triangles.data(),
+      this->triangles.size() / 3 };
+  }
+};
+
+using Place = std::function<std::array<double, 3>(double, double)>;
+
+/// n × m squares of two triangles each over [0, 1]², carried to `place`; outwards is u × v.
+Mesh sheet(int n, int m, const Place& place)
+{
+  Mesh mesh;
+  for (int k = 0; k <= m; ++k)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      const auto at = place(static_cast<double>(i) / n, static_cast<double>(k) / m);
+      mesh.points.insert(mesh.points.end(), at.begin(), at.end());
+    }
+  }
+  for (int k = 0; k < m; ++k)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const std::int32_t a = k * (n + 1) + i;
+      const std::int32_t b = a + n + 1;
+      mesh.triangles.insert(mesh.triangles.end(), { a, a + 1, b, b, a + 1, b + 1 });
+    }
+  }
+  return mesh;
+}
+
+/// A roof: level to the ridge at x = 0, falling by `fall` (rad) beyond, its ridge a fillet.
+Mesh roof(double size, int n, double fall, double fillet)
+{
+  return sheet(n, n,
+    [=](double u, double v)
+    {
+      // Along the arc length s, the turn begins at -half.
+      const double s = (u - 0.5) * size;
+      const double half = 0.5 * fillet * fall;
+      double x = 0.0;
+      double z = 0.0;
+      if (s <= -half)
+      {
+        x = s;
+      }
+      else if (fillet > 0.0 && s < half)
+      {
+        const double angle = (s + half) / fillet;
+        x = -half + fillet * std::sin(angle);
+        z = -fillet * (1.0 - std::cos(angle));
+      }
+      else
+      {
+        x = -half + fillet * std::sin(fall) + (s - half) * std::cos(fall);
+        z = -fillet * (1.0 - std::cos(fall)) - (s - half) * std::sin(fall);
+      }
+      return std::array<double, 3>{ x, (v - 0.5) * size, z };
+    });
+}
+
+/// Points away from the sheet's own border.
+template <class Visit>
+void forInner(const Mesh& mesh, double within, const Visit& visit)
+{
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+  {
+    const auto at = mesh.point(i);
+    if (std::abs(at[0]) < within && std::abs(at[1]) < within && std::abs(at[2]) < within)
+    {
+      visit(i, at);
+    }
+  }
+}
+
+Mesh bumpyBall(double radius, double noise)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> even(-noise, noise);
+  Mesh mesh = sheet(240, 120,
+    [&](double u, double v)
+    {
+      const double r = radius + even(random);
+      const double up = Pi * (0.02 + 0.96 * v);
+      return std::array<double, 3>{ r * std::sin(up) * std::cos(2.0 * Pi * u),
+        -r * std::sin(up) * std::sin(2.0 * Pi * u), r * std::cos(up) };
+    });
+  return mesh;
+}
+} // namespace
+
+TEST(EdgeDistance, OfARoofIsThatToItsRidge)
+{
+  for (const double fillet : { 0.0, 0.5 })
+  {
+    const Mesh mesh = roof(60.0, 120, 0.5 * Pi, fillet); // squares of 0.5 mm
+    const EdgeDistance edges(mesh.spans(), 2.0, 80.0);
+    forInner(mesh, 12.0,
+      [&](std::size_t i, const std::array<double, 3>& at)
+      {
+        const double away = std::max(std::abs(at[0]), std::abs(at[2]));
+        // To the fillet's nearest side, and one square.
+        EXPECT_NEAR(static_cast<double>(edges.at(i).distance), away, 0.5 * fillet + 0.51) << away;
+        // Cells of 2 mm see a fillet whole but where one lies across it.
+        EXPECT_NEAR(static_cast<double>(edges.at(i).turn), 0.5 * Pi, fillet > 0.0 ? 0.5 : 1e-3);
+      });
+  }
+}
+
+TEST(EdgeDistance, OfLongFacetsToo)
+{
+  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0); // the ridge and two borders, 30 mm away
+  const EdgeDistance edges(mesh.spans(), 1.0, 80.0);
+  EXPECT_EQ(edges.at(1).distance, 0.0F);
+  const EdgeDistance within(mesh.spans(), 1.0, 80.0,
+    std::vector<unsigned char>(mesh.size(), 1).data()); // without its border
+  EXPECT_NEAR(static_cast<double>(within.at(4).distance), 0.0, 1e-6);
+  EXPECT_NEAR(static_cast<double>(within.at(4).turn), 0.25 * Pi, 1e-6);
+  EXPECT_NEAR(static_cast<double>(within.at(3).distance), 30.0, 1e-4);
+}
+
+/// Little turns, hollows, balls and noise are none.
+TEST(EdgeDistance, WhatIsNoEdge)
+{
+  const auto innerEdges = [](const Mesh& mesh, double a)
+  {
+    const EdgeDistance edges(
+      mesh.spans(), a, 5.0, std::vector<unsigned char>(mesh.size(), 1).data());
+    return edges.edges();
+  };
+  EXPECT_EQ(innerEdges(roof(60.0, 120, 0.3, 0.0), 2.0), 0U);
+  EXPECT_EQ(innerEdges(roof(60.0, 120, -0.5 * Pi, 0.0), 2.0), 0U);
+  EXPECT_GT(innerEdges(roof(60.0, 120, 0.5, 0.0), 2.0), 0U);
+  EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.0), 2.0), 0U);
+  EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.0), 4.0), 0U);
+  // A scan's noise: facets of 0.5 mm that turn by up to 30°.
+  EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.05), 2.0), 0U);
+}
+
+TEST(EdgeDistance, BorderCountsSeamsAndHolesDoNot)
+{
+  Mesh mesh = sheet(60, 60,
+    [](double u, double v) {
+      return std::array<double, 3>{ 60.0 * u, 60.0 * v, 0.0 };
+    });
+  const std::size_t middle = 30 * 61 + 30;
+  EXPECT_NEAR(
+    static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0).at(middle).distance), 30.0, 1e-4);
+  std::vector<unsigned char> isSeam(mesh.size(), 0);
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+  {
+    isSeam[i] = mesh.points[3 * i] < 1.0 ? 1 : 0;
+  }
+  const std::size_t left = 30 * 61 + 5;
+  EXPECT_NEAR(
+    static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0, isSeam.data()).at(left).distance),
+    30.0, 1.0);
+  // A hole of one square, 2 mm beside the middle; and a slit whose sides lie at the same place.
+  Mesh holed = mesh;
+  holed.triangles.erase(
+    holed.triangles.begin() + 6 * (30 * 60 + 32), holed.triangles.begin() + 6 * (30 * 60 + 32) + 6);
+  EXPECT_NEAR(
+    static_cast<double>(EdgeDistance(holed.spans(), 1.0, 80.0).at(middle).distance), 30.0, 1e-4);
+  Mesh slit = mesh;
+  std::map<std::int32_t, std::int32_t> twin;
+  for (std::int32_t k = 0; k <= 60; ++k)
+  {
+    const std::int32_t point = k * 61 + 40;
+    twin[point] = static_cast<std::int32_t>(slit.size());
+    const auto at = mesh.point(static_cast<std::size_t>(point));
+    slit.points.insert(slit.points.end(), at.begin(), at.end());
+  }
+  for (std::size_t corner = 0; corner < slit.triangles.size(); ++corner)
+  {
+    const bool isRight = (corner / 6) % 60 >= 40;
+    const auto found = twin.find(slit.triangles[corner]);
+    slit.triangles[corner] =
+      isRight && found != twin.end() ? found->second : slit.triangles[corner];
+  }
+  // 10 mm from the slit, 20 from the border across it.
+  EXPECT_NEAR(static_cast<double>(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).distance),
+    30.0, 9.1);
+  EXPECT_GT(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).distance, 20.0F);
+}
+
+/// Φ of Hetényi's quarter space, for flat, paraboloid and cone.
+TEST(EdgeDistance, FactorIsThatOfAQuarterSpace)
+{
+  const ReferenceTable table("edges/edge_law.csv");
+  int rows = 0;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const double u = table.number(row, "u=d/a0");
+    if (u >= 0.0)
+    {
+      // One curve for the three: they lie up to 0.03 apart.
+      EXPECT_NEAR(edgeFactor(table.number(row, "nu"), u), table.number(row, "Phi=F/F0"), 0.028)
+        << table.number(row, "nu") << ", m " << table.number(row, "m") << ", u " << u;
+      ++rows;
+    }
+  }
+  EXPECT_GT(rows, 90);
+  // Far away a point load's: ψ/(πu).
+  EXPECT_NEAR((1.0 - edgeFactor(0.3, 100.0)) * 100.0 * Pi, 1.8448, 0.012);
+}
+
+/// Part Edge: by the angle, less on a layer, none where the body's own compliance is known.
+TEST(EdgeDistance, PartOfTheError)
+{
+  const Paraboloid shape;
+  const auto tool = shape.make();
+  const ErrorRule rule(*tool, { false, nullptr, 1000.0, 0.0 });
+  const double a = 1.0;
+  const double depth = shape.depthAt(a);
+  const LocalState state{ depth, shape.force(depth, 1.0), 2.0 * a, a };
+  const auto part = [&](double compliance, double thickness, const NearEdge& edge)
+  {
+    return rule.at(
+      { 0.5, 0.45, compliance, thickness, {} }, { {}, edge }, state)[ResponseLimit::Edge];
+  };
+  const auto right = static_cast<float>(0.5 * Pi);
+  const double whole = 1.0 - edgeFactor(0.45, 3.0);
+  EXPECT_NEAR(part(0.0, 0.0, { 3.0F, right }), whole, 1e-6);
+  EXPECT_NEAR(part(0.0, 0.0, { 3.0F, 0.5F * right }), 0.5 * whole, 1e-6);
+  EXPECT_NEAR(part(0.0, 6.0, { 3.0F, right }), std::exp(-0.5) * whole, 1e-6);
+  EXPECT_EQ(part(0.1, 0.0, { 3.0F, right }), 0.0);
+  EXPECT_EQ(part(0.0, 0.0, {}), 0.0);
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stated errors beside those that finite elements find, at contacts drawn at random. A handful
+// here; many more in the study error, whose results are in Data/Studies/error.
+#include "RandomContact.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace palpate::testing;
+
+namespace
+{
+void expectBounds(ContactFamily family, unsigned seed, int contacts)
+{
+  std::mt19937 random(seed);
+  int held = 0;
+  int all = 0;
+  std::string words;
+  for (int i = 0; i < contacts; ++i)
+  {
+    const RandomContact contact = drawContact(family, random);
+    for (const JudgedForce& at : contact.forces)
+    {
+      const bool holds = at.error() <= at.stated + SolverError;
+      held += holds ? 1 : 0;
+      ++all;
+      if (!holds)
+      {
+        words += contact.tool + ", " + contact.body + ", " + at.law + " at " +
+          std::to_string(at.depth) + " mm: " + std::to_string(at.error()) + ", stated " +
+          std::to_string(at.stated) + "\n";
+      }
+    }
+  }
+  EXPECT_GE(all, 2 * contacts); // of three depths each, and more than one law of some
+  EXPECT_GE(held, 0.95 * all) << words;
+}
+} // namespace
+
+TEST(RandomContact, OnAHalfSpace)
+{
+  expectBounds(ContactFamily::HalfSpace, 31, 2);
+}
+
+TEST(RandomContact, OnALayer)
+{
+  expectBounds(ContactFamily::Layer, 32, 3);
+}
+
+TEST(RandomContact, OnAStack)
+{
+  expectBounds(ContactFamily::Stack, 33, 3);
+}
+
+TEST(RandomContact, OnABallAndInACavity)
+{
+  expectBounds(ContactFamily::Ball, 34, 2);
+  expectBounds(ContactFamily::Cavity, 35, 2);
+}

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Share of a surface where the stated error of a tool's force at a depth is within a tolerance, and what it is where not."""
+import numpy as np
+import palpate
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+TOOLS = ("sphere:6.35", "sphere:1.6", "flat:1.6", "cone:60")
+LIMITS = ("storage", "strain", "curvature", "thickness", "opposite wall", "edge", "data")
+
+
+def poly(points, triangles):
+    """A vtkPolyData of points (n, 3) in mm and triangles (m, 3)."""
+    body, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, np.float32), deep=True))
+    body.SetPoints(places)
+    offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
+                  numpy_to_vtkIdTypeArray(np.ascontiguousarray(triangles, np.int64).ravel(), deep=True))
+    body.SetPolys(cells)
+    return body
+
+
+def areas(body):
+    """Area of each point, mm²: a third of the triangles around it."""
+    points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
+    cells = vtk_to_numpy(body.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (points[cells[:, k]] for k in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
+    found = np.zeros(len(points))
+    for k in range(3):
+        np.add.at(found, cells[:, k], area)
+    return found
+
+
+def cover(body, tool, depth=1.0, tolerance=0.05, poisson=0.45):
+    """The share of the area, and of the rest the shares by largest part."""
+    made = palpate.response(body, tool=tool, young=0.05, poisson=poisson, maximum_deflection=depth, curvature=True,
+                            strain="neohooke", error_tolerance=tolerance)
+    arrays = made.GetPointData()
+    error = vtk_to_numpy(arrays.GetArray("ResponseError"))[:, -1]
+    limit = vtk_to_numpy(arrays.GetArray("ResponseLimit"))
+    area = areas(made)
+    within = error <= tolerance
+    rest = {name: float(area[~within & (limit == code)].sum() / area.sum()) for code, name in enumerate(LIMITS)}
+    return float(area[within].sum() / area.sum()), {name: share for name, share in rest.items() if share > 0}
