@@ -2,15 +2,14 @@
 #include "Response/BodyLaws.h"
 
 #include "Contact/Reduction/ChoiceReason.h"
-#include "Laws/EdgeDistance.h"
 #include "Laws/RegimeLaw.h"
 #include "Laws/ResponseFiller.h"
-#include "Laws/SurfaceCurvature.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
+#include "Response/Curves/BodyShape.h"
 #include "Response/Curves/CurvatureBound.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/Curves/ResponseStorage.h"
@@ -23,13 +22,10 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -43,94 +39,6 @@ namespace palpate
 {
 namespace
 {
-/// The middle one of the three lengths of the whole body's box, mm: no circle much wider fits it.
-double widthOf(vtkPolyData* body, const Ranks& ranks)
-{
-  std::array<double, 6> bounds{};
-  body->GetBounds(bounds.data());
-  const bool hasBounds = vtkMath::AreBoundsInitialized(bounds.data()) != 0;
-  constexpr double none = std::numeric_limits<double>::infinity();
-  std::array<double, 3> length{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    length[axis] = ranks.largest(hasBounds ? bounds[2 * axis + 1] : -none) -
-      ranks.smallest(hasBounds ? bounds[2 * axis] : none);
-  }
-  std::sort(length.begin(), length.end());
-  return length[1];
-}
-
-/// The shape of the own piece, as a contact of radius `a` (mm) feels it.
-struct BodyShape
-{
-  std::unique_ptr<SurfaceCurvature> curvature;
-  std::unique_ptr<EdgeDistance> edges;
-};
-
-/// The root of the area that each point of the whole body has, mm.
-double spacingOf(const TriangleSpans& surface, const Ranks& ranks)
-{
-  const auto place = [&](std::int32_t point)
-  { return Eigen::Map<const Vector3>(surface.points + 3 * static_cast<std::size_t>(point)); };
-  double twice = 0.0;
-  for (std::size_t t = 0; t < surface.triangleCount; ++t)
-  {
-    const std::int32_t* corner = surface.triangles + 3 * t;
-    const double area =
-      (place(corner[1]) - place(corner[0])).cross(place(corner[2]) - place(corner[0])).norm();
-    twice += std::isfinite(area) ? area : 0.0;
-  }
-  double area = 0.0;
-  double points = 0.0;
-  const auto all = ranks.gather(
-    std::vector<std::array<double, 2>>{ { 0.5 * twice, static_cast<double>(surface.pointCount) } });
-  for (const std::vector<std::array<double, 2>>& piece : all)
-  {
-    area += piece.at(0)[0];
-    points += piece.at(0)[1];
-  }
-  return std::sqrt(area / points);
-}
-
-/// Curvature for a law or an error, edges for an error alone. Collective.
-BodyShape findShape(
-  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms)
-{
-  BodyShape shape;
-  if (!terms.curvature && !(terms.errorTolerance > 0.0))
-  {
-    return shape;
-  }
-  const std::vector<double> points = copyPoints(body);
-  const std::vector<std::int32_t> triangles = copyTriangles(body);
-  const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
-    triangles.size() / 3 };
-  SurfaceSeam joins;
-  std::vector<unsigned char> isSeam(surface.pointCount, 0);
-  for (const BodySeam::Place& place : seam.places())
-  {
-    joins.points.push_back(place.point);
-    isSeam[static_cast<std::size_t>(place.point)] = 1;
-  }
-  joins.sum = [&seam](const std::vector<SurfaceSeam::Row>& own)
-  {
-    return seam.combined(own, SurfaceSeam::Row{},
-      [](SurfaceSeam::Row sum, const SurfaceSeam::Row& part)
-      {
-        std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<double>());
-        return sum;
-      });
-  };
-  const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface, seam.ranks()));
-  shape.curvature = std::make_unique<SurfaceCurvature>(surface, normals, steps, joins);
-  if (terms.errorTolerance > 0.0)
-  {
-    constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
-    shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a, isSeam.data());
-  }
-  return shape;
-}
-
 std::string checkRequest(const LawRequest& request)
 {
   constexpr int mostSamples = ResponseSampling::LargestCount;
@@ -476,22 +384,33 @@ std::string attachRegime(
   }
   agreeOnRange(ranks, hasPiece, material);
   RegimeStorage storage(body->GetNumberOfPoints());
-  auto* normals = vtkFloatArray::SafeDownCast(
-    body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));
   const int parts = hasPiece ? responseModel(body, name).parts : 0;
-  std::unique_ptr<SurfaceCurvature> curvature;
-  if (ranks.any((parts & CurvaturePart) != 0 && normals))
+  BodyShape shape;
+  if (ranks.any((parts & CurvaturePart) != 0))
   {
-    curvature = std::make_unique<SurfaceCurvature>(
-      body, BodySeam(ranks, body), normals ? normals->GetPointer(0) : nullptr);
+    // As the response was made: on the scale of its deepest contact.
+    double radius = 0.0;
+    auto* normals = vtkFloatArray::SafeDownCast(
+      body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));
+    if (vtkDataArray* range =
+          body->GetPointData()->GetArray(arrayName(name, ResponseArray::Range).c_str());
+        range && normals && tool)
+    {
+      radius = tool->GetKernel()->contactRadius(range->GetRange(0)[1]);
+    }
+    radius = ranks.largest(radius);
+    if (radius > 0.0)
+    {
+      shape = findShape(body, BodySeam(ranks, body), normals ? normals->GetPointer(0) : nullptr,
+        radius, { true, {}, 0.0, false });
+    }
   }
   if (hasPiece)
   {
     ComparedResponse stored{ {}, name };
-    if (curvature)
+    if (shape.curvature)
     {
-      stored.curvature = [&curvature](std::size_t i)
-      { return curvature->at(static_cast<vtkIdType>(i)); };
+      stored.curvature = [&shape](std::size_t i) { return shape.curvature->at(i); };
     }
     std::string noResponse;
     // The regime is that of small strain.

@@ -37,10 +37,10 @@ public:
   /// What it is.
   struct Curve
   {
-    std::function<double(double)> force; ///< N at mm; NaN: there is none
-    double end = 0.0;                    ///< mm
-    double validity = 0.0;               ///< mm
-    std::function<double(double)> error; ///< relative, at mm; null: there is no band
+    std::function<double(double)> force;      ///< N at mm; NaN: there is none
+    double end = 0.0;                         ///< mm
+    double validity = 0.0;                    ///< mm
+    std::function<double(double)> error = {}; ///< relative, at mm; null: there is no band
   };
 
   ContactCurvesChart();

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Curves/BodyShape.h"
+
+#include "Response/BodyConversion.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/Ranks.h"
+
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+/// The root of the area that each point of the whole body has, mm.
+double spacingOf(const TriangleSpans& surface, const Ranks& ranks)
+{
+  const auto place = [&](std::int32_t point)
+  { return Eigen::Map<const Vector3>(surface.points + 3 * static_cast<std::size_t>(point)); };
+  double twice = 0.0;
+  for (std::size_t t = 0; t < surface.triangleCount; ++t)
+  {
+    const std::int32_t* corner = surface.triangles + 3 * t;
+    const double area =
+      (place(corner[1]) - place(corner[0])).cross(place(corner[2]) - place(corner[0])).norm();
+    twice += std::isfinite(area) ? area : 0.0;
+  }
+  double area = 0.0;
+  double points = 0.0;
+  const auto all = ranks.gather(
+    std::vector<std::array<double, 2>>{ { 0.5 * twice, static_cast<double>(surface.pointCount) } });
+  for (const std::vector<std::array<double, 2>>& piece : all)
+  {
+    area += piece.at(0)[0];
+    points += piece.at(0)[1];
+  }
+  return std::sqrt(area / points);
+}
+} // namespace
+
+BodyShape findShape(
+  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms)
+{
+  BodyShape shape;
+  if (!terms.curvature && !(terms.errorTolerance > 0.0))
+  {
+    return shape;
+  }
+  const std::vector<double> points = copyPoints(body);
+  const std::vector<std::int32_t> triangles = copyTriangles(body);
+  const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
+    triangles.size() / 3 };
+  SurfaceSeam joins;
+  std::vector<unsigned char> isSeam(surface.pointCount, 0);
+  for (const BodySeam::Place& place : seam.places())
+  {
+    joins.points.push_back(place.point);
+    isSeam[static_cast<std::size_t>(place.point)] = 1;
+  }
+  joins.sum = [&seam](const std::vector<SurfaceSeam::Row>& own)
+  {
+    return seam.combined(own, SurfaceSeam::Row{},
+      [](SurfaceSeam::Row sum, const SurfaceSeam::Row& part)
+      {
+        std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<double>());
+        return sum;
+      });
+  };
+  const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface, seam.ranks()));
+  shape.curvature = std::make_unique<SurfaceCurvature>(surface, normals, steps, joins);
+  if (terms.errorTolerance > 0.0)
+  {
+    constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
+    shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a, isSeam.data());
+  }
+  return shape;
+}
+
+double widthOf(vtkPolyData* body, const Ranks& ranks)
+{
+  std::array<double, 6> bounds{};
+  body->GetBounds(bounds.data());
+  const bool hasBounds = vtkMath::AreBoundsInitialized(bounds.data()) != 0;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::array<double, 3> length{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    length[axis] = ranks.largest(hasBounds ? bounds[2 * axis + 1] : -none) -
+      ranks.smallest(hasBounds ? bounds[2 * axis] : none);
+  }
+  std::sort(length.begin(), length.end());
+  return length[1];
+}
+} // namespace palpate

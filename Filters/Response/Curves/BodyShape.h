@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BodyShape_h
+#define BodyShape_h
+
+#include "Laws/EdgeDistance.h"
+#include "Laws/LawTerms.h"
+#include "Laws/SurfaceCurvature.h"
+
+#include <memory>
+
+class vtkPolyData;
+
+namespace palpate
+{
+class BodySeam;
+class Ranks;
+
+/// The shape of the own piece of a body, as a contact feels it; null: not asked for.
+struct BodyShape
+{
+  std::unique_ptr<SurfaceCurvature> curvature;
+  std::unique_ptr<EdgeDistance> edges;
+};
+
+/// Curvature for a law or an error, edges for an error alone, on the scale of a contact of radius
+/// `a` (mm). `normals`: three floats a point. Collective.
+BodyShape findShape(
+  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
+
+/// The middle one of the three lengths of the whole body's box, mm: no circle much wider fits it.
+/// Collective.
+double widthOf(vtkPolyData* body, const Ranks& ranks);
+} // namespace palpate
+
+#endif
