@@ -3,11 +3,9 @@
 #define palpate_Friction_h
 
 #include "Contact/ContactSettings.h"
-#include "Contact/DahlFriction.h"
-#include "Contact/ElastoPlasticFriction.h"
+#include "Contact/FrictionModels.h"
 #include "Contact/FrictionFrame.h"
 #include "Mechanics/PalpateExport.h"
-#include "Contact/ShapeFriction.h"
 
 #include <cmath>
 

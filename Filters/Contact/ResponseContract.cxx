@@ -18,6 +18,25 @@ constexpr std::array<LimitWords, ResponseLimitCount> Words = { { { "", "" },
   { "layer thickness", "the thickness" }, { "the opposite wall", "the opposite wall" },
   { "an edge", "an edge" }, { "end of the measured data", "the end of the data" } } };
 
+struct ContactWords
+{
+  const char* state;
+  const char* remark;
+};
+
+// In the order of ContactState.
+constexpr std::array<ContactWords, 6> Contacts = { { { "no contact", "" },
+  { "contact, sticking", "" }, { "contact, sliding", "" },
+  { "contact, beyond range", "Pressed deeper than the response reaches" },
+  { "lost at the border", "Beyond the open border of the body: the force fades" },
+  { "no response there", "No response at this point: ResponseStatus says why" } } };
+
+ContactWords contactWordsOf(int state) noexcept
+{
+  const auto place = static_cast<std::size_t>(state);
+  return state >= 0 && place < Contacts.size() ? Contacts[place] : ContactWords{ "unknown", "" };
+}
+
 LimitWords wordsOf(int code) noexcept
 {
   const auto place = static_cast<std::size_t>(code);
@@ -33,6 +52,16 @@ const char* limitInWords(int code) noexcept
 const char* assumptionInWords(int code) noexcept
 {
   return wordsOf(code).assumption;
+}
+
+const char* contactInWords(int state) noexcept
+{
+  return contactWordsOf(state).state;
+}
+
+const char* contactRemark(int state) noexcept
+{
+  return contactWordsOf(state).remark;
 }
 
 int modelPartsOfText(const std::string& model)

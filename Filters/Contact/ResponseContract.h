@@ -46,6 +46,14 @@ PALPATE_EXPORT const char* limitInWords(int code) noexcept;
 /// What was assumed: "small strain", "a flat surface"; "" likewise.
 PALPATE_EXPORT const char* assumptionInWords(int code) noexcept;
 
+/// What a contact is doing, by its ContactState: "contact, sliding"; "unknown" for a number that is
+/// no code. A static text, as the next.
+PALPATE_EXPORT const char* contactInWords(int state) noexcept;
+
+/// What is to be known of it beside its force: a sentence without its stop; "" for one that is
+/// well.
+PALPATE_EXPORT const char* contactRemark(int state) noexcept;
+
 /// What the model of a response is made of: the sum of these is in the array `ModelParts`. The text
 /// `Model` says the same to a reader, and nothing but the reading of old files looks into it.
 enum ModelPart : int

@@ -6,7 +6,6 @@
 #include "Contact/PackedMesh.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseContract.h"
-#include "Contact/ResponseEnergy.h"
 #include "Contact/ResponseSampling.h"
 
 #include <array>

@@ -1,13 +1,118 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/TriangleSteepness.h"
 
-#include "Contact/TrianglePlane.h"
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 
 namespace palpate
 {
+namespace
+{
+/// A triangle seen from above: how deep others lie under its plane, over their distance from it
+/// within the plane.
+class TrianglePlane
+{
+public:
+  explicit TrianglePlane(const std::array<Vector3, 3>& corners);
+
+  /// Smallest slope b such that every point of another triangle at corner k lies no deeper under
+  /// the plane than b times its distance from this one; infinite if there is none. Sought along a
+  /// few directions: a distance from the corner along any direction that leads away from the
+  /// triangle is no longer than the one from the triangle. Any slope <= `enough` will do.
+  double slopeTo(const std::array<Vector3, 3>& other, std::size_t k, double enough) const;
+
+  /// mm.
+  double smallestAltitude() const { return this->Altitude; }
+
+private:
+  double slopeAlong(const Vector3& direction, const std::array<Vector3, 3>& offset,
+    const std::array<double, 3>& depth) const;
+
+  std::array<Vector3, 3> Corner;
+  Vector3 Normal;
+  std::array<Vector3, 3> FromEdge;   ///< unit, away from the triangle across edge i
+  std::array<Vector3, 3> FromCorner; ///< unit, between those of the edges that meet there
+  double Altitude;
+  double Rounding; ///< lengths below are nothing
+};
+
+TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
+  : Corner(corners)
+  , Normal((corners[1] - corners[0]).cross(corners[2] - corners[0]))
+{
+  const double twiceArea = this->Normal.norm();
+  this->Normal /= twiceArea;
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vector3 edge = corners[(k + 1) % 3] - corners[k];
+    const double length = edge.norm();
+    this->FromEdge[k] = edge.cross(this->Normal) / length;
+    longest = std::max(longest, length);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    // No direction at the tip of a needle: NaN, and no slope follows from it.
+    this->FromCorner[k] = this->FromEdge[k] + this->FromEdge[(k + 2) % 3];
+    this->FromCorner[k] /= this->FromCorner[k].norm();
+  }
+  this->Altitude = twiceArea / longest;
+  this->Rounding = 1e-13 * longest;
+}
+
+double TrianglePlane::slopeTo(
+  const std::array<Vector3, 3>& other, std::size_t k, double enough) const
+{
+  std::array<Vector3, 3> offset;
+  std::array<double, 3> depth;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    offset[i] = other[i] - this->Corner[k];
+    depth[i] = -this->Normal.dot(offset[i]);
+  }
+  if (std::max({ depth[0], depth[1], depth[2] }) <= this->Rounding)
+  {
+    return 0.0;
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Vector3* direction :
+    { &this->FromEdge[k], &this->FromCorner[k], &this->FromEdge[(k + 2) % 3] })
+  {
+    smallest = std::min(smallest, this->slopeAlong(*direction, offset, depth));
+    if (smallest <= enough)
+    {
+      break;
+    }
+  }
+  return smallest;
+}
+
+double TrianglePlane::slopeAlong(const Vector3& direction, const std::array<Vector3, 3>& offset,
+  const std::array<double, 3>& depth) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> away;
+  double slope = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    away[i] = direction.dot(offset[i]);
+    if (depth[i] > this->Rounding)
+    {
+      slope = away[i] > this->Rounding ? std::max(slope, depth[i] / away[i]) : infinity;
+    }
+  }
+  for (std::size_t i = 0; i < 3 && slope < infinity; ++i)
+  {
+    slope = slope * away[i] >= depth[i] - this->Rounding ? slope : infinity;
+  }
+  return slope;
+}
+} // namespace
+
 float steepnessOf(const PackedMesh& mesh, std::int32_t triangle)
 {
   const auto cornersOf = [&mesh](std::int32_t t) -> std::array<Vector3, 3> {

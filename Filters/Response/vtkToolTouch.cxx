@@ -56,18 +56,6 @@ vtkSmartPointer<vtkPolyData> singleTip(const Vector3& position)
   return tip;
 }
 
-Vector3 vectorOf(vtkPolyData* probed, const char* array)
-{
-  Vector3 value;
-  probed->GetPointData()->GetArray(array)->GetTuple(0, value.data());
-  return value;
-}
-
-double numberOf(vtkPolyData* probed, const char* array)
-{
-  return probed->GetPointData()->GetArray(array)->GetTuple1(0);
-}
-
 void addField(vtkPolyData* to, const char* name, const double* values, int components)
 {
   vtkNew<vtkDoubleArray> array;
@@ -248,32 +236,30 @@ void vtkToolTouch::Probe(palpate::Touch& touch)
     depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
   }
   // One tip: it has no history, so that nothing of friction is asked.
+  const vtkIdType firstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
   vtkPolyData* probed = this->Probed;
   probed->ShallowCopy(singleTip(touch.tip));
   palpate::ContactArrays arrays(1);
   palpate::touchWithTips(*this->Contact, probed, this->Settings->GetKernel(), depth,
-    [&](vtkIdType tip, const palpate::Contact& contact, const Vector3&) {
-      arrays.store(tip, contact, this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines());
+    [&](vtkIdType tip, const palpate::Contact& contact, const Vector3&)
+    {
+      touch.contact = contact;
+      arrays.store(tip, contact, firstPoly);
     });
   arrays.attach(probed);
-  touch.state = static_cast<int>(numberOf(probed, "ContactState"));
-  touch.force = vectorOf(probed, "Force");
-  touch.deflection = numberOf(probed, "Deflection");
-  const auto cell = static_cast<vtkIdType>(numberOf(probed, "ContactCell"));
-  if (cell >= 0)
+  const palpate::Contact& contact = touch.contact;
+  if (contact.triangle >= 0)
   {
-    const Vector3 normal = vectorOf(probed, "Normal");
-    touch.place = this->Touched->placeIn(cell, vectorOf(probed, "ContactPoint"));
-    touch.normal = normal;
-    touch.tip -= depth * normal;
+    touch.place = this->Touched->placeIn(firstPoly + contact.triangle, contact.contactPoint);
+    touch.tip -= depth * contact.normal;
     touch.range = this->Touched->range(touch.place);
-    touch.stiffness = this->Touched->stiffness(touch.place, touch.deflection);
-    touch.validity = this->Touched->validity(touch.place, touch.deflection);
+    touch.stiffness = this->Touched->stiffness(touch.place, contact.deflection);
+    touch.validity = this->Touched->validity(touch.place, contact.deflection);
   }
   else
   {
     const Vector3 away = touch.tip - touch.nearest.point;
-    touch.normal = away.norm() > 0.0 ? Vector3(away.normalized()) : Vector3::UnitZ();
+    touch.contact.normal = away.norm() > 0.0 ? Vector3(away.normalized()) : Vector3::UnitZ();
   }
   touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;
 }
@@ -281,7 +267,7 @@ void vtkToolTouch::Probe(palpate::Touch& touch)
 bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
 {
   const double radius =
-    touch.touches() ? this->Tool->GetContactRadius(touch.deflection) : 0.0; // mm
+    touch.touches() ? this->Tool->GetContactRadius(touch.contact.deflection) : 0.0; // mm
   palpate::ChosenTip tip;
   palpate::chooseTip(palpate::Ranks(), this->Probed, 0, tip);
   vtkNew<vtkFloatArray> displacement;
@@ -299,7 +285,7 @@ bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
   }
   output->ShallowCopy(this->Body);
   output->GetPointData()->AddArray(displacement);
-  palpate::dentBody(output, displacement, touch.normal);
+  palpate::dentBody(output, displacement, touch.contact.normal);
   return true;
 }
 
@@ -312,20 +298,20 @@ bool vtkToolTouch::MakeTool(const palpate::Touch& touch, vtkPolyData* output)
   {
     return false;
   }
-  palpate::standTool(touch.tip, touch.normal, output);
+  palpate::standTool(touch.tip, touch.contact.normal, output);
   return true;
 }
 
 void vtkToolTouch::MakeArrow(const palpate::Touch& touch, vtkPolyData* output)
 {
   output->ShallowCopy(palpate::makeContactArrow(
-    touch.tip, touch.scale * touch.force, ArrowThickness * this->Body->GetLength()));
+    touch.tip, touch.scale * touch.contact.force, ArrowThickness * this->Body->GetLength()));
   vtkNew<vtkDoubleArray> force;
   force->SetName("Force");
   force->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    force->InsertNextTuple(touch.force.data());
+    force->InsertNextTuple(touch.contact.force.data());
   }
   output->GetPointData()->AddArray(force);
   vtkPointData* probed = this->Probed->GetPointData();

@@ -2,7 +2,7 @@
 // The part of palpate.h with a mapping and a safety of its own.
 #include "Haptics/CInterface.h"
 
-#include "Haptics/Safety/SafetyFault.h"
+#include "Haptics/Safety/SafetySettings.h"
 
 #include <Eigen/Geometry>
 

@@ -181,6 +181,11 @@ double vtkHapticSession::GetForceFactor()
   return this->GetNumberOfTicks() > 0 ? this->Newest().forceFactor : this->FittedFactor;
 }
 
+double vtkHapticSession::GetMaximumForce()
+{
+  return std::min(this->Safety->GetForceLimit(), this->Device->GetMaximumForce());
+}
+
 std::string vtkHapticSession::GetSafetyText()
 {
   const palpate::Tick& newest = this->Newest();

@@ -182,6 +182,9 @@ public:
   /** By which factor the newest tick's ideal force was fitted to the device; before the first that
    * of Start. */
   double GetForceFactor();
+  /** No force larger than this reaches the hand, N: what the device is good for, or the limit of
+   * the safety, whichever is less. */
+  double GetMaximumForce();
   /** Why the applied force is not the ideal one, in words, the factor included: "force ×0.12,
    * stiffness capped"; "" where it is. */
   std::string GetSafetyText();

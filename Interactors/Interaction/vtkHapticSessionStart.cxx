@@ -3,7 +3,7 @@
 #include "vtkHapticSession.h"
 
 #include "Haptics/Devices/DeviceFit.h"
-#include "Haptics/Safety/SafetyFault.h"
+#include "Haptics/Safety/SafetySettings.h"
 #include "Interaction/Session/HapticSessionState.h"
 #include "Response/BodyConversion.h"
 

@@ -3,7 +3,7 @@
 
 #include "Haptics/Devices/TrajectoryFile.h"
 #include "Interaction/Display/WindowPicture.h"
-#include "Interaction/Session/TickTape.h"
+#include "Interaction/Session/TicksKept.h"
 #include "vtkHapticSession.h"
 
 #include "vtkObjectFactory.h"

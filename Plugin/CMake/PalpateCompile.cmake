@@ -89,12 +89,24 @@ function(palpate_install_headers room)
   endforeach()
 endfunction()
 
+function(palpate_install_former_headers room)
+  while(ARGN)
+    list(POP_FRONT ARGN former header)
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/Former/${former}")
+    file(CONFIGURE OUTPUT "${file}"
+      CONTENT "// SPDX-License-Identifier: BSD-3-Clause\n#include \"@room@/@header@\"\n" @ONLY)
+    get_filename_component(folder "${room}/${former}" DIRECTORY)
+    install(FILES "${file}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate/${folder}" COMPONENT development)
+  endwhile()
+endfunction()
+
 # A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
 # CLASSES and PRIVATE_CLASSES, and what is named besides. A header is included by its room and folder,
 # "Contact/PackedMesh.h", and installed so. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
 # what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
+# FORMER: pairs of a header that was, and the one which holds its content now; programs of before go on to include it.
 function(palpate_add_kernel name)
-  cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
   set(private_headers ${arg_PRIVATE_HEADERS})
   set(sources ${arg_SOURCES})
@@ -136,6 +148,7 @@ function(palpate_add_kernel name)
     LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
   palpate_install_headers(${name} ${headers})
+  palpate_install_former_headers(${name} ${arg_FORMER})
 
   list(TRANSFORM arg_LINK REPLACE "^Palpate::(.+)$" "palpate\\1Inside" OUTPUT_VARIABLE link)
   add_library(palpate${name}Inside STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:palpate${name}>)

@@ -3,7 +3,7 @@
 
 #include "PictureSize.h"
 #include "ResponseSet.h"
-#include "Interaction/Display/SceneLight.h"
+#include "Interaction/Display/SceneView.h"
 #include "Response/BodyLaws.h"
 
 #include "vtkCallbackCommand.h"

@@ -3,7 +3,7 @@
 
 #include "PictureSize.h"
 #include "Pictures.h"
-#include "Interaction/Display/SceneLight.h"
+#include "Interaction/Display/SceneView.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

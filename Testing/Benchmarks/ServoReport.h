@@ -2,7 +2,7 @@
 #ifndef palpate_benchmarks_ServoReport_h
 #define palpate_benchmarks_ServoReport_h
 
-#include "Haptics/Servo/ServoStatistics.h"
+#include "Haptics/Servo/ServoMeter.h"
 
 #include <string>
 #include <vector>

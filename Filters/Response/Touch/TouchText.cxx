@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Touch/TouchText.h"
 
+#include "Contact/ResponseContract.h"
 #include "Response/Curves/StoredError.h"
 
 #include <array>
@@ -11,11 +12,6 @@ namespace palpate
 {
 namespace
 {
-// vtkToolContactProbe's ContactState
-constexpr int BeyondRange = 3;
-constexpr int LostAtBorder = 4;
-constexpr int Invalid = 5;
-
 std::string millimetres(double length)
 {
   std::array<char, 32> text{};
@@ -38,20 +34,11 @@ std::string shortest(double value)
   return text.data();
 }
 
-/// What is to be known of a contact beside its force; "" for one that is well.
 std::string describeState(const Touch& touch)
 {
-  switch (touch.state)
-  {
-    case BeyondRange:
-      return "\nPressed deeper than the response reaches, " + millimetres(touch.range);
-    case LostAtBorder:
-      return "\nBeyond the open border of the body: the force fades";
-    case Invalid:
-      return "\nNo response at this point: ResponseStatus says why";
-    default:
-      return "";
-  }
+  const std::string remark = contactRemark(static_cast<int>(touch.contact.state));
+  const bool isBeyond = touch.contact.state == ContactState::BeyondRange;
+  return (remark.empty() ? "" : "\n" + remark) + (isBeyond ? ", " + millimetres(touch.range) : "");
 }
 
 std::string describeValidity(const Touch& touch)
@@ -61,7 +48,7 @@ std::string describeValidity(const Touch& touch)
   {
     return "";
   }
-  const bool isWithin = touch.deflection <= validity.depth;
+  const bool isWithin = touch.contact.deflection <= validity.depth;
   std::string text = isWithin ? "\nWithin the law's validity" : "\nBeyond the law's validity";
   if (std::isfinite(validity.depth))
   {
@@ -75,7 +62,8 @@ std::string describeValidity(const Touch& touch)
 std::string describeTouch(const Touch& touch, const std::string& tool)
 {
   std::string text = "Tool: " + tool;
-  if (!touch.touches() && touch.state != Invalid)
+  const bool isInvalid = touch.contact.state == ContactState::Invalid;
+  if (!touch.touches() && !isInvalid)
   {
     text += "\nNo contact";
     text += touch.nearest.cell >= 0
@@ -83,12 +71,12 @@ std::string describeTouch(const Touch& touch, const std::string& tool)
       : "";
     return text;
   }
-  text += "\nForce " + threeDigits(touch.force.norm()) + " N";
-  text += touch.state == Invalid ? "" : errorInWords(touch.validity.error);
-  text += "\nDeflection " + millimetres(touch.deflection);
+  text += "\nForce " + threeDigits(touch.contact.force.norm()) + " N";
+  text += isInvalid ? "" : errorInWords(touch.validity.error);
+  text += "\nDeflection " + millimetres(touch.contact.deflection);
   text += ", stiffness " + threeDigits(touch.stiffness) + " N/mm";
   text += describeState(touch);
-  text += touch.state == Invalid ? "" : describeValidity(touch);
+  text += isInvalid ? "" : describeValidity(touch);
   text += "\nArrow: " + shortest(touch.scale) + " mm per N";
   return text;
 }

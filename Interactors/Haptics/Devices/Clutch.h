@@ -2,7 +2,7 @@
 #ifndef palpate_Clutch_h
 #define palpate_Clutch_h
 
-#include "Haptics/Safety/ForceRamp.h"
+#include "Haptics/Safety/SafetyLinks.h"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Safety/SafetySettings.h"
 
+#include <cmath>
+#include <sstream>
+
 namespace palpate
 {
 SafetySettings SafetySettings::of(const DeviceSpecification& specification)
@@ -24,5 +27,57 @@ SafetySettings SafetySettings::magnitudeOnly(double maximumForce)
   settings.capStiffness = false;
   settings.controlPassivity = false;
   return settings;
+}
+
+namespace
+{
+SettingFault makeFault(const char* name, const char* range, double value)
+{
+  std::ostringstream remark;
+  remark << "must " << range << ", but is " << value;
+  return { name, remark.str() };
+}
+} // namespace
+
+SettingFault faultOfForceFactor(double factor)
+{
+  if (!(factor > 0.0 && factor <= 1.0))
+  {
+    return makeFault("ForceFactor", "be positive and at most 1", factor);
+  }
+  return {};
+}
+
+SettingFault faultOf(const SafetySettings& settings)
+{
+  if (SettingFault fault = faultOfForceFactor(settings.forceFactor))
+  {
+    return fault;
+  }
+  if (!(settings.maximumForce >= 0.0))
+  {
+    return makeFault("MaximumForce", "not be negative (N)", settings.maximumForce);
+  }
+  if (!(settings.maximumStiffness > 0.0))
+  {
+    return makeFault("MaximumStiffness", "be positive (N/m)", settings.maximumStiffness);
+  }
+  if (!(settings.maximumForceRate > 0.0))
+  {
+    return makeFault("MaximumForceRate", "be positive (N/s)", settings.maximumForceRate);
+  }
+  if (!(settings.sampleTimeOut > 0.0))
+  {
+    return makeFault("SampleTimeOut", "be positive (s)", settings.sampleTimeOut);
+  }
+  if (!(settings.period > 0.0) || !std::isfinite(settings.period))
+  {
+    return makeFault("Period", "be finite and positive (s)", settings.period);
+  }
+  if (!(settings.entryRamp >= 0.0) || !std::isfinite(settings.entryRamp))
+  {
+    return makeFault("EntryRamp", "be finite and not negative (s)", settings.entryRamp);
+  }
+  return {};
 }
 } // namespace palpate

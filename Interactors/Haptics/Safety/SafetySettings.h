@@ -4,6 +4,7 @@
 
 #include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
+#include "Contact/SettingFault.h"
 
 #include <limits>
 
@@ -35,6 +36,13 @@ struct PALPATE_EXPORT SafetySettings
   /// Two alone: no force that is not finite or for an invalid sample, and none that is larger.
   static SafetySettings magnitudeOnly(double maximumForce);
 };
+
+/// The first of settings that come in from outside which is out of its range, NaN included, by its
+/// name with a capital ("MaximumForce"). The chain itself is safe with any, but may send nothing.
+PALPATE_EXPORT SettingFault faultOf(const SafetySettings& settings);
+
+/// The range is that of SafetySettings::forceFactor and ServoScene::forceFactor.
+PALPATE_EXPORT SettingFault faultOfForceFactor(double factor);
 } // namespace palpate
 
 #endif

@@ -2,15 +2,59 @@
 #ifndef palpate_SceneSwitch_h
 #define palpate_SceneSwitch_h
 
-#include "Haptics/Safety/ForceRamp.h"
+#include "Haptics/Safety/SafetyLinks.h"
 #include "Mechanics/PalpateExport.h"
-#include "Haptics/Servo/ServoScene.h"
+#include "Contact/ToolContact.h"
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace palpate
 {
+/**
+ * A body with the response of a tool, as one ServoStep renders it: another body, tool, material or
+ * other settings are another scene. Made and freed outside of the tick, which only hands it on.
+ */
+struct ServoScene
+{
+  /// `contactBody` must not be null and is kept alive by the scene. `sceneForceFactor` (0, 1] fits
+  /// this scene to the device, beside SafetySettings::forceFactor: their product is what counts.
+  /// Outside of its range it gives no force.
+  explicit ServoScene(std::shared_ptr<const ContactBody> contactBody,
+    const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0)
+    : body(std::move(contactBody))
+    , settings(contactSettings)
+    , contact(*this->body, contactSettings)
+    , forceFactor(sceneForceFactor > 0.0 && sceneForceFactor <= 1.0 ? sceneForceFactor : 0.0)
+  {
+  }
+  ~ServoScene()
+  {
+    // One after the other: a long list would nest as deep.
+    while (this->next)
+    {
+      this->next = std::move(this->next->next);
+    }
+  }
+  /// With its history, but alone.
+  ServoScene(const ServoScene& other)
+    : body(other.body)
+    , settings(other.settings)
+    , contact(other.contact)
+    , forceFactor(other.forceFactor)
+  {
+  }
+  ServoScene& operator=(const ServoScene&) = delete;
+
+  const std::shared_ptr<const ContactBody> body;
+  const ContactSettings settings;
+  ToolContact contact;
+  const double forceFactor;
+  /// Scenes no longer needed are a list: freeing the first frees all.
+  std::unique_ptr<ServoScene> next;
+};
+
 /// What the tip feels of a scene, or of two of which one is left for the other. Body frame; mm, N.
 struct SceneForce
 {

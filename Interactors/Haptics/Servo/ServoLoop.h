@@ -9,7 +9,6 @@
 #include "Haptics/Servo/SampleRing.h"
 #include "Haptics/Servo/SceneExchange.h"
 #include "Haptics/Servo/ServoMeter.h"
-#include "Haptics/Servo/ServoStatistics.h"
 #include "Haptics/Servo/ServoStep.h"
 
 #include <atomic>

@@ -2,15 +2,40 @@
 #ifndef palpate_ServoMeter_h
 #define palpate_ServoMeter_h
 
+#include "Haptics/Devices/HapticDevice.h"
 #include "Haptics/Servo/LatencyHistogram.h"
 #include "Mechanics/PalpateExport.h"
-#include "Haptics/Servo/ServoStatistics.h"
+#include "Haptics/Servo/RealTimeGrant.h"
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 namespace palpate
 {
+/// How a servo loop has kept time, and what went wrong, since it was made or last reset.
+struct PALPATE_EXPORT ServoStatistics
+{
+  double rate = 0.0;   ///< ticks per second that were asked for
+  RealTimeGrant grant; ///< of the newest start
+
+  std::uint64_t ticks = 0;
+  std::uint64_t missed = 0;         ///< ticks whose whole period had passed before they could begin
+  std::uint64_t invalidSamples = 0; ///< ticks in which the device had nothing valid to say
+  std::uint64_t repeatedSamples = 0; ///< ticks in which it had nothing new to say
+  std::uint64_t refusedForces = 0;   ///< ticks whose force the device did not take
+  std::uint64_t overruns = 0;        ///< ticks that the recording had no room for
+  std::uint64_t sceneChanges = 0;    ///< scenes that were taken over
+  DeviceErrors device;               ///< the device's own counts
+
+  LatencyCounts period; ///< from one tick's beginning to the next one's
+  LatencyCounts wakeUp; ///< from a tick's deadline to its beginning
+  LatencyCounts tick;   ///< from a tick's beginning to the force written and the tick published
+
+  /// Some lines for a person: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
+  std::string describe() const;
+};
+
 /// Counts events in one thread for another one to read; neither ever waits.
 class EventCount
 {

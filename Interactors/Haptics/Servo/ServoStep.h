@@ -7,7 +7,6 @@
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Safety/SafetyChain.h"
 #include "Haptics/Servo/SceneSwitch.h"
-#include "Haptics/Servo/ServoScene.h"
 #include "Contact/ToolContact.h"
 #include "Haptics/Devices/WorkspaceMapping.h"
 

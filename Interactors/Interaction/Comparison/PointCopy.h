@@ -9,7 +9,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A body of nothing but one point, with all that the point and the body carry: what filters say of
+/// A body of one point, with that point's data and the body's field data: what filters say of
 /// the point they then say without looking at the rest. No cells.
 vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
 } // namespace palpate

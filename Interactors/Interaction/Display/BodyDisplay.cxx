@@ -3,7 +3,7 @@
 
 #include "Response/BodyConversion.h"
 #include "Response/Pieces/Ranks.h"
-#include "Interaction/Display/DentMapper.h"
+#include "Interaction/Display/DeflectionShader.h"
 #include "Interaction/Display/ModeAttributes.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"

@@ -28,9 +28,9 @@ public:
   ForceTrail& operator=(const ForceTrail&) = delete;
 
   void clear();
-  /// The way a tool goes, at once.
+  /// A whole path at once.
   void show(const std::vector<ShownContact>& way);
-  /// One contact more, and no more than the newest so many; takes the place of a way shown at once.
+  /// Adds a contact and keeps the newest `most`; replaces a path shown at once.
   void follow(const ShownContact& contact, std::size_t most);
 
   /// Whether there is a line to be seen.

@@ -19,8 +19,8 @@ struct AnchoredLabel
   Eigen::Vector3d head;
 };
 
-/// Puts each text beside its head, on the side the arrow points to, or, where it would cover one
-/// before it or leave the viewport, as little off as is needed. The first one begins at its head.
+/// Puts each text beside its head, on the side the arrow points to, moved as little as is needed
+/// where it would cover an earlier one or leave the viewport. The first one begins at its head.
 void arrangeLabels(vtkViewport* viewport, const std::vector<AnchoredLabel>& labels);
 } // namespace palpate
 

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The frame at `origin` whose axis (0 = x, 2 = z) is `direction`, of any length but zero; how it
-/// is turned about that axis is of no account.
+/// A frame at `origin` whose axis (0 = x, 2 = z) is along `direction`, which is not zero; its
+/// rotation about that axis is arbitrary.
 inline vtkSmartPointer<vtkMatrix4x4> frameAlong(
   const double origin[3], const double direction[3], int axis)
 {

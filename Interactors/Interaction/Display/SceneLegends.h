@@ -25,9 +25,9 @@ public:
   vtkScalarBarActor* displacement() { return this->Displacement; }
   vtkScalarBarActor* force() { return this->Force; }
 
-  /// Of the width of a viewport, which they keep free for themselves.
+  /// The fraction of a viewport's width that the column takes.
   static double share(vtkRenderer* renderer);
-  /// Above a caption of so many pixels.
+  /// `captionHeight`: pixels that the caption below them takes.
   void place(vtkRenderer* renderer, double captionHeight);
 
 private:

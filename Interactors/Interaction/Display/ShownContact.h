@@ -11,6 +11,9 @@
 #include <limits>
 #include <string>
 
+class vtkHapticSession;
+class vtkPolyData;
+
 namespace palpate
 {
 /// Whether a part of a force, or a difference from it, is worth showing: more than 2 %.
@@ -51,6 +54,15 @@ struct ShownContact
     return isNoticeable(this->tick.contact.friction, this->tick.idealForce);
   }
 };
+
+/// Tip `index` of the output of vtkToolContactProbe or vtkHapticRecorder::GetRecording.
+/// FrictionForce, ContactState, AppliedForce and its SafetyLinks are read where they are; false if
+/// any other array is missing or there is no such tip.
+bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);
+
+/// The newest tick of a session, all of the same tick. A session that does not run, and a device
+/// without force, apply none that could be shown.
+ShownContact readSession(vtkHapticSession* session);
 } // namespace palpate
 
 #endif

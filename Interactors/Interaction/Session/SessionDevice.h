@@ -19,7 +19,7 @@ struct SessionDevice
     Simulated,
     Plant,
     Replay,
-    Opened,     ///< hid, bridge: of this world, so only in real time
+    Opened,     ///< hid, bridge: hardware or another program, only in real time
     OfTheCaller ///< given by C++
   };
 
@@ -28,7 +28,7 @@ struct SessionDevice
   Trajectory trajectory;                ///< of Replay
   HeldPlant held;                       ///< of Plant
 
-  /// A hand that goes its way whatever it feels: no loop is closed through it.
+  /// Its motion does not depend on the force: no loop is closed through it.
   bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
   /// A hand that follows a path, or is steered.
   bool isSimulated() const { return this->kind == Simulated || this->kind == Plant; }

@@ -5,8 +5,7 @@
 #include "Haptics/Servo/ServoLoop.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Servo/TickHistory.h"
-#include "Interaction/Session/TickSummary.h"
-#include "Interaction/Session/TickTape.h"
+#include "Interaction/Session/TicksKept.h"
 
 #include "vtkType.h"
 
@@ -16,16 +15,8 @@
 
 namespace palpate
 {
-/// Which ticks are kept.
-struct TicksKept
-{
-  bool all = true;                ///< of the whole run
-  double historySeconds = 0.0;    ///< the last ones
-  std::shared_ptr<TickTape> tape; ///< those it takes up
-};
-
-/// What lives from the Start of a session to the next: a device under a servo step. For the thread
-/// that owns the session.
+/// A device and its servo step, from one Start of a session to the next. For the thread that owns
+/// the session.
 class SessionRun
 {
 public:

@@ -2,9 +2,9 @@
 #ifndef TickRecording_h
 #define TickRecording_h
 
-#include "Haptics/Servo/ServoStatistics.h"
+#include "Haptics/Servo/ServoMeter.h"
 #include "Haptics/Servo/TickHistory.h"
-#include "Interaction/Session/TickSummary.h"
+#include "Interaction/Session/TicksKept.h"
 
 #include "vtkType.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchForm.h"
 
+#include "Contact/ResponseContract.h"
 #include "Haptics/Devices/DeviceList.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Response/Curves/StoredError.h"
@@ -67,13 +68,6 @@ QString text(const std::string& words)
   return QString::fromStdString(words);
 }
 
-const char* inWords(int contactState)
-{
-  constexpr const char* words[] = { "no contact", "contact, sticking", "contact, sliding",
-    "contact, beyond range", "lost at the border", "no response there" };
-  return contactState >= 0 && contactState < 6 ? words[contactState] : "unknown";
-}
-
 void set(QLabel* label, const QString& words)
 {
   if (label->text() != words)
@@ -100,7 +94,8 @@ TouchForm::TouchForm(QWidget* contents)
   , state(wrapped("state", "What the tip does."))
   , remark(wrapped("remark", "What is wrong, or why another force is applied than the ideal one."))
   , bar(named<pqForceBar>("bar",
-      "The force the device applies; outline: the ideal force; red: the most the device can give."))
+      "The force the device applies; outline: the ideal force; red: the most that may reach the "
+      "hand."))
   , force(named<QLabel>("force", "The force the device applies, N."))
   , limit(named<QLabel>("limit", "The largest force of the device, N."))
   , error(named<QLabel>("error", "How far the ideal force may be off, by the response's estimate."))
@@ -200,10 +195,10 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   session->GetIdealForce(ideal);
   session->GetForce(applied);
   const bool isLost = session->GetState() == vtkHapticSession::DeviceLost;
-  const double most = session->GetDevice()->GetMaximumForce();
+  const double most = session->GetMaximumForce();
   set(this->state,
     isLost ? text("device lost: " + session->GetDevice()->GetStatus())
-           : QString(inWords(session->GetContactState())));
+           : QString(palpate::contactInWords(session->GetContactState())));
   QStringList remarks;
   for (const std::string& words : { touch.error(), session->GetSafetyText(), touch.warning() })
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Somebody else's servo loop, without VTK: 1 kHz, its own clock, step(sample, time) in the middle.
+// ServoScene.h is a header of before, kept for programs that include it.
 #include <FlatBodyFile.h>
+#include <Haptics/Servo/ServoScene.h>
 #include <ServoStep.h>
 
 #include <algorithm>

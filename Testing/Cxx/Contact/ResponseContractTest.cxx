@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The data contract: its codes as saved files number them, their words, its names.
+#include "Contact/Contact.h"
 #include "Contact/ResponseContract.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,25 @@ TEST(ResponseLimit, OtherNumbersHaveNone)
   {
     EXPECT_STREQ(limitInWords(code), "");
     EXPECT_STREQ(assumptionInWords(code), "");
+  }
+}
+
+TEST(ContactWords, EachStateHasItsOwnAndOnlyWhatIsAmissARemark)
+{
+  std::set<std::string> words;
+  for (int state = 0; state <= static_cast<int>(ContactState::Invalid); ++state)
+  {
+    words.insert(contactInWords(state));
+    EXPECT_EQ(std::string(contactRemark(state)).empty(), state < 3) << state;
+  }
+  EXPECT_EQ(words.size(), 6U);
+  EXPECT_EQ(words.count("unknown"), 0U);
+  EXPECT_STREQ(contactInWords(static_cast<int>(ContactState::Stick)), "contact, sticking");
+  EXPECT_STREQ(contactInWords(static_cast<int>(ContactState::LostAtBorder)), "lost at the border");
+  for (const int other : { -1, 6, INT_MIN, INT_MAX })
+  {
+    EXPECT_STREQ(contactInWords(other), "unknown");
+    EXPECT_STREQ(contactRemark(other), "");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The work of a stored response, against quadrature of the data contract (ContractCurve) and
 // against closed forms.
-#include "Contact/ResponseEnergy.h"
+#include "Contact/ResponseSampling.h"
 
 #include "ContractCurve.h"
 

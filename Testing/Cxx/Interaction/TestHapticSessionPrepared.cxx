@@ -65,6 +65,12 @@ void checkForceLimit()
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0); // "simulated": see the header
   session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(7.0, 1e6)));
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 7.0);
+  PALPATE_CHECK(session->GetMaximumForce() == 7.0);
+  session->GetSafety()->SetForceLimit(3.0);
+  PALPATE_CHECK(session->GetMaximumForce() == 3.0);
+  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 7.0);
+  session->GetSafety()->SetForceLimit(9.0);
+  PALPATE_CHECK(session->GetMaximumForce() == 7.0);
 }
 } // namespace
 

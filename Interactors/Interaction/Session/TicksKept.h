@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TickSummary_h
-#define TickSummary_h
+#ifndef TicksKept_h
+#define TicksKept_h
 
 #include "Haptics/Servo/ServoStep.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace palpate
 {
-/// What is kept of ticks that are not.
+/// Counts and peaks over all ticks of a run, kept whether or not the ticks are.
 struct TickSummary
 {
   std::uint64_t ticks = 0;
@@ -30,6 +32,41 @@ struct TickSummary
     this->peakDeflection = std::max(this->peakDeflection, tick.contact.deflection);
     this->acted = static_cast<std::uint16_t>(this->acted | tick.acted);
   }
+};
+
+/// The ticks between start() and stop().
+class TickTape
+{
+public:
+  /// From the next tick on; what it held is gone.
+  void start()
+  {
+    this->Ticks.clear();
+    this->Running = true;
+  }
+  void stop() { this->Running = false; }
+  void add(const Tick& tick)
+  {
+    if (this->Running)
+    {
+      this->Ticks.push_back(tick);
+    }
+  }
+
+  bool isRunning() const { return this->Running; }
+  const std::vector<Tick>& ticks() const { return this->Ticks; }
+
+private:
+  std::vector<Tick> Ticks;
+  bool Running = false;
+};
+
+/// Which ticks are kept.
+struct TicksKept
+{
+  bool all = true;                ///< of the whole run
+  double historySeconds = 0.0;    ///< the last ones
+  std::shared_ptr<TickTape> tape; ///< those it takes up
 };
 } // namespace palpate
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Interaction/Display/ContactReading.h"
+#include "Interaction/Display/ShownContact.h"
 
 #include "Haptics/Safety/SafetyText.h"
 #include "Interaction/Session/TickRecording.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Interaction/Display/SceneCamera.h"
+#include "Interaction/Display/SceneView.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Interaction/Display/ContactCircle.h"
+#include "Interaction/Display/ContactMark.h"
 
 #include "Interaction/Display/DashedLine.h"
 #include "Interaction/Display/DisplayColors.h"
@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 #include "vtkTubeFilter.h"
 
 #include <cmath>
@@ -71,5 +72,28 @@ void ContactCircle::show(
 void ContactCircle::hide()
 {
   this->Actor->VisibilityOff();
+}
+
+vtkSmartPointer<vtkActor> makePlaceMarker()
+{
+  constexpr double radius = 2.0; // mm
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(24);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  auto marker = vtkSmartPointer<vtkActor>::New();
+  marker->SetMapper(mapper);
+  marker->GetProperty()->SetColor(ToolColor[0], ToolColor[1], ToolColor[2]);
+  marker->VisibilityOff();
+  return marker;
+}
+
+void placeMarker(const ShownContact& contact, vtkActor* marker)
+{
+  const Eigen::Vector3d& place =
+    contact.touches() ? contact.tick.contact.contactPoint : contact.tick.tip;
+  marker->SetPosition(place.x(), place.y(), place.z());
 }
 } // namespace palpate

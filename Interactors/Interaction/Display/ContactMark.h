@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ContactCircle_h
-#define ContactCircle_h
+#ifndef ContactMark_h
+#define ContactMark_h
 
+#include "Interaction/Display/ShownContact.h"
+
+#include "vtkActor.h"
 #include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
 
-class vtkActor;
 class vtkTubeFilter;
 
 namespace palpate
@@ -31,6 +33,12 @@ private:
   vtkSmartPointer<vtkTubeFilter> Tube;
   vtkSmartPointer<vtkActor> Actor;
 };
+
+/// A ball, not visible yet, for the place of a contact that is shown blind.
+vtkSmartPointer<vtkActor> makePlaceMarker();
+
+/// On the surface, not at the tip: how deep the tip is would tell how stiff the body is.
+void placeMarker(const ShownContact& contact, vtkActor* marker);
 } // namespace palpate
 
 #endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SceneView_h
+#define SceneView_h
+
+#include "Interaction/Display/DisplayColors.h"
+
+#include "vtkLightKit.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+/// Direction from the focus to the camera, and what points up in the picture; neither is zero.
+struct ViewDirection
+{
+  Eigen::Vector3d from;
+  Eigen::Vector3d up;
+};
+
+/// Shows all of the bounds, centred beside the column of legends at the right, which takes the
+/// fraction `column` of the picture's width.
+void lookAtBounds(
+  vtkRenderer* renderer, const double bounds[6], const ViewDirection& view, double column);
+
+/// Shows a point from a distance of `distance` mm, a little below the middle: an arrow above it
+/// fits in.
+void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
+  const ViewDirection& view, double column);
+
+/// Background and light in which all bodies are seen.
+inline void lightScene(vtkRenderer* renderer)
+{
+  renderer->SetBackground(BackgroundColor[0], BackgroundColor[1], BackgroundColor[2]);
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.75);
+  lights->SetKeyToFillRatio(2.0);
+  lights->SetKeyToHeadRatio(2.2);
+  lights->AddLightsToRenderer(renderer);
+}
+} // namespace palpate
+
+#endif
