@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -32,12 +33,15 @@ public:
   /// What holds at every point without a value of its own.
   struct Constants
   {
-    Constants(double modulus, double ratio, double layer, LayerBase layerBase, bool excludes)
+    Constants(double modulus, double ratio, double layer, LayerBase layerBase, bool excludes,
+      std::vector<StackLayer> below = {}, std::optional<StackLayer> endless = {})
       : youngsModulus(modulus)
       , poissonsRatio(ratio)
       , thickness(layer)
       , base(layerBase)
       , complianceExcludesLayer(excludes)
+      , deeper(std::move(below))
+      , halfSpace(endless)
     {
     }
 
@@ -48,8 +52,8 @@ public:
     bool complianceExcludesLayer;
     /// Below that layer, from above: with them, or on a half-space, the body is a stack
     /// (LayerStack.h), everywhere, and Young's modulus and Poisson's ratio are constant.
-    std::vector<StackLayer> deeper = {};
-    std::optional<StackLayer> halfSpace = {}; ///< in place of the rigid base
+    std::vector<StackLayer> deeper;
+    std::optional<StackLayer> halfSpace; ///< in place of the rigid base
 
     bool isStack() const { return !this->deeper.empty() || this->halfSpace.has_value(); }
     /// The whole of it; without layers where it is none.
