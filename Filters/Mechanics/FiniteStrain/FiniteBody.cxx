@@ -104,8 +104,17 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   const bool isHalfSpace = std::isinf(thickness);
   interfaces.pop_back();
   const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;
-  const double bottom = isHalfSpace ? above + FarAway * a : thickness;
-  const double width = isHalfSpace ? above + FarAway * a : 2.0 * a + 10.0 * thickness;
+  // Below stiffer layers a half-space gives way the more for its size.
+  const auto over = [&](const FiniteLayer& layer)
+  { return layer.youngsModulus / problem.layers.back().youngsModulus; };
+  double stiffest = 1.0;
+  for (const FiniteLayer& layer : problem.layers)
+  {
+    stiffest = std::max(stiffest, over(layer));
+  }
+  const double far = above + FarAway * stiffest * a;
+  const double bottom = isHalfSpace ? far : thickness;
+  const double width = isHalfSpace ? far : 2.0 * a + 10.0 * thickness;
 
   std::vector<FineRange> across = { { 0.0, 1.1 * a, edge } };
   std::vector<FineRange> down = { { 0.0, 1.05 * a, edge } };
