@@ -99,7 +99,6 @@ class CommandLine(SessionCase):
                 (("--layers", "1:1:.4,1:1:.4,1:1:.4,1:1:.4,1:1:.4"), "5 layers are too many"),
                 (("--layers", "scan:1:0.4,0:1:0.4"), "scan stands for the thickness of one of two"),
                 (("--layers", "1:1:0.4", "--voxel", "2"), "--voxel"),
-                (("--layers", "1:1:0.4", "--compare"), "--layers"),
                 (("--voxel", "2", "--fixed", "q+"), "q+"),
                 (("--fixed", "z-"), "--voxel"),
                 (("--friction", "-0.1"), "--friction"),

@@ -92,6 +92,7 @@ class Comparison(SessionCase):
                 (("body.stl",), "--compare"),
                 (("--voxel", "2"), "--voxel"),
                 (("--layer", "5"), "--layer"),
+                (("--layers", "1:1:0.4"), "--layers"),
                 (("--device", "replay:x.csv"), "--device"),
                 (("--map",), "--map"),
                 (("--trial", "sphere:3,flat:1"), "--trial"),
@@ -118,6 +119,10 @@ class Map(SessionCase):
         low, high = map(float, re.search(r"Regime index .lambda.: (\S+) to (\S+)", said).groups())
         self.assertLess(high, -0.2)
         self.assertEqual(low, high)  # the same layer everywhere
+        stack = self.map("--scene", "cylinder", "--tool", "sphere:6.35", "--layers", "2:0.1:0.45,3:0.1:0.45", "--depth", "1")
+        index = float(re.search(r"Regime index .lambda.: (\S+) to", stack).group(1))
+        one = self.map("--scene", "cylinder", "--tool", "sphere:6.35", "--layer", "5", "--poisson", "0.45", "--depth", "1")
+        self.assertAlmostEqual(index, float(re.search(r"Regime index .lambda.: (\S+) to", one).group(1)), delta=0.011)
 
     def test_a_response_without_material_has_no_map(self):
         saved = self.folder / "saved.vtp"

@@ -64,7 +64,11 @@ class Layer(SessionCase):
         self.assertEqual(peak_force(none), peak_force(plain))
 
     def test_layers_on_each_other(self):
-        press = lambda *options: self.press(bodies.sphere(), "ball.vtp", "--tool", "sphere:3", *options)
+        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+
+        def press(*options):
+            return self.succeed(path, "--tool", "sphere:3", *options)
+
         one = peak_force(press("--layer", "6", "--young", "0.05", "--poisson", "0.45"))
         equal = press("--layers", "1.5:0.05:0.45,4.5:0.05:0.45")
         self.assertAlmostEqual(peak_force(equal) / one, 1.0, delta=2e-3)  # as it is printed, four digits

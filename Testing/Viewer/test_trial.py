@@ -164,6 +164,12 @@ class Trial(SessionCase):
         self.assertEqual(head["question"], "Which one is bonier?")
         self.assertEqual({row[5] for row in rows}, {""})
         self.assertGreater(float(head["intensity A"]), 1.5 * float(head["intensity B"]))
+        # Two layers that are one, and one.
+        log = self.folder / "layers.csv"
+        self.ask("11", "--trial", "sphere:3+layers=0.5:0.1:0.45,1.5:0.1:0.45,sphere:3+young=0.1+layer=2", "--rounds", 1,
+                 "--log", log)
+        head, _ = self.log(log)
+        self.assertAlmostEqual(float(head["intensity A"]) / float(head["intensity B"]), 1.0, delta=1e-3)
 
     def test_ratios_survive_a_device_too_weak(self):
         # 400 N/mm of steel-like rubber: far above the 10 N of the simulated device. Clipped alike,
@@ -191,6 +197,9 @@ class Trial(SessionCase):
                 (("sphere:3,sphere:3+poisson=0.6",), "poisson=0.6"),
                 (("sphere:3,sphere:3+colour=red",), "colour=red"),
                 (("sphere:3,sphere:3+layer=-1",), "layer=-1"),
+                (("sphere:3,sphere:3+layers=1:1",), "layer 1: '1:1' is none"),
+                (("sphere:3,sphere:3+layers=scan",), "what a scan shows"),
+                (("sphere:3,sphere:3+young=1+layers=1:1:0.4",), "its own young and poisson"),
                 (("sphere:3,friction=0.2",), "either all"),
                 (("sphere:3,sphere:2+flat:1",), "two tools"),
                 (("sphere:3,flat:2", "--tool", "cone:30"), "--tool"),

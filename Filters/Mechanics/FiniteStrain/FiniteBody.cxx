@@ -128,16 +128,23 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   const bool isHalfSpace = std::isinf(thickness);
   interfaces.pop_back();
   const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;
+  // Below stiffer layers a half-space gives way the more for its size.
+  const auto over = [&](const FiniteLayer& layer)
+  { return layer.youngsModulus / problem.layers.back().youngsModulus; };
+  double stiffest = 1.0;
+  for (const FiniteLayer& layer : problem.layers)
+  {
+    stiffest = std::max(stiffest, over(layer));
+  }
+  const double far = above + FarAway * stiffest * a;
   // Along a ball as far as the plane that mirrors it, along a cavity to its other end; into a ball
   // almost to its centre.
   const double curved = problem.bodyRadius;
   const bool isWholeBall = isHalfSpace && curved > 0.0;
-  const double bottom = isWholeBall ? (1.0 - CentralHole) * curved
-    : isHalfSpace                   ? above + FarAway * a
-                                    : thickness;
+  const double bottom = isWholeBall ? (1.0 - CentralHole) * curved : isHalfSpace ? far : thickness;
   const double width = curved > 0.0 ? 0.5 * Pi * curved
     : curved < 0.0                  ? -Pi * curved
-    : isHalfSpace                   ? above + FarAway * a
+    : isHalfSpace                   ? far
                                     : 2.0 * a + 10.0 * thickness;
 
   std::vector<FineRange> across = { { 0.0, 1.1 * a, edge } };

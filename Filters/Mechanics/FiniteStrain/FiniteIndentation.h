@@ -73,7 +73,8 @@ struct FiniteCurve
  * taken back to first order. Newton's method; a step that turns an element inside out is shortened,
  * an increment of depth that does not converge is halved.
  *
- * The half-space ends, held, at a thousand contact radii (an error of 0.1 %).
+ * The half-space ends, held, at a thousand contact radii, or as many times more as it is softer
+ * than what lies on it (an error of 0.1 %).
  *
  * Where all layers are linear, the strain is small in every sense: the points of the surface sink
  * straight down below the undeformed tool, as in the laws of the room beside. The ratio of both on

@@ -150,7 +150,8 @@ TEST_F(StrainStack, ToSmallDepthsItIsTheExactLaw)
     // the contact: half of a layer wide, it is seen well.
     const double exact =
       contact.evaluate(0.1, reducedModulus(top.youngsModulus, top.poissonsRatio)).force;
-    EXPECT_NEAR(solve(0.1, StrainModel::Linear) / exact, 1.0, 1e-3);
+    // The far field of a half-space is off by as much again.
+    EXPECT_NEAR(solve(0.1, StrainModel::Linear) / exact, 1.0, stack.hasHalfSpace ? 2e-3 : 1e-3);
     // Finite strain at a depth of 1e-4 radii: what is left is some 0.05 a/R, and a/R 0.01.
     EXPECT_NEAR(solve(5e-4, StrainModel::NeoHooke) / solve(5e-4, StrainModel::Linear), 1.0, 1e-3);
   }
