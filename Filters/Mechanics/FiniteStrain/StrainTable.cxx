@@ -11,6 +11,9 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostNodes = 4;
+// Of the last root: so far c goes on straight beyond it, that a curve which ends with the table
+// keeps its slope there, whatever nodes around the end it is read from.
+constexpr double Straight = 0.05;
 
 /// Lagrange's polynomials on the nodes around a place.
 struct Weights
@@ -78,6 +81,10 @@ StrainTable::StrainTable(
     }
     this->Known.push_back(known == 0 ? 0.0 : this->Given.roots[known - 1]);
     const double last = known == 0 ? 1.0 : this->Factors[begin + known - 1];
+    const std::size_t lowers = std::max<std::size_t>(this->Given.seconds.size(), 1);
+    const std::size_t heights = std::max<std::size_t>(this->Given.thicknesses.size(), 1);
+    const bool isThickest = (this->Known.size() - 1) / lowers % heights == heights - 1;
+    this->ThickestEnds = this->ThickestEnds || (isThickest && known < columns);
     std::fill(this->Factors.begin() + static_cast<std::ptrdiff_t>(begin + known),
       this->Factors.begin() + static_cast<std::ptrdiff_t>(begin + columns), last);
   }
@@ -93,17 +100,19 @@ StrainFactor StrainTable::at(
   const double deepest =
     this->Reach.at(held(axes.thicknesses, thickness), held(axes.seconds, second));
   const double root = std::sqrt(std::max(depth, 0.0) / deepest);
-  const auto over = [](const std::vector<double>& nodes, double value)
+  const auto over = [](const std::vector<double>& nodes, std::size_t asked, double value)
   {
-    return nodes.size() < 2
-      ? Weights{}
-      : weightsAt(
-          nodes.size(), [&](std::size_t i) { return std::log(nodes[i]); }, std::log(value));
+    return asked < 2 ? Weights{}
+                     : weightsAt(
+                         asked, [&](std::size_t i) { return std::log(nodes[i]); }, std::log(value));
   };
+  // A thickest row that ends early is not asked for what lies between the thinner ones.
+  const std::size_t all = axes.thicknesses.size();
+  const bool isBetween = this->ThickestEnds && all > 2 && thickness <= axes.thicknesses[all - 2];
   const Weights ratio = weightsAt(
     axes.ratios.size(), [&](std::size_t i) { return axes.ratios[i]; }, poissonsRatio);
-  const Weights height = over(axes.thicknesses, thickness);
-  const Weights lower = over(axes.seconds, second);
+  const Weights height = over(axes.thicknesses, isBetween ? all - 1 : all, thickness);
+  const Weights lower = over(axes.seconds, axes.seconds.size(), second);
   // One node more than columns: that of no depth.
   const Weights place = weightsAt(
     columns + 1, [&](std::size_t i) { return i == 0 ? 0.0 : axes.roots[i - 1]; }, root);
@@ -117,10 +126,14 @@ StrainFactor StrainTable::at(
     const std::size_t i = n / (height.count * lower.count);
     const std::size_t j = n / lower.count % height.count;
     const std::size_t l = n % lower.count;
+    const double weight = ratio.value[i] * height.value[j] * lower.value[l];
+    if (weight == 0.0)
+    {
+      continue; // where that row ends does not matter
+    }
     const std::size_t row =
       ((ratio.begin + i) * heights + height.begin + j) * lowers + lower.begin + l;
     known = std::min(known, this->Known[row]);
-    const double weight = ratio.value[i] * height.value[j] * lower.value[l];
     for (std::size_t k = 0; k < place.count; ++k)
     {
       const std::size_t column = place.begin + k;
@@ -132,7 +145,10 @@ StrainFactor StrainTable::at(
     }
   }
   const bool beyond = root > known;
-  found.slope = beyond || depth <= 0.0 ? 0.0 : found.slope * 0.5 * root / depth;
+  const double further = known < axes.roots.back() ? 0.0 : std::max(0.0, root - known);
+  found.factor += found.slope * std::min(further, Straight * known);
+  const bool moves = depth > 0.0 && (!beyond || (further > 0.0 && further < Straight * known));
+  found.slope = moves ? found.slope * 0.5 * root / depth : 0.0;
   if (beyond && !this->Constant)
   {
     // What c has done so far it may do again as far beyond.

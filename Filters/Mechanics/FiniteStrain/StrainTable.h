@@ -38,8 +38,9 @@ struct StrainReach
  * √(δ/δ_max), where c is smooth: on a sphere c - 1 is nearly in proportion to √δ. At δ = 0, which
  * is a node of its own, c is 1, or, of a tool without a length (cone), what it is at every depth.
  *
- * Rows may end early, where no equilibrium was found: beyond, the factor stays at its last and the
- * error grows by the distance from there.
+ * Beyond the last root the factor goes on straight for a twentieth of it, then stays. Rows may end
+ * early, where no equilibrium was found: there it stays at once. The error grows by the distance
+ * from the end.
  */
 class PALPATE_EXPORT StrainTable
 {
@@ -69,6 +70,7 @@ private:
   std::vector<double> Factors;
   std::vector<double> Known; ///< the last known root of each row
   StrainReach Reach;
+  bool ThickestEnds = false; ///< some row of the thickest layer ends early
   bool Constant;
   double Error;
 };

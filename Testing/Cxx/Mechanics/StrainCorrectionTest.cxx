@@ -266,9 +266,30 @@ TEST(StrainCorrection, BeyondItsTableTheErrorGrows)
   const auto made = correction(*tool("sphere:5"), 5.0, halfSpaces());
   const StrainFactor within = made->at(5.0, 0.3, 0.0);
   const StrainFactor beyond = made->at(10.0, 0.3, 0.0);
-  EXPECT_DOUBLE_EQ(beyond.factor, within.factor);
+  // It goes on for a twentieth of √δ, then stays.
+  EXPECT_DOUBLE_EQ(beyond.factor, made->at(1.1025 * 5.0, 0.3, 0.0).factor);
+  EXPECT_NEAR(beyond.factor, within.factor, 0.01);
   EXPECT_EQ(beyond.slope, 0.0);
   EXPECT_GT(beyond.error, within.error + 0.04);
+}
+
+/// A curve that ends with the table keeps its slope at the end; on layers a lost one cost 1.2 % of
+/// the force between the last two samples.
+TEST(StrainCorrection, TheSlopeDoesNotEndWithTheTable)
+{
+  const auto sphere = tool("sphere:1");
+  const auto made = correction(*sphere, 0.25, { 0.3, 0.3, false, 0.5, 0.5, LayerBase::Bonded });
+  const StrainFactor before = made->at(0.25 * (1.0 - 1e-9), 0.3, 0.5);
+  const StrainFactor after = made->at(0.25 * (1.0 + 1e-9), 0.3, 0.5);
+  EXPECT_GT(before.slope, 0.5);
+  EXPECT_NEAR(after.slope, before.slope, 1e-6);
+  EXPECT_NEAR(after.factor, before.factor, 1e-6);
+  const double further = made->at(0.255, 0.3, 0.5).factor;
+  EXPECT_NEAR(further, before.factor + 0.005 * before.slope, 2e-4); // straight in √δ
+  // The row of four radii ends at 0.4 of the thickness: no matter to layers up to two.
+  const auto between = correction(*sphere, 0.75, { 0.3, 0.3, false, 1.5, 1.5, LayerBase::Bonded });
+  EXPECT_GT(between->at(0.74, 0.3, 1.5).slope, 0.1);
+  EXPECT_LT(between->at(0.74, 0.3, 1.5).error, 0.005);
 }
 
 TEST(StrainCorrection, StiffeningIsSolvedForAndKept)

@@ -180,9 +180,9 @@ class StrainChecks:
             with self.subTest(row=row):
                 if row["code"] == "CalculiX" and row["nu"] == 0.3 and abs(row["depth_mm"] / 6.35 - 0.098) < 0.003:
                     continue  # one stray point of that curve
-                # Tables, storage, two meshes: 0.5 %; layers by CalculiX or below ν = 0.45, where the volume gives way, 1.5.
-                hard = row["thickness_mm"] and (row["code"] == "CalculiX" or row["nu"] < 0.45 or row["thickness_mm"] == 0.5)
-                self.assertLess(abs(row["error"]), 0.015 if hard else 0.006)
+                # Tables, storage, two meshes: 0.5 %. CalculiX's layers: 1.3 % at the deepest, see ../calculix/README.md.
+                calculix_layer = row["thickness_mm"] and row["code"] == "CalculiX"
+                self.assertLess(abs(row["error"]), 0.014 if calculix_layer else 0.005)
 
     def test_small_strain_is_off_by_what_another_code_says(self):
         with open(run.DATA / "Reference" / "deep" / "finite_sphere_halfspace.csv", encoding="utf-8") as file:

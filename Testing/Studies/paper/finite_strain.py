@@ -135,7 +135,7 @@ def draw_rubber(folder, table):
     panels[1].axhline(0, color="black", linewidth=1.0)
     panels[1].text(0.03, 0.5, "Table 1", fontsize=8)
     panels[1].set(xlabel="deflection $\\delta$, mm (to 12 N by Table 1)", ylabel="force over that of Table 1, %",
-                  xlim=(0, 1.7), title="How far from Table 1 at the same modulus")
+                  xlim=(0, 1.7), ylim=(-33, 18), title="How far from Table 1 at the same modulus")
     panels[1].legend(loc="lower left", fontsize=7)
     results.save(figure, folder / "figure6_finite.png")
 
