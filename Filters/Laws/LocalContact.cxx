@@ -13,19 +13,20 @@ namespace palpate
 namespace
 {
 constexpr int NodeCount = 64;
+constexpr int LayerNodeCount = 32; // one by one at every point: 16 times the error, 2e-5
 // A hollow body is reached later: twice as deep at half the tool's curvature.
 constexpr double ForHollows = 2.1;
 constexpr double ForNegativeCompliance = 3.0;
 // The sag's contact radius is to pass the tool's on any layer.
 constexpr double ForSag = 2.0;
 
-std::vector<double> nodeDepths(double deepest)
+std::vector<double> nodeDepths(double deepest, int count)
 {
   std::vector<double> depths;
-  depths.reserve(NodeCount);
-  for (int i = 1; i <= NodeCount; ++i)
+  depths.reserve(static_cast<std::size_t>(count));
+  for (int i = 1; i <= count; ++i)
   {
-    const double root = static_cast<double>(i) / NodeCount;
+    const double root = static_cast<double>(i) / count;
     depths.push_back(deepest * root * root);
   }
   return depths;
@@ -53,7 +54,7 @@ LocalContact::LocalContact(
   , Direct(tool, deepestOf(tool, range, deeper))
 {
   const double deepest = deepestOf(tool, range, deeper);
-  for (const double depth : nodeDepths(deepest))
+  for (const double depth : nodeDepths(deepest, NodeCount))
   {
     const IndentationPoint at = tool.evaluate(depth, 1.0);
     this->HalfSpace.add(depth, at.force, at.stiffness, at.contactRadius, depth);
@@ -67,9 +68,10 @@ LocalContact::~LocalContact() = default;
 
 void LocalContact::prepareLayers(const LayerTable::Layers& layers)
 {
-  const std::vector<double>& depths = this->HalfSpace.depths;
-  this->Layers = makeLayerCurves(this->Tool, layers, depths);
-  this->SagLayers = makeLayerCurves(*this->Sag, layers, nodeDepths(ForSag * depths.back()));
+  const double deepest = this->HalfSpace.depths.back();
+  this->Layers = makeLayerCurves(this->Tool, layers, nodeDepths(deepest, LayerNodeCount));
+  this->SagLayers =
+    makeLayerCurves(*this->Sag, layers, nodeDepths(ForSag * deepest, LayerNodeCount));
 }
 
 bool LocalContact::answers(const ContactSpot& spot) const

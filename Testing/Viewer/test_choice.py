@@ -23,11 +23,12 @@ class Choice(SessionCase):
         return rows["deflection_mm"], rows["normal_force_N"]
 
     def test_one_law_suffices_for_a_homogeneous_body_and_is_felt_as_before(self):
-        said = self.press(bodies.sphere(), "ball.vtp")
+        flat = "--no-curvature"                             # the mesh's differs in the last digits of a float
+        said = self.press(bodies.sphere(), "ball.vtp", flat)
         depth, force = self.trajectory()
         self.assertIn("one law suffices", choice(said))
         self.assertIn("0 instead of 16 numbers per point", choice(said))
-        whole = self.press(bodies.sphere(), "ball.vtp", "--no-auto")
+        whole = self.press(bodies.sphere(), "ball.vtp", "--no-auto", flat)
         self.assertNotIn("choice  ", whole.stdout)
         depth_before, before = self.trajectory()
         numpy.testing.assert_allclose(depth, depth_before, rtol=1e-12, atol=1e-12)
@@ -36,7 +37,7 @@ class Choice(SessionCase):
 
     def test_responses_of_a_file_are_judged_too(self):
         saved = self.folder / "saved.vtp"
-        self.press(bodies.sphere(), "ball.vtp", "--save", saved)
+        self.press(bodies.sphere(), "ball.vtp", "--save", saved, "--no-curvature", "--error-tolerance", "0")
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(str(saved))
         reader.Update()
