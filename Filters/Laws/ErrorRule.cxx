@@ -172,7 +172,8 @@ double ErrorRule::curvaturePart(
   const double leftOut = this->Scope.curvature ? 0.0
     : curvature.mean() < 0.0                   ? first * (1.0 + 2.0 * first)
                                                : first;
-  return std::min(1.0, leftOut + ellipse + structural + perCurvature * curvature.error);
+  const double both = leftOut * structural; // one on the other
+  return std::min(1.0, leftOut + ellipse + structural + both + perCurvature * curvature.error);
 }
 
 double ErrorRule::edgePart(
