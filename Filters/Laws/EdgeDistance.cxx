@@ -21,12 +21,11 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double Opposite = -0.3;        // cosine between two ways of which one goes on the other
-constexpr double SpacingsPerCell = 2.0;  // at least, of the root of the area a point has
-constexpr double LongFacet = 4.0;        // squares of the contact radius: its area
-constexpr double SmallPatch = 0.2;       // of a cell: too few facets to know its normal
-constexpr double SmallestBorder = 4.0;   // contact radii
-constexpr float BorderTurn = 1.5707964F; // as that of a quarter space
+constexpr double Opposite = -0.3;       // cosine between two ways of which one goes on the other
+constexpr double SpacingsPerCell = 2.0; // at least, of the root of the area a point has
+constexpr double LongFacet = 4.0;       // squares of the contact radius: its area
+constexpr double SmallPatch = 0.2;      // of a cell: too few facets to know its normal
+constexpr double SmallestBorder = 4.0;  // contact radii
 
 /// A cell's facets, or one long facet, as one.
 struct Patch
@@ -78,6 +77,7 @@ public:
   }
 
   const std::vector<Side>& sides() const { return this->Sides; }
+  const std::vector<Side>& border() const { return this->Border; }
   const TriangleLinks& links() const { return this->Links; }
   const std::vector<TriangleCorners>& corners() const { return this->Corners; }
   Vector3d point(std::int32_t i) const
@@ -382,7 +382,7 @@ private:
     {
       for (std::size_t i = 0; this->Corners[t][0] >= 0 && i < 3; ++i)
       {
-        const Side side{ this->Corners[t][i], this->Corners[t][(i + 1) % 3], BorderTurn };
+        const Side side{ this->Corners[t][i], this->Corners[t][(i + 1) % 3], 0.0F };
         const bool isSeam = this->IsSeam && this->IsSeam[side.from] && this->IsSeam[side.to];
         if (this->Links.neighbours(t)[i] == TriangleLinks::Border && !isSeam)
         {
@@ -395,7 +395,7 @@ private:
                    [&](const Side& side) { return at[keyOf(side)] > 1; }),
       border.end());
     this->dropHoles(border);
-    this->Sides.insert(this->Sides.end(), border.begin(), border.end());
+    this->Border = std::move(border);
   }
 
   /// Loops shorter than a contact are holes of a scan.
@@ -437,6 +437,7 @@ private:
   std::vector<Patch> Patches;
   std::vector<float> Turns; ///< of the patches
   std::vector<Side> Sides;
+  std::vector<Side> Border;
 };
 } // namespace
 
@@ -445,46 +446,51 @@ EdgeDistance::EdgeDistance(
   : Found(surface.pointCount)
 {
   const EdgeFinder finder(surface, contactRadius, isSeam);
-  const std::vector<Side>& sides = finder.sides();
-  this->EdgeCount = sides.size();
+  this->EdgeCount = finder.sides().size();
 
-  // From the edges outwards; a point hands on the edge it is nearest to.
+  // From the sides outwards; a point hands on the side it is nearest to.
   using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  const auto offer = [&](std::int32_t point, std::int32_t side)
+  const auto spread = [&](const std::vector<Side>& sides, float NearEdge::*distance)
   {
-    const Side& edge = sides[static_cast<std::size_t>(side)];
-    const auto away = static_cast<float>(
-      distanceTo(finder.point(point), finder.point(edge.from), finder.point(edge.to)));
-    NearEdge& found = this->Found[static_cast<std::size_t>(point)];
-    if (away < found.distance && static_cast<double>(away) <= reach)
+    const auto offer = [&](std::int32_t point, std::int32_t side)
     {
-      found = { away, edge.turn };
-      front.push({ away, { point, side } });
-    }
-  };
-  for (std::size_t i = 0; i < sides.size(); ++i)
-  {
-    offer(sides[i].from, static_cast<std::int32_t>(i));
-    offer(sides[i].to, static_cast<std::int32_t>(i));
-  }
-  while (!front.empty())
-  {
-    const auto [away, from] = front.top();
-    front.pop();
-    if (away > this->Found[static_cast<std::size_t>(from.first)].distance)
-    {
-      continue;
-    }
-    const auto around = finder.links().around(from.first);
-    for (const std::int32_t* t = around[0]; t != around[1]; ++t)
-    {
-      for (const std::int32_t corner : finder.corners()[static_cast<std::size_t>(*t)])
+      const Side& edge = sides[static_cast<std::size_t>(side)];
+      const auto away = static_cast<float>(
+        distanceTo(finder.point(point), finder.point(edge.from), finder.point(edge.to)));
+      NearEdge& found = this->Found[static_cast<std::size_t>(point)];
+      if (away < found.*distance && static_cast<double>(away) <= reach)
       {
-        offer(corner, from.second);
+        found.*distance = away;
+        found.turn = edge.turn > 0.0F ? edge.turn : found.turn;
+        front.push({ away, { point, side } });
+      }
+    };
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      offer(sides[i].from, static_cast<std::int32_t>(i));
+      offer(sides[i].to, static_cast<std::int32_t>(i));
+    }
+    while (!front.empty())
+    {
+      const auto [away, from] = front.top();
+      front.pop();
+      if (away > this->Found[static_cast<std::size_t>(from.first)].*distance)
+      {
+        continue;
+      }
+      const auto around = finder.links().around(from.first);
+      for (const std::int32_t* t = around[0]; t != around[1]; ++t)
+      {
+        for (const std::int32_t corner : finder.corners()[static_cast<std::size_t>(*t)])
+        {
+          offer(corner, from.second);
+        }
       }
     }
-  }
+  };
+  spread(finder.sides(), &NearEdge::distance);
+  spread(finder.border(), &NearEdge::border);
 }
 
 double edgeFactor(double poissonsRatio, double distanceOverRadius)

@@ -12,15 +12,18 @@
 
 namespace palpate
 {
-/// The edge of a surface next to a point.
+/// The edge of a surface next to a point, and its border.
 struct NearEdge
 {
-  float distance = std::numeric_limits<float>::infinity(); ///< mm, straight
-  float turn = 0.0F; ///< by which the surface turns away there, rad; π/2 at a border
+  static constexpr float Far = std::numeric_limits<float>::infinity();
+  float distance = Far; ///< mm, straight
+  float turn = 0.0F;    ///< by which the surface turns away there, rad
+  float border = Far;   ///< mm, straight, to where the surface ends
 };
 
 /**
- * How far each point of a surface is from the next edge where it turns away (convex) or ends.
+ * How far each point of a surface is from the next edge where it turns away (convex), and from
+ * where it ends.
  *
  * An edge is what a contact of radius a takes for one. Facets are averaged in cells of a, of a
  * coarse mesh of a few facets (long facets stand for themselves), so that neither a scan's noise

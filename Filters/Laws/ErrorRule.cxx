@@ -10,11 +10,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace palpate
 {
 namespace
 {
+constexpr double StackBound = 1.6;  // of the layers' mean: holds for all of 30 random forces
+constexpr double BorderReach = 2.0; // contact radii from which a border does not matter
+
 /// 2 |C_g E* R_b|, by finite elements on balls and in cavities: what a body of mean curvature κ
 /// yields less as a whole than a half-space, per a |κ|.
 double wholeCompliance(double radius, double meanCurvature, double poissonsRatio)
@@ -92,20 +96,35 @@ void ErrorRule::addStrain(const ContactSpot& spot, const LocalState& state, Erro
 double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) const
 {
   const double a = state.radius;
+  struct Part
+  {
+    double share;    // of the depth, times all of them
+    double pressure; // over E*
+    double ratio;
+    double thickness; // 0: endless
+  };
+  std::vector<Part> parts;
   const auto modulusOf = [](const StackLayer& layer)
   { return reducedModulus(layer.youngsModulus, layer.poissonsRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
   double above = 0.0; // the layer's depth below the surface
-  double worst = 0.0;
+  // Below the middle of an even pressure on a circle 1 - (z/√(a²+z²))³ of it is left; its integral.
+  const auto taken = [a](double z)
+  {
+    const double slant = std::hypot(a, z);
+    return z - slant - a * a / slant + 2.0 * a;
+  };
+  double whole = 0.0;
   const auto consider = [&](const StackLayer& layer, double thickness)
   {
-    // Below the middle of an even pressure on a circle.
-    const double reaches = 1.0 - std::pow(above / std::hypot(a, above), 3.0);
-    const double pressure = reaches * state.force / (Pi * a * a) * first / modulusOf(layer);
+    const double softness = first / modulusOf(layer);
     const bool isEndless = !(thickness > 0.0);
-    worst = std::max(worst,
-      smallStrainError(pressure, layer.poissonsRatio, isEndless ? 0.0 : state.depth / thickness,
-        isEndless ? 0.0 : a / thickness));
+    const double share =
+      softness * ((isEndless ? 2.0 * a : taken(above + thickness)) - taken(above));
+    const double reaches = 1.0 - std::pow(above / std::hypot(a, above), 3.0);
+    parts.push_back({ share, reaches * state.force / (Pi * a * a) * softness, layer.poissonsRatio,
+      isEndless ? 0.0 : thickness });
+    whole += share;
     above += thickness;
   };
   for (std::size_t i = 0; i < this->Scope.stack->layers.size(); ++i)
@@ -117,7 +136,16 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   {
     consider(this->Scope.stack->halfSpace, 0.0);
   }
-  return worst;
+  double sum = 0.0;
+  for (const Part& part : parts)
+  {
+    const double share = part.share / whole;
+    const double h = part.thickness;
+    sum += share *
+      smallStrainError(
+        part.pressure, part.ratio, h > 0.0 ? share * state.depth / h : 0.0, h > 0.0 ? a / h : 0.0);
+  }
+  return StackBound * sum;
 }
 
 double ErrorRule::curvaturePart(
@@ -139,8 +167,13 @@ double ErrorRule::curvaturePart(
     : !isWhole                                ? ellipseFactor(toolCurvature, curvature)
     : state.depth < wholeFrom(end, curvature) ? 1.0
                                               : 0.0;
-  const double leftOut = this->Scope.curvature ? 0.0 : perCurvature * mean;
-  return std::min(1.0, leftOut + ellipse + structural + perCurvature * curvature.error);
+  const double first = perCurvature * mean;
+  // In a hollow the second order adds to it: of a sphere 1/√(1-2x) - 1 = x + 3/2 x².
+  const double leftOut = this->Scope.curvature ? 0.0
+    : curvature.mean() < 0.0                   ? first * (1.0 + 2.0 * first)
+                                               : first;
+  const double both = leftOut * structural; // one on the other
+  return std::min(1.0, leftOut + ellipse + structural + both + perCurvature * curvature.error);
 }
 
 double ErrorRule::edgePart(
@@ -151,13 +184,26 @@ double ErrorRule::edgePart(
   {
     return 1.0;
   }
-  const auto distance = static_cast<double>(edge.distance);
-  if (spot.compliance != 0.0 || !std::isfinite(distance))
+  if (spot.compliance != 0.0)
   {
     return 0.0;
   }
-  const double base = spot.thickness > 0.0 ? std::exp(-distance / spot.thickness) : 1.0;
-  const double missing = static_cast<double>(edge.turn) / (0.5 * Pi); // of a quarter space
-  return std::min(1.0, base * missing * (1.0 - edgeFactor(spot.poissonsRatio, distance / a)));
+  const auto part = [&](double distance, double missing)
+  {
+    const double base = spot.thickness > 0.0 ? std::exp(-distance / spot.thickness) : 1.0;
+    return base * missing * (1.0 - edgeFactor(spot.poissonsRatio, distance / a));
+  };
+  const auto distance = static_cast<double>(edge.distance);
+  const auto border = static_cast<double>(edge.border);
+  double sum = 0.0;
+  if (std::isfinite(distance))
+  {
+    sum += part(distance, static_cast<double>(edge.turn) / (0.5 * Pi)); // over a quarter space's
+  }
+  if (border < BorderReach * a)
+  {
+    sum += part(border, 1.0 - border / (BorderReach * a));
+  }
+  return std::min(1.0, sum);
 }
 } // namespace palpate

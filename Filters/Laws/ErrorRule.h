@@ -48,16 +48,19 @@ struct LawScope
  * sign. With a the contact radius, F the force, κ_m the body's mean curvature and σ its error:
  *
  * - Strain, Thickness: what the small-strain law lacks (smallStrainError), on a layer named after
- *   its larger term; with a StrainCorrection, that one's own error. In a stack the largest that one
- *   of its layers would have if all of the depth were its own, under the pressure that reaches it.
- * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool; in the law, none of
- *   that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E* a³/F, and, unless the body's
- *   own compliance is known, q a |κ_m| for what a body yields less as a whole than a half-space:
- *   q = 0.46 of a ball, in hollows more with a body that changes its volume, as in a cavity,
- *   0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
+ *   its larger term; with a StrainCorrection, that one's own error. In a stack 1.6 times
+ *   the mean over its layers, each by the part of the depth that is its own and the pressure that
+ *   reaches it.
+ * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool, in hollows with a
+ *   second; in the law, none of that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E*
+ * a³/F, and, unless the body's own compliance is known, q a |κ_m| for what a body yields less as a
+ * whole than a half-space: q = 0.46 of a ball, in hollows more with a body that changes its volume,
+ * as in a cavity, 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
  * - Edge: 1 - Φ(d/a) of the next edge (edgeFactor), in proportion to the angle it turns by over a
  *   right one; on a layer times e^(-d/h), as its base holds it. Not where the body's own compliance
- *   is known, which contains it. All of the force where the contact is wider than the whole body.
+ *   is known, which contains it. At an open border the body is taken to go on unseen: as much as at
+ *   a right-angled edge, less and less to 2 a away. All of the force where the contact is wider
+ * than the whole body.
  * - None: storage.
  *
  * In series with a compliance a local error counts by the local part of the series, k/k_local.

@@ -37,11 +37,11 @@ struct SurfaceSeam
  *
  * The error is that of the mean curvature. Of one form: the root mean square of what it does not
  * explain (twice that of the edges where there are fewer than three directions), or, if more, twice
- * the spread of its own and its neighbours' forms: noise of the point itself all its edges have
- * alike. Averaged: twice that spread over 1 + steps, since noise moves neighbours against each
- * other, and twice what the second half of the steps has changed, where the curvature itself
- * changes, and a hundredth of the curvature. It holds for 95 of 100 points of noisy analytic
- * surfaces: Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
+ * the spread of its own and its neighbours' mean curvatures: noise of the point itself all its
+ * edges have alike. Averaged: that over 1 + steps, since noise moves neighbours against each other,
+ * and twice what the second half of the steps has changed, where the curvature itself changes, and
+ * a hundredth of the curvature. It holds for 95 of 100 points of noisy analytic surfaces:
+ * Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
  *
  * Points are gathered one by one, threaded; the same bits for any number of threads. Memory: 12
  * bytes per point kept, 28 per triangle and 150 per point while it is made. Cost: 1 µs a point, and

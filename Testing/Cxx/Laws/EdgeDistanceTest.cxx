@@ -142,7 +142,7 @@ TEST(EdgeDistance, OfLongFacetsToo)
 {
   const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0); // the ridge and two borders, 30 mm away
   const EdgeDistance edges(mesh.spans(), 1.0, 80.0);
-  EXPECT_EQ(edges.at(1).distance, 0.0F);
+  EXPECT_EQ(edges.at(1).border, 0.0F);
   const EdgeDistance within(mesh.spans(), 1.0, 80.0,
     std::vector<unsigned char>(mesh.size(), 1).data()); // without its border
   EXPECT_NEAR(static_cast<double>(within.at(4).distance), 0.0, 1e-6);
@@ -176,7 +176,7 @@ TEST(EdgeDistance, BorderCountsSeamsAndHolesDoNot)
     });
   const std::size_t middle = 30 * 61 + 30;
   EXPECT_NEAR(
-    static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0).at(middle).distance), 30.0, 1e-4);
+    static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0).at(middle).border), 30.0, 1e-4);
   std::vector<unsigned char> isSeam(mesh.size(), 0);
   for (std::size_t i = 0; i < mesh.size(); ++i)
   {
@@ -184,14 +184,14 @@ TEST(EdgeDistance, BorderCountsSeamsAndHolesDoNot)
   }
   const std::size_t left = 30 * 61 + 5;
   EXPECT_NEAR(
-    static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0, isSeam.data()).at(left).distance),
-    30.0, 1.0);
+    static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0, isSeam.data()).at(left).border), 30.0,
+    1.0);
   // A hole of one square, 2 mm beside the middle; and a slit whose sides lie at the same place.
   Mesh holed = mesh;
   holed.triangles.erase(
     holed.triangles.begin() + 6 * (30 * 60 + 32), holed.triangles.begin() + 6 * (30 * 60 + 32) + 6);
   EXPECT_NEAR(
-    static_cast<double>(EdgeDistance(holed.spans(), 1.0, 80.0).at(middle).distance), 30.0, 1e-4);
+    static_cast<double>(EdgeDistance(holed.spans(), 1.0, 80.0).at(middle).border), 30.0, 1e-4);
   Mesh slit = mesh;
   std::map<std::int32_t, std::int32_t> twin;
   for (std::int32_t k = 0; k <= 60; ++k)
@@ -209,9 +209,9 @@ TEST(EdgeDistance, BorderCountsSeamsAndHolesDoNot)
       isRight && found != twin.end() ? found->second : slit.triangles[corner];
   }
   // 10 mm from the slit, 20 from the border across it.
-  EXPECT_NEAR(static_cast<double>(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).distance),
-    30.0, 9.1);
-  EXPECT_GT(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).distance, 20.0F);
+  EXPECT_NEAR(
+    static_cast<double>(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).border), 30.0, 9.1);
+  EXPECT_GT(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).border, 20.0F);
 }
 
 /// Φ of Hetényi's quarter space, for flat, paraboloid and cone.
@@ -251,9 +251,14 @@ TEST(EdgeDistance, PartOfTheError)
   };
   const auto right = static_cast<float>(0.5 * Pi);
   const double whole = 1.0 - edgeFactor(0.45, 3.0);
-  EXPECT_NEAR(part(0.0, 0.0, { 3.0F, right }), whole, 1e-6);
-  EXPECT_NEAR(part(0.0, 0.0, { 3.0F, 0.5F * right }), 0.5 * whole, 1e-6);
-  EXPECT_NEAR(part(0.0, 6.0, { 3.0F, right }), std::exp(-0.5) * whole, 1e-6);
-  EXPECT_EQ(part(0.1, 0.0, { 3.0F, right }), 0.0);
+  EXPECT_NEAR(part(0.0, 0.0, { 3.0F, right, NearEdge::Far }), whole, 1e-6);
+  EXPECT_NEAR(part(0.0, 0.0, { 3.0F, 0.5F * right, NearEdge::Far }), 0.5 * whole, 1e-6);
+  EXPECT_NEAR(part(0.0, 6.0, { 3.0F, right, NearEdge::Far }), std::exp(-0.5) * whole, 1e-6);
+  EXPECT_EQ(part(0.1, 0.0, { 3.0F, right, NearEdge::Far }), 0.0);
   EXPECT_EQ(part(0.0, 0.0, {}), 0.0);
+  // A border: all at it, half of it one contact radius away, nothing from two on.
+  const auto atBorder = [](float border) { return NearEdge{ NearEdge::Far, 0.0F, border }; };
+  EXPECT_NEAR(part(0.0, 0.0, atBorder(0.0F)), 1.0 - edgeFactor(0.45, 0.0), 1e-6);
+  EXPECT_NEAR(part(0.0, 0.0, atBorder(1.0F)), 0.5 * (1.0 - edgeFactor(0.45, 1.0)), 1e-6);
+  EXPECT_EQ(part(0.0, 0.0, atBorder(2.0F)), 0.0);
 }

@@ -22,6 +22,25 @@ def poly(points, triangles):
     return body
 
 
+def read_head(scan):
+    """The skin of a head's scan, as the demo has it."""
+    from vtkmodules.vtkIOImage import vtkNIFTIImageReader
+    reader, skin = vtkNIFTIImageReader(), palpate.vtkSkinSurface()
+    reader.SetFileName(str(scan))
+    skin.SetInputConnection(reader.GetOutputPort())
+    skin.Update()
+    return skin.GetOutput()
+
+
+def read_body(file, length=None):
+    """A file's surface; `length`: what its longest side is scaled to, mm."""
+    surface = palpate.response(file, tool="sphere:1", maximum_deflection=0.001)
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    factor = length / np.ptp(points, axis=0).max() if length else 1.0
+    return poly(factor * points, triangles)
+
+
 def areas(body):
     """Area of each point, mm²: a third of the triangles around it."""
     points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)

@@ -1,0 +1,42 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the study of errors left in Data/Studies/error: the stated error holds, and is of the true one's size.
+
+    test_error.py [UNITTEST ARGS]
+
+A handful of cases is solved anew in Testing/Cxx/Laws/RandomContactTest.cxx.
+"""
+import pathlib
+import sys
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+DATA = HERE.parents[2] / "Data" / "Studies" / "error"
+sys.path.insert(0, str(HERE))
+
+import run  # noqa: E402
+
+
+class Committed(unittest.TestCase):
+    def setUp(self):
+        self.rows = run.read(DATA / "cases.csv")
+
+    def test_the_bound_holds_in_95_of_100_of_every_family(self):
+        for family in run.FAMILIES:
+            some = [row for row in self.rows if row["family"] == family]
+            self.assertGreater(len(some), 10, family)
+            held = sum(float(row["error"]) <= float(row["stated"]) + run.SOLVER for row in some)
+            self.assertGreaterEqual(held, 0.95 * len(some), family)
+
+    def test_it_is_no_more_than_three_times_too_wide_for_most(self):
+        ratios = sorted(float(row["stated"]) / max(float(row["error"]), 0.005) for row in self.rows)
+        self.assertLess(ratios[len(ratios) // 2], 3.0)
+
+    def test_errors_are_those_of_the_forces(self):
+        for row in self.rows:
+            error = abs(float(row["exact_N"]) / float(row["force_N"]) - 1.0)
+            self.assertAlmostEqual(error, float(row["error"]), delta=2e-5)  # six and five digits
+
+
+if __name__ == "__main__":
+    unittest.main()
