@@ -49,7 +49,6 @@ void vtkForceChartRepresentation::PrepareForRendering()
   const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
-  this->StyleBands();
   if (table->GetNumberOfRows() < 2) // a line of one point cannot be drawn: a history that begins
   {
     vtkChartXY* chart = this->GetChart();
@@ -106,6 +105,7 @@ int vtkForceChartRepresentation::ProcessViewRequest(
       this->TitleAxis(vtkAxis::BOTTOM, this->GetXAxisSeriesName(), this->BottomTitle);
     }
     this->TitleAxis(vtkAxis::LEFT, "Force (N)", this->LeftTitle);
+    this->StyleBands();
   }
   return done;
 }
