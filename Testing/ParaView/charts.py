@@ -164,13 +164,14 @@ def check_band():
     view, shown = opened(curves)
     assert visible(shown) == {force + " (N)", *band}, visible(shown)
     chart = chart_of(view)
-    plots = [chart.GetPlot(i) for i in range(chart.GetNumberOfPlots())]
+    plots = [chart.GetPlot(i) for i in range(chart.GetNumberOfPlots())
+             if chart.GetPlot(i).GetLabel().startswith(force)]
     colours = set()
     for plot in plots:
         colour = [0.0, 0.0, 0.0]
         plot.GetPen().GetColorF(colour)
         colours.add(tuple(colour))
-    assert len(plots) == 3 and len(colours) == 1, colours
+    assert len(plots) == 3 and len(colours) == 1, ([plot.GetLabel() for plot in plots], colours)
     assert sorted(plot.GetLegendVisibility() for plot in plots) == [False, False, True]
     picture(view, "chart_band.png")
     curves.ErrorBand = 0

@@ -31,8 +31,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
-        "Curvature Correction": 0, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
-        "Error Tolerance": 0.0, "Store Error": 0, "Least Law That Keeps Forces": 0, "Term Tolerance": 0.01,
+        "Curvature Correction": 1, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
+        "Error Tolerance": 0.05, "Store Error": 1, "Least Law That Keeps Forces": 0, "Term Tolerance": 0.01,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
     ("filters", "ContactRegime"): {
         "Input": None, "Tool": None, "Deflection (mm)": 0.0, "Material": 0, "Young's Modulus (MPa)": 0.1,
@@ -53,7 +53,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Force Scale (mm/N)": 0.0, "Tool Length (mm)": 0.0, "Poisson's Ratio": 0.45, "Reach (contact radii)": 20.0},
     ("filters", "ResponseCurves"): {
         "Input": None, "Selection": None, "Point Ids": 0, "Response Name": "Response", "More Response Names": None,
-        "Maximum Number Of Points": 20, "Number Of Rows": 101},
+        "Maximum Number Of Points": 20, "Number Of Rows": 101, "Error Band": 1},
     ("filters", "ContactHistory"): {"Tips": None, "Abscissa": 0},
     ("filters", "MeasuredCurves"): {"Readings": None},
     ("filters", "ReducedContactResponse"): {

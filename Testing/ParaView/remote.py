@@ -67,7 +67,8 @@ def numbers(proxies):
                               return_index=True)[1]
         arrays = data.GetPointData()
         for i in range(arrays.GetNumberOfArrays()):
-            if arrays.GetArrayName(i) not in ("ContactCell", "ContactRank", "vtkGhostType", "Texture Coordinates"):
+            if arrays.GetArrayName(i) not in ("ContactCell", "ContactRank", "vtkGhostType", "Texture Coordinates",
+                                               "RelativeError"):   # on one process only
                 result[name, arrays.GetArrayName(i)] = vtk_to_numpy(arrays.GetArray(i))[order]
     return result
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkForceChartRepresentation.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkAxis.h"
 #include "vtkChartXY.h"
-#include "vtkContextMapper2D.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVView.h"
 #include "vtkPen.h"
@@ -51,7 +49,6 @@ void vtkForceChartRepresentation::PrepareForRendering()
   const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
-  this->StyleBands(table);
   if (table->GetNumberOfRows() < 2) // a line of one point cannot be drawn: a history that begins
   {
     vtkChartXY* chart = this->GetChart();
@@ -67,20 +64,13 @@ void vtkForceChartRepresentation::PrepareForRendering()
 
 /// What a force may be by its error, vtkResponseCurves.h: thin lines of the force's own colour,
 /// which need no legend.
-void vtkForceChartRepresentation::StyleBands(vtkTable* table)
+void vtkForceChartRepresentation::StyleBands()
 {
   vtkChartXY* chart = this->GetChart();
-  const auto columnOf = [table](vtkPlot* plot)
-  {
-    vtkAbstractArray* column = plot->GetInput() == table
-      ? plot->GetData()->GetInputAbstractArrayToProcess(1, table)
-      : nullptr;
-    return std::string(column && column->GetName() ? column->GetName() : "");
-  };
   std::map<std::string, vtkPlot*> plots;
   for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
   {
-    plots[columnOf(chart->GetPlot(i))] = chart->GetPlot(i);
+    plots[chart->GetPlot(i)->GetLabel()] = chart->GetPlot(i);
   }
   for (const auto& [name, plot] : plots)
   {
@@ -115,6 +105,7 @@ int vtkForceChartRepresentation::ProcessViewRequest(
       this->TitleAxis(vtkAxis::BOTTOM, this->GetXAxisSeriesName(), this->BottomTitle);
     }
     this->TitleAxis(vtkAxis::LEFT, "Force (N)", this->LeftTitle);
+    this->StyleBands();
   }
   return done;
 }

@@ -16,8 +16,6 @@
 
 #include <string> // For std::string
 
-class vtkTable;
-
 class PALPATESERVERMANAGER_EXPORT vtkForceChartRepresentation : public vtkXYChartRepresentation
 {
 public:
@@ -44,7 +42,7 @@ private:
   vtkForceChartRepresentation(const vtkForceChartRepresentation&) = delete;
   void operator=(const vtkForceChartRepresentation&) = delete;
 
-  void StyleBands(vtkTable* table);
+  void StyleBands();
   void TitleAxis(int axis, const std::string& title, std::string& given);
 
   std::string Abscissa = GetFirstColumn();

@@ -144,7 +144,7 @@ TEST_F(StrainStack, ToSmallDepthsItIsTheExactLaw)
       const FiniteCurve found =
         pressTool(ToolOutline(*sphere, 3.0 * problem.contactRadius, 0.01), problem);
       EXPECT_EQ(found.fault, "");
-      return found.fault.empty() ? found.points[0].force : NAN;
+      return found.fault.empty() ? found.points[0].force : static_cast<double>(NAN);
     };
     // The exact law at any depth, where the strain is said to be small. The elements grow away from
     // the contact: half of a layer wide, it is seen well.
