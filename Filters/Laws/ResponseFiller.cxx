@@ -134,7 +134,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
   {
     std::fill_n(this->Spans.error + n * i, n, std::numeric_limits<float>::quiet_NaN());
   }
-  return { 0.0, ResponseLimit::None };
+  return { 0.0, status == Valid ? ResponseLimit::Thickness : ResponseLimit::None };
 }
 
 /// Between the samples the error is straight over √δ, as strain is below a sphere.

@@ -82,9 +82,11 @@ private:
   };
   class SampledLaw;
 
+  /// A body's sag is left out where the layer is too thin for it, finite strain never.
   bool isCorrected(const ContactSpot& spot) const
   {
-    return this->Contact && this->Contact->corrects(spot);
+    return this->Contact && this->Contact->corrects(spot) &&
+      (this->Contact->corrects({}) || this->Contact->answers(spot));
   }
 
   static UnitCurve layerCurve(const LayerCurves& table, const ContactSpot& spot);

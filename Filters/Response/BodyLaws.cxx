@@ -294,7 +294,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   const SurfaceShape shape{ widthOf(body, ranks),
     [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
     [&found](std::size_t i) { return found.curvature->at(i); },
-    [&found](std::size_t i) { return found.edges->at(i); } };
+    [&found](std::size_t i) { return found.edgeAt(i); } };
   std::unique_ptr<StrainCorrection> strain;
   const auto makeStrain =
     [&](const BodyMaterial& of, const StrainLaw& law, std::unique_ptr<StrainCorrection>& made)

@@ -248,7 +248,8 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   request.maximumDeflection = this->MaximumDeflection;
   request.terms = { this->CurvatureCorrection,
     { static_cast<palpate::StrainModel>(this->StrainModel), this->StrainExponent },
-    this->ErrorTolerance, true };
+    this->ErrorTolerance, true, this->AutomaticTerms,
+    this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance };
   request.tolerance = this->Tolerance;
   request.choiceDeflection = this->ChoiceDeflection;
   if (this->Model == Layer)
@@ -438,6 +439,7 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "StrainExponent: " << this->StrainExponent << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ChoiceDeflection: " << this->ChoiceDeflection << " mm\n";
   os << indent << "Settings: " << this->Settings.Get() << "\n";

@@ -167,6 +167,13 @@ public:
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
+  ///@{
+  /** Whether the law has no more than the forces need, within Tolerance (0: 1 %); see
+   * vtkToolContactResponse. Default off. */
+  vtkSetMacro(AutomaticTerms, bool);
+  vtkGetMacro(AutomaticTerms, bool);
+  vtkBooleanMacro(AutomaticTerms, bool);
+  ///@}
 
   ///@{
   /** Largest error of the force, relative, at which a session is given a simpler form of a response
@@ -249,6 +256,7 @@ private:
   int StrainModel = 0;
   double StrainExponent = 2.0;
   double ErrorTolerance = 0.05;
+  bool AutomaticTerms = false;
   double Tolerance = 0.0;
   double ChoiceDeflection = 0.0;
   vtkSmartPointer<vtkContactSettings> Settings;

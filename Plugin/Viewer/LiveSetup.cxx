@@ -70,6 +70,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetStrainModel(static_cast<int>(scene.terms.strain.model));
   setup->SetStrainExponent(scene.terms.strain.parameter);
   setup->SetErrorTolerance(scene.terms.errorTolerance);
+  setup->SetAutomaticTerms(scene.terms.automatic);
   setup->SetTolerance(options.automatic ? options.tolerance : 0.0);
   setup->SetChoiceDeflection(scene.depth);
   {

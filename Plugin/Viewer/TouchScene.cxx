@@ -59,6 +59,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   scene.poissonsRatio = options.poissonsRatio.value_or(scene.poissonsRatio);
   scene.depth = options.depth.value_or(scene.depth);
   scene.terms = options.terms;
+  scene.terms.changeTolerance = options.tolerance;
   if (!options.tools.empty())
   {
     scene.tools = options.tools;

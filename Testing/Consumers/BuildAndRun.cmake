@@ -12,7 +12,7 @@ file(RENAME "${WORK}/first" "${WORK}/moved")
 set(prefix "${WORK}/moved")
 
 # A body for the programs without VTK, by the installed viewer.
-run("${prefix}/bin/palpate" --scene cylinder --tool sphere:6.35 --output "${WORK}/session"
+run("${prefix}/bin/palpate" --scene cylinder --tool sphere:6.35 --no-curvature --output "${WORK}/session"
   --export "${WORK}/cylinder.palpate")
 
 foreach(consumer IN ITEMS vtk loop laws c)

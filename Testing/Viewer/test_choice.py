@@ -35,6 +35,10 @@ class Choice(SessionCase):
         numpy.testing.assert_allclose(force, before, rtol=1e-12)  # sums in another order
         self.assertEqual(peak_force(said), peak_force(whole))
 
+    def test_the_law_has_what_the_force_needs(self):
+        said = self.press(bodies.sphere(), "ball.vtp", "--strain", "auto")
+        self.assertRegex(choice(said), "Of its law: the body's curvature is in the law: without it the force is off by .* %; ")
+
     def test_responses_of_a_file_are_judged_too(self):
         saved = self.folder / "saved.vtp"
         self.press(bodies.sphere(), "ball.vtp", "--save", saved, "--no-curvature", "--error-tolerance", "0")

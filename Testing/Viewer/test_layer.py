@@ -120,7 +120,7 @@ class Head(SessionCase):
 
     def test_soft_tissue_over_the_skull(self):
         saved = self.folder / "head.vtp"
-        result = self.succeed("--resolution", "3", "--save", saved,
+        result = self.succeed("--resolution", "3", "--no-curvature", "--save", saved,
                               pictures=(*PICTURES, "thickness"))
         body = read(saved)
         points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)

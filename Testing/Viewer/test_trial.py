@@ -58,7 +58,7 @@ class Trial(SessionCase):
 
     def test_an_observer_who_feels_the_force_is_always_right(self):
         said = self.observe(lambda x, y: 1 if x > y else 2, "--trial", "sphere:3,flat:3,cone:60",
-                            "--rounds", 2, "--seed", 5)
+                            "--rounds", 2, "--seed", 5, "--no-curvature")
         head, rows = self.log()
         self.assertEqual(len(rows), 2 * 3 * 2)
         self.assertEqual({row[5] for row in rows}, {"1"})

@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -46,6 +48,60 @@ double spacingOf(const TriangleSpans& surface, const Ranks& ranks)
   }
   return std::sqrt(area / points);
 }
+
+/// All pieces as one surface, joined at their seams, and which of its points are the own ones.
+struct WholeSurface
+{
+  std::vector<double> points;
+  std::vector<std::int32_t> triangles;
+  std::vector<std::int32_t> own;
+
+  TriangleSpans spans() const
+  {
+    return { this->points.data(), this->points.size() / 3, this->triangles.data(),
+      this->triangles.size() / 3 };
+  }
+};
+
+WholeSurface gatherSurface(const BodySeam& seam, const std::vector<double>& points,
+  const std::vector<std::int32_t>& triangles)
+{
+  std::vector<std::int32_t> seamOf(points.size() / 3, -1);
+  for (const BodySeam::Place& place : seam.places())
+  {
+    seamOf[static_cast<std::size_t>(place.point)] = place.seam;
+  }
+  const Ranks& ranks = seam.ranks();
+  const auto allPoints = ranks.gather(points);
+  const auto allTriangles = ranks.gather(triangles);
+  const auto allSeams = ranks.gather(seamOf);
+  WholeSurface whole;
+  std::map<std::int32_t, std::int32_t> joined;
+  for (std::size_t rank = 0; rank < allPoints.size(); ++rank)
+  {
+    std::vector<std::int32_t> place;
+    for (std::size_t i = 0; i < allSeams[rank].size(); ++i)
+    {
+      const auto next = static_cast<std::int32_t>(whole.points.size() / 3);
+      const std::int32_t number = allSeams[rank][i];
+      place.push_back(number < 0 ? next : joined.try_emplace(number, next).first->second);
+      if (place.back() == next)
+      {
+        const double* from = allPoints[rank].data() + 3 * i;
+        whole.points.insert(whole.points.end(), from, from + 3);
+      }
+    }
+    for (const std::int32_t corner : allTriangles[rank])
+    {
+      whole.triangles.push_back(place[static_cast<std::size_t>(corner)]);
+    }
+    if (static_cast<int>(rank) == ranks.own())
+    {
+      whole.own = std::move(place);
+    }
+  }
+  return whole;
+}
 } // namespace
 
 BodyShape findShape(
@@ -61,11 +117,9 @@ BodyShape findShape(
   const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
     triangles.size() / 3 };
   SurfaceSeam joins;
-  std::vector<unsigned char> isSeam(surface.pointCount, 0);
   for (const BodySeam::Place& place : seam.places())
   {
     joins.points.push_back(place.point);
-    isSeam[static_cast<std::size_t>(place.point)] = 1;
   }
   joins.sum = [&seam](const std::vector<SurfaceSeam::Row>& own)
   {
@@ -81,7 +135,16 @@ BodyShape findShape(
   if (terms.errorTolerance > 0.0)
   {
     constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
-    shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a, isSeam.data());
+    if (seam.ranks().areAlone())
+    {
+      shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
+    }
+    else
+    {
+      WholeSurface whole = gatherSurface(seam, points, triangles);
+      shape.edges = std::make_unique<EdgeDistance>(whole.spans(), a, reach * a);
+      shape.inWhole = std::move(whole.own);
+    }
   }
   return shape;
 }

@@ -149,8 +149,15 @@ std::string readLayers(const std::string& text, LayerChoice& layer)
   return fault;
 }
 
-std::string readStrain(const std::string& text, StrainLaw& law)
+std::string readStrain(const std::string& text, LawTerms& terms)
 {
+  terms.automatic = text == "auto";
+  terms.strain = {};
+  if (terms.automatic)
+  {
+    return {};
+  }
+  StrainLaw& law = terms.strain;
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
   const std::map<std::string, StrainModel> models = { { "small", StrainModel::Linear },
@@ -159,7 +166,7 @@ std::string readStrain(const std::string& text, StrainLaw& law)
   const auto found = models.find(name);
   if (found == models.end())
   {
-    return "'" + text.substr(0, 40) + "' is not small, neo-hooke, ogden:ALPHA or demiray:B";
+    return "'" + text.substr(0, 40) + "' is not small, auto, neo-hooke, ogden:ALPHA or demiray:B";
   }
   law = { found->second, 0.0 };
   const bool needsExponent = law.model == StrainModel::Ogden || law.model == StrainModel::Demiray;

@@ -3,7 +3,7 @@
 #define palpate_OptionChecks_h
 
 #include "LayerChoice.h"
-#include "Mechanics/FiniteStrain/StrainLaw.h"
+#include "Laws/LawTerms.h"
 #include "NumberRange.h"
 
 #include <CLI/CLI.hpp>
@@ -27,8 +27,8 @@ std::string readLayer(const std::string& text, LayerChoice& layer);
 /// below;
 /// ":slip" after a layer: without friction on the one above, ",slip" at the end: on the rigid base.
 std::string readLayers(const std::string& text, LayerChoice& layer);
-/// --strain: "small", "neo-hooke", "ogden:ALPHA", "demiray:B".
-std::string readStrain(const std::string& text, StrainLaw& law);
+/// --strain: "small", "auto", "neo-hooke", "ogden:ALPHA", "demiray:B".
+std::string readStrain(const std::string& text, LawTerms& terms);
 /// --length-unit: mm per unit, in CLI11's text.
 std::string readLengthUnit(std::string& text);
 /// --fixed, as vtkVoxelBody takes it.

@@ -274,13 +274,15 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->excludes("--poisson");
   app
     .add_option_function<std::string>(
-      "--strain", [&options](const std::string& text) { readStrain(text, options.terms.strain); },
+      "--strain", [&options](const std::string& text) { readStrain(text, options.terms); },
       "how the body resists large strain: small (not at all otherwise than small strain), "
-      "neo-hooke, ogden:ALPHA or demiray:B (solved for once, a minute or so, and kept)")
+      "neo-hooke, ogden:ALPHA or demiray:B (solved for once, a minute or so, and kept); auto: "
+      "neo-hooke where a table has the tool, and of it, curvature and layers no more than changes "
+      "the force by --tolerance, each with its per cent")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
-        StrainLaw ignored;
+        LawTerms ignored;
         return readStrain(text, ignored);
       },
       "LAW"))
