@@ -14,7 +14,7 @@ namespace
 {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Row = SurfaceSeam::Row;
+using Row = std::array<double, 12>;
 
 constexpr double Spreads = 2.6;        // 95 of 100, known from a few neighbours
 constexpr double AveragedError = 0.02; // of the curvature: what facets and turned forms leave
@@ -167,10 +167,9 @@ void turn(const Vector3d& from, const Vector3d& to, Form& form)
 class FormAverage
 {
 public:
-  FormAverage(const TriangleSpans& surface, const float* normals, const SurfaceSeam& seam)
+  FormAverage(const TriangleSpans& surface, const float* normals)
     : Surface(surface)
     , Normals(normals)
-    , Seam(seam)
     , Around(surface)
   {
   }
@@ -224,7 +223,7 @@ public:
   }
 
 private:
-  /// `take(point, gather(point))` of each, with what other pieces gather at the seam.
+  /// `take(point, gather(point))` of each.
   template <class Gather, class Take>
   void forPoints(const Gather& gather, const Take& take) const
   {
@@ -236,21 +235,6 @@ private:
           take(i, gather(i));
         }
       });
-    if (!this->Seam.sum)
-    {
-      return;
-    }
-    std::vector<Row> own;
-    own.reserve(this->Seam.points.size());
-    for (const std::int32_t point : this->Seam.points)
-    {
-      own.push_back(gather(static_cast<std::size_t>(point)));
-    }
-    const std::vector<Row> whole = this->Seam.sum(own);
-    for (std::size_t i = 0; i < whole.size(); ++i)
-    {
-      take(static_cast<std::size_t>(this->Seam.points[i]), whole[i]);
-    }
   }
 
   Vector3d placeOf(std::size_t point) const
@@ -313,7 +297,6 @@ private:
 
   const TriangleSpans& Surface;
   const float* Normals;
-  const SurfaceSeam& Seam;
   TrianglesOfPoints Around;
 };
 } // namespace
@@ -326,11 +309,10 @@ int SurfaceCurvature::stepsFor(double contactRadius, double spacing)
                               : 0;
 }
 
-SurfaceCurvature::SurfaceCurvature(
-  const TriangleSpans& surface, const float* normals, int steps, const SurfaceSeam& seam)
+SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* normals, int steps)
   : Found(surface.pointCount)
 {
-  const FormAverage average(surface, normals, seam);
+  const FormAverage average(surface, normals);
   std::vector<Form> forms;
   const std::vector<Fit> fits = average.fits(forms);
   const auto spreadOf = [&forms](std::size_t i)

@@ -8,21 +8,10 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace palpate
 {
-/// Where the surface goes on in other pieces of the body: the own points there, and what adds up
-/// what all pieces know of each of them. Collective.
-struct SurfaceSeam
-{
-  using Row = std::array<double, 12>;
-  std::vector<std::int32_t> points;
-  std::function<std::vector<Row>(const std::vector<Row>&)> sum;
-};
-
 /**
  * Principal curvatures of a body at its points, as a contact feels them, with their error.
  *
@@ -56,9 +45,8 @@ public:
   /// (mm): the root of the area each one has.
   static int stepsFor(double contactRadius, double spacing);
 
-  /// `normals` are 3 floats per point, unit length, the same on all pieces at a seam.
-  SurfaceCurvature(
-    const TriangleSpans& surface, const float* normals, int steps, const SurfaceSeam& seam = {});
+  /// `normals` are 3 floats per point, unit length.
+  SurfaceCurvature(const TriangleSpans& surface, const float* normals, int steps);
 
   SpotCurvature at(std::size_t point) const noexcept
   {

@@ -293,7 +293,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
     findShape(body, seam, normals, tool.contactRadius(request.deflection), terms);
   const SurfaceShape shape{ widthOf(body, ranks),
     [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
-    [&found](std::size_t i) { return found.curvature->at(i); },
+    [&found](std::size_t i) { return found.curvatureAt(i); },
     [&found](std::size_t i) { return found.edgeAt(i); } };
   std::unique_ptr<StrainCorrection> strain;
   const auto makeStrain =
@@ -410,7 +410,7 @@ std::string attachRegime(
     ComparedResponse stored{ {}, name };
     if (shape.curvature)
     {
-      stored.curvature = [&shape](std::size_t i) { return shape.curvature->at(i); };
+      stored.curvature = [&shape](std::size_t i) { return shape.curvatureAt(i); };
     }
     std::string noResponse;
     // The regime is that of small strain.

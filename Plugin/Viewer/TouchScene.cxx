@@ -60,6 +60,11 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   scene.depth = options.depth.value_or(scene.depth);
   scene.terms = options.terms;
   scene.terms.changeTolerance = options.tolerance;
+  const bool isHead = options.body.empty() && options.scene != "cylinder";
+  if (isHead && !options.strainGiven && options.automatic && !scene.layer.isStack())
+  {
+    scene.terms.automatic = true;
+  }
   if (!options.tools.empty())
   {
     scene.tools = options.tools;

@@ -24,29 +24,26 @@ namespace palpate
 {
 namespace
 {
-/// The root of the area that each point of the whole body has, mm.
-double spacingOf(const TriangleSpans& surface, const Ranks& ranks)
+/// The root of the area that each point of a triangle has, mm.
+double spacingOf(const TriangleSpans& surface)
 {
   const auto place = [&](std::int32_t point)
   { return Eigen::Map<const Vector3>(surface.points + 3 * static_cast<std::size_t>(point)); };
   double twice = 0.0;
+  std::vector<bool> isUsed(surface.pointCount, false);
   for (std::size_t t = 0; t < surface.triangleCount; ++t)
   {
     const std::int32_t* corner = surface.triangles + 3 * t;
     const double area =
       (place(corner[1]) - place(corner[0])).cross(place(corner[2]) - place(corner[0])).norm();
     twice += std::isfinite(area) ? area : 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      isUsed[static_cast<std::size_t>(corner[k])] = true;
+    }
   }
-  double area = 0.0;
-  double points = 0.0;
-  const auto all = ranks.gather(
-    std::vector<std::array<double, 2>>{ { 0.5 * twice, static_cast<double>(surface.pointCount) } });
-  for (const std::vector<std::array<double, 2>>& piece : all)
-  {
-    area += piece.at(0)[0];
-    points += piece.at(0)[1];
-  }
-  return std::sqrt(area / points);
+  return std::sqrt(
+    0.5 * twice / static_cast<double>(std::count(isUsed.begin(), isUsed.end(), true)));
 }
 
 /// All pieces as one surface, joined at their seams, and which of its points are the own ones.
@@ -54,6 +51,7 @@ struct WholeSurface
 {
   std::vector<double> points;
   std::vector<std::int32_t> triangles;
+  std::vector<float> normals;
   std::vector<std::int32_t> own;
 
   TriangleSpans spans() const
@@ -63,17 +61,17 @@ struct WholeSurface
   }
 };
 
-WholeSurface gatherSurface(const BodySeam& seam, const std::vector<double>& points,
-  const std::vector<std::int32_t>& triangles)
+WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
 {
-  std::vector<std::int32_t> seamOf(points.size() / 3, -1);
+  std::vector<std::int32_t> seamOf(piece.points.size() / 3, -1);
   for (const BodySeam::Place& place : seam.places())
   {
     seamOf[static_cast<std::size_t>(place.point)] = place.seam;
   }
   const Ranks& ranks = seam.ranks();
-  const auto allPoints = ranks.gather(points);
-  const auto allTriangles = ranks.gather(triangles);
+  const auto allPoints = ranks.gather(piece.points);
+  const auto allNormals = ranks.gather(piece.normals);
+  const auto allTriangles = ranks.gather(piece.triangles);
   const auto allSeams = ranks.gather(seamOf);
   WholeSurface whole;
   std::map<std::int32_t, std::int32_t> joined;
@@ -89,6 +87,8 @@ WholeSurface gatherSurface(const BodySeam& seam, const std::vector<double>& poin
       {
         const double* from = allPoints[rank].data() + 3 * i;
         whole.points.insert(whole.points.end(), from, from + 3);
+        const float* normal = allNormals[rank].data() + 3 * i;
+        whole.normals.insert(whole.normals.end(), normal, normal + 3);
       }
     }
     for (const std::int32_t corner : allTriangles[rank])
@@ -112,39 +112,20 @@ BodyShape findShape(
   {
     return shape;
   }
-  const std::vector<double> points = copyPoints(body);
-  const std::vector<std::int32_t> triangles = copyTriangles(body);
-  const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
-    triangles.size() / 3 };
-  SurfaceSeam joins;
-  for (const BodySeam::Place& place : seam.places())
+  WholeSurface whole{ copyPoints(body), copyTriangles(body), {}, {} };
+  whole.normals.assign(normals, normals + whole.points.size());
+  if (!seam.ranks().areAlone())
   {
-    joins.points.push_back(place.point);
+    whole = gatherSurface(seam, whole);
+    shape.inWhole = std::move(whole.own);
   }
-  joins.sum = [&seam](const std::vector<SurfaceSeam::Row>& own)
-  {
-    return seam.combined(own, SurfaceSeam::Row{},
-      [](SurfaceSeam::Row sum, const SurfaceSeam::Row& part)
-      {
-        std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<double>());
-        return sum;
-      });
-  };
-  const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface, seam.ranks()));
-  shape.curvature = std::make_unique<SurfaceCurvature>(surface, normals, steps, joins);
+  const TriangleSpans surface = whole.spans();
+  shape.curvature = std::make_unique<SurfaceCurvature>(
+    surface, whole.normals.data(), SurfaceCurvature::stepsFor(a, spacingOf(surface)));
   if (terms.errorTolerance > 0.0)
   {
     constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
-    if (seam.ranks().areAlone())
-    {
-      shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
-    }
-    else
-    {
-      WholeSurface whole = gatherSurface(seam, points, triangles);
-      shape.edges = std::make_unique<EdgeDistance>(whole.spans(), a, reach * a);
-      shape.inWhole = std::move(whole.own);
-    }
+    shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
   }
   return shape;
 }

@@ -21,13 +21,15 @@ class Ranks;
 /// The shape of the own piece of a body, as a contact feels it; null: not asked for.
 struct BodyShape
 {
-  std::unique_ptr<SurfaceCurvature> curvature;
-  std::unique_ptr<EdgeDistance> edges; ///< of the whole body
-  std::vector<std::int32_t> inWhole;   ///< its points that are the own ones; empty: all, in order
+  std::unique_ptr<SurfaceCurvature> curvature; ///< of the whole body, as are the edges
+  std::unique_ptr<EdgeDistance> edges;
+  std::vector<std::int32_t> inWhole; ///< its points that are the own ones; empty: all, in order
 
-  const NearEdge& edgeAt(std::size_t i) const
+  SpotCurvature curvatureAt(std::size_t i) const { return this->curvature->at(this->place(i)); }
+  const NearEdge& edgeAt(std::size_t i) const { return this->edges->at(this->place(i)); }
+  std::size_t place(std::size_t i) const
   {
-    return this->edges->at(this->inWhole.empty() ? i : static_cast<std::size_t>(this->inWhole[i]));
+    return this->inWhole.empty() ? i : static_cast<std::size_t>(this->inWhole[i]);
   }
 };
 

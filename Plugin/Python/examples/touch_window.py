@@ -65,7 +65,7 @@ scene.LookAtBody((1, -0.5, 0.7), (0, 0, 1))
 def press_and_print(modulus):
     setup.SetYoungsModulus(modulus)
     style.SteerTo((29.4, 0, 39.2))                          # 1 mm deep
-    for _ in range(30):
+    for _ in range(60):                                     # a new modulus is there in a second or two
         time.sleep(0.05)
         clock.ShowFrame()
     session.GetIdealForce(force := [0.0, 0.0, 0.0])

@@ -278,7 +278,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "how the body resists large strain: small (not at all otherwise than small strain), "
       "neo-hooke, ogden:ALPHA or demiray:B (solved for once, a minute or so, and kept); auto: "
       "neo-hooke where a table has the tool, and of it, curvature and layers no more than changes "
-      "the force by --tolerance, each with its per cent")
+      "the force by --tolerance, each with its per cent (the head's default)")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -375,6 +375,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   {
     options.site = site;
   }
+  options.strainGiven = app.count("--strain") > 0;
   if (app.count("--layer") > 0)
   {
     options.layer.emplace();

@@ -28,6 +28,7 @@ struct ViewerOptions
   std::optional<double> depth;
   double maximumDeflection = 2.0;
   LawTerms terms;                    ///< strain, curvature, error
+  bool strainGiven = false;          ///< --strain
   std::optional<LayerChoice> layer;  ///< --layer or --layers
   double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
   std::vector<std::string> measured; ///< files of curves
