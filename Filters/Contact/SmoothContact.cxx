@@ -11,7 +11,6 @@ namespace palpate
 {
 namespace
 {
-using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 
 /// Steps of the parameters below this are the last: Newton's method squares them.
@@ -22,7 +21,7 @@ constexpr double OnEdge = 1e-9;
 /// Half the squared distance to the surface: how it changes with the parameters.
 struct Distance
 {
-  Vector2 slope;
+  Eigen::Vector2d slope;
   /// Where it is not a minimum's, as much of the metric is added as makes the step one downhill.
   Matrix2 hessian;
   bool isConvex;
@@ -63,7 +62,7 @@ struct Distance
 };
 
 /// A change of the parameters as one of the three area coordinates, and back.
-Vector3 asWeights(const Vector2& step)
+Vector3 asWeights(const Eigen::Vector2d& step)
 {
   return { -step[0] - step[1], step[0], step[1] };
 }
@@ -118,7 +117,7 @@ public:
     {
       this->Jet = this->Contact.Patch.evaluate(this->Weights);
       const Distance distance(this->Jet, this->Tip);
-      const Vector2 step = -(distance.inverse() * distance.slope);
+      const Eigen::Vector2d step = -(distance.inverse() * distance.slope);
       if (!step.allFinite())
       {
         break;
@@ -142,15 +141,15 @@ public:
   }
 
 private:
-  SmoothPoint finish(const Distance& distance, const Vector2& step) const noexcept
+  SmoothPoint finish(const Distance& distance, const Eigen::Vector2d& step) const noexcept
   {
     return distance.isConvex ? this->describe(SmoothPoint::Outcome::Found, distance, step)
                              : SmoothPoint{};
   }
 
   /// The last step needs no new derivatives: what it neglects is its square.
-  SmoothPoint describe(
-    SmoothPoint::Outcome outcome, const Distance& distance, const Vector2& step) const noexcept
+  SmoothPoint describe(SmoothPoint::Outcome outcome, const Distance& distance,
+    const Eigen::Vector2d& step) const noexcept
   {
     SmoothPoint found;
     found.outcome = outcome;
@@ -209,7 +208,7 @@ private:
     Vector3 along = Vector3::Zero();
     along[edge] = -1.0;
     along[(edge + 1) % 3] = 1.0;
-    const Vector2 direction = along.tail<2>();
+    const Eigen::Vector2d direction = along.tail<2>();
     const double step =
       -direction.dot(distance.slope) / direction.dot(distance.hessian * direction);
     const Vector3 next = clamped(this->Weights + step * along);
@@ -221,7 +220,7 @@ private:
     }
     this->HeldEdge = -1;
     const int corner = (edge + 2) % 3;
-    const Vector2 whole = -(distance.inverse() * distance.slope);
+    const Eigen::Vector2d whole = -(distance.inverse() * distance.slope);
     if (asWeights(whole)[corner] >= 0.0)
     {
       return true; // inward after all

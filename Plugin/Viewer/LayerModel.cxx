@@ -23,12 +23,12 @@ namespace palpate
 namespace
 {
 const char* const StackAssumptions =
-  "assumed: layers bonded to each other unless said, each homogeneous, thickness along the normal; "
-  "small strain";
+  "assumed: layers bonded to each other unless said, each homogeneous, thickness along the "
+  "normal";
 
 const char* const Assumptions =
-  "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal, "
-  "small strain; a layer's force depends more on nu than a half-space's";
+  "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal; "
+  "a layer's force depends more on nu than a half-space's";
 
 /// With so many decimals.
 std::string rounded(double value, int decimals)

@@ -99,6 +99,36 @@ Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
     -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
+/// Where the mesh of a half-space ends: below stiffer layers it gives way the more for its size.
+double farEnd(const FiniteProblem& problem, double above)
+{
+  double stiffest = 1.0;
+  for (const FiniteLayer& layer : problem.layers)
+  {
+    stiffest = std::max(stiffest, layer.youngsModulus / problem.layers.back().youngsModulus);
+  }
+  return above + FarAway * stiffest * problem.contactRadius;
+}
+
+/// `above`: thickness of the layers that end. Into a ball almost to its centre.
+double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
+{
+  const bool isWholeBall = isHalfSpace && problem.bodyRadius > 0.0;
+  return isWholeBall ? (1.0 - CentralHole) * problem.bodyRadius
+    : isHalfSpace    ? farEnd(problem, above)
+                     : above;
+}
+
+/// Along a ball as far as the plane that mirrors it, along a cavity to its other end.
+double meshWidth(const FiniteProblem& problem, double above, bool isHalfSpace)
+{
+  const double curved = problem.bodyRadius;
+  return curved > 0.0 ? 0.5 * Pi * curved
+    : curved < 0.0    ? -Pi * curved
+    : isHalfSpace     ? farEnd(problem, above)
+                      : 2.0 * problem.contactRadius + 10.0 * above;
+}
+
 StrainEnergy::Gradient<double> gradientOf(const Eigen::Matrix<double, 5, 1>& h)
 {
   return { h[0], h[1], h[2], h[3], h[4] };
@@ -128,24 +158,10 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   const bool isHalfSpace = std::isinf(thickness);
   interfaces.pop_back();
   const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;
-  // Below stiffer layers a half-space gives way the more for its size.
-  const auto over = [&](const FiniteLayer& layer)
-  { return layer.youngsModulus / problem.layers.back().youngsModulus; };
-  double stiffest = 1.0;
-  for (const FiniteLayer& layer : problem.layers)
-  {
-    stiffest = std::max(stiffest, over(layer));
-  }
-  const double far = above + FarAway * stiffest * a;
-  // Along a ball as far as the plane that mirrors it, along a cavity to its other end; into a ball
-  // almost to its centre.
   const double curved = problem.bodyRadius;
   const bool isWholeBall = isHalfSpace && curved > 0.0;
-  const double bottom = isWholeBall ? (1.0 - CentralHole) * curved : isHalfSpace ? far : thickness;
-  const double width = curved > 0.0 ? 0.5 * Pi * curved
-    : curved < 0.0                  ? -Pi * curved
-    : isHalfSpace                   ? far
-                                    : 2.0 * a + 10.0 * thickness;
+  const double bottom = meshBottom(problem, above, isHalfSpace);
+  const double width = meshWidth(problem, above, isHalfSpace);
 
   std::vector<FineRange> across = { { 0.0, 1.1 * a, edge } };
   std::vector<FineRange> down = { { 0.0, 1.05 * a, edge } };
