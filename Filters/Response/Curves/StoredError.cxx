@@ -65,13 +65,11 @@ double StoredError::at(vtkIdType cell, const double* point, double depth) const
   std::array<vtkIdType, 3> ids{};
   std::array<Vector3, 3> x;
   const vtkIdType first = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
-  vtkIdType count = 0;
-  const vtkIdType* corners = nullptr;
-  vtkNew<vtkIdList> space; // what is not stored as vtkIdType is copied there
-  this->Body->GetPolys()->GetCellAtId(cell - first, count, corners, space);
+  vtkNew<vtkIdList> corners; // of its own: the body may be asked from several threads
+  this->Body->GetPolys()->GetCellAtId(cell - first, corners);
   for (std::size_t k = 0; k < x.size(); ++k)
   {
-    ids[k] = corners[k];
+    ids[k] = corners->GetId(static_cast<vtkIdType>(k));
     this->Body->GetPoint(ids[k], x[k].data());
   }
   const Vector3 weights = projectOnTriangle(Vector3(point), x[0], x[1], x[2]).weights;
