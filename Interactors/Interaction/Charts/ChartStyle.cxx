@@ -4,6 +4,7 @@
 #include "Interaction/Display/DisplayColors.h"
 
 #include "vtkAxis.h"
+#include "vtkBrush.h"
 #include "vtkChart.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -114,7 +115,7 @@ void addBand(vtkChart* chart, vtkTable* table, const Color& color)
   {
     area->SetInputArray(column, table->GetColumnName(column));
   }
-  area->SetColorF(color[0], color[1], color[2], Opacity);
+  area->GetBrush()->SetColorF(color[0], color[1], color[2], Opacity);
   area->GetPen()->SetLineType(vtkPen::NO_PEN);
   area->SetLegendVisibility(false);
 }
