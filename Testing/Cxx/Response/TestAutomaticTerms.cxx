@@ -15,14 +15,10 @@ using namespace palpate::testing;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
-Filter filterOf(vtkPolyData* body, const char* tool, double range)
+/// With no more in its law than the forces need.
+Filter leastOf(vtkPolyData* body, const char* tool, double range)
 {
-  auto filter = Filter::New();
-  filter->SetInputData(body);
-  filter->SetTool(makeTool(tool));
-  filter->SetYoungsModulus(0.1);
-  filter->SetPoissonRatio(0.45);
-  filter->SetMaximumDeflection(range);
+  Filter filter = filterOf(body, tool, range);
   filter->AutomaticTermsOn();
   return filter;
 }
@@ -54,12 +50,12 @@ double differenceOf(vtkToolContactResponse* one, vtkToolContactResponse* other)
 void checkLess()
 {
   const Body body = planeBody(40.0, 4);
-  const Filter chosen = filterOf(body, "sphere:5", 0.05);
+  const Filter chosen = leastOf(body, "sphere:5", 0.05);
   chosen->CurvatureCorrectionOn();
   chosen->SetStrainModelToNeoHooke();
   chosen->Update();
   PALPATE_CHECK_TEXT(chosen->GetTermReason(), "small strain suffices", "counts as flat", "0.05 mm");
-  const Filter plain = filterOf(body, "sphere:5", 0.05);
+  const Filter plain = leastOf(body, "sphere:5", 0.05);
   plain->AutomaticTermsOff();
   plain->CurvatureCorrectionOff();
   plain->Update();
@@ -75,17 +71,17 @@ void checkLess()
 void checkMore()
 {
   const Body body = planeBody(40.0, 4);
-  const Filter chosen = filterOf(body, "sphere:5", 2.5);
+  const Filter chosen = leastOf(body, "sphere:5", 2.5);
   chosen->SetPoissonRatio(0.3);
   chosen->Update();
   PALPATE_CHECK_TEXT(chosen->GetTermReason(), "Neo-Hooke) is in the law", "6.5 %");
-  const Filter plain = filterOf(body, "sphere:5", 2.5);
+  const Filter plain = leastOf(body, "sphere:5", 2.5);
   plain->SetPoissonRatio(0.3);
   plain->AutomaticTermsOff();
   plain->Update();
   PALPATE_CHECK_NEAR(differenceOf(chosen, plain), 0.070, 0.003);
 
-  const Filter other = filterOf(body, "truncated:2,60", 2.5);
+  const Filter other = leastOf(body, "truncated:2,60", 2.5);
   other->SetPoissonRatio(0.3);
   other->Update();
   PALPATE_CHECK_TEXT(other->GetTermReason(), "small strain stays", "no table", "solver");
@@ -96,21 +92,21 @@ void checkMore()
 void checkLayers()
 {
   const Body body = planeBody(40.0, 4);
-  const Filter equal = filterOf(body, "sphere:5", 0.2);
+  const Filter equal = leastOf(body, "sphere:5", 0.2);
   equal->SetLayerThickness(2.0);
   equal->AddLayer(3.0, 0.1, 0.45);
   equal->Update();
   PALPATE_CHECK_TEXT(equal->GetTermReason(), "one layer as thick as all of them suffices");
   PALPATE_CHECK_TEXT(fieldText(equal->GetOutput(), "ResponseModel"), "layer bonded", "5 mm thick");
 
-  const Filter thick = filterOf(body, "sphere:5", 0.2);
+  const Filter thick = leastOf(body, "sphere:5", 0.2);
   thick->SetLayerThickness(200.0);
   thick->Update();
   PALPATE_CHECK_TEXT(thick->GetTermReason(), "a half-space suffices");
   PALPATE_CHECK_TEXT(fieldText(thick->GetOutput(), "ResponseModel"), "half-space");
   PALPATE_CHECK(!thick->GetOutput()->GetPointData()->HasArray("ResponseLayerThickness"));
 
-  const Filter skin = filterOf(body, "sphere:5", 0.2);
+  const Filter skin = leastOf(body, "sphere:5", 0.2);
   skin->SetLayerThickness(1.0);
   skin->AddLayer(5.0, 0.01, 0.45);
   skin->Update();
@@ -121,7 +117,7 @@ void checkLayers()
 /// The choice of the stored form repeats what the law has.
 void checkForm()
 {
-  const Filter filter = filterOf(sphereBody(20.0, 2), "sphere:5", 1.0);
+  const Filter filter = leastOf(sphereBody(20.0, 2), "sphere:5", 1.0);
   filter->CurvatureCorrectionOn();
   vtkNew<vtkResponseChoice> choice;
   choice->SetInputConnection(filter->GetOutputPort());
@@ -132,7 +128,7 @@ void checkForm()
 
 void checkFaults()
 {
-  const Filter filter = filterOf(planeBody(10.0, 2), "sphere:5", 1.0);
+  const Filter filter = leastOf(planeBody(10.0, 2), "sphere:5", 1.0);
   filter->SetTermTolerance(-0.5);
   Messages messages(filter);
   filter->Update();

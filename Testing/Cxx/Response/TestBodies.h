@@ -178,6 +178,19 @@ inline vtkSmartPointer<vtkContactTool> makeTool(const std::string& specification
   return tool;
 }
 
+/// A tool pressed to `range` (mm) into 0.1 MPa, Poisson's ratio 0.45.
+inline vtkSmartPointer<vtkToolContactResponse> filterOf(
+  vtkPolyData* body, const char* tool, double range)
+{
+  auto filter = vtkSmartPointer<vtkToolContactResponse>::New();
+  filter->SetInputData(body);
+  filter->SetTool(makeTool(tool));
+  filter->SetYoungsModulus(0.1);
+  filter->SetPoissonRatio(0.45);
+  filter->SetMaximumDeflection(range);
+  return filter;
+}
+
 /// The exact law of the textbook, and validity where its first assumption breaks.
 inline void makePlain(vtkToolContactResponse* filter)
 {

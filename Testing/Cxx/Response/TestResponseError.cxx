@@ -18,17 +18,6 @@ using namespace palpate::testing;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
-Filter filterOf(vtkPolyData* body, const char* tool, double range)
-{
-  auto filter = Filter::New();
-  filter->SetInputData(body);
-  filter->SetTool(makeTool(tool));
-  filter->SetYoungsModulus(0.1);
-  filter->SetPoissonRatio(0.45);
-  filter->SetMaximumDeflection(range);
-  return filter;
-}
-
 constexpr double Reduced = 0.1 / (1.0 - 0.45 * 0.45);
 constexpr vtkIdType Middle = 12; // of planeBody(40.0, 4), far from its border
 
