@@ -289,12 +289,12 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   const float* normals = storage.Normal->GetPointer(0);
   const CurvatureBound bound(body, seam, normals);
   LawTerms terms = request.terms;
-  const BodyShape found =
+  const std::shared_ptr<const BodyShape> found =
     findShape(body, seam, normals, tool.contactRadius(request.deflection), terms);
   const SurfaceShape shape{ widthOf(body, ranks),
     [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
-    [&found](std::size_t i) { return found.curvatureAt(i); },
-    [&found](std::size_t i) { return found.edgeAt(i); } };
+    [&found](std::size_t i) { return found->curvatureAt(i); },
+    [&found](std::size_t i) { return found->edgeAt(i); } };
   std::unique_ptr<StrainCorrection> strain;
   const auto makeStrain =
     [&](const BodyMaterial& of, const StrainLaw& law, std::unique_ptr<StrainCorrection>& made)
@@ -385,7 +385,7 @@ std::string attachRegime(
   agreeOnRange(ranks, hasPiece, material);
   RegimeStorage storage(body->GetNumberOfPoints());
   const int parts = hasPiece ? responseModel(body, name).parts : 0;
-  BodyShape shape;
+  std::shared_ptr<const BodyShape> shape;
   if (ranks.any((parts & CurvaturePart) != 0))
   {
     // As the response was made: on the scale of its deepest contact.
@@ -408,9 +408,9 @@ std::string attachRegime(
   if (hasPiece)
   {
     ComparedResponse stored{ {}, name };
-    if (shape.curvature)
+    if (shape && shape->curvature)
     {
-      stored.curvature = [&shape](std::size_t i) { return shape.curvatureAt(i); };
+      stored.curvature = [&shape](std::size_t i) { return shape->curvatureAt(i); };
     }
     std::string noResponse;
     // The regime is that of small strain.

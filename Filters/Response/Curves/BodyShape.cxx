@@ -17,6 +17,9 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -102,32 +105,103 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
   }
   return whole;
 }
+
+/// What a shape was made of.
+struct ShapeKey
+{
+  std::array<std::size_t, 3> surface; ///< of the own piece
+  double radius;
+  bool hasEdges;
+
+  bool operator==(const ShapeKey& other) const
+  {
+    return this->surface == other.surface && this->radius == other.radius &&
+      this->hasEdges == other.hasEdges;
+  }
+};
+
+template <class Value>
+std::size_t hashOf(const std::vector<Value>& values)
+{
+  const std::string_view bytes(
+    reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
+  return std::hash<std::string_view>()(bytes);
+}
+
+/// The shapes asked for last, the latest first.
+class KeptShapes
+{
+public:
+  std::shared_ptr<const BodyShape> find(const ShapeKey& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto found = std::find_if(this->Shapes.begin(), this->Shapes.end(),
+      [&key](const Kept& one) { return one.key == key; });
+    if (found == this->Shapes.end())
+    {
+      return nullptr;
+    }
+    std::rotate(this->Shapes.begin(), found, found + 1);
+    return this->Shapes.front().shape;
+  }
+
+  void keep(const ShapeKey& key, std::shared_ptr<const BodyShape> shape, std::size_t bytes)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Shapes.insert(this->Shapes.begin(), { key, std::move(shape), bytes });
+    std::size_t sum = 0;
+    const auto last = std::find_if(this->Shapes.begin(), this->Shapes.end(),
+      [&sum](const Kept& one) { return (sum += one.bytes) > MostBytes; });
+    this->Shapes.erase(last, this->Shapes.end());
+    this->Shapes.resize(std::min(this->Shapes.size(), MostShapes));
+  }
+
+private:
+  static constexpr std::size_t MostBytes = std::size_t{ 128 } << 20;
+  static constexpr std::size_t MostShapes = 16;
+  struct Kept
+  {
+    ShapeKey key;
+    std::shared_ptr<const BodyShape> shape;
+    std::size_t bytes;
+  };
+  std::mutex Mutex;
+  std::vector<Kept> Shapes;
+};
 } // namespace
 
-BodyShape findShape(
+std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms)
 {
-  BodyShape shape;
-  if (!terms.curvature && !(terms.errorTolerance > 0.0))
+  const bool wantsEdges = terms.errorTolerance > 0.0;
+  if (!terms.curvature && !wantsEdges)
   {
-    return shape;
+    return std::make_shared<const BodyShape>();
   }
-  WholeSurface whole{ copyPoints(body), copyTriangles(body), {}, {} };
-  whole.normals.assign(normals, normals + whole.points.size());
-  if (!seam.ranks().areAlone())
+  WholeSurface piece{ copyPoints(body), copyTriangles(body), {}, {} };
+  piece.normals.assign(normals, normals + piece.points.size());
+  const Ranks& ranks = seam.ranks();
+  const ShapeKey key{ { hashOf(piece.points), hashOf(piece.triangles), hashOf(piece.normals) }, a,
+    wantsEdges };
+  static KeptShapes kept;
+  std::shared_ptr<const BodyShape> known = kept.find(key);
+  if (!ranks.any(known == nullptr))
   {
-    whole = gatherSurface(seam, whole);
-    shape.inWhole = std::move(whole.own);
+    return known;
   }
+  auto made = std::make_shared<BodyShape>();
+  const WholeSurface whole = ranks.areAlone() ? std::move(piece) : gatherSurface(seam, piece);
+  made->inWhole = whole.own;
   const TriangleSpans surface = whole.spans();
-  shape.curvature = std::make_unique<SurfaceCurvature>(
+  made->curvature = std::make_unique<SurfaceCurvature>(
     surface, whole.normals.data(), SurfaceCurvature::stepsFor(a, spacingOf(surface)));
-  if (terms.errorTolerance > 0.0)
+  if (wantsEdges)
   {
     constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
-    shape.edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
+    made->edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
   }
-  return shape;
+  kept.keep(key, made, 24 * surface.pointCount);
+  return made;
 }
 
 double widthOf(vtkPolyData* body, const Ranks& ranks)

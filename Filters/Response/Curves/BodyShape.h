@@ -34,9 +34,12 @@ struct BodyShape
 };
 
 /// Curvature for a law or an error, edges for an error alone, on the scale of a contact of radius
-/// `a` (mm). `normals`: three floats a point. Collective; for edges each rank holds the whole body
+/// `a` (mm). `normals`: three floats a point. Never null. Collective; each rank holds the whole body
 /// for a while.
-BodyShape findShape(
+///
+/// A shape does not depend on the material, which changes more often: the last ones are kept in the
+/// process, by content, 24 bytes a point, up to 128 MB and 16 of them. Any thread.
+std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
 /// The middle one of the three lengths of the whole body's box, mm: no circle much wider fits it.
