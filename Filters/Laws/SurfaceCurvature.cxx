@@ -16,8 +16,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Row = std::array<double, 12>;
 
-constexpr double Spreads = 2.6;        // 95 of 100, known from a few neighbours
-constexpr double AveragedError = 0.02; // of the curvature: what facets and turned forms leave
+// 95 of 100, of errors that are known from a few neighbours; see SurfaceCurvatureTest.cxx.
+constexpr double RoughOfOne = 2.5;      // of one point's form
+constexpr double RoughOfAverage = 1.3;  // times 1/(1 + steps): neighbours err against each other
+constexpr double OfSpread = 0.1;        // the middle of an average is not quite the point
+constexpr double OfCurvature = 0.02;    // facets, and turned forms
+constexpr double FeltVariance = 0.1;    // contact radii² along each axis, by which sag is felt
 
 /// Triangles around each point, in rising order.
 class TrianglesOfPoints
@@ -132,8 +136,12 @@ std::array<float, 3> principal(const Vector3d& form, double error)
     static_cast<float>(error) };
 }
 
-/// A form in space (xx, xy, xz, yy, yz, zz), the square of its mean curvature and a count.
-using Form = std::array<double, 8>;
+/// A form in space (xx, xy, xz, yy, yz, zz), the square of its mean curvature, that of its
+/// roughness (findRoughness), and a count.
+using Form = std::array<double, 9>;
+constexpr std::size_t Square = 6;
+constexpr std::size_t Rough = 7;
+constexpr std::size_t Count = 8;
 
 Matrix3d matrixOf(const Form& form)
 {
@@ -150,7 +158,7 @@ double meanOf(const Form& form)
 void setMatrix(const Matrix3d& matrix, Form& form)
 {
   form = { matrix(0, 0), matrix(0, 1), matrix(0, 2), matrix(1, 1), matrix(1, 2), matrix(2, 2),
-    form[6], form[7] };
+    form[Square], form[Rough], form[Count] };
 }
 
 /// Turns a form the shortest way from one normal to another.
@@ -195,9 +203,10 @@ public:
           form[1] *
             (frame.first * frame.second.transpose() + frame.second * frame.first.transpose()),
         forms[i]);
-      forms[i][6] = meanOf(forms[i]) * meanOf(forms[i]);
-      forms[i][7] = 1.0;
+      forms[i][Square] = meanOf(forms[i]) * meanOf(forms[i]);
+      forms[i][Count] = 1.0;
     }
+    this->findRoughness(forms);
     return found;
   }
 
@@ -209,9 +218,9 @@ public:
       [&](std::size_t point, const Row& sums)
       {
         next[point] = forms[point];
-        for (std::size_t k = 0; k < 7; ++k)
+        for (std::size_t k = 0; k < Count; ++k)
         {
-          next[point][k] = (forms[point][k] + sums[k]) / (1.0 + sums[7]);
+          next[point][k] = (forms[point][k] + sums[k]) / (1.0 + sums[Count]);
         }
       });
     forms.swap(next);
@@ -223,6 +232,25 @@ public:
   }
 
 private:
+  /// By how much the mean curvature of each differs from the mean of its neighbours': noise, and
+  /// what is too fine for the mesh, and no slope of it.
+  void findRoughness(std::vector<Form>& forms) const
+  {
+    std::vector<double> rough(forms.size(), 0.0);
+    this->forPoints([&](std::size_t point) { return this->neighboursOf(point, forms); },
+      [&](std::size_t point, const Row& sums)
+      {
+        if (sums[Count] > 0.0)
+        {
+          rough[point] = meanOf(forms[point]) - 0.5 * (sums[0] + sums[3] + sums[5]) / sums[Count];
+        }
+      });
+    for (std::size_t i = 0; i < forms.size(); ++i)
+    {
+      forms[i][Rough] = rough[i] * rough[i];
+    }
+  }
+
   /// `take(point, gather(point))` of each.
   template <class Gather, class Take>
   void forPoints(const Gather& gather, const Take& take) const
@@ -282,12 +310,12 @@ private:
         Form form = forms[other];
         const Vector3d from = this->normalOf(other);
         constexpr double LeastCosine = -0.5; // across a sharp edge
-        if (form[7] == 0.0 || !(from.dot(normal) > LeastCosine))
+        if (form[Count] == 0.0 || !(from.dot(normal) > LeastCosine))
         {
           return;
         }
         turn(from, normal, form);
-        for (std::size_t k = 0; k < 8; ++k)
+        for (std::size_t k = 0; k <= Count; ++k)
         {
           sums[k] += form[k];
         }
@@ -303,10 +331,11 @@ private:
 
 int SurfaceCurvature::stepsFor(double contactRadius, double spacing)
 {
-  // A step is a variance of 0.5 spacings² along each axis; wanted is that of half a contact radius.
+  // A step is a variance of 0.5 spacings² along each axis.
   const double ratio = contactRadius / spacing;
-  return std::isfinite(ratio) ? static_cast<int>(std::min(0.5 * ratio * ratio, 1.0 * MostSteps))
-                              : 0;
+  return std::isfinite(ratio)
+    ? static_cast<int>(std::lround(std::min(FeltVariance / 0.5 * ratio * ratio, 1.0 * MostSteps)))
+    : 0;
 }
 
 SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* normals, int steps)
@@ -315,21 +344,18 @@ SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* no
   const FormAverage average(surface, normals);
   std::vector<Form> forms;
   const std::vector<Fit> fits = average.fits(forms);
-  const auto spreadOf = [&forms](std::size_t i)
-  {
-    const double mean = meanOf(forms[i]);
-    return Spreads * std::sqrt(std::max(0.0, forms[i][6] - mean * mean));
-  };
+  const auto roughness = [&forms](std::size_t i) { return std::sqrt(forms[i][Rough]); };
+  std::vector<float> halfway(forms.size());
   if (steps == 0)
   {
-    average.step(forms); // for the spread alone
+    average.step(forms); // for the roughness alone
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
-      this->Found[i] = principal(fits[i].form, std::max(fits[i].error, spreadOf(i)));
+      this->Found[i] =
+        principal(fits[i].form, std::max(fits[i].error, RoughOfOne * roughness(i)));
     }
     return;
   }
-  std::vector<float> halfway(forms.size());
   for (int step = 0; step < steps; ++step)
   {
     for (std::size_t i = 0; step == steps / 2 && i < forms.size(); ++i)
@@ -347,11 +373,14 @@ SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* no
     }
     const Matrix3d matrix = matrixOf(forms[i]);
     const TangentFrame frame(normal);
-    const double change = 2.0 * std::abs(meanOf(forms[i]) - static_cast<double>(halfway[i]));
+    const double mean = meanOf(forms[i]);
+    const double change = std::abs(mean - static_cast<double>(halfway[i]));
+    const double spread = std::sqrt(std::max(0.0, forms[i][Square] - mean * mean));
     this->Found[i] =
       principal({ frame.first.dot(matrix * frame.first), frame.first.dot(matrix * frame.second),
                   frame.second.dot(matrix * frame.second) },
-        spreadOf(i) / (1.0 + steps) + change + AveragedError * matrix.norm());
+        RoughOfAverage * roughness(i) / (1.0 + steps) + change + OfSpread * spread +
+          OfCurvature * matrix.norm());
   }
 }
 } // namespace palpate

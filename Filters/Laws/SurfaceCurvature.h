@@ -22,18 +22,21 @@ namespace palpate
  *
  * Where the mesh is finer than the contact, forms are then averaged from point to point, turned
  * from normal to normal, `steps` times (stepsFor): what noise and small detail do to one of them
- * the contact does not feel.
+ * the contact does not feel. How widely follows from the contact: to first order its force feels the
+ * sag weighted by 1/√(a²-r²), which for a sag of second and fourth order is the mean curvature
+ * averaged with <r²> = a²/5.
  *
- * The error is that of the mean curvature. Of one form: the root mean square of what it does not
- * explain (twice that of the edges where there are fewer than three directions), or, if more, twice
- * the spread of its own and its neighbours' mean curvatures: noise of the point itself all its
- * edges have alike. Averaged: that over 1 + steps, since noise moves neighbours against each other,
- * and twice what the second half of the steps has changed, where the curvature itself changes, and
- * a hundredth of the curvature. It holds for 95 of 100 points of noisy analytic surfaces:
+ * The error is that of the mean curvature that the contact feels. With the *roughness* of a point,
+ * the root mean square, over it and its neighbours, of the difference of a mean curvature from the
+ * mean around it: of one form 2.5 times that, or, if more, the root mean square of what the form
+ * does not explain (twice that of the edges where there are fewer than three directions). Averaged:
+ * 1.3/(1 + steps) times the roughness, since noise moves neighbours against each other, what the
+ * second half of the steps has changed, a tenth of the spread and a fiftieth of the curvature.
+ * It holds for 95 of 100 points of analytic surfaces, noisy and coarse ones among them:
  * Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
  *
  * Points are gathered one by one, threaded; the same bits for any number of threads. Memory: 12
- * bytes per point kept, 28 per triangle and 150 per point while it is made. Cost: 1 µs a point, and
+ * bytes per point kept, 28 per triangle and 160 per point while it is made. Cost: 1 µs a point, and
  * 0.3 µs more a step.
  */
 class PALPATE_EXPORT SurfaceCurvature
@@ -41,8 +44,8 @@ class PALPATE_EXPORT SurfaceCurvature
 public:
   static constexpr int MostSteps = 16;
 
-  /// Steps that average over about half of the contact radius, for points that are `spacing` apart
-  /// (mm): the root of the area each one has.
+  /// Steps that average as a contact does, for points that are `spacing` apart (mm): the root of the
+  /// area each one has. At most MostSteps.
   static int stepsFor(double contactRadius, double spacing);
 
   /// `normals` are 3 floats per point, unit length.
