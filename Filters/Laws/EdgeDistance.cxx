@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/EdgeDistance.h"
 
-#include "Contact/TriangleLinks.h"
+#include "Laws/SurfaceEdges.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
@@ -9,10 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <functional>
 #include <queue>
-#include <tuple>
 #include <utility>
 
 namespace palpate
@@ -21,33 +19,16 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double Opposite = -0.3;       // cosine between two ways of which one goes on the other
-constexpr double SpacingsPerCell = 2.0; // at least, of the root of the area a point has
-constexpr double LongFacet = 4.0;       // squares of the contact radius: its area
-constexpr double SmallPatch = 0.2;      // of a cell: too few facets to know its normal
-constexpr double SmallestBorder = 4.0;  // contact radii
+constexpr double IncompressibleRatio = 0.5; // edges are compared as there
+constexpr double BluntSharpness = 0.2;      // 60°: what is less reaches as much less far
+constexpr double Raised = 0.25;             // sine of the angle an edge may rise by
+constexpr double CellsAway = 4.0;           // the farthest edge that cells of a size tell of
+constexpr double Coarser = 3.0;             // the next cells
+constexpr double LargestCell = 0.25;        // of the body: larger ones tell nothing of its shape
 
-/// A cell's facets, or one long facet, as one.
-struct Patch
+double sharpnessOf(float turn)
 {
-  Vector3d normal = Vector3d::Zero(); ///< of its area; unit in the end
-  Vector3d centre = Vector3d::Zero();
-  double area = 0.0;
-  bool isAlone = false; ///< one long facet
-  std::vector<int> beside;
-};
-
-/// A side of a facet that is an edge.
-struct Side
-{
-  std::int32_t from;
-  std::int32_t to;
-  float turn;
-};
-
-double angleBetween(const Vector3d& one, const Vector3d& other)
-{
-  return std::atan2(one.cross(other).norm(), one.dot(other));
+  return edgeSharpness(IncompressibleRatio, static_cast<double>(turn));
 }
 
 double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& to)
@@ -58,442 +39,176 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
   return (point - from - part * along).norm();
 }
 
-class EdgeFinder
+/// The middle one of the three lengths of a surface's box, mm.
+double widthOf(const TriangleSpans& surface)
+{
+  std::array<double, 3> length{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    double least = Infinity;
+    double most = -Infinity;
+    for (std::size_t i = 0; i < surface.pointCount; ++i)
+    {
+      least = std::min(least, surface.points[3 * i + axis]);
+      most = std::max(most, surface.points[3 * i + axis]);
+    }
+    length[axis] = most - least;
+  }
+  std::sort(length.begin(), length.end());
+  return length[1];
+}
+
+/// Carries sides outwards over the surface; a point hands on the one it is nearest to.
+class SideSpread
 {
 public:
-  EdgeFinder(const TriangleSpans& surface, double radius, const unsigned char* isSeam)
+  explicit SideSpread(const LinkedSurface& surface)
     : Surface(surface)
-    , Radius(radius)
-    , IsSeam(isSeam)
-    , Corners(cornersOf(surface))
-    , Links(this->Corners, surface.pointCount)
+    , Normals(surface.spans.pointCount, Vector3d::Zero())
   {
-    this->findNormals();
-    this->findCellSize();
-    this->makePatches();
-    this->findTurns();
-    this->collectSides();
-    this->collectBorder();
-  }
-
-  const std::vector<Side>& sides() const { return this->Sides; }
-  const std::vector<Side>& border() const { return this->Border; }
-  const TriangleLinks& links() const { return this->Links; }
-  const std::vector<TriangleCorners>& corners() const { return this->Corners; }
-  Vector3d point(std::int32_t i) const
-  {
-    return Eigen::Map<const Vector3d>(this->Surface.points + 3 * static_cast<std::size_t>(i));
-  }
-
-private:
-  static std::vector<TriangleCorners> cornersOf(const TriangleSpans& surface)
-  {
-    std::vector<TriangleCorners> corners(surface.triangleCount);
-    for (std::size_t t = 0; t < corners.size(); ++t)
+    for (const TriangleCorners& c : surface.corners)
     {
-      std::copy_n(surface.triangles + 3 * t, 3, corners[t].begin());
-      const auto place = [&](std::size_t i)
+      for (std::size_t i = 0; c[0] >= 0 && i < 3; ++i)
       {
-        return Eigen::Map<const Vector3d>(
-          surface.points + 3 * static_cast<std::size_t>(corners[t][i]));
-      };
-      const Vector3d area = (place(1) - place(0)).cross(place(2) - place(0));
-      if (!(area.squaredNorm() > 0.0 && std::isfinite(area.squaredNorm())))
-      {
-        corners[t].fill(-1); // takes no part
+        this->Normals[static_cast<std::size_t>(c[i])] +=
+          (this->place(c[1]) - this->place(c[0])).cross(this->place(c[2]) - this->place(c[0]));
       }
     }
-    return corners;
+    for (Vector3d& normal : this->Normals)
+    {
+      normal.normalize();
+    }
   }
 
-  void findNormals()
+  /// `take(point, side, distance)` of the nearest of `sides` within `reach` (mm) of each point that
+  /// they do not rise above.
+  template <class Take>
+  void from(const std::vector<SurfaceSide>& sides, double reach, const Take& take) const
   {
-    this->Areas.resize(this->Corners.size(), Vector3d::Zero());
-    for (std::size_t t = 0; t < this->Corners.size(); ++t)
+    using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
+    // `reached`: how far the front is; what is nearer has found its side.
+    const auto offer = [&](std::int32_t point, std::int32_t side, float reached)
     {
-      const TriangleCorners& c = this->Corners[t];
-      if (c[0] >= 0)
+      const auto i = static_cast<std::size_t>(point);
+      if (distances[i] <= reached)
       {
-        const Vector3d first = this->point(c[0]);
-        this->Areas[t] = 0.5 * (this->point(c[1]) - first).cross(this->point(c[2]) - first);
+        return;
       }
-    }
-  }
-
-  /// Cells of the contact's size, or of a few facets of a coarse mesh.
-  void findCellSize()
-  {
-    double area = 0.0;
-    for (const Vector3d& facet : this->Areas)
-    {
-      area += facet.norm();
-    }
-    const double spacing =
-      std::sqrt(area / std::max<double>(1.0, static_cast<double>(this->Surface.pointCount)));
-    this->Cell = std::max(this->Radius, SpacingsPerCell * spacing);
-  }
-
-  /// Facets whose middle lies in one cell, and that do not look opposite ways, are one patch.
-  void makePatches()
-  {
-    struct Key
-    {
-      std::array<std::int64_t, 3> cell;
-      std::int32_t facet;
-      bool operator<(const Key& other) const
+      const SurfaceSide& edge = sides[static_cast<std::size_t>(side)];
+      const Vector3d here = this->place(point);
+      const Vector3d one = this->place(edge.from);
+      const Vector3d other = this->place(edge.to);
+      const auto away = static_cast<float>(distanceTo(here, one, other));
+      const double rise = (0.5 * (one + other) - here).dot(this->Normals[i]);
+      if (away < distances[i] && static_cast<double>(away) <= reach &&
+        rise <= Raised * static_cast<double>(away) + 1e-9)
       {
-        return std::tie(this->cell, this->facet) < std::tie(other.cell, other.facet);
-      }
-    };
-    std::vector<Key> keys;
-    keys.reserve(this->Corners.size());
-    this->PatchOf.assign(this->Corners.size(), -1);
-    for (std::size_t t = 0; t < this->Corners.size(); ++t)
-    {
-      if (this->Corners[t][0] < 0)
-      {
-        continue;
-      }
-      if (this->Areas[t].norm() > LongFacet * this->Radius * this->Radius)
-      {
-        this->Patches.emplace_back();
-        this->Patches.back().isAlone = true;
-        this->addFacet(t);
-        continue;
-      }
-      const Vector3d middle = this->middleOf(t);
-      Key key{ {}, static_cast<std::int32_t>(t) };
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        key.cell[k] =
-          static_cast<std::int64_t>(std::floor(middle[static_cast<Eigen::Index>(k)] / this->Cell));
-      }
-      keys.push_back(key);
-    }
-    std::sort(keys.begin(), keys.end());
-    std::size_t first = this->Patches.size(); // of the cell
-    for (std::size_t i = 0; i < keys.size(); ++i)
-    {
-      const auto t = static_cast<std::size_t>(keys[i].facet);
-      first = i == 0 || keys[i].cell != keys[i - 1].cell ? this->Patches.size() : first;
-      std::size_t found = first;
-      while (
-        found < this->Patches.size() && !(this->Patches[found].normal.dot(this->Areas[t]) > 0.0))
-      {
-        ++found;
-      }
-      if (found == this->Patches.size())
-      {
-        this->Patches.emplace_back();
-      }
-      std::swap(this->Patches[found], this->Patches.back());
-      this->addFacet(t);
-      std::swap(this->Patches[found], this->Patches.back());
-      this->PatchOf[t] = static_cast<int>(found);
-    }
-    for (Patch& patch : this->Patches)
-    {
-      patch.centre /= patch.area;
-      patch.normal.normalize();
-    }
-    for (std::size_t t = 0; t < this->Corners.size(); ++t)
-    {
-      for (const std::int32_t other : this->Links.neighbours(t))
-      {
-        if (this->PatchOf[t] >= 0 && other >= 0 &&
-          this->PatchOf[t] != this->PatchOf[static_cast<std::size_t>(other)])
-        {
-          this->Patches[static_cast<std::size_t>(this->PatchOf[t])].beside.push_back(
-            this->PatchOf[static_cast<std::size_t>(other)]);
-        }
-      }
-    }
-    for (Patch& patch : this->Patches)
-    {
-      std::sort(patch.beside.begin(), patch.beside.end());
-      patch.beside.erase(std::unique(patch.beside.begin(), patch.beside.end()), patch.beside.end());
-    }
-  }
-
-  Vector3d middleOf(std::size_t t) const
-  {
-    const TriangleCorners& c = this->Corners[t];
-    return (this->point(c[0]) + this->point(c[1]) + this->point(c[2])) / 3.0;
-  }
-
-  /// To the last patch.
-  void addFacet(std::size_t t)
-  {
-    Patch& patch = this->Patches.back();
-    const double area = this->Areas[t].norm();
-    patch.normal += this->Areas[t];
-    patch.centre += area * this->middleOf(t);
-    patch.area += area;
-    this->PatchOf[t] = static_cast<int>(this->Patches.size()) - 1;
-  }
-
-  /// By how much the surface turns away from one patch to another; negative where it is hollow.
-  double turn(int one, int other) const
-  {
-    const Patch& a = this->Patches[static_cast<std::size_t>(one)];
-    const Patch& b = this->Patches[static_cast<std::size_t>(other)];
-    const double angle = angleBetween(a.normal, b.normal);
-    return (b.normal - a.normal).dot(b.centre - a.centre) < 0.0 ? -angle : angle;
-  }
-  double length(int one, int other) const
-  {
-    return std::max(0.5 * this->Radius,
-      (this->Patches[static_cast<std::size_t>(one)].centre -
-        this->Patches[static_cast<std::size_t>(other)].centre)
-        .norm());
-  }
-
-  bool isKnown(int patch) const
-  {
-    const Patch& here = this->Patches[static_cast<std::size_t>(patch)];
-    return here.isAlone || here.area > SmallPatch * this->Cell * this->Cell;
-  }
-
-  /// The rate, rad/mm, at which it turns on beyond `patch`, seen from `from`: the mean of the ways
-  /// that go on; from a long facet the least, since another edge may end it.
-  double rateBeyond(int from, int patch) const
-  {
-    const Patch& here = this->Patches[static_cast<std::size_t>(patch)];
-    const Vector3d back = this->Patches[static_cast<std::size_t>(from)].centre - here.centre;
-    double least = Infinity;
-    double sum = 0.0;
-    double weights = 0.0;
-    for (const int next : here.beside)
-    {
-      const Patch& beyond = this->Patches[static_cast<std::size_t>(next)];
-      const Vector3d on = beyond.centre - here.centre;
-      if (next != from && this->isKnown(next) && on.dot(back) < Opposite * on.norm() * back.norm())
-      {
-        const double rate = this->turn(patch, next) / this->length(patch, next);
-        least = std::min(least, rate);
-        sum += beyond.area * rate;
-        weights += beyond.area;
-      }
-    }
-    return weights > 0.0 ? std::max(0.0, here.isAlone ? least : sum / weights) : 0.0;
-  }
-
-  /// What the surface turns between two patches more than at the rate beside them.
-  double excess(int before, int after, int beforeFrom, int afterFrom) const
-  {
-    const double angle = this->turn(before, after);
-    if (!(angle > EdgeDistance::LeastTurn) || !this->isKnown(before) || !this->isKnown(after))
-    {
-      return 0.0;
-    }
-    const double rate =
-      std::max(this->rateBeyond(beforeFrom, before), this->rateBeyond(afterFrom, after));
-    return angle - rate * this->length(before, after);
-  }
-
-  void findTurns()
-  {
-    this->Turns.assign(this->Patches.size(), 0.0F);
-    for (std::size_t c = 0; c < this->Patches.size(); ++c)
-    {
-      const int here = static_cast<int>(c);
-      const std::vector<int>& beside = this->Patches[c].beside;
-      double most = 0.0;
-      for (std::size_t i = 0; i < beside.size(); ++i)
-      {
-        most = std::max(most, this->excess(here, beside[i], beside[i], here));
-        const Vector3d one =
-          this->Patches[static_cast<std::size_t>(beside[i])].centre - this->Patches[c].centre;
-        for (std::size_t k = i + 1; k < beside.size(); ++k)
-        {
-          const Vector3d other =
-            this->Patches[static_cast<std::size_t>(beside[k])].centre - this->Patches[c].centre;
-          if (one.dot(other) < Opposite * one.norm() * other.norm())
-          {
-            most = std::max(most, this->excess(beside[i], beside[k], here, here));
-          }
-        }
-      }
-      this->Turns[c] = most > EdgeDistance::LeastTurn ? static_cast<float>(most) : 0.0F;
-    }
-  }
-
-  /// By how much the facets turn away along side `i` of a facet.
-  double facetTurn(std::size_t t, std::size_t i) const
-  {
-    const std::int32_t other = this->Links.neighbours(t)[i];
-    if (other < 0 || this->Corners[t][0] < 0)
-    {
-      return 0.0;
-    }
-    const auto o = static_cast<std::size_t>(other);
-    const bool isConvex =
-      (this->middleOf(o) - this->point(this->Corners[t][i])).dot(this->Areas[t]) < 0.0;
-    return isConvex ? angleBetween(this->Areas[t], this->Areas[o]) : 0.0;
-  }
-
-  /// In patches with an edge, the sides that turn at least half as much as the sharpest one.
-  void collectSides()
-  {
-    std::vector<double> sharpest(this->Patches.size(), 0.0);
-    const auto forSides = [&](auto&& visit)
-    {
-      for (std::size_t t = 0; t < this->Corners.size(); ++t)
-      {
-        const int patch = this->PatchOf[t];
-        if (patch < 0 || !(this->Turns[static_cast<std::size_t>(patch)] > 0.0F))
-        {
-          continue;
-        }
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          visit(t, i, static_cast<std::size_t>(patch), this->facetTurn(t, i));
-        }
-      }
-    };
-    forSides([&](std::size_t, std::size_t, std::size_t patch, double turn)
-      { sharpest[patch] = std::max(sharpest[patch], turn); });
-    forSides(
-      [&](std::size_t t, std::size_t i, std::size_t patch, double turn)
-      {
-        if (turn > 0.0 && turn >= 0.5 * sharpest[patch])
-        {
-          this->Sides.push_back(
-            { this->Corners[t][i], this->Corners[t][(i + 1) % 3], this->Turns[patch] });
-        }
-      });
-  }
-
-  void collectBorder()
-  {
-    // Sides of one facet, by where they lie: those of doubled points lie there twice.
-    using Place = std::array<double, 3>;
-    std::map<std::pair<Place, Place>, int> at;
-    std::vector<Side> border;
-    const auto keyOf = [this](const Side& side)
-    {
-      Place one;
-      Place other;
-      std::copy_n(this->point(side.from).data(), 3, one.begin());
-      std::copy_n(this->point(side.to).data(), 3, other.begin());
-      return one < other ? std::make_pair(one, other) : std::make_pair(other, one);
-    };
-    for (std::size_t t = 0; t < this->Corners.size(); ++t)
-    {
-      for (std::size_t i = 0; this->Corners[t][0] >= 0 && i < 3; ++i)
-      {
-        const Side side{ this->Corners[t][i], this->Corners[t][(i + 1) % 3], 0.0F };
-        const bool isSeam = this->IsSeam && this->IsSeam[side.from] && this->IsSeam[side.to];
-        if (this->Links.neighbours(t)[i] == TriangleLinks::Border && !isSeam)
-        {
-          border.push_back(side);
-          ++at[keyOf(side)];
-        }
-      }
-    }
-    border.erase(std::remove_if(border.begin(), border.end(),
-                   [&](const Side& side) { return at[keyOf(side)] > 1; }),
-      border.end());
-    this->dropHoles(border);
-    this->Border = std::move(border);
-  }
-
-  /// Loops shorter than a contact are holes of a scan.
-  void dropHoles(std::vector<Side>& border) const
-  {
-    std::map<std::int32_t, std::int32_t> above;
-    const auto rootOf = [&above](std::int32_t i)
-    {
-      above.emplace(i, i);
-      while (above[i] != i)
-      {
-        i = above[i] = above[above[i]];
-      }
-      return i;
-    };
-    for (const Side& side : border)
-    {
-      above[rootOf(side.from)] = rootOf(side.to);
-    }
-    std::map<std::int32_t, double> lengths;
-    for (const Side& side : border)
-    {
-      lengths[rootOf(side.from)] += (this->point(side.to) - this->point(side.from)).norm();
-    }
-    border.erase(std::remove_if(border.begin(), border.end(),
-                   [&](const Side& side)
-                   { return lengths[rootOf(side.from)] < Pi * SmallestBorder * this->Radius; }),
-      border.end());
-  }
-
-  const TriangleSpans& Surface;
-  double Radius;
-  double Cell = 0.0; ///< mm
-  const unsigned char* IsSeam;
-  std::vector<TriangleCorners> Corners;
-  TriangleLinks Links;
-  std::vector<Vector3d> Areas;
-  std::vector<int> PatchOf;
-  std::vector<Patch> Patches;
-  std::vector<float> Turns; ///< of the patches
-  std::vector<Side> Sides;
-  std::vector<Side> Border;
-};
-} // namespace
-
-EdgeDistance::EdgeDistance(
-  const TriangleSpans& surface, double contactRadius, double reach, const unsigned char* isSeam)
-  : Found(surface.pointCount)
-{
-  const EdgeFinder finder(surface, contactRadius, isSeam);
-  this->EdgeCount = finder.sides().size();
-
-  // From the sides outwards; a point hands on the side it is nearest to.
-  using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  const auto spread = [&](const std::vector<Side>& sides, float NearEdge::*distance)
-  {
-    const auto offer = [&](std::int32_t point, std::int32_t side)
-    {
-      const Side& edge = sides[static_cast<std::size_t>(side)];
-      const auto away = static_cast<float>(
-        distanceTo(finder.point(point), finder.point(edge.from), finder.point(edge.to)));
-      NearEdge& found = this->Found[static_cast<std::size_t>(point)];
-      if (away < found.*distance && static_cast<double>(away) <= reach)
-      {
-        found.*distance = away;
-        found.turn = edge.turn > 0.0F ? edge.turn : found.turn;
+        distances[i] = away;
         front.push({ away, { point, side } });
       }
     };
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
-      offer(sides[i].from, static_cast<std::int32_t>(i));
-      offer(sides[i].to, static_cast<std::int32_t>(i));
+      offer(sides[i].from, static_cast<std::int32_t>(i), -1.0F);
+      offer(sides[i].to, static_cast<std::int32_t>(i), -1.0F);
     }
     while (!front.empty())
     {
       const auto [away, from] = front.top();
       front.pop();
-      if (away > this->Found[static_cast<std::size_t>(from.first)].*distance)
+      const auto i = static_cast<std::size_t>(from.first);
+      if (away > distances[i])
       {
         continue;
       }
-      const auto around = finder.links().around(from.first);
+      take(i, sides[static_cast<std::size_t>(from.second)], away);
+      const auto around = this->Surface.links.around(from.first);
       for (const std::int32_t* t = around[0]; t != around[1]; ++t)
       {
-        for (const std::int32_t corner : finder.corners()[static_cast<std::size_t>(*t)])
+        for (const std::int32_t corner : this->Surface.corners[static_cast<std::size_t>(*t)])
         {
-          offer(corner, from.second);
+          offer(corner, from.second, away);
         }
       }
     }
-  };
-  spread(finder.sides(), &NearEdge::distance);
-  spread(finder.border(), &NearEdge::border);
+  }
+
+private:
+  Vector3d place(std::int32_t i) const
+  {
+    return Eigen::Map<const Vector3d>(this->Surface.spans.points + 3 * static_cast<std::size_t>(i));
+  }
+
+  const LinkedSurface& Surface;
+  std::vector<Vector3d> Normals;
+};
+} // namespace
+
+EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach)
+  : Found(surface.pointCount)
+{
+  const LinkedSurface linked(surface);
+  const SideSpread spread(linked);
+  const double width = widthOf(surface);
+  double inner = 0.0; // mm: what is nearer was looked at more finely
+  double radius = contactRadius;
+  for (bool isLast = false; !isLast;)
+  {
+    const SurfaceEdges edges = findEdges(linked, radius);
+    radius = Coarser * edges.cell;
+    isLast = CellsAway * edges.cell >= reach || radius > LargestCell * width;
+    const double outer = isLast ? reach : CellsAway * edges.cell;
+    const auto takeStronger = [this, inner](std::size_t point, const SurfaceSide& side, float away)
+    {
+      NearEdge& found = this->Found[point];
+      const double distance = std::max(static_cast<double>(away), inner);
+      if (sharpnessOf(side.turn) * static_cast<double>(found.distance) >
+        sharpnessOf(found.turn) * distance)
+      {
+        found.distance = static_cast<float>(distance);
+        found.turn = side.turn;
+      }
+    };
+    // Sharp edges and blunt ones apart: a blunt one that is nearer hides none.
+    std::vector<SurfaceSide> sharp;
+    std::vector<SurfaceSide> blunt;
+    for (const SurfaceSide& side : edges.sides)
+    {
+      (sharpnessOf(side.turn) > BluntSharpness ? sharp : blunt).push_back(side);
+    }
+    spread.from(sharp, outer, takeStronger);
+    if (inner < BluntSharpness * reach)
+    {
+      spread.from(blunt, std::min(outer, BluntSharpness * reach), takeStronger);
+    }
+    if (inner == 0.0)
+    {
+      this->EdgeCount = edges.sides.size();
+      spread.from(edges.border, reach, [this](std::size_t point, const SurfaceSide&, float away)
+        { this->Found[point].border = away; });
+    }
+    inner = outer;
+  }
 }
 
-double edgeFactor(double poissonsRatio, double distanceOverRadius)
+double edgeSharpness(double poissonsRatio, double turn)
+{
+  constexpr double most = 2.0 * Pi / 3.0;
+  const double t = std::tan(0.5 * std::min(turn, most));
+  if (t > 1.0)
+  {
+    return std::pow(t, 3.4);
+  }
+  // The surface itself is strained in proportion to 1 - 2ν: (1+ν)(1-2ν)² 2/9 over cos² inside.
+  const double n = 1.0 - 2.0 * poissonsRatio;
+  const double skin = (1.0 + poissonsRatio) * n * n * 2.0 / 9.0;
+  const double part = 0.65 * skin / (1.0 / 3.0 + skin);
+  return (1.0 - part) * t * t * t + part * t;
+}
+
+double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness)
 {
   // ψ of a point load, C = ψ/(2πE* d); and what keeps the force at the edge itself.
   constexpr std::array<double, 6> ratio = { 0.0, 0.15, 0.25, 0.3, 0.45, 0.5 };
@@ -508,6 +223,6 @@ double edgeFactor(double poissonsRatio, double distanceOverRadius)
     value[i - 1] + (value[i] - value[i - 1]) * (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);
-  return x / (x + psi / Pi);
+  return x / (x + sharpness * psi / Pi);
 }
 } // namespace palpate

@@ -22,34 +22,26 @@ struct NearEdge
 };
 
 /**
- * How far each point of a surface is from the next edge where it turns away (convex), and from
- * where it ends.
+ * How far each point of a surface is from the edge where it turns away (convex) that takes most of
+ * its force, and from where the surface ends.
  *
- * An edge is what a contact of radius a takes for one. Facets are averaged in cells of a, of a
- * coarse mesh of a few facets (long facets stand for themselves), so that neither a scan's noise
- * nor fine facets are edges, and a narrow fillet is one. From cell to cell, and over two, the
- * surface turns by an angle; what of it its own curvature beside does not explain (the turn goes on
- * at the same rate on a ball, and does not beyond an edge) is the edge's. From `LeastTurn` on it
- * counts. An open border counts where it is longer than a hole of 4 a; edges that lie twice at the
- * same place are none.
+ * What is an edge for a contact of radius a: SurfaceEdges.h. Seen from afar it takes more: what
+ * lies farther than four cells is looked for with cells three times as large, and so on, up to a
+ * quarter of the body's width; a bump on a face is no edge from there, a wide fillet is one.
  *
- * The edge itself lies along the facets' sides that turn most there; points look for the nearest
- * along the surface, no farther than `reach`.
+ * Points look along the surface, no farther than `reach`, and not where an edge rises above their
+ * own tangent plane by more than 15°: there is body below it, as at the foot of a horn.
  *
- * Cost: O(n log n), 0.5 to 1 s for a million triangles on one thread; 100 bytes a triangle while it
+ * Cost: O(n log n), 1 to 3 s for a million triangles on one thread; 100 bytes a triangle while it
  * is made. The same for any number of threads.
  */
 class PALPATE_EXPORT EdgeDistance
 {
 public:
-  static constexpr double LeastTurn = 0.35; ///< rad, 20°
-
-  /// `isSeam`, if not null, is nonzero at points where the surface goes on elsewhere: no border.
-  EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach,
-    const unsigned char* isSeam = nullptr);
+  EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach);
 
   const NearEdge& at(std::size_t point) const noexcept { return this->Found[point]; }
-  /// Sides of facets that are edges, and borders.
+  /// Sides of facets that are edges.
   std::size_t edges() const noexcept { return this->EdgeCount; }
 
 private:
@@ -57,10 +49,18 @@ private:
   std::size_t EdgeCount = 0;
 };
 
-/// Φ of a contact of radius a whose axis is u = d/a from the straight edge of a quarter space: its
-/// force over that far from the edge, at the same depth. u >= 0; for flats, paraboloids and cones
-/// within 0.02 of Hetényi's two half-spaces (Data/Reference/edges).
-PALPATE_EXPORT double edgeFactor(double poissonsRatio, double distanceOverRadius);
+/// ψ of a point load at distance d from an edge where the surface turns by an angle (rad), over
+/// that of a right one: C = ψ/(2πE* d) is how much softer it is. An edge that turns by little takes
+/// far less than in proportion, as what is missing lies where hardly any strain is: with t = tan of
+/// half the angle, t³, and for bodies that change their volume up to a quarter of t; t^3.4 beyond a
+/// right angle, to 120° (a thinner wedge counts as that). At most 1.4 times what finite elements
+/// find, or 0.13 of a right angle's more, and not less (Data/Reference/edges/wedge_point_law.csv).
+PALPATE_EXPORT double edgeSharpness(double poissonsRatio, double turn);
+
+/// Φ of a contact of radius a whose axis is u = d/a from the straight edge of a wedge: its force
+/// over that far from the edge, at the same depth. u >= 0; for flats, paraboloids and cones within
+/// 0.03 of Hetényi's two half-spaces (Data/Reference/edges), for other angles with their sharpness.
+PALPATE_EXPORT double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness);
 } // namespace palpate
 
 #endif

@@ -188,21 +188,22 @@ double ErrorRule::edgePart(
   {
     return 0.0;
   }
-  const auto part = [&](double distance, double missing)
+  const auto part = [&](float away, double sharpness)
   {
+    const auto distance = static_cast<double>(away);
     const double base = spot.thickness > 0.0 ? std::exp(-distance / spot.thickness) : 1.0;
-    return base * missing * (1.0 - edgeFactor(spot.poissonsRatio, distance / a));
+    return base * (1.0 - edgeFactor(spot.poissonsRatio, distance / a, sharpness));
   };
-  const auto distance = static_cast<double>(edge.distance);
-  const auto border = static_cast<double>(edge.border);
   double sum = 0.0;
-  if (std::isfinite(distance))
+  if (edge.distance < NearEdge::Far)
   {
-    sum += part(distance, static_cast<double>(edge.turn) / (0.5 * Pi)); // over a quarter space's
+    sum += part(edge.distance, edgeSharpness(spot.poissonsRatio, static_cast<double>(edge.turn)));
   }
-  if (border < BorderReach * a)
+  const double inside = static_cast<double>(edge.border) / (BorderReach * a);
+  if (inside < 1.0)
   {
-    sum += part(border, 1.0 - border / (BorderReach * a));
+    constexpr double rightAngle = 1.0;
+    sum += (1.0 - inside) * part(edge.border, rightAngle);
   }
   return std::min(1.0, sum);
 }
