@@ -24,7 +24,7 @@ namespace palpate
  * from normal to normal, `steps` times (stepsFor): what noise and small detail do to one of them
  * the contact does not feel. How widely follows from the contact: to first order its force feels the
  * sag weighted by 1/√(a²-r²), which for a sag of second and fourth order is the mean curvature
- * averaged with <r²> = a²/5.
+ * averaged so that the mean of r² is a²/5.
  *
  * The error is that of the mean curvature that the contact feels. With the *roughness* of a point,
  * the root mean square, over it and its neighbours, of the difference of a mean curvature from the
