@@ -186,7 +186,8 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
     if (inner == 0.0)
     {
       this->EdgeCount = edges.sides.size();
-      spread.from(edges.border, reach, [this](std::size_t point, const SurfaceSide&, float away)
+      spread.from(edges.border, reach,
+        [this](std::size_t point, const SurfaceSide&, float away)
         { this->Found[point].border = away; });
     }
     inner = outer;

@@ -8,9 +8,9 @@
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
 namespace palpate
 {
@@ -103,7 +103,8 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
     double ratio;
     double thickness; // 0: endless
   };
-  std::vector<Part> parts;
+  std::array<Part, LayerStack::MostLayers + 1> parts;
+  std::size_t count = 0;
   const auto modulusOf = [](const StackLayer& layer)
   { return reducedModulus(layer.youngsModulus, layer.poissonsRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
@@ -122,8 +123,8 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
     const double share =
       softness * ((isEndless ? 2.0 * a : taken(above + thickness)) - taken(above));
     const double reaches = 1.0 - std::pow(above / std::hypot(a, above), 3.0);
-    parts.push_back({ share, reaches * state.force / (Pi * a * a) * softness, layer.poissonsRatio,
-      isEndless ? 0.0 : thickness });
+    parts[count++] = { share, reaches * state.force / (Pi * a * a) * softness, layer.poissonsRatio,
+      isEndless ? 0.0 : thickness };
     whole += share;
     above += thickness;
   };
@@ -137,8 +138,9 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
     consider(this->Scope.stack->halfSpace, 0.0);
   }
   double sum = 0.0;
-  for (const Part& part : parts)
+  for (std::size_t i = 0; i < count; ++i)
   {
+    const Part& part = parts[i];
     const double share = part.share / whole;
     const double h = part.thickness;
     sum += share *

@@ -58,8 +58,8 @@ struct LawScope
  * as in a cavity, 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
  * - Edge: 1 - Φ(d/a) of the edge that takes most (edgeFactor, edgeSharpness); on a layer times
  *   e^(-d/h), as its base holds it. Not where the body's own compliance is known, which contains
- *   it. At an open border the body is taken to go on unseen: as much as at a right-angled edge, less
- *   and less to 2 a away. All of the force where the contact is wider than the whole body.
+ *   it. At an open border the body is taken to go on unseen: as much as at a right-angled edge,
+ * less and less to 2 a away. All of the force where the contact is wider than the whole body.
  * - None: storage.
  *
  * In series with a compliance a local error counts by the local part of the series, k/k_local.

@@ -3,7 +3,7 @@
 
 #include "Contact/ParallelRanges.h"
 #include "Laws/BodyMaterial.h"
-#include "Laws/ResponseLaw.h"
+#include "Laws/PreparedLaw.h"
 #include "Mechanics/SeriesCompliance.h"
 
 #include <algorithm>
@@ -199,30 +199,16 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
 {
   const MaterialRange& bounds = material.range();
   const bool estimates = terms.errorTolerance > 0.0;
-  ResponseLaw law(tool, range, spans.samples);
-  const LayerTable::Layers layers = bounds.hasLayers() ? bounds.prepared() : LayerTable::Layers();
-  std::shared_ptr<const LocalContact> contact;
-  if (terms.curvature || terms.strain || estimates)
-  {
-    auto made = std::make_shared<LocalContact>(tool, range, bounds.stiffens, terms.strain);
-    if (bounds.hasLayers())
-    {
-      made->prepareLayers(layers);
-    }
-    contact = made;
-    law.correct(contact);
-  }
-  if (bounds.hasLayers())
-  {
-    law.prepareLayers(layers, bounds.stiffens);
-  }
+  const PreparedLaw prepared = prepareLaw(
+    tool, range, spans.samples, bounds, terms.curvature || terms.strain || estimates, terms.strain);
+  const ResponseLaw& law = prepared.law;
   const ContactSpots spots = material.spots();
   MadeResponse made;
   made.exponent = material.bestExponent(tool, law);
   ResponseFiller filler(tool, law, range, shape.width, spans);
   if (estimates)
   {
-    filler.estimate(*contact,
+    filler.estimate(*prepared.contact,
       { terms.curvature, terms.strain, shape.width, material.storageError(law, made.exponent),
         bounds.hasStack() ? &bounds.stack : nullptr },
       terms.errorTolerance);

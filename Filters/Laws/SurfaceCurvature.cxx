@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 using Row = std::array<double, 12>;
 
 // 95 of 100, of errors that are known from a few neighbours; see SurfaceCurvatureTest.cxx.
-constexpr double RoughOfOne = 2.5;      // of one point's form
-constexpr double RoughOfAverage = 1.3;  // times 1/(1 + steps): neighbours err against each other
-constexpr double OfSpread = 0.1;        // the middle of an average is not quite the point
-constexpr double OfCurvature = 0.02;    // facets, and turned forms
-constexpr double FeltVariance = 0.1;    // contact radii² along each axis, by which sag is felt
+constexpr double RoughOfOne = 2.5;     // of one point's form
+constexpr double RoughOfAverage = 1.3; // times 1/(1 + steps): neighbours err against each other
+constexpr double OfSpread = 0.1;       // the middle of an average is not quite the point
+constexpr double OfCurvature = 0.02;   // facets, and turned forms
+constexpr double FeltVariance = 0.1;   // contact radii² along each axis, by which sag is felt
 
 /// Triangles around each point, in rising order.
 class TrianglesOfPoints
@@ -351,8 +351,7 @@ SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* no
     average.step(forms); // for the roughness alone
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
-      this->Found[i] =
-        principal(fits[i].form, std::max(fits[i].error, RoughOfOne * roughness(i)));
+      this->Found[i] = principal(fits[i].form, std::max(fits[i].error, RoughOfOne * roughness(i)));
     }
     return;
   }

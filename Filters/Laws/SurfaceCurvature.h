@@ -22,8 +22,8 @@ namespace palpate
  *
  * Where the mesh is finer than the contact, forms are then averaged from point to point, turned
  * from normal to normal, `steps` times (stepsFor): what noise and small detail do to one of them
- * the contact does not feel. How widely follows from the contact: to first order its force feels the
- * sag weighted by 1/√(a²-r²), which for a sag of second and fourth order is the mean curvature
+ * the contact does not feel. How widely follows from the contact: to first order its force feels
+ * the sag weighted by 1/√(a²-r²), which for a sag of second and fourth order is the mean curvature
  * averaged so that the mean of r² is a²/5.
  *
  * The error is that of the mean curvature that the contact feels. With the *roughness* of a point,
@@ -44,8 +44,8 @@ class PALPATE_EXPORT SurfaceCurvature
 public:
   static constexpr int MostSteps = 16;
 
-  /// Steps that average as a contact does, for points that are `spacing` apart (mm): the root of the
-  /// area each one has. At most MostSteps.
+  /// Steps that average as a contact does, for points that are `spacing` apart (mm): the root of
+  /// the area each one has. At most MostSteps.
   static int stepsFor(double contactRadius, double spacing);
 
   /// `normals` are 3 floats per point, unit length.

@@ -30,6 +30,7 @@ struct SurfaceSide
   float turn; ///< by which the surface turns away there, rad; 0: a border
 };
 
+/// What turns away on a surface, and where it ends.
 struct SurfaceEdges
 {
   static constexpr double LeastTurn = 0.35; ///< rad, 20°

@@ -3,15 +3,13 @@
 
 #include "Laws/BodyMaterial.h"
 #include "Laws/ErrorRule.h"
-#include "Laws/LocalContact.h"
-#include "Laws/ResponseLaw.h"
+#include "Laws/PreparedLaw.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SeriesCompliance.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 namespace palpate
@@ -30,18 +28,9 @@ public:
     : Body(body)
     , Spots(model.material.spots())
     , HasCurvature(model.curvature)
-    , Law(body.tool, body.range, UnstoredSamples)
-    , Contact(std::make_shared<LocalContact>(
-        body.tool, body.range, model.material.range().stiffens, model.strain))
+    , Prepared(prepareLaw(
+        body.tool, body.range, UnstoredSamples, model.material.range(), true, model.strain))
   {
-    const MaterialRange& bounds = model.material.range();
-    if (bounds.hasLayers())
-    {
-      const LayerTable::Layers layers = bounds.prepared();
-      this->Contact->prepareLayers(layers);
-      this->Law.prepareLayers(layers, bounds.stiffens);
-    }
-    this->Law.correct(this->Contact);
   }
 
   ContactSpot spot(std::size_t i) const
@@ -53,16 +42,15 @@ public:
   /// N; NaN where there is none.
   double at(const ContactSpot& spot, double depth) const
   {
-    return this->Law.evaluate(spot, depth).force;
+    return this->Prepared.law.evaluate(spot, depth).force;
   }
-  const LocalContact& contact() const { return *this->Contact; }
+  const LocalContact& contact() const { return *this->Prepared.contact; }
 
 private:
   const PressedBody& Body;
   ContactSpots Spots;
   bool HasCurvature;
-  ResponseLaw Law;
-  std::shared_ptr<LocalContact> Contact;
+  PreparedLaw Prepared;
 };
 
 /// What `share` of the points do not pass, of `change(i)`, which is negative where there is none.

@@ -135,8 +135,8 @@ public:
   std::shared_ptr<const BodyShape> find(const ShapeKey& key)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto found = std::find_if(this->Shapes.begin(), this->Shapes.end(),
-      [&key](const Kept& one) { return one.key == key; });
+    const auto found = std::find_if(
+      this->Shapes.begin(), this->Shapes.end(), [&key](const Kept& one) { return one.key == key; });
     if (found == this->Shapes.end())
     {
       return nullptr;

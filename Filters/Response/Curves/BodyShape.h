@@ -34,8 +34,8 @@ struct BodyShape
 };
 
 /// Curvature for a law or an error, edges for an error alone, on the scale of a contact of radius
-/// `a` (mm). `normals`: three floats a point. Never null. Collective; each rank holds the whole body
-/// for a while.
+/// `a` (mm). `normals`: three floats a point. Never null. Collective; each rank holds the whole
+/// body for a while.
 ///
 /// A shape does not depend on the material, which changes more often: the last ones are kept in the
 /// process, by content, 24 bytes a point, up to 128 MB and 16 of them. Any thread.

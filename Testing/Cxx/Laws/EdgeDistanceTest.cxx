@@ -141,7 +141,7 @@ TEST(EdgeDistance, OfARoofIsThatToItsRidge)
 
 TEST(EdgeDistance, OfLongFacetsToo)
 {
-  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0); // the ridge and two borders, 30 mm away
+  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0);    // the ridge and two borders, 30 mm away
   const EdgeDistance edges(mesh.spans(), 1.0, 160.0); // an edge of 45°, a fifth of that
   EXPECT_EQ(edges.at(1).border, 0.0F);
   EXPECT_NEAR(static_cast<double>(edges.at(4).distance), 0.0, 1e-6);
@@ -225,7 +225,8 @@ TEST(EdgeDistance, FactorIsThatOfAQuarterSpace)
 TEST(EdgeDistance, SharpnessIsThatOfWedges)
 {
   const ReferenceTable table("edges/wedge_point_law.csv");
-  const auto psi = [&](std::size_t row) { return table.number(row, "psi (C_edge=psi/(2 pi E* d))"); };
+  const auto psi = [&](std::size_t row)
+  { return table.number(row, "psi (C_edge=psi/(2 pi E* d))"); };
   std::map<double, double> right;
   for (std::size_t row = 0; row < table.size(); ++row)
   {

@@ -255,22 +255,11 @@ Made respond(const Body& body, const AxisymmetricTool& tool, double deepest, boo
       &made.limit, made.error.data() });
   return made;
 }
-} // namespace
 
-double JudgedForce::error() const
+/// Presses the tool on the body, by the product and by finite elements.
+RandomContact judgeContact(ContactFamily family, const Body& body, const Tool& chosen)
 {
-  return std::abs(this->exact / this->force - 1.0);
-}
-
-RandomContact drawContact(ContactFamily family, std::mt19937& random)
-{
-  Draw draw(random);
-  const Body body = drawBody(family, draw);
   const bool isCurved = body.radius != 0.0;
-  Tool chosen = isCurved                 ? roundTool(draw)
-    : family == ContactFamily::HalfSpace ? anyTool(draw)
-                                         : coneOrSphere(draw);
-  chosen.deepest = deepestIn(body.material, chosen.deepest);
   RandomContact contact{ family, chosen.text, inWords(body), {}, {} };
 
   ToolSpecification specification;
@@ -329,5 +318,29 @@ RandomContact drawContact(ContactFamily family, std::mt19937& random)
     }
   }
   return contact;
+}
+} // namespace
+
+double JudgedForce::error() const
+{
+  return std::abs(this->exact / this->force - 1.0);
+}
+
+RandomContact drawContact(ContactFamily family, std::mt19937& random)
+{
+  Draw draw(random);
+  const Body body = drawBody(family, draw);
+  Tool chosen = body.radius != 0.0       ? roundTool(draw)
+    : family == ContactFamily::HalfSpace ? anyTool(draw)
+                                         : coneOrSphere(draw);
+  chosen.deepest = deepestIn(body.material, chosen.deepest);
+  return judgeContact(family, body, chosen);
+}
+
+RandomContact pressOnBall(const std::string& tool, double deepest, double radius,
+  double poissonsRatio, double youngsModulus)
+{
+  const Body body{ { youngsModulus, poissonsRatio, 0.0, LayerBase::Bonded, false }, radius };
+  return judgeContact(ContactFamily::Ball, body, { tool, deepest, true });
 }
 } // namespace palpate::testing

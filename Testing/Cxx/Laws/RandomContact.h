@@ -58,6 +58,10 @@ constexpr double SolverError = 0.004;
  * Lengths are of the tool, about 1 mm. Cost: 5 to 20 s of a processor.
  */
 RandomContact drawContact(ContactFamily family, std::mt19937& random);
+
+/// The same of a sphere that is given, on a ball (mm, MPa).
+RandomContact pressOnBall(const std::string& tool, double deepest, double radius,
+  double poissonsRatio, double youngsModulus);
 } // namespace palpate::testing
 
 #endif

@@ -58,3 +58,23 @@ TEST(RandomContact, OnABallAndInACavity)
   expectBounds(ContactFamily::Ball, 34, 1);
   expectBounds(ContactFamily::Cavity, 35, 1);
 }
+
+/// What ParaView writes after the manual's six clicks: a sphere of 5 mm, 1 mm deep in a body that
+/// is curved there as a ball of 55.5 mm.
+TEST(RandomContact, TheTouchOfTheManual)
+{
+  const RandomContact touch = pressOnBall("sphere:5", 1.0, 55.5, 0.45, 0.1);
+  ASSERT_FALSE(touch.forces.empty()) << touch.fault;
+  bool isThere = false;
+  for (const JudgedForce& at : touch.forces)
+  {
+    if (at.depth == 1.0 && at.law == "curved")
+    {
+      isThere = true;
+      EXPECT_NEAR(at.force, 0.352, 0.002);
+      EXPECT_LE(at.stated, 0.04);
+      EXPECT_LE(at.error(), at.stated + SolverError);
+    }
+  }
+  EXPECT_TRUE(isThere);
+}

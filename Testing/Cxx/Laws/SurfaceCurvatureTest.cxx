@@ -165,8 +165,7 @@ Outcome judge(const Surface& surface, int n, int m, double noise, double contact
     {
       const double u = surface.width * (i + 0.3 * even(random)) / n;
       const double v = surface.height * (k + 0.3 * even(random)) / m;
-      const Vector3d place =
-        surface.place(u, v) + noise * even(random) * normalOf(surface, u, v);
+      const Vector3d place = surface.place(u, v) + noise * even(random) * normalOf(surface, u, v);
       points.insert(points.end(), place.begin(), place.end());
       exact.push_back(felt(surface, u, v, contactRadius));
     }
@@ -249,8 +248,8 @@ void expectBound(
 /// The brute force that judges, of a small contact, against the closed forms.
 TEST(SurfaceCurvature, ASmallContactFeelsTheCurvatureOfItsPoint)
 {
-  for (const Surface& surface : { torus(20.0, 8.0), saddle(25.0, 15.0), cylinder(12.0),
-         sphere(15.0), waves(30.0, 10.0) })
+  for (const Surface& surface :
+    { torus(20.0, 8.0), saddle(25.0, 15.0), cylinder(12.0), sphere(15.0), waves(30.0, 10.0) })
   {
     for (const double part : { 0.2, 0.45, 0.8 })
     {
