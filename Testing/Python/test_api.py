@@ -172,7 +172,8 @@ class ClosedForms(unittest.TestCase):
     def test_a_law_has_what_the_force_needs(self):
         # c of a 60 degree cone at nu = 0.3 is 1.075, at 0.45 0.994 (another code).
         tips = np.array([[0.3, 0.7, -0.5]])
-        for poisson, tolerance, words in ((0.3, 0.05, "Neo-Hooke\\) is in the law"), (0.45, 0.05, "small strain suffices")):
+        for poisson, tolerance, words in ((0.3, 0.05, "Neo-Hooke\\) is in the law"), (0.45, 0.05, "small strain suffices"),
+                                          (0.3, True, "Neo-Hooke\\) is in the law"), (0.45, True, "small strain suffices")):
             body = palpate.response(plate(), tool="cone:60", poisson=poisson, automatic=tolerance)
             self.assertRegex(body.GetFieldData().GetAbstractArray("ResponseTerms").GetValue(0), words)
             small = palpate.response(plate(), tool="cone:60", poisson=poisson)

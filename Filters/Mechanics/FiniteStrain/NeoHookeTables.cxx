@@ -26,9 +26,12 @@ constexpr double FlatDeepest = 0.7;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
 // Of the thinnest: beyond the table's end c stays, with its error.
 constexpr double LayerAnswers = 0.7;
+constexpr double Beyond = 1.8; // of the deepest: from there on the error grows
+constexpr double BeyondLayers = 2.25;
 constexpr double TableError = 0.003; // of mesh, far field and interpolation
 // Of a sharp flat: its rim follows the body, the table's is rounded.
 constexpr double FlatError = 0.01;
+constexpr double FlatLayerError = 0.02; // as much as another code's sharp flat differs
 constexpr double ConeError = 0.005;
 
 std::vector<double> ratios()
@@ -49,6 +52,28 @@ std::vector<double> flattened(const HalfSpaceTable& table)
     values.insert(values.end(), std::begin(row), std::end(row));
   }
   return values;
+}
+
+/// Of layers as thick as `heights`, in radii.
+template <std::size_t Heights>
+std::unique_ptr<StrainTable> layerTable(const double (&heights)[Heights],
+  const HalfSpaceTable (&tables)[Heights], double radius, const StrainReach& reach, double error)
+{
+  std::vector<double> thicknesses;
+  for (const double height : heights)
+  {
+    thicknesses.push_back(height * radius);
+  }
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < Ratios; ++i)
+  {
+    for (const HalfSpaceTable& table : tables)
+    {
+      factors.insert(factors.end(), std::begin(table[i]), std::end(table[i]));
+    }
+  }
+  return std::make_unique<StrainTable>(
+    StrainTable::Axes{ ratios(), thicknesses, roots() }, std::move(factors), reach, false, error);
 }
 
 bool isTool(const AxisymmetricTool& tool, ToolShape shape, ToolSpecification& found)
@@ -91,12 +116,12 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
 {
   ToolSpecification found;
   const StrainTable::Axes axes{ ratios(), {}, roots() };
-  if (isTool(tool, ToolShape::Sphere, found) && deepest <= SphereDeepest * found.Radius)
+  if (isTool(tool, ToolShape::Sphere, found) && deepest <= Beyond * SphereDeepest * found.Radius)
   {
     return std::make_unique<StrainTable>(
       axes, flattened(Sphere), StrainReach{ SphereDeepest * found.Radius }, false, TableError);
   }
-  if (isTool(tool, ToolShape::Flat, found) && deepest <= FlatDeepest * found.Radius)
+  if (isTool(tool, ToolShape::Flat, found) && deepest <= Beyond * FlatDeepest * found.Radius)
   {
     return std::make_unique<StrainTable>(
       axes, flattened(Flat), StrainReach{ FlatDeepest * found.Radius }, false, FlatError);
@@ -113,30 +138,33 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
   return nullptr;
 }
 
+StrainReach thickLayerReach(ToolShape shape, double radius)
+{
+  return { (shape == ToolShape::Flat ? 0.9 : 1.3) * radius, 0.75 };
+}
+
 std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest)
 {
   ToolSpecification found;
-  if (!isTool(tool, ToolShape::Sphere, found) || deepest > LayerAnswers * thinnest ||
-    thinnest < TableLayers[0] * found.Radius ||
-    thickest > *(std::end(TableLayers) - 1) * found.Radius)
+  const bool isSphere = isTool(tool, ToolShape::Sphere, found);
+  if (!isSphere && !isTool(tool, ToolShape::Flat, found))
   {
     return nullptr;
   }
-  std::vector<double> thicknesses;
-  for (const double node : TableLayers)
+  const double radius = found.Radius;
+  if (isSphere && deepest <= LayerAnswers * thinnest && thinnest >= TableLayers[0] * radius &&
+    thickest <= *(std::end(TableLayers) - 1) * radius)
   {
-    thicknesses.push_back(node * found.Radius);
+    return layerTable(
+      TableLayers, Layers, radius, StrainReach{ Infinity, LayerDeepest }, TableError);
   }
-  std::vector<double> factors;
-  for (std::size_t i = 0; i < Ratios; ++i)
+  const StrainReach reach = thickLayerReach(found.Shape, radius);
+  if (thinnest < ThickLayers[0] * radius || deepest > BeyondLayers * reach.at(thinnest, 0.0))
   {
-    for (const auto& layer : Layers)
-    {
-      factors.insert(factors.end(), std::begin(layer[i]), std::end(layer[i]));
-    }
+    return nullptr;
   }
-  return std::make_unique<StrainTable>(StrainTable::Axes{ ratios(), thicknesses, roots() },
-    std::move(factors), StrainReach{ Infinity, LayerDeepest }, false, TableError);
+  return isSphere ? layerTable(ThickLayers, SphereLayers, radius, reach, TableError)
+                  : layerTable(ThickLayers, FlatLayers, radius, reach, FlatLayerError);
 }
 } // namespace palpate

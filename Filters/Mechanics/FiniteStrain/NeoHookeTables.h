@@ -3,6 +3,8 @@
 #define NeoHookeTables_h
 
 #include "Mechanics/FiniteStrain/StrainTable.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <memory>
 
@@ -11,13 +13,19 @@ namespace palpate
 class AxisymmetricTool;
 
 /// c of Neo-Hooke for a sphere, flat or cone of 45° to 75° on a half-space down to `deepest` (mm),
-/// at the tool's size; null for another tool, and deeper than the tables go.
+/// at the tool's size; null for another tool, and deeper than 1.8 times what the tables know, a
+/// radius and 0.7 of one: between the two the error grows.
 std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, double deepest);
 
-/// The same for a sphere on bonded layers of half to four radii, to half of each; null if `deepest`
-/// is more than 0.7 of the thinnest.
+/// The same for bonded layers: a sphere on half to four radii, to half of each; null if `deepest`
+/// is more than 0.7 of the thinnest. Or a sphere and a flat on layers from two radii on, to the
+/// depth of thickLayerReach, and with a growing error to 2.25 times that of the thinnest; more than
+/// sixteen radii count as sixteen.
 std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
+
+/// How deep the tables of thick layers go, of a sphere or a flat of that radius, mm.
+PALPATE_EXPORT StrainReach thickLayerReach(ToolShape shape, double radius);
 } // namespace palpate
 
 #endif

@@ -37,10 +37,12 @@ struct StrainBodies
  * multiplied by the exact law of small strain. Its stiffness is c k_small + F_small dc/dδ.
  *
  * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius, δ =
- * 0.7 R) and a cone (45° to 75°) on a half-space, and below a sphere on a bonded layer (half to
- * four radii thick, δ = h/2), is a table made once by the solver. All else is solved for at four
- * Poisson's ratios (or the one there is), at thicknesses of a ratio of 2 or less (of a stack, of
- * its first two layers), and at eight depths: to 0.7 of all layers on a rigid base, beyond which
+ * 0.7 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to four
+ * radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to 0.9
+ * to 1.2 and 0.6 to 0.85 radii), is a table made once by the solver; deeper than that the error
+ * grows (NeoHookeTables.h). All else is solved for at four Poisson's ratios (or the one there is),
+ * at thicknesses of a ratio of 2 or less (of a stack, of its first two layers), and at eight
+ * depths: to 0.7 of all layers on a rigid base, beyond which
  * the error grows. 3 s to a minute a curve, on all threads, the same bits for any number of
  * them; kept by content in $PALPATE_CACHE, or $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with
  * PALPATE_CACHE empty it is not kept.

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t MostNodes = 4;
 // Of the last root: so far c goes on straight beyond it, that a curve which ends with the table
 // keeps its slope there, whatever nodes around the end it is read from.
-constexpr double Straight = 0.05;
+constexpr double Straight = 0.25;
 
 /// Lagrange's polynomials on the nodes around a place.
 struct Weights
@@ -146,13 +146,18 @@ StrainFactor StrainTable::at(
   }
   const bool beyond = root > known;
   const double further = known < axes.roots.back() ? 0.0 : std::max(0.0, root - known);
-  found.factor += found.slope * std::min(further, Straight * known);
+  const double straight = std::min(further, Straight * known);
+  const double slope = found.slope; // over the root
+  found.factor += slope * straight;
   const bool moves = depth > 0.0 && (!beyond || (further > 0.0 && further < Straight * known));
-  found.slope = moves ? found.slope * 0.5 * root / depth : 0.0;
+  found.slope = moves ? slope * 0.5 * root / depth : 0.0;
   if (beyond && !this->Constant)
   {
-    // What c has done so far it may do again as far beyond.
-    found.error += std::max(std::abs(found.factor - 1.0), this->Error) * (root / known - 1.0);
+    // What c has done so far it may do again as far beyond; and its slope may change by half.
+    const double asBefore =
+      std::max(std::abs(found.factor - 1.0), this->Error) * (root / known - 1.0);
+    const double bent = std::abs(slope) * (0.5 * straight + (further - straight));
+    found.error += std::max(asBefore, bent);
   }
   return found;
 }

@@ -38,7 +38,7 @@ struct StrainReach
  * √(δ/δ_max), where c is smooth: on a sphere c - 1 is nearly in proportion to √δ. At δ = 0, which
  * is a node of its own, c is 1, or, of a tool without a length (cone), what it is at every depth.
  *
- * Beyond the last root the factor goes on straight for a twentieth of it, then stays. Rows may end
+ * Beyond the last root the factor goes on straight for a quarter of it, then stays. Rows may end
  * early, where no equilibrium was found: there it stays at once. The error grows by the distance
  * from the end.
  */

@@ -47,9 +47,10 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     error_tolerance : a fraction of the force, 0.05 for 5 %: Validity is the depth at which the estimated error passes
         it, and the error is kept at each sample, in NAME + Error; 0: the depth at which the first assumption of the
         law breaks, without an error.
-    automatic : a fraction of the force, 0.01 for 1 %: layers, curvature and finite strain are left out of the law where
-        they change no more than that in sum, and "neohooke" is taken where its tables have the tool and it changes
-        more. What was taken and left out, and why, stands in the field array NAME + Terms. None: the law as it is asked for.
+    automatic : a fraction of the force, 0.01 (or True) for 1 %: layers, curvature and finite strain are left out of the
+        law where they change no more than that in sum, and "neohooke" is taken where its tables have the tool and it
+        changes more. What was taken and left out, and why, stands in the field array NAME + Terms. None or False: the
+        law as it is asked for.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -78,9 +79,10 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     _set_strain(made, strain)
     tolerance = _number(error_tolerance, "error_tolerance")
     made.SetErrorTolerance(tolerance)
-    if automatic is not None:
+    if automatic is not None and automatic is not False:
         made.AutomaticTermsOn()
-        made.SetTermTolerance(_number(automatic, "automatic"))
+        if automatic is not True:
+            made.SetTermTolerance(_number(automatic, "automatic"))
     return _filters.run(made, others=[tool]).GetOutput()
 
 

@@ -4,13 +4,14 @@
 
     make_tables.py PROGRAM FILE     PROGRAM: bin/palpateStrainTables of the build (a target of its own)
 
-Cost: about twenty minutes on two processors.
+Cost: about half an hour on two processors.
 """
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
 LAYERS = ["0.5", "1", "2", "4"]
+THICK = ["2", "4", "8", "16"]
 NAMES = {"sphere": "Sphere", "flat": "Flat", "cone75": "Cone75", "cone60": "Cone60", "cone45": "Cone45"}
 
 
@@ -20,7 +21,7 @@ def table(program, name):
 
 def main():
     program, path = sys.argv[1:]
-    names = list(NAMES) + [f"layer{h}" for h in LAYERS]
+    names = list(NAMES) + [f"layer{h}" for h in LAYERS] + [f"{tool}layer{h}" for tool in ("sphere", "flat") for h in THICK]
     with ThreadPoolExecutor(2) as threads:
         rows = dict(zip(names, threads.map(lambda name: table(program, name), names)))
     with open(path, "w", encoding="utf-8") as file:
@@ -29,13 +30,16 @@ def main():
                    "// over the deepest; 0: no equilibrium found.\n"
                    "constexpr double TableRatios[Ratios] = { 0.0, 0.15, 0.3, 0.4, 0.45, 0.48, 0.495 };\n"
                    "constexpr double TableRoots[Roots] = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };\n"
-                   f"constexpr double TableLayers[] = {{ {', '.join(LAYERS)} }}; // h/R\n")
+                   f"constexpr double TableLayers[] = {{ {', '.join(LAYERS)} }}; // h/R\n"
+                   f"constexpr double ThickLayers[] = {{ {', '.join(THICK)} }};\n")
         for name, variable in NAMES.items():
             file.write(f"constexpr HalfSpaceTable {variable} = {{\n{rows[name]}}};\n")
-        file.write("constexpr HalfSpaceTable Layers[] = {\n")
-        for height in LAYERS:
-            file.write(f"  {{ // h = {height} R\n{rows['layer' + height]}  }},\n")
-        file.write("};\n")
+        for variable, name, heights in (("Layers", "layer", LAYERS), ("SphereLayers", "spherelayer", THICK),
+                                        ("FlatLayers", "flatlayer", THICK)):
+            file.write(f"constexpr HalfSpaceTable {variable}[] = {{\n")
+            for height in heights:
+                file.write(f"  {{ // h = {height} R\n{rows[name + height]}  }},\n")
+            file.write("};\n")
 
 
 if __name__ == "__main__":

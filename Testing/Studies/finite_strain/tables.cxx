@@ -2,13 +2,17 @@
 /* The tables of Mechanics/FiniteStrain/NeoHookeTables.inc, by the solver of the same room: what
  * finite strain (Neo-Hooke) does to the force of small strain, on one mesh, at the same depth.
  *
- *   finite_strain_tables sphere|flat|cone45|cone60|cone75|layer0.25|layer0.5|…   prints one table
+ *   finite_strain_tables sphere|flat|cone45|cone60|cone75|layer0.5|…|spherelayer2|…|flatlayer2|…
+ *
+ * prints one table: the tool on a half-space; a sphere on a layer of that thickness, to half of it;
+ * a sphere and a flat on a layer to the depth of thickLayerReach.
  *
  * Lengths in radii (cone: of the depth, which does not matter). A row is a Poisson's ratio; a
  * column a root of the depth over the deepest, 0.3 to 1. Where the solver did not come so far: 0.
  * Cost: some 15 minutes a table on a half-space, one minute a layer.
  */
 #include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Mechanics/FiniteStrain/NeoHookeTables.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include <cstdio>
@@ -40,8 +44,18 @@ Case caseOf(const std::string& name)
   {
     return { "cone:" + name.substr(4), 0.15, 0.05, 0.0 };
   }
+  const auto at = name.find("layer");
   const double thickness =
-    name.rfind("layer", 0) == 0 ? std::strtod(name.c_str() + 5, nullptr) : 0.0;
+    at == std::string::npos ? 0.0 : std::strtod(name.c_str() + at + 5, nullptr);
+  if (name.rfind("spherelayer", 0) == 0)
+  {
+    return { "sphere:1", thickLayerReach(ToolShape::Sphere, 1.0).at(thickness, 0.0), 0.1,
+      thickness };
+  }
+  if (name.rfind("flatlayer", 0) == 0)
+  {
+    return { "flat:1", thickLayerReach(ToolShape::Flat, 1.0).at(thickness, 0.0), 0.1, thickness };
+  }
   return { "sphere:1", thickness > 0.0 ? 0.5 * thickness : 1.0, 0.1, thickness };
 }
 
