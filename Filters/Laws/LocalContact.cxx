@@ -122,11 +122,12 @@ bool LocalContact::states(
   {
     this->Direct.solve({}, softness, deflections, states);
   }
+  const StrainCorrection::Course course =
+    this->Strain ? this->Strain->course(spot.poissonsRatio, 0.0) : StrainCorrection::Course();
   for (std::size_t i = 0; this->Strain && i < deflections.size(); ++i)
   {
     LocalState& state = states[i];
-    const StrainCorrection::Value value =
-      this->Strain->at(state.toolDepth, spot.poissonsRatio, 0.0);
+    const StrainCorrection::Value value = course.at(state.toolDepth);
     if (std::isfinite(value.factor))
     {
       state.stiffness = value.factor * state.stiffness + state.force * value.slope * state.toolTurn;
@@ -139,6 +140,8 @@ bool LocalContact::states(
 void LocalContact::strain(const ContactSpot& spot, ContactNodes& nodes) const
 {
   const std::vector<double>& toolDepth = nodes.toolDepths;
+  const StrainCorrection::Course course =
+    this->Strain->course(spot.poissonsRatio, spot.thickness, spot.second);
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const std::size_t next = std::min(i + 1, nodes.size() - 1);
@@ -146,8 +149,7 @@ void LocalContact::strain(const ContactSpot& spot, ContactNodes& nodes) const
     const double turn = i == 0
       ? toolDepth[0] / nodes.depths[0]
       : (toolDepth[next] - toolDepth[last]) / (nodes.depths[next] - nodes.depths[last]);
-    const StrainCorrection::Value value =
-      this->Strain->at(toolDepth[i], spot.poissonsRatio, spot.thickness, spot.second);
+    const StrainCorrection::Value value = course.at(toolDepth[i]);
     if (!std::isfinite(value.factor))
     {
       continue;

@@ -138,16 +138,27 @@ std::unique_ptr<StrainTable> solvedTable(const StrainProblem& problem,
 }
 } // namespace
 
-StrainCorrection::Value StrainCorrection::at(
-  double depth, double poissonsRatio, double thickness, double second) const
+StrainCorrection::Course StrainCorrection::course(
+  double poissonsRatio, double thickness, double second) const
 {
-  const StrainTable* table = thickness > 0.0 ? this->Layers.get() : this->HalfSpace.get();
-  if (!table)
+  Course course;
+  if (const StrainTable* table = thickness > 0.0 ? this->Layers.get() : this->HalfSpace.get())
+  {
+    course.Table = table->course(std::min(poissonsRatio, LargestRatio), thickness, second);
+    course.HasTable = true;
+    course.More = poissonsRatio > LargestRatio ? BeyondLargestRatio : 0.0;
+  }
+  return course;
+}
+
+StrainCorrection::Value StrainCorrection::Course::at(double depth) const
+{
+  if (!this->HasTable)
   {
     return {};
   }
-  Value found = table->at(depth, std::min(poissonsRatio, LargestRatio), thickness, second);
-  found.error += poissonsRatio > LargestRatio ? BeyondLargestRatio : 0.0;
+  Value found = this->Table.at(depth);
+  found.error += this->More;
   return found;
 }
 

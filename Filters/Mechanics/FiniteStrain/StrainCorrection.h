@@ -62,7 +62,24 @@ public:
 
   /// `depth` (mm) of the tool at small strain; `thickness` (mm) 0 for a half-space, `second` (mm)
   /// that of a stack's second layer. Below 1 µs.
-  Value at(double depth, double poissonsRatio, double thickness, double second = 0.0) const;
+  Value at(double depth, double poissonsRatio, double thickness, double second = 0.0) const
+  {
+    return this->course(poissonsRatio, thickness, second).at(depth);
+  }
+
+  /// The same on one body, of any depth: asked for many, cheaper.
+  class Course
+  {
+  public:
+    Value at(double depth) const;
+
+  private:
+    friend class StrainCorrection;
+    StrainTable::Course Table;
+    bool HasTable = false;
+    double More = 0.0; ///< error, of a Poisson's ratio beyond the tables
+  };
+  Course course(double poissonsRatio, double thickness, double second = 0.0) const;
 
   void setHalfSpace(std::unique_ptr<StrainTable> table) { this->HalfSpace = std::move(table); }
   void setLayers(std::unique_ptr<StrainTable> table) { this->Layers = std::move(table); }

@@ -90,16 +90,12 @@ StrainTable::StrainTable(
   }
 }
 
-StrainFactor StrainTable::at(
-  double depth, double poissonsRatio, double thickness, double second) const
+StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, double second) const
 {
   const Axes& axes = this->Given;
   const std::size_t columns = axes.roots.size();
   const auto held = [](const std::vector<double>& nodes, double value)
   { return nodes.empty() ? 0.0 : std::clamp(value, nodes.front(), nodes.back()); };
-  const double deepest =
-    this->Reach.at(held(axes.thicknesses, thickness), held(axes.seconds, second));
-  const double root = std::sqrt(std::max(depth, 0.0) / deepest);
   const auto over = [](const std::vector<double>& nodes, std::size_t asked, double value)
   {
     return asked < 2 ? Weights{}
@@ -113,14 +109,12 @@ StrainFactor StrainTable::at(
     axes.ratios.size(), [&](std::size_t i) { return axes.ratios[i]; }, poissonsRatio);
   const Weights height = over(axes.thicknesses, isBetween ? all - 1 : all, thickness);
   const Weights lower = over(axes.seconds, axes.seconds.size(), second);
-  // One node more than columns: that of no depth.
-  const Weights place = weightsAt(
-    columns + 1, [&](std::size_t i) { return i == 0 ? 0.0 : axes.roots[i - 1]; }, root);
 
+  Course course;
+  course.Table = this;
+  course.Deepest = this->Reach.at(held(axes.thicknesses, thickness), held(axes.seconds, second));
   const std::size_t heights = std::max<std::size_t>(axes.thicknesses.size(), 1);
   const std::size_t lowers = std::max<std::size_t>(axes.seconds.size(), 1);
-  StrainFactor found{ 0.0, 0.0, this->Error };
-  double known = 1.0;
   for (std::size_t n = 0; n < ratio.count * height.count * lower.count; ++n)
   {
     const std::size_t i = n / (height.count * lower.count);
@@ -133,29 +127,44 @@ StrainFactor StrainTable::at(
     }
     const std::size_t row =
       ((ratio.begin + i) * heights + height.begin + j) * lowers + lower.begin + l;
-    known = std::min(known, this->Known[row]);
-    for (std::size_t k = 0; k < place.count; ++k)
+    course.Known = std::min(course.Known, this->Known[row]);
+    const double* factors = this->Factors.data() + row * columns;
+    course.Factors[0] += weight * (this->Constant ? factors[0] : 1.0);
+    for (std::size_t k = 0; k < columns; ++k)
     {
-      const std::size_t column = place.begin + k;
-      const double c = column > 0 ? this->Factors[row * columns + column - 1]
-        : this->Constant          ? this->Factors[row * columns]
-                                  : 1.0;
-      found.factor += weight * place.value[k] * c;
-      found.slope += weight * place.slope[k] * c;
+      course.Factors[k + 1] += weight * factors[k];
     }
   }
+  return course;
+}
+
+StrainFactor StrainTable::Course::at(double depth) const
+{
+  const std::vector<double>& roots = this->Table->Given.roots;
+  const double known = this->Known;
+  const double root = std::sqrt(std::max(depth, 0.0) / this->Deepest);
+  // One node more than roots: that of no depth.
+  const Weights place = weightsAt(
+    roots.size() + 1, [&](std::size_t i) { return i == 0 ? 0.0 : roots[i - 1]; }, root);
+  StrainFactor found{ 0.0, 0.0, this->Table->Error };
+  for (std::size_t k = 0; k < place.count; ++k)
+  {
+    const double c = this->Factors[place.begin + k];
+    found.factor += place.value[k] * c;
+    found.slope += place.slope[k] * c;
+  }
   const bool beyond = root > known;
-  const double further = known < axes.roots.back() ? 0.0 : std::max(0.0, root - known);
+  const double further = known < roots.back() ? 0.0 : std::max(0.0, root - known);
   const double straight = std::min(further, Straight * known);
   const double slope = found.slope; // over the root
   found.factor += slope * straight;
   const bool moves = depth > 0.0 && (!beyond || (further > 0.0 && further < Straight * known));
   found.slope = moves ? slope * 0.5 * root / depth : 0.0;
-  if (beyond && !this->Constant)
+  if (beyond && !this->Table->Constant)
   {
     // What c has done so far it may do again as far beyond; and its slope may change by half.
     const double asBefore =
-      std::max(std::abs(found.factor - 1.0), this->Error) * (root / known - 1.0);
+      std::max(std::abs(found.factor - 1.0), this->Table->Error) * (root / known - 1.0);
     const double bent = std::abs(slope) * (0.5 * straight + (further - straight));
     found.error += std::max(asBefore, bent);
   }

@@ -4,6 +4,7 @@
 
 #include "Mechanics/PalpateExport.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -50,7 +51,7 @@ public:
   {
     std::vector<double> ratios;       ///< Poisson's
     std::vector<double> thicknesses;  ///< mm
-    std::vector<double> roots;        ///< √(δ/δ_max), 0 < root <= 1
+    std::vector<double> roots;        ///< √(δ/δ_max), 0 < root <= 1; at most MostRoots
     std::vector<double> seconds = {}; ///< of a stack's second layer, mm; empty: it has none
   };
 
@@ -59,8 +60,28 @@ public:
   StrainTable(
     Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error);
 
-  /// Does not allocate.
-  StrainFactor at(double depth, double poissonsRatio, double thickness, double second = 0.0) const;
+  static constexpr std::size_t MostRoots = 16;
+
+  /// c over the depth alone, on one body.
+  class Course
+  {
+  public:
+    StrainFactor at(double depth) const;
+
+  private:
+    friend class StrainTable;
+    const StrainTable* Table = nullptr;
+    double Deepest = 1.0;                        ///< of the table there, mm
+    double Known = 1.0;                          ///< the last known root
+    std::array<double, MostRoots + 1> Factors{}; ///< at no depth, and at the roots
+  };
+
+  /// Neither allocates. A course costs 0.2 µs, and then a depth 30 ns.
+  Course course(double poissonsRatio, double thickness, double second = 0.0) const;
+  StrainFactor at(double depth, double poissonsRatio, double thickness, double second = 0.0) const
+  {
+    return this->course(poissonsRatio, thickness, second).at(depth);
+  }
 
   const Axes& axes() const noexcept { return this->Given; }
   const std::vector<double>& factors() const noexcept { return this->Factors; }
