@@ -27,7 +27,8 @@ struct NearEdge
  *
  * What is an edge for a contact of radius a: SurfaceEdges.h. Seen from afar it takes more: what
  * lies farther than four cells is looked for with cells three times as large, and so on, up to a
- * quarter of the body's width; a bump on a face is no edge from there, a wide fillet is one.
+ * quarter of the body's width, beyond which the last ones do; a bump on a face is no edge from
+ * there, a wide fillet is one.
  *
  * Points look along the surface, no farther than `reach`, and not where an edge rises above their
  * own tangent plane by more than 15°: there is body below it, as at the foot of a horn.

@@ -3,7 +3,6 @@
 #define NeoHookeTables_h
 
 #include "Mechanics/FiniteStrain/StrainTable.h"
-#include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
 #include <memory>
@@ -25,7 +24,7 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
 
 /// How deep the tables of thick layers go, of a sphere or a flat of that radius, mm.
-PALPATE_EXPORT StrainReach thickLayerReach(ToolShape shape, double radius);
+StrainReach thickLayerReach(ToolShape shape, double radius);
 } // namespace palpate
 
 #endif
