@@ -66,12 +66,11 @@ public:
     : Surface(surface)
     , Normals(surface.spans.pointCount, Vector3d::Zero())
   {
-    for (const TriangleCorners& c : surface.corners)
+    for (std::size_t t = 0; t < surface.corners.size(); ++t)
     {
-      for (std::size_t i = 0; c[0] >= 0 && i < 3; ++i)
+      for (std::size_t i = 0; surface.corners[t][0] >= 0 && i < 3; ++i)
       {
-        this->Normals[static_cast<std::size_t>(c[i])] +=
-          (this->place(c[1]) - this->place(c[0])).cross(this->place(c[2]) - this->place(c[0]));
+        this->Normals[static_cast<std::size_t>(surface.corners[t][i])] += surface.areas[t];
       }
     }
     for (Vector3d& normal : this->Normals)
@@ -97,9 +96,9 @@ public:
         return;
       }
       const SurfaceSide& edge = sides[static_cast<std::size_t>(side)];
-      const Vector3d here = this->place(point);
-      const Vector3d one = this->place(edge.from);
-      const Vector3d other = this->place(edge.to);
+      const Vector3d here = this->Surface.place(point);
+      const Vector3d one = this->Surface.place(edge.from);
+      const Vector3d other = this->Surface.place(edge.to);
       const auto away = static_cast<float>(distanceTo(here, one, other));
       const double rise = (0.5 * (one + other) - here).dot(this->Normals[i]);
       if (away < distances[i] && static_cast<double>(away) <= reach &&
@@ -136,11 +135,6 @@ public:
   }
 
 private:
-  Vector3d place(std::int32_t i) const
-  {
-    return Eigen::Map<const Vector3d>(this->Surface.spans.points + 3 * static_cast<std::size_t>(i));
-  }
-
   const LinkedSurface& Surface;
   std::vector<Vector3d> Normals;
 };
@@ -183,15 +177,12 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
     {
       spread.from(blunt, std::min(outer, BluntSharpness * reach), takeStronger);
     }
-    if (inner == 0.0)
-    {
-      this->EdgeCount = edges.sides.size();
-      spread.from(edges.border, reach,
-        [this](std::size_t point, const SurfaceSide&, float away)
-        { this->Found[point].border = away; });
-    }
+    this->EdgeCount = inner == 0.0 ? edges.sides.size() : this->EdgeCount;
     inner = outer;
   }
+  spread.from(findBorder(linked, contactRadius), reach,
+    [this](std::size_t point, const SurfaceSide&, float away)
+    { this->Found[point].border = away; });
 }
 
 double edgeSharpness(double poissonsRatio, double turn)

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <utility>
 
@@ -22,7 +21,6 @@ constexpr double Opposite = -0.3;       // cosine between two ways of which one 
 constexpr double SpacingsPerCell = 2.0; // at least, of the root of the area a point has
 constexpr double LongFacet = 4.0;       // squares of the contact radius: its area
 constexpr double SmallPatch = 0.2;      // of a cell: too few facets to know its normal
-constexpr double SmallestBorder = 4.0;  // contact radii
 
 /// A cell's facets, or one long facet, as one.
 struct Patch
@@ -39,65 +37,24 @@ double angleBetween(const Vector3d& one, const Vector3d& other)
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-std::vector<TriangleCorners> cornersOf(const TriangleSpans& surface)
-{
-  std::vector<TriangleCorners> corners(surface.triangleCount);
-  for (std::size_t t = 0; t < corners.size(); ++t)
-  {
-    std::copy_n(surface.triangles + 3 * t, 3, corners[t].begin());
-    const auto place = [&](std::size_t i)
-    {
-      return Eigen::Map<const Vector3d>(
-        surface.points + 3 * static_cast<std::size_t>(corners[t][i]));
-    };
-    const Vector3d area = (place(1) - place(0)).cross(place(2) - place(0));
-    if (!(area.squaredNorm() > 0.0 && std::isfinite(area.squaredNorm())))
-    {
-      corners[t].fill(-1); // takes no part
-    }
-  }
-  return corners;
-}
-
 class EdgeFinder
 {
 public:
   EdgeFinder(const LinkedSurface& surface, double radius)
-    : Surface(surface.spans)
+    : Surface(surface)
     , Radius(radius)
     , Corners(surface.corners)
-    , Links(surface.links)
+    , Areas(surface.areas)
   {
-    this->findNormals();
     this->findCellSize();
     this->makePatches();
     this->findTurns();
     this->collectSides();
-    this->collectBorder();
   }
 
-  SurfaceEdges take() { return { std::move(this->Sides), std::move(this->Border), this->Cell }; }
+  SurfaceEdges take() { return { std::move(this->Sides), this->Cell }; }
 
 private:
-  Vector3d point(std::int32_t i) const
-  {
-    return Eigen::Map<const Vector3d>(this->Surface.points + 3 * static_cast<std::size_t>(i));
-  }
-
-  void findNormals()
-  {
-    this->Areas.resize(this->Corners.size(), Vector3d::Zero());
-    for (std::size_t t = 0; t < this->Corners.size(); ++t)
-    {
-      const TriangleCorners& c = this->Corners[t];
-      if (c[0] >= 0)
-      {
-        const Vector3d first = this->point(c[0]);
-        this->Areas[t] = 0.5 * (this->point(c[1]) - first).cross(this->point(c[2]) - first);
-      }
-    }
-  }
-
   /// Cells of the contact's size, or of a few facets of a coarse mesh.
   void findCellSize()
   {
@@ -107,7 +64,7 @@ private:
       area += facet.norm();
     }
     const double spacing =
-      std::sqrt(area / std::max<double>(1.0, static_cast<double>(this->Surface.pointCount)));
+      std::sqrt(area / std::max<double>(1.0, static_cast<double>(this->Surface.spans.pointCount)));
     this->Cell = std::max(this->Radius, SpacingsPerCell * spacing);
   }
 
@@ -176,7 +133,7 @@ private:
     }
     for (std::size_t t = 0; t < this->Corners.size(); ++t)
     {
-      for (const std::int32_t other : this->Links.neighbours(t))
+      for (const std::int32_t other : this->Surface.links.neighbours(t))
       {
         if (this->PatchOf[t] >= 0 && other >= 0 &&
           this->PatchOf[t] != this->PatchOf[static_cast<std::size_t>(other)])
@@ -196,7 +153,8 @@ private:
   Vector3d middleOf(std::size_t t) const
   {
     const TriangleCorners& c = this->Corners[t];
-    return (this->point(c[0]) + this->point(c[1]) + this->point(c[2])) / 3.0;
+    return (this->Surface.place(c[0]) + this->Surface.place(c[1]) + this->Surface.place(c[2])) /
+      3.0;
   }
 
   /// To the last patch.
@@ -307,14 +265,14 @@ private:
   /// By how much the facets turn away along side `i` of a facet.
   double facetTurn(std::size_t t, std::size_t i) const
   {
-    const std::int32_t other = this->Links.neighbours(t)[i];
+    const std::int32_t other = this->Surface.links.neighbours(t)[i];
     if (other < 0 || this->Corners[t][0] < 0)
     {
       return 0.0;
     }
     const auto o = static_cast<std::size_t>(other);
     const bool isConvex =
-      (this->middleOf(o) - this->point(this->Corners[t][i])).dot(this->Areas[t]) < 0.0;
+      (this->middleOf(o) - this->Surface.place(this->Corners[t][i])).dot(this->Areas[t]) < 0.0;
     return isConvex ? angleBetween(this->Areas[t], this->Areas[o]) : 0.0;
   }
 
@@ -350,87 +308,17 @@ private:
       });
   }
 
-  void collectBorder()
-  {
-    // Sides of one facet, by where they lie: those of doubled points lie there twice.
-    using Place = std::array<double, 3>;
-    std::map<std::pair<Place, Place>, int> at;
-    std::vector<SurfaceSide> border;
-    const auto keyOf = [this](const SurfaceSide& side)
-    {
-      Place one;
-      Place other;
-      std::copy_n(this->point(side.from).data(), 3, one.begin());
-      std::copy_n(this->point(side.to).data(), 3, other.begin());
-      return one < other ? std::make_pair(one, other) : std::make_pair(other, one);
-    };
-    for (std::size_t t = 0; t < this->Corners.size(); ++t)
-    {
-      for (std::size_t i = 0; this->Corners[t][0] >= 0 && i < 3; ++i)
-      {
-        const SurfaceSide side{ this->Corners[t][i], this->Corners[t][(i + 1) % 3], 0.0F };
-        if (this->Links.neighbours(t)[i] == TriangleLinks::Border)
-        {
-          border.push_back(side);
-          ++at[keyOf(side)];
-        }
-      }
-    }
-    border.erase(std::remove_if(border.begin(), border.end(),
-                   [&](const SurfaceSide& side) { return at[keyOf(side)] > 1; }),
-      border.end());
-    this->dropHoles(border);
-    this->Border = std::move(border);
-  }
-
-  /// Loops shorter than a contact are holes of a scan.
-  void dropHoles(std::vector<SurfaceSide>& border) const
-  {
-    std::map<std::int32_t, std::int32_t> above;
-    const auto rootOf = [&above](std::int32_t i)
-    {
-      above.emplace(i, i);
-      while (above[i] != i)
-      {
-        i = above[i] = above[above[i]];
-      }
-      return i;
-    };
-    for (const SurfaceSide& side : border)
-    {
-      above[rootOf(side.from)] = rootOf(side.to);
-    }
-    std::map<std::int32_t, double> lengths;
-    for (const SurfaceSide& side : border)
-    {
-      lengths[rootOf(side.from)] += (this->point(side.to) - this->point(side.from)).norm();
-    }
-    border.erase(std::remove_if(border.begin(), border.end(),
-                   [&](const SurfaceSide& side)
-                   { return lengths[rootOf(side.from)] < Pi * SmallestBorder * this->Radius; }),
-      border.end());
-  }
-
-  const TriangleSpans& Surface;
+  const LinkedSurface& Surface;
   double Radius;
   double Cell = 0.0; ///< mm
   const std::vector<TriangleCorners>& Corners;
-  const TriangleLinks& Links;
-  std::vector<Vector3d> Areas;
+  const std::vector<Vector3d>& Areas;
   std::vector<int> PatchOf;
   std::vector<Patch> Patches;
   std::vector<float> Turns; ///< of the patches
   std::vector<SurfaceSide> Sides;
-  std::vector<SurfaceSide> Border;
 };
 } // namespace
-
-LinkedSurface::LinkedSurface(const TriangleSpans& surface)
-  : spans(surface)
-  , corners(cornersOf(surface))
-  , links(this->corners, surface.pointCount)
-{
-}
 
 SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius)
 {

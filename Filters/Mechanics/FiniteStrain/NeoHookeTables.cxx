@@ -26,7 +26,7 @@ constexpr double FlatDeepest = 0.7;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
 // Of the thinnest: beyond the table's end c stays, with its error.
 constexpr double LayerAnswers = 0.7;
-constexpr double Beyond = 1.8; // of the deepest: from there on the error grows
+constexpr double Beyond = 1.8; // of the deepest: so far a table answers, with a growing error
 constexpr double BeyondLayers = 2.25;
 constexpr double TableError = 0.003; // of mesh, far field and interpolation
 // Of a sharp flat: its rim follows the body, the table's is rounded.
