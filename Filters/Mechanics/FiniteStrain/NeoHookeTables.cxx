@@ -22,7 +22,7 @@ using HalfSpaceTable = double[Ratios][Roots];
 #include "Mechanics/FiniteStrain/NeoHookeTables.inc"
 
 constexpr double SphereDeepest = 1.0; // radii
-constexpr double FlatDeepest = 0.7;   // radii
+constexpr double FlatDeepest = 1.3;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
 // Of the thinnest: beyond the table's end c stays, with its error.
 constexpr double LayerAnswers = 0.7;
@@ -30,7 +30,7 @@ constexpr double Beyond = 1.8; // of the deepest: so far a table answers, with a
 constexpr double BeyondLayers = 2.25;
 constexpr double TableError = 0.003; // of mesh, far field and interpolation
 // Of a sharp flat: its rim follows the body, the table's is rounded.
-constexpr double FlatError = 0.01;
+constexpr double FlatError = 0.015;
 constexpr double FlatLayerError = 0.02; // as much as another code's sharp flat differs
 constexpr double ConeError = 0.005;
 
@@ -138,9 +138,9 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
   return nullptr;
 }
 
-StrainReach thickLayerReach(ToolShape shape, double radius)
+StrainReach thickLayerReach(double radius)
 {
-  return { (shape == ToolShape::Flat ? 0.9 : 1.3) * radius, 0.75 };
+  return { 1.3 * radius, 0.75 };
 }
 
 std::unique_ptr<StrainTable> neoHookeOnLayers(
@@ -159,7 +159,7 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
     return layerTable(
       TableLayers, Layers, radius, StrainReach{ Infinity, LayerDeepest }, TableError);
   }
-  const StrainReach reach = thickLayerReach(found.Shape, radius);
+  const StrainReach reach = thickLayerReach(radius);
   if (thinnest < ThickLayers[0] * radius || deepest > BeyondLayers * reach.at(thinnest, 0.0))
   {
     return nullptr;

@@ -3,7 +3,6 @@
 #define NeoHookeTables_h
 
 #include "Mechanics/FiniteStrain/StrainTable.h"
-#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <memory>
 
@@ -13,7 +12,7 @@ class AxisymmetricTool;
 
 /// c of Neo-Hooke for a sphere, flat or cone of 45° to 75° on a half-space down to `deepest` (mm),
 /// at the tool's size; null for another tool, and deeper than 1.8 times what the tables know, a
-/// radius and 0.7 of one: between the two the error grows.
+/// radius of a sphere and 1.3 of a flat: between the two the error grows.
 std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, double deepest);
 
 /// The same for bonded layers: a sphere on half to four radii, to half of each; null if `deepest`
@@ -24,7 +23,7 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
 
 /// How deep the tables of thick layers go, of a sphere or a flat of that radius, mm.
-StrainReach thickLayerReach(ToolShape shape, double radius);
+StrainReach thickLayerReach(double radius);
 } // namespace palpate
 
 #endif

@@ -37,23 +37,23 @@ struct StrainBodies
  * multiplied by the exact law of small strain. Its stiffness is c k_small + F_small dc/dδ.
  *
  * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius, δ =
- * 0.7 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to four
- * radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to 0.9
- * to 1.2 and 0.6 to 0.85 radii), is a table made once by the solver; deeper than that the error
- * grows (NeoHookeTables.h). All else is solved for at four Poisson's ratios (or the one there is),
- * at thicknesses of a ratio of 2 or less (of a stack, of its first two layers), and at eight
- * depths: to 0.7 of all layers on a rigid base, beyond which
- * the error grows. 3 s to a minute a curve, on all threads, the same bits for any number of
- * them; kept by content in $PALPATE_CACHE, or $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with
- * PALPATE_CACHE empty it is not kept.
+ * 1.3 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to four
+ * radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to 0.7
+ * to 1.2 radii), is a table made once by the solver; deeper than that the error grows
+ * (NeoHookeTables.h). All else is solved for at four Poisson's ratios (or the one there is), at
+ * thicknesses of a ratio of 2 or less (of a stack, of its first two layers), and at eight depths:
+ * to 0.7 of all layers on a rigid base, beyond which the error grows. 3 s to a minute a curve, on
+ * all threads, the same bits for any number of them; kept by content in $PALPATE_CACHE, or
+ * $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with PALPATE_CACHE empty it is not kept.
  *
  * In a stack all layers are of the one law, each with its own modulus and Poisson's ratio, and
  * bonded to each other; the rigid base may slip. Layers that slip on each other are refused: the
  * two sides of the gap move apart, which the solver's mesh does not.
  *
  * Poisson's ratios above 0.495 get c of 0.495, and an error for it; a tool with a corner, solved
- * for with a fillet of a tenth of the contact radius, an error of 1 % (half the fillet changes c by
- * up to 0.5 %). Safe to use from any number of threads.
+ * for with a fillet of a tenth of the contact radius and deeper with a rounder one
+ * (FiniteOverSmall.h), an error of 1 % (half the fillet changes c by up to 0.5 %). Safe to use from
+ * any number of threads.
  */
 class PALPATE_EXPORT StrainCorrection
 {

@@ -3,6 +3,7 @@
 
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Mechanics/FiniteStrain/FiniteOverSmall.h"
 #include "Mechanics/FiniteStrain/StrainCache.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -22,7 +23,6 @@ namespace palpate
 namespace
 {
 constexpr double CornerFillet = 0.1;                     // of the contact radius
-constexpr double ForSmallStrain = 0.3;                   // of the time of a row
 constexpr auto Between = std::chrono::milliseconds(100); // two questions whether to go on
 
 /// One row of a table.
@@ -108,27 +108,13 @@ std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row
   {
     finite.depths.push_back(row.deepest * root * root);
   }
-  const ToolOutline outline = solvedOutline(problem.tool, finite.contactRadius);
-  const auto forces = [&](const StrainLaw& law, double from, double width)
-  {
-    finite.layers = finiteLayers(row, law);
-    return pressTool(
-      outline, finite, [&](double fraction) { return goOn(from + width * fraction); });
-  };
-  const FiniteCurve large = forces(problem.law, ForSmallStrain, 1.0 - ForSmallStrain);
-  finite.depths.resize(large.points.size());
-  const FiniteCurve small = forces({}, 0.0, ForSmallStrain);
-  std::vector<double> factors(roots.size(), 0.0);
-  for (std::size_t k = 0; k < std::min(small.points.size(), large.points.size()); ++k)
-  {
-    factors[k] = large.points[k].force / small.points[k].force;
-  }
-  return factors;
+  finite.layers = finiteLayers(row, problem.law);
+  return finiteOverSmall(problem.tool, finite, CornerFillet * finite.contactRadius, goOn);
 }
 
 std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
 {
-  std::string key = joined("finite strain 2|", problem.tool.specification(), "|",
+  std::string key = joined("finite strain 3|", problem.tool.specification(), "|",
     describe(problem.law), "|", static_cast<int>(problem.stack.base));
   const auto add = [&key](std::initializer_list<double> values)
   {

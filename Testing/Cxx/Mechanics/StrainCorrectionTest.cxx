@@ -80,21 +80,24 @@ TEST(StrainCorrection, SphereOnAHalfSpaceIsThatOfAnotherCode)
 
 TEST(StrainCorrection, FlatAndConeOnAHalfSpaceAreThoseOfAnotherCode)
 {
-  const auto flat = correction(*tool("flat:1"), 0.7, halfSpaces());
+  // Down to half a radius both have one fillet; deeper on ours is rounder, within the stated error.
+  constexpr double sameRim = 0.5;
+  const auto flat = correction(*tool("flat:1"), 1.3, halfSpaces());
   const ReferenceTable table("deep/finite_flat_cone_halfspace.csv");
   int rows = 0;
   for (std::size_t row = 0; row < table.size(); ++row)
   {
     const double depth = table.number(row, "delta");
-    if (table.text(row, "tool") == "flat" && depth <= 0.7)
+    if (table.text(row, "tool") == "flat")
     {
-      EXPECT_NEAR(flat->at(depth, table.number(row, "nu"), 0.0).factor, table.number(row, Factor),
-        2.0 * OtherCode)
+      const StrainFactor found = flat->at(depth, table.number(row, "nu"), 0.0);
+      EXPECT_NEAR(
+        found.factor, table.number(row, Factor), depth <= sameRim ? 2.0 * OtherCode : found.error)
         << "nu " << table.number(row, "nu") << ", depth " << depth;
       ++rows;
     }
   }
-  EXPECT_GT(rows, 10);
+  EXPECT_GT(rows, 50); // to one radius
   const ReferenceTable cones("deep/cone_selfsimilar.csv");
   for (std::size_t row = 0; row < cones.size(); ++row)
   {

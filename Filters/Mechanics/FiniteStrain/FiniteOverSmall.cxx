@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/FiniteStrain/FiniteOverSmall.h"
+
+#include "Mechanics/FiniteStrain/ToolOutline.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace palpate
+{
+namespace
+{
+constexpr double ForSmallStrain = 0.3; // of the time
+constexpr double ReachOfOutline = 3.0; // contact radii
+/// How a rim goes on: as many times as round, on elements as many times as long.
+struct Round
+{
+  double fillet;
+  double edge;
+};
+constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 2.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
+constexpr double TimeLeft = 0.3; // of the time left: what a rounder rim has to go on with
+
+/// c with one fillet, as deep as there is an equilibrium.
+std::vector<double> factorsWith(
+  const ToolOutline& outline, FiniteProblem problem, const std::function<bool(double)>& goOn)
+{
+  const auto forces = [&](double from, double width)
+  {
+    return pressTool(
+      outline, problem, [&](double fraction) { return goOn(from + width * fraction); });
+  };
+  const FiniteCurve finite = forces(ForSmallStrain, 1.0 - ForSmallStrain);
+  problem.depths.resize(finite.points.size());
+  for (FiniteLayer& layer : problem.layers)
+  {
+    layer.model = StrainModel::Linear;
+  }
+  const FiniteCurve small = forces(0.0, ForSmallStrain);
+  std::vector<double> factors;
+  for (std::size_t k = 0; k < small.points.size(); ++k)
+  {
+    factors.push_back(finite.points[k].force / small.points[k].force);
+  }
+  return factors;
+}
+} // namespace
+
+std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FiniteProblem& problem,
+  double fillet, const std::function<bool(double)>& goOn)
+{
+  std::vector<double> factors;
+  double from = 0.0;
+  bool isEnded = false;
+  for (const Round& round : Rounds)
+  {
+    const ToolOutline outline(tool, ReachOfOutline * problem.contactRadius, round.fillet * fillet);
+    // From the last depth that is known on: there both are compared.
+    const std::size_t known = factors.size();
+    FiniteProblem rest = problem;
+    rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);
+    rest.depths.erase(rest.depths.begin(),
+      rest.depths.begin() + static_cast<std::ptrdiff_t>(known == 0 ? 0 : known - 1));
+    const double width = (1.0 - from) * (1.0 - TimeLeft);
+    const std::vector<double> found = factorsWith(outline, rest,
+      [&](double fraction)
+      {
+        isEnded = isEnded || (goOn && !goOn(from + width * fraction));
+        return !isEnded;
+      });
+    from += width;
+    const double ratio = known == 0 || found.empty() ? 1.0 : factors.back() / found.front();
+    for (std::size_t k = known == 0 ? 0 : 1; k < found.size(); ++k)
+    {
+      factors.push_back(ratio * found[k]);
+    }
+    if (isEnded || factors.size() == problem.depths.size() || outline.fillets().empty())
+    {
+      break;
+    }
+  }
+  factors.resize(problem.depths.size(), 0.0);
+  return factors;
+}
+} // namespace palpate
