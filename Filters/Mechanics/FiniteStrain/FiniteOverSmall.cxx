@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteStrain/FiniteOverSmall.h"
 
-#include "Mechanics/FiniteStrain/ToolOutline.h"
-
 #include <algorithm>
 #include <cstddef>
 
@@ -40,11 +38,18 @@ std::vector<double> factorsWith(
   std::vector<double> factors;
   for (std::size_t k = 0; k < small.points.size(); ++k)
   {
-    factors.push_back(finite.points[k].force / small.points[k].force);
+    // An apex's fillet does not touch at once.
+    const double force = small.points[k].force;
+    factors.push_back(force > 0.0 ? finite.points[k].force / force : 0.0);
   }
   return factors;
 }
 } // namespace
+
+ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius, double fillet)
+{
+  return { tool, ReachOfOutline * contactRadius, fillet };
+}
 
 std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FiniteProblem& problem,
   double fillet, const std::function<bool(double)>& goOn)
@@ -54,13 +59,13 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   bool isEnded = false;
   for (const Round& round : Rounds)
   {
-    const ToolOutline outline(tool, ReachOfOutline * problem.contactRadius, round.fillet * fillet);
-    // From the last depth that is known on: there both are compared.
-    const std::size_t known = factors.size();
+    const ToolOutline outline = solvedOutline(tool, problem.contactRadius, round.fillet * fillet);
+    // The last depth that is known is solved again: there both rims are compared.
+    const std::size_t again = factors.empty() ? 0 : 1;
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);
     rest.depths.erase(rest.depths.begin(),
-      rest.depths.begin() + static_cast<std::ptrdiff_t>(known == 0 ? 0 : known - 1));
+      rest.depths.begin() + static_cast<std::ptrdiff_t>(factors.size() - again));
     const double width = (1.0 - from) * (1.0 - TimeLeft);
     const std::vector<double> found = factorsWith(outline, rest,
       [&](double fraction)
@@ -69,8 +74,9 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
         return !isEnded;
       });
     from += width;
-    const double ratio = known == 0 || found.empty() ? 1.0 : factors.back() / found.front();
-    for (std::size_t k = known == 0 ? 0 : 1; k < found.size(); ++k)
+    const bool isCompared = again > 0 && !found.empty() && found.front() > 0.0;
+    const double ratio = isCompared ? factors.back() / found.front() : 1.0;
+    for (std::size_t k = again; k < found.size(); ++k)
     {
       factors.push_back(ratio * found[k]);
     }

@@ -3,6 +3,7 @@
 #define FiniteOverSmall_h
 
 #include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Mechanics/FiniteStrain/ToolOutline.h"
 
 #include <functional>
 #include <vector>
@@ -11,9 +12,14 @@ namespace palpate
 {
 class AxisymmetricTool;
 
+/// The tool as it is solved for: out to three times `contactRadius`, its corners with fillets of
+/// radius `fillet` (both mm).
+ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius, double fillet);
+
 /**
  * c = F_finite/F_small at the depths of `problem`, both solved on one mesh; 0 from the first depth
- * on where there is no equilibrium. Where `goOn(fraction)` ends it, what it had come to.
+ * on where there is no equilibrium, and where nothing is felt yet. Where `goOn(fraction)` ends it,
+ * what it had come to.
  *
  * The tool's corners have fillets of radius `fillet` (mm). Under a sharp rim the elements turn
  * inside out before the tool is as deep as it is wide; a rim up to three times as round, on longer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 
+#include "Mechanics/FiniteStrain/FiniteOverSmall.h"
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
 #include "Mechanics/FiniteStrain/StrainSolution.h"
 #include "Mechanics/JoinedText.h"
@@ -125,7 +126,8 @@ std::string checkBonds(const LayerStack& stack)
 /// Of c besides: that of a corner, which is solved for with a fillet.
 double cornerError(const AxisymmetricTool& tool, double deepest)
 {
-  return solvedOutline(tool, tool.contactRadius(deepest)).fillets().empty() ? 0.0 : CornerError;
+  const double radius = tool.contactRadius(deepest);
+  return solvedOutline(tool, radius, SolvedFillet * radius).fillets().empty() ? 0.0 : CornerError;
 }
 
 std::unique_ptr<StrainTable> solvedTable(const StrainProblem& problem,

@@ -22,7 +22,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double CornerFillet = 0.1;                     // of the contact radius
 constexpr auto Between = std::chrono::milliseconds(100); // two questions whether to go on
 
 /// One row of a table.
@@ -109,7 +108,7 @@ std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row
     finite.depths.push_back(row.deepest * root * root);
   }
   finite.layers = finiteLayers(row, problem.law);
-  return finiteOverSmall(problem.tool, finite, CornerFillet * finite.contactRadius, goOn);
+  return finiteOverSmall(problem.tool, finite, SolvedFillet * finite.contactRadius, goOn);
 }
 
 std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
@@ -200,11 +199,6 @@ bool solveRows(std::size_t rows,
   return !ended;
 }
 } // namespace
-
-ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius)
-{
-  return { tool, 3.0 * contactRadius, CornerFillet * contactRadius };
-}
 
 std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable::Axes& axes,
   const std::function<bool(double)>& goOn)

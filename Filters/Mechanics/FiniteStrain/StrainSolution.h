@@ -4,7 +4,6 @@
 
 #include "Mechanics/FiniteStrain/StrainLaw.h"
 #include "Mechanics/FiniteStrain/StrainTable.h"
-#include "Mechanics/FiniteStrain/ToolOutline.h"
 #include "Mechanics/Layers/LayerStack.h"
 
 #include <functional>
@@ -25,8 +24,8 @@ struct StrainProblem
   StrainReach reach;
 };
 
-/// The tool as it is solved for: its corners have fillets of a tenth of `contactRadius` (mm).
-ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius);
+/// Of the contact radius: the fillets that corners are solved for with.
+constexpr double SolvedFillet = 0.1;
 
 /**
  * c = F_finite/F_small of the solver, on one mesh, at the nodes of a table, as StrainTable takes

@@ -80,8 +80,8 @@ TEST(StrainCorrection, SphereOnAHalfSpaceIsThatOfAnotherCode)
 
 TEST(StrainCorrection, FlatAndConeOnAHalfSpaceAreThoseOfAnotherCode)
 {
-  // Down to half a radius both have one fillet; deeper on ours is rounder, within the stated error.
-  constexpr double sameRim = 0.5;
+  // From 0.6 to 0.8 radii on our rim is rounder than theirs: within the stated error.
+  constexpr double sameRim = 0.7;
   const auto flat = correction(*tool("flat:1"), 1.3, halfSpaces());
   const ReferenceTable table("deep/finite_flat_cone_halfspace.csv");
   int rows = 0;

@@ -48,13 +48,9 @@ Case caseOf(const std::string& name)
   const auto at = name.find("layer");
   const double thickness =
     at == std::string::npos ? 0.0 : std::strtod(name.c_str() + at + 5, nullptr);
-  if (name.rfind("spherelayer", 0) == 0)
+  if (at != std::string::npos && at > 0) // spherelayer…, flatlayer…
   {
-    return { "sphere:1", thickLayerReach(1.0).at(thickness, 0.0), 0.1, thickness };
-  }
-  if (name.rfind("flatlayer", 0) == 0)
-  {
-    return { "flat:1", thickLayerReach(1.0).at(thickness, 0.0), 0.1, thickness };
+    return { name.substr(0, at) + ":1", thickLayerReach(1.0).at(thickness, 0.0), 0.1, thickness };
   }
   return { "sphere:1", thickness > 0.0 ? 0.5 * thickness : 1.0, 0.1, thickness };
 }
