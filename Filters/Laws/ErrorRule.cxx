@@ -32,6 +32,27 @@ double wholeCompliance(double radius, double meanCurvature, double poissonsRatio
   const double logarithm = std::max(0.0, -std::log(radius * std::abs(meanCurvature)));
   return ball + 0.975 * n + 0.32 * n * n * logarithm;
 }
+
+/// What curvature does to a contact, as fractions of its force.
+struct CurvatureEffect
+{
+  double perCurvature; ///< to first order, mm
+  double sag;
+  double structural;
+};
+
+CurvatureEffect effectOf(
+  const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state)
+{
+  const double a = state.radius;
+  const double mean = std::abs(curvature.mean());
+  const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
+  const double first = perCurvature * mean;
+  // In a hollow the second order adds to it: of a sphere 1/√(1-2x) - 1 = x + 3/2 x².
+  return { perCurvature, curvature.mean() < 0.0 ? first * (1.0 + 2.0 * first) : first,
+    spot.compliance == 0.0 ? wholeCompliance(a, curvature.mean(), spot.poissonsRatio) * a * mean
+                           : 0.0 };
+}
 } // namespace
 
 double ErrorParts::total() const
@@ -56,8 +77,19 @@ ErrorParts ErrorRule::at(
 {
   ErrorParts parts;
   this->addStrain(spot, state, parts);
-  parts[ResponseLimit::Curvature] = this->curvaturePart(spot, surface.curvature, state);
+  parts[ResponseLimit::Curvature] = this->curvaturePart(spot, surface, state);
   parts[ResponseLimit::Edge] = this->edgePart(spot, surface.edge, state);
+  if (surface.measured)
+  {
+    ErrorParts then;
+    this->addStrain(spot, *surface.measured, then);
+    double& strain = parts[parts[ResponseLimit::Thickness] > 0.0 ? ResponseLimit::Thickness
+                                                                 : ResponseLimit::Strain];
+    strain = std::max(strain, then.total());
+    double& edge = parts[ResponseLimit::Edge];
+    edge =
+      edge < 1.0 ? std::abs(edge - this->edgePart(spot, surface.edge, *surface.measured)) : edge;
+  }
   const double local = 1.0 / (1.0 + spot.compliance * spot.reducedModulus * state.stiffness);
   for (double& part : parts.of)
   {
@@ -151,14 +183,17 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
 }
 
 double ErrorRule::curvaturePart(
-  const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const
+  const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const
 {
   const double a = state.radius;
-  const double mean = std::abs(curvature.mean());
-  const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
-  const double structural = spot.compliance == 0.0
-    ? wholeCompliance(a, curvature.mean(), spot.poissonsRatio) * a * mean
-    : 0.0;
+  const SpotCurvature& curvature = surface.curvature;
+  CurvatureEffect effect = effectOf(spot, curvature, state);
+  if (surface.measured)
+  {
+    const CurvatureEffect then = effectOf(spot, curvature, *surface.measured);
+    effect = { std::abs(effect.perCurvature - then.perCurvature), std::abs(effect.sag - then.sag),
+      std::abs(effect.structural - then.structural) };
+  }
   const double toolDepth =
     state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
   const double toolCurvature = toolDepth / (a * a);
@@ -169,13 +204,10 @@ double ErrorRule::curvaturePart(
     : !isWhole                                ? ellipseFactor(toolCurvature, curvature)
     : state.depth < wholeFrom(end, curvature) ? 1.0
                                               : 0.0;
-  const double first = perCurvature * mean;
-  // In a hollow the second order adds to it: of a sphere 1/√(1-2x) - 1 = x + 3/2 x².
-  const double leftOut = this->Scope.curvature ? 0.0
-    : curvature.mean() < 0.0                   ? first * (1.0 + 2.0 * first)
-                                               : first;
-  const double both = leftOut * structural; // one on the other
-  return std::min(1.0, leftOut + ellipse + structural + both + perCurvature * curvature.error);
+  const double leftOut = this->Scope.curvature ? 0.0 : effect.sag;
+  const double both = leftOut * effect.structural; // one on the other
+  return std::min(
+    1.0, leftOut + ellipse + effect.structural + both + effect.perCurvature * curvature.error);
 }
 
 double ErrorRule::edgePart(

@@ -26,11 +26,13 @@ struct ErrorParts
   ResponseLimit largest() const;
 };
 
-/// The body's surface around a spot, as its mesh has it.
+/// What is known of a spot besides its material.
 struct SpotSurface
 {
-  SpotCurvature curvature; ///< whether the law has it or not
+  SpotCurvature curvature; ///< as the mesh has it, whether the law has it or not
   NearEdge edge;
+  /// The contact at which the material was measured; null: it was not.
+  const LocalState* measured = nullptr;
 };
 
 /// What a law takes into account, and what it does not.
@@ -62,6 +64,11 @@ struct LawScope
  * less and less to 2 a away. All of the force where the contact is wider than the whole body.
  * - None: storage.
  *
+ * A material that was measured has in it what shape and strain did to the contact it was measured
+ * with: of curvature and edge the difference from that contact's counts, of strain, which the rule
+ * bounds rather than finds, the larger of the two. What noise and the
+ * distance of the sites leave open (DataEnd) is added by whoever knows.
+ *
  * In series with a compliance a local error counts by the local part of the series, k/k_local.
  * Sources: finite elements with finite strain, on layers, balls and in cavities; Hertz 1882;
  * Hetényi 1970 (edges). How often it holds: Testing/Cxx/Laws/RandomContactTest.cxx and the study
@@ -80,7 +87,7 @@ private:
   double stackPart(const ContactSpot& spot, const LocalState& state) const;
   void addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const;
   double curvaturePart(
-    const ContactSpot& spot, const SpotCurvature& curvature, const LocalState& state) const;
+    const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const;
   double edgePart(const ContactSpot& spot, const NearEdge& edge, const LocalState& state) const;
 
   const AxisymmetricTool& Tool;

@@ -36,9 +36,11 @@ ResponseFiller::ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& 
 {
 }
 
-void ResponseFiller::estimate(const LocalContact& contact, const LawScope& scope, double tolerance)
+void ResponseFiller::estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
+  const MeasuredBodyError* measured)
 {
   this->Contact = &contact;
+  this->Measured = measured;
   this->Errors = std::make_unique<ErrorRule>(this->Tool, scope);
   this->Tolerance = tolerance;
   this->ErrorDepths = { AtTouch * this->Law.depths().front() };
@@ -155,6 +157,10 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& sta
     {
       parts[ResponseLimit::Curvature] = 1.0;
     }
+    if (this->Measured)
+    {
+      parts[ResponseLimit::DataEnd] = this->Measured->data(i, k > 0 ? k - 1 : 0);
+    }
     const double error = parts.total();
     if (k > 0 && this->Spans.error)
     {
@@ -211,8 +217,9 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
     filler.estimate(*prepared.contact,
       { terms.curvature, terms.strain, shape.width, material.storageError(law, made.exponent),
         bounds.hasStack() ? &bounds.stack : nullptr },
-      terms.errorTolerance);
+      terms.errorTolerance, terms.measured);
   }
+  const bool isMeasured = estimates && terms.measured;
   const std::size_t blocks = rangeCount(points) == 1
     ? MostBlocks
     : std::clamp<std::size_t>(points / (PointsPerThread * threadCount()), 1, MostBlocks);
@@ -225,9 +232,11 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
         for (std::size_t i = begin + first; i < begin + last; ++i)
         {
           ContactSpot spot = spots.at(i);
+          const LocalState measured = isMeasured ? terms.measured->contact(i) : LocalState{};
           const SpotSurface surface{ terms.curvature || estimates ? shape.curvature(i)
                                                                   : SpotCurvature{},
-            estimates && shape.edge ? shape.edge(i) : NearEdge{} };
+            estimates && shape.edge ? shape.edge(i) : NearEdge{},
+            measured.radius > 0.0 ? &measured : nullptr };
           spot.curvature = terms.curvature ? surface.curvature : SpotCurvature{};
           filler.fill(i, spot, shape.bound(i), surface);
         }

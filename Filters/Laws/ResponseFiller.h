@@ -34,6 +34,16 @@ struct ResponseSpans
   float* error = nullptr; ///< relative, of each sample; null: not kept
 };
 
+/// How well a measured body is known, point by point; may be asked from several threads. Counts
+/// where the error is estimated.
+struct MeasuredBodyError
+{
+  /// Relative error of the force at a sample (0 … n-1) by noise and distance of the measurement.
+  std::function<double(std::size_t point, std::size_t sample)> data;
+  /// The contact it was measured with, for E* = 1; its radius is 0 where there is none.
+  std::function<LocalState(std::size_t point)> contact;
+};
+
 /// What a response takes into account beyond the law of its tool on a flat body at small strain,
 /// and how its validity is found.
 struct ResponseTerms
@@ -43,6 +53,7 @@ struct ResponseTerms
   /// Validity is the largest depth at which the estimated error is within this; 0: where
   /// ValidityRule breaks.
   double errorTolerance = 0.0;
+  const MeasuredBodyError* measured = nullptr; ///< the material was measured
 };
 
 /// The shape of a body's surface, point by point; may be asked from several threads.
@@ -73,7 +84,9 @@ public:
 
   /// From now on with the error: validity ends where it is within `tolerance` (> 0) no more.
   /// `contact` is the law's, and must outlive this.
-  void estimate(const LocalContact& contact, const LawScope& scope, double tolerance);
+  /// `measured` (null: the material is given) must, too.
+  void estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
+    const MeasuredBodyError* measured = nullptr);
 
   /// Point `i`; different points may be filled at the same time. `curvature` (1/mm) as in
   /// ValidityRule; negative where no triangle with an area meets, which is Degenerate.
@@ -97,6 +110,7 @@ private:
   float Range;
   ValidityRule Rule;
   const LocalContact* Contact = nullptr;
+  const MeasuredBodyError* Measured = nullptr;
   std::unique_ptr<ErrorRule> Errors;  ///< null: not estimated
   std::vector<double> ErrorDepths;    ///< mm: just at touch, then of the samples
   std::vector<LocalState> FlatStates; ///< there, on a flat half-space; empty with finite strain

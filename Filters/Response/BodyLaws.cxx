@@ -39,45 +39,6 @@ namespace palpate
 {
 namespace
 {
-std::string checkRequest(const LawRequest& request)
-{
-  constexpr int mostSamples = ResponseSampling::LargestCount;
-  if (!request.tool)
-  {
-    return "A Tool is required: call SetTool";
-  }
-  if (!request.tool->GetKernel())
-  {
-    return "The Tool is invalid";
-  }
-  if (!(std::isfinite(request.deflection) &&
-        request.deflection > static_cast<double>(std::numeric_limits<float>::min())))
-  {
-    return joined(
-      "MaximumDeflection must be positive and finite (mm), but is ", request.deflection);
-  }
-  if (request.samples < 2 || request.samples > mostSamples)
-  {
-    return joined(
-      "NumberOfSamples must lie between 2 and ", mostSamples, ", but is ", request.samples);
-  }
-  const double tolerance = request.terms.errorTolerance;
-  if (!(tolerance >= 0.0 && std::isfinite(tolerance)))
-  {
-    return joined(
-      "ErrorTolerance must be finite and not negative (a fraction of the force, 0 for the "
-      "depths of small strain), but is ",
-      tolerance);
-  }
-  const double change = request.terms.changeTolerance;
-  if (!(change >= 0.0 && std::isfinite(change)))
-  {
-    return joined(
-      "TermTolerance must be finite and not negative (a fraction of the force), but is ", change);
-  }
-  return request.responseName.empty() ? "ResponseName must not be empty" : "";
-}
-
 /// The correction by finite strain, null for none; or what is wrong.
 std::string findStrain(const LawRequest& request, const StrainLaw& law,
   const BodyMaterial& material, const std::function<bool(double)>& goOn,
@@ -246,6 +207,45 @@ std::string checkSettings(const ChoiceSettings& settings)
 }
 } // namespace
 
+std::string checkRequest(const LawRequest& request)
+{
+  constexpr int mostSamples = ResponseSampling::LargestCount;
+  if (!request.tool)
+  {
+    return "A Tool is required: call SetTool";
+  }
+  if (!request.tool->GetKernel())
+  {
+    return "The Tool is invalid";
+  }
+  if (!(std::isfinite(request.deflection) &&
+        request.deflection > static_cast<double>(std::numeric_limits<float>::min())))
+  {
+    return joined(
+      "MaximumDeflection must be positive and finite (mm), but is ", request.deflection);
+  }
+  if (request.samples < 2 || request.samples > mostSamples)
+  {
+    return joined(
+      "NumberOfSamples must lie between 2 and ", mostSamples, ", but is ", request.samples);
+  }
+  const double tolerance = request.terms.errorTolerance;
+  if (!(tolerance >= 0.0 && std::isfinite(tolerance)))
+  {
+    return joined(
+      "ErrorTolerance must be finite and not negative (a fraction of the force, 0 for the "
+      "depths of small strain), but is ",
+      tolerance);
+  }
+  const double change = request.terms.changeTolerance;
+  if (!(change >= 0.0 && std::isfinite(change)))
+  {
+    return joined(
+      "TermTolerance must be finite and not negative (a fraction of the force), but is ", change);
+  }
+  return request.responseName.empty() ? "ResponseName must not be empty" : "";
+}
+
 std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
   const std::function<bool(double)>& goOn, vtkPolyData* output, std::string& warning)
 {
@@ -325,7 +325,8 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   const MadeResponse made =
     response(tool, material, request.deflection, static_cast<std::size_t>(count), shape,
-      { terms.curvature, strain.get(), terms.errorTolerance }, storage.spans(), goOn);
+      { terms.curvature, strain.get(), terms.errorTolerance, request.measured }, storage.spans(),
+      goOn);
   if (!made.complete)
   {
     output->Initialize();

@@ -23,6 +23,8 @@ class vtkPolyData;
 
 namespace palpate
 {
+struct MeasuredBodyError;
+
 /// A tool pressed into a material.
 struct LawRequest
 {
@@ -33,9 +35,13 @@ struct LawRequest
   double deflection = 0.0;
   BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
   MaterialArrays arrays;
-  int samples = 8;     ///< of a response
-  LawTerms terms = {}; ///< of a response
+  int samples = 8;                             ///< of a response
+  LawTerms terms = {};                         ///< of a response
+  const MeasuredBodyError* measured = nullptr; ///< of a response whose material was measured
 };
+
+/// What is wrong with the settings of a response, or "".
+PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 
 /// The body with its response, see vtkToolContactResponse; nothing if `goOn(share)` ends it. Also a
 /// warning, or "". Collective; `body` is the own piece.

@@ -3,7 +3,9 @@
 
 #include "Response/BodyConversion.h"
 #include "Mechanics/Identification/CurvesFile.h"
+#include "Laws/ResponseFiller.h"
 #include "Response/Measured/CurvesFromTable.h"
+#include "Response/Measured/DataError.h"
 #include "Response/FilterStage.h"
 #include "Response/BodyLaws.h"
 #include "Response/Measured/MeasuredMaterial.h"
@@ -160,7 +162,7 @@ int vtkMeasuredContactResponse::RequestData(
 
   vtkNew<vtkPolyData> spread;
   palpate::spreadMaterial(body, this->PoissonRatio, this->Reach, measurement, spread);
-  if (!this->RespondTo(spread, output))
+  if (!this->RespondTo(measurement, spread, output))
   {
     return 0;
   }
@@ -321,7 +323,8 @@ std::string vtkMeasuredContactResponse::JudgeSites(const Measurement& measuremen
 }
 
 /// False after an error, which has been passed on.
-bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* output)
+bool vtkMeasuredContactResponse::RespondTo(
+  const Measurement& measurement, vtkPolyData* body, vtkPolyData* output)
 {
   const auto anywhere = [body](const char* name)
   { return std::string(body->GetPointData()->GetArray(name)->GetMaxNorm() > 0.0 ? name : ""); };
@@ -331,6 +334,18 @@ bool vtkMeasuredContactResponse::RespondTo(vtkPolyData* body, vtkPolyData* outpu
   request.deflection = this->MaximumDeflection;
   request.samples = this->NumberOfSamples;
   request.terms = palpate::LawTerms::plain(); // the law that the measurement was identified with
+  request.terms.errorTolerance = this->ErrorTolerance;
+  request.terms.storeError = this->StoreError;
+  std::unique_ptr<palpate::DataError> data;
+  palpate::MeasuredBodyError known;
+  if (this->ErrorTolerance > 0.0 && palpate::checkRequest(request).empty())
+  {
+    data = std::make_unique<palpate::DataError>(
+      measurement, *this->Tool->GetKernel(), this->MaximumDeflection, this->NumberOfSamples);
+    known = { [&data](std::size_t point, std::size_t sample) { return data->at(point, sample); },
+      [&data](std::size_t point) { return data->contactAt(point); } };
+    request.measured = &known;
+  }
   request.material.poissonsRatio = this->PoissonRatio;
   request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
   // No site has both; between sites, each has its share.
@@ -381,6 +396,8 @@ void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "StoreError: " << this->StoreError << "\n";
   os << indent << "RegistrationResidual: " << this->RegistrationResidual << " mm\n";
   os << indent << "SiteResidual: " << this->SiteResidual << " mm\n";
 }

@@ -26,8 +26,13 @@
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
  *   `IdentifiedThickness` (mm, 0 for a half-space), double;
  * - `Status` 4 OutOfReach where no site reaches: no response there;
- * - `Limit` 6, data end: beyond Validity the tool presses harder (force) or strains more of the
- * body (contact radius, see DataEnd.h) than any tool did when it was measured;
+ * - `Error` and `Validity` as there: at each sample, what the readings leave open at the sites (95
+ * % intervals of the identified body, for this tool), how far the sites around differ from one
+ * another, and of curvature and edges what differs from the contact the site was measured
+ * with, as that much is in the readings;
+ * - `Limit` 6, data: noise and sites leave most open; or beyond Validity the tool presses harder
+ * (force) or strains more of the body (contact radius, see DataEnd.h) than any tool did when it was
+ * measured;
  * - field data `Model`: what was identified, from what; it says `synthetic` if a file does.
  * Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
  * Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance, Thickness,
@@ -198,6 +203,15 @@ public:
   ///@}
 
   ///@{
+  /** As of vtkToolContactResponse. Default 0.05, and on. */
+  vtkSetMacro(ErrorTolerance, double);
+  vtkGetMacro(ErrorTolerance, double);
+  vtkSetMacro(StoreError, bool);
+  vtkGetMacro(StoreError, bool);
+  vtkBooleanMacro(StoreError, bool);
+  ///@}
+
+  ///@{
   /**
    * Of the last update: the root of the mean square by which pairs of points miss each other after
    * registration (NaN unless registered by pairs), and by which the sites miss the surface, mm.
@@ -226,7 +240,7 @@ private:
   std::string ReadSites(vtkInformationVector* tables, Measurement& measurement);
   bool IdentifySites(Measurement& measurement);
   std::string JudgeSites(const Measurement& measurement);
-  bool RespondTo(vtkPolyData* body, vtkPolyData* output);
+  bool RespondTo(const Measurement& measurement, vtkPolyData* body, vtkPolyData* output);
 
   std::vector<std::string> FileNames;
   std::string MeasuringTool;
@@ -247,6 +261,8 @@ private:
   double MaximumDeflection = 2.0;
   int NumberOfSamples = 8;
   std::string ResponseName = "Response";
+  double ErrorTolerance = 0.05;
+  bool StoreError = true;
   double RegistrationResidual = 0.0;
   double SiteResidual = 0.0;
 };

@@ -131,28 +131,37 @@ IndentationCurve thin(const IndentationCurve& curve)
   return few;
 }
 
-/// Sets separation, and returns the standard errors of the packed parameters per unit residual.
-VectorXd judgeJacobian(const MatrixXd& jacobian, double& separation)
+/// What a Jacobian says of the packed parameters, per unit residual.
+struct JacobianVerdict
+{
+  VectorXd error;  ///< standard errors
+  MatrixXd spread; ///< S, S Sᵀ their covariance; empty where they are not determined
+  double separation = 0.0;
+};
+
+JacobianVerdict judgeJacobian(const MatrixXd& jacobian)
 {
   const Index n = jacobian.cols();
   const VectorXd length = jacobian.colwise().norm();
-  separation = 0.0;
-  VectorXd error = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+  JacobianVerdict verdict;
+  verdict.error = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
   if (!(length.minCoeff() > 0.0) || !jacobian.allFinite())
   {
-    return error;
+    return verdict;
   }
   const MatrixXd unit = jacobian * length.cwiseInverse().asDiagonal();
   const MatrixXd r = MatrixXd(unit.householderQr().matrixQR().topRows(n));
   if (!(r.diagonal().cwiseAbs().minCoeff() > 0.0))
   {
-    return error;
+    return verdict;
   }
   const MatrixXd inverse =
     r.triangularView<Eigen::Upper>().solve(MatrixXd(MatrixXd::Identity(n, n)));
-  error = inverse.rowwise().norm();
-  separation = 1.0 / error.maxCoeff();
-  return error.cwiseQuotient(length);
+  const VectorXd error = inverse.rowwise().norm();
+  verdict.separation = 1.0 / error.maxCoeff();
+  verdict.error = error.cwiseQuotient(length);
+  verdict.spread = length.cwiseInverse().asDiagonal() * inverse;
+  return verdict;
 }
 } // namespace
 
@@ -229,10 +238,20 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
   }
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(best, jacobian);
-  fit.errorPerNoise = judgeJacobian(jacobian, fit.separation) / residuals.force();
+  const JacobianVerdict verdict = judgeJacobian(jacobian);
+  fit.separation = verdict.separation;
+  fit.errorPerNoise = verdict.error / residuals.force();
+  if (verdict.spread.size() > 0)
+  {
+    fit.spreadPerNoise = verdict.spread.topRows(residuals.materialCount()) / residuals.force();
+  }
   if (model == BodyModel::GlobalCompliance)
   {
     fit.errorPerNoise[1] *= residuals.compliance();
+    if (fit.spreadPerNoise.size() > 0)
+    {
+      fit.spreadPerNoise.row(1) *= residuals.compliance();
+    }
   }
   fit.errorPerNoise.tail(residuals.inputs() - residuals.materialCount()) *= residuals.depth();
   return fit;
@@ -244,8 +263,8 @@ double modulusErrorBesideCompliance(
   const FitResiduals residuals(curves, BodyModel::GlobalCompliance, findContact, nullptr);
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(residuals.pack(halfSpace.body, halfSpace.contactOffset), jacobian);
-  double separation = 0.0;
-  const VectorXd error = judgeJacobian(jacobian, separation);
-  return separation > 1e-6 ? error[0] / residuals.force() : std::numeric_limits<double>::infinity();
+  const JacobianVerdict verdict = judgeJacobian(jacobian);
+  return verdict.separation > 1e-6 ? verdict.error[0] / residuals.force()
+                                   : std::numeric_limits<double>::infinity();
 }
 } // namespace palpate

@@ -55,6 +55,9 @@ struct PALPATE_EXPORT BodyFit
   /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the offsets; +inf where the
   /// curves do not determine them.
   Eigen::VectorXd errorPerNoise;
+  /// S, a row each for ln E* and for C_g or ln h: S Sᵀ is their covariance per square newton of
+  /// noise. Empty where the curves do not determine them.
+  Eigen::MatrixXd spreadPerNoise;
   /// The smallest sine of the angle between what one parameter does to the forces and what the
   /// others can do: 0 where two cannot be told apart.
   double separation = 0.0;

@@ -47,6 +47,9 @@ struct IdentifiedBody
   Estimate compliance;                 ///< mm/N, of BodyModel::GlobalCompliance
   Estimate thickness;                  ///< mm, of BodyModel::Layer
   std::vector<Estimate> contactOffset; ///< mm, of each curve
+  /// A row each for ln E* and for C_g or ln h: S Sᵀ is their covariance, times the square of what
+  /// makes a standard error the half-width of a 95 % interval.
+  Eigen::MatrixXd spread;
 
   double noise = 0.0;        ///< standard deviation of a reading, N, given or estimated
   double misfit = 0.0;       ///< of the fit, N, per reading; about the noise if the model is right
@@ -56,6 +59,8 @@ struct IdentifiedBody
   // Where the data that were used end, by the fitted curves.
   double endForce = 0.0;     ///< N
   double endStiffness = 0.0; ///< dF/dδ, N/mm
+  IndentationPoint end;      ///< of the curve with the largest contact, without C_g
+  double endDepth = 0.0;     ///< its depth, mm, without C_g
 };
 
 /**
@@ -112,6 +117,13 @@ private:
   IdentificationOptions Options;
   std::shared_ptr<const LayerKernel> Kernel;
 };
+
+/// Half the 95 % interval of the force another tool meets on the identified body at a depth (mm),
+/// relative: what noise leaves open, by the linearised problem, and what the model does not fit of
+/// the readings where that is more than noise. At least 1 where the body has no answer. `kernel` is
+/// needed for a layer only. Cost: four evaluations of the body.
+PALPATE_EXPORT double predictedForceError(const IdentifiedBody& body, const AxisymmetricTool& tool,
+  const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 
 /// "half-space", "half-space in series with global compliance", "layer on a rigid base".
 PALPATE_EXPORT const char* nameOf(BodyModel model);

@@ -16,6 +16,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace palpate
 {
@@ -91,6 +92,7 @@ void limitToData(
   auto* validity = vtkFloatArray::SafeDownCast(array(ResponseArray::Validity));
   auto* status = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Status));
   auto* limit = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Limit));
+  auto* error = vtkFloatArray::SafeDownCast(array(ResponseArray::Error)); // null: not kept
   const int n = force->GetNumberOfComponents();
   const double exponent = output->GetFieldData()
                             ->GetArray(arrayName(name, ResponseArray::Exponent).c_str())
@@ -110,6 +112,10 @@ void limitToData(
         {
           std::fill_n(f, n, 0.0F);
           std::fill_n(k, n, 0.0F);
+          if (error)
+          {
+            std::fill_n(error->GetPointer(n * i), n, std::numeric_limits<float>::quiet_NaN());
+          }
           status->SetValue(i, status->GetValue(i) == 0 ? OutOfReach : status->GetValue(i));
           validity->SetValue(i, 0.0F);
           limit->SetValue(i, 0);

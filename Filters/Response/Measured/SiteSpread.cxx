@@ -12,6 +12,7 @@
 #include "vtkShepardKernel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate
 {
@@ -92,5 +93,18 @@ double SiteSpread::at(std::int32_t point, const std::vector<double>& values) con
     sum += this->Weight[i] * values[static_cast<std::size_t>(this->Site[i])];
   }
   return sum;
+}
+
+double SiteSpread::deviationAt(std::int32_t point, const std::vector<double>& values) const
+{
+  const double mean = this->at(point, values);
+  double sum = 0.0;
+  for (std::size_t i = this->Start[static_cast<std::size_t>(point)];
+       i < this->Start[static_cast<std::size_t>(point) + 1]; ++i)
+  {
+    const double off = values[static_cast<std::size_t>(this->Site[i])] - mean;
+    sum += this->Weight[i] * off * off;
+  }
+  return std::sqrt(sum);
 }
 } // namespace palpate

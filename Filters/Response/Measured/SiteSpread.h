@@ -41,6 +41,8 @@ public:
 
   /// The value at a point that is reached, from one value per site.
   double at(std::int32_t point, const std::vector<double>& values) const;
+  /// The root of the weighted mean square by which the sites' values differ from that; 0 on a site.
+  double deviationAt(std::int32_t point, const std::vector<double>& values) const;
 
 private:
   std::vector<std::size_t> Start; ///< of each point's shares, and the end

@@ -226,7 +226,7 @@ void checkScale(vtkContactScene* scene, const double contact[3], double newtons)
 void checkLimits(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vtkIdType tip)
 {
   const char* const names[] = { "(strain)", "(curvature of the body)", "(layer thickness)",
-    "(the opposite wall)", "(an edge)", "(end of the measured data)" };
+    "(the opposite wall)", "(an edge)", "(the measured data)" };
   vtkNew<vtkIdList> corners;
   body->GetCellPoints(
     static_cast<vtkIdType>(tips->GetPointData()->GetArray("ContactCell")->GetTuple1(tip)), corners);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Do 95 % confidence intervals hold the truth 95 times in 100? Repeated experiments with noise of 1
 // % of the largest force and an unknown contact point, fixed seeds. Also: how often the right model
-// is chosen.
+// is chosen, and whether the interval of what another tool will feel holds.
 #include "Mechanics/Identification/BodyIdentification.h"
 
 #include "Mechanics/Layers/LayerContact.h"
@@ -19,8 +19,9 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr double Modulus = 0.05; // MPa
-constexpr double Offset = 0.2;   // mm
+constexpr double Modulus = 0.05;   // MPa
+constexpr double Offset = 0.2;     // mm
+constexpr double OtherDepth = 1.0; // mm, of the tool that is felt
 
 struct Truth
 {
@@ -33,6 +34,7 @@ struct Tally
   int modulus = 0;
   int second = 0;
   int offset = 0;
+  int felt = 0; ///< by another tool
   int chosen = 0;
 };
 
@@ -62,6 +64,8 @@ Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repea
   sampling.noise = 0.01 * law(sampling.depth);
   options.noise = noiseGiven ? sampling.noise : 0.0;
   const BodyIdentification identification(options);
+  const auto other = tool("flat:1.6");
+  const double force = palpate::bodyResponse(body, *other, kernel, OtherDepth).force;
   std::mt19937 random(2002);
   Tally tally;
   for (int i = 0; i < repeats; ++i)
@@ -78,6 +82,9 @@ Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repea
         holds(truth.model == BodyModel::Layer ? found.thickness : found.compliance, truth.second)
       ? 1
       : 0;
+    const double felt = palpate::bodyResponse(found.body, *other, kernel, OtherDepth).force;
+    const double error = palpate::predictedForceError(found, *other, kernel, OtherDepth);
+    tally.felt += std::abs(std::log(felt / force)) <= error ? 1 : 0;
   }
   return tally;
 }
@@ -102,6 +109,7 @@ void check(const char* specification, const Truth& truth, int repeats, int choic
     expectNinetyFive(tally.modulus, repeats, "E*");
     expectNinetyFive(tally.second, repeats, "C_g or h");
     expectNinetyFive(tally.offset, repeats, "offset");
+    expectNinetyFive(tally.felt, repeats, "felt");
   }
   // Left to choose: the two tests at 1 % and three standard deviations reject the truth rarely.
   const Tally free = repeat(*tip, truth, choices, 80, false, false);

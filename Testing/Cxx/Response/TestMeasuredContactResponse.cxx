@@ -151,8 +151,75 @@ void checkDataEnd(const std::string& folder)
   expect("flat:1.6", std::min(0.4 * 1.6, force / (2.0 * 1.6 * Modulus)), 6);
   // Wider than what was ever strained: nothing is known.
   expect("flat:2", 0.0, 6);
-  // Strain comes first under a sharp tip: a/R = 0.4, δ = a²/R.
-  expect("paraboloid:1", 0.16, 1);
+  // Strain comes first under a sharp tip, by the first assumption that breaks: a/R = 0.4, δ = a²/R.
+  const MeasuredFilter filter = measure(planeBody(12.0, 8), file, "paraboloid:1");
+  filter->SetErrorTolerance(0.0);
+  filter->Update();
+  PALPATE_CHECK_NEAR(array(filter, "ResponseValidity")->GetTuple1(40), 0.16, 1e-6);
+  PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(40) == 1);
+  PALPATE_CHECK(array(filter, "ResponseError") == nullptr);
+}
+
+vtkIdType pointAt(vtkPolyData* body, double x, double y, double z)
+{
+  return body->FindPoint(x, y, z);
+}
+
+/// The error between sites is how they differ: halfway between E* and 1.4 E* the forces are those
+/// of 1.2 E*, from which both differ by a sixth; on a site it is that of the fit alone.
+void checkErrorBetweenSites(const std::string& folder)
+{
+  const std::string file = writeCurves(folder + "/two.csv", "paraboloid:6.35",
+    { { "A", { -3.0, 0.0, 0.0 }, hertz(R, Modulus) },
+      { "B", { 3.0, 0.0, 0.0 }, hertz(R, 1.4 * Modulus) } });
+  const Body body = planeBody(12.0, 8);
+  const MeasuredFilter filter = measure(body, file, "paraboloid:6.35");
+  filter->Update();
+  auto* error = array(filter, "ResponseError");
+  const auto at = [&](double x, int sample)
+  { return error->GetComponent(pointAt(body, x, 0.0, 0.0), sample); };
+  for (const int sample : { 1, 5 })
+  {
+    PALPATE_CHECK(at(-3.0, sample) > 0.0 && at(-3.0, sample) < 0.02);
+    // ln 1.4 / 2, and strain less than 1 % at ν = 0.45.
+    PALPATE_CHECK_NEAR(at(0.0, sample), 0.5 * std::log(1.4), 0.02);
+  }
+  PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(pointAt(body, 0.0, 0.0, 0.0)) == 6);
+  PALPATE_CHECK(array(filter, "ResponseValidity")->GetTuple1(pointAt(body, 0.0, 0.0, 0.0)) == 0.0);
+  // Out of reach nothing is said.
+  filter->SetReach(5.0);
+  filter->Update();
+  PALPATE_CHECK(
+    std::isnan(array(filter, "ResponseError")->GetComponent(pointAt(body, 12.0, 12.0, 0.0), 0)));
+}
+
+/// A ball measured with one paraboloid is felt by others with the error of its curvature: by Hertz
+/// F goes with √(1/(1/R + 1/B)), of which the readings of R have √(1/(1 + R/B)) in them.
+void checkErrorOfCurvature(const std::string& folder)
+{
+  const double ball = 60.0;
+  const auto effective = [=](double radius) { return 1.0 / (1.0 / radius + 1.0 / ball); };
+  const Body body = sphereBody(ball, 5);
+  const std::string file = writeCurves(folder + "/ball.csv", "paraboloid:6.35",
+    { { "A", { 0.0, 0.0, ball }, hertz(effective(R), Modulus) } });
+  for (const double radius : { 1.0, 3.0, 6.35, 12.0 })
+  {
+    const MeasuredFilter filter = measure(body, file, "paraboloid:" + std::to_string(radius));
+    filter->SetMaximumDeflection(1.5);
+    filter->Update();
+    const vtkIdType pole = pointAt(body, 0.0, 0.0, ball);
+    for (int k = 2; k < 8; ++k)
+    {
+      const double depth = 1.5 * (k + 1) * (k + 1) / 64.0;
+      const double force = array(filter, "ResponseForce")->GetComponent(pole, k);
+      const double error = array(filter, "ResponseError")->GetComponent(pole, k);
+      const double off = std::abs(force / hertz(effective(radius), Modulus)(depth) - 1.0);
+      PALPATE_CHECK(off <= error);
+      // The whole body's yielding, the mesh's curvature and strain are in it as well: a few
+      // percent.
+      PALPATE_CHECK(error <= 2.0 * off + 0.04);
+    }
+  }
 }
 
 void checkThreads(const std::string& folder)
@@ -191,6 +258,8 @@ int TestMeasuredContactResponse(int, char* arguments[])
   checkHalfSpace(folder);
   checkGlobalCompliance(folder);
   checkDataEnd(folder);
+  checkErrorBetweenSites(folder);
+  checkErrorOfCurvature(folder);
   checkThreads(folder);
   return result();
 }

@@ -12,7 +12,7 @@ the bare curves, counted from first contact, and as an instrument would see them
 
 A row per prediction: the Validity of the predicted response (mm; 0 where the held-out tool is wider than
 what was measured), and the relative error of the force there and at the whole depth of the held-out
-curve: beyond Validity, an error is no surprise. A row per refusal, with its reason.
+curve: beyond Validity, an error is no surprise; beside it the error that the filter states there. A row per refusal, with its reason.
 """
 import csv
 import itertools
@@ -32,7 +32,8 @@ POISSON = {"block": 0.45, "layer10": 0.45, "plateclamped": 0.3, "plateedges": 0.
 E_STAR = {body: 0.1 / (1.0 - nu * nu) for body, nu in POISSON.items()}  # MPa, for E = 0.1
 NOISE, OFFSET, READINGS, BEFORE = 0.01, 0.15, 120, 20
 COLUMNS = ("body,material,measured_with,noise,verdict,model,reduced_modulus_MPa,from,to,true_MPa,compliance_mm_per_N,"
-           "thickness_mm,misfit_share,tool,depth_mm,force_N,validity_mm,error_at_validity,error_at_depth").split(",")
+           "thickness_mm,misfit_share,tool,depth_mm,force_N,validity_mm,error_at_validity,error_at_depth,"
+           "stated_error_at_depth").split(",")
 
 
 def read(path):
@@ -67,10 +68,10 @@ def specification(tool):
 
 def plane():
     source = vtkPlaneSource()
-    source.SetOrigin(-2, -2, 0)
-    source.SetPoint1(2, -2, 0)
-    source.SetPoint2(-2, 2, 0)
-    source.SetResolution(2, 2)
+    source.SetOrigin(-50, -50, 0)
+    source.SetPoint1(50, -50, 0)
+    source.SetPoint2(-50, 50, 0)
+    source.SetResolution(40, 40)
     triangles = vtkTriangleFilter()
     triangles.SetInputConnection(source.GetOutputPort())
     return triangles
@@ -97,7 +98,7 @@ class Identification:
     keep.CallDataType = "string0"
 
     def feel(self, tool, depth):
-        """(the response, its validity) of a tool to a depth; None after an error."""
+        """(the response, its validity, its stated error at the end) of a tool to a depth; None after an error."""
         kernel = vtkContactTool()
         kernel.SetSpecification(specification(tool))
         self.filter.SetTool(kernel)
@@ -109,7 +110,8 @@ class Identification:
         middle = output.FindPoint(0.0, 0.0, 0.0)
         response = contract.load(output)
         validity = output.GetPointData().GetArray("ResponseValidity").GetTuple1(middle)
-        return lambda d: contract.evaluate(response, middle, d)[0], validity
+        stated = output.GetPointData().GetArray("ResponseError").GetTuple(middle)[-1]
+        return lambda d: contract.evaluate(response, middle, d)[0], validity, stated
 
     def site(self, column):
         table = self.filter.GetOutputDataObject(1)
@@ -150,7 +152,7 @@ def predict(curves, names, case, noise, folder):
             row["verdict"] = found.refusal
             yield row
             return
-        at, validity = felt
+        at, validity, stated = felt
         row.update(model=found.site("Model"),
                    reduced_modulus_MPa=number(found.site("ReducedModulus (MPa)")),
                    to=number(found.site("ReducedModulus to (MPa)")),
@@ -158,7 +160,8 @@ def predict(curves, names, case, noise, folder):
                    thickness_mm=number(found.site("Thickness (mm)")),
                    misfit_share=number(found.site("Misfit (N)") / found.site("LargestForce (N)"), 2),
                    validity_mm=number(validity, 3),
-                   error_at_depth=f"{at(depth[-1]) / force[-1] - 1:+.3f}")
+                   error_at_depth=f"{at(depth[-1]) / force[-1] - 1:+.3f}",
+                   stated_error_at_depth=f"{stated:.3f}")
         if validity > 0.0:
             row["error_at_validity"] = f"{at(validity) / force_at(curves[tool], validity) - 1:+.3f}"
         row["from"] = number(found.site("ReducedModulus from (MPa)"))

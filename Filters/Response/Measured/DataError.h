@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef DataError_h
+#define DataError_h
+
+#include "Laws/LocalContact.h"
+#include "Response/Measured/SiteMeasurement.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/**
+ * How far the force of a tool may be off since a body was measured, not given: at each sample of
+ * its response what the readings leave open at the sites (predictedForceError), interpolated as the
+ * material is, and the root of the weighted mean square by which the sites' own forces differ from
+ * their mean. So it is that of the site on a site, and grows between sites that do not agree; that
+ * a body changes where there is no other site, nobody knows.
+ *
+ * Cost: five evaluations of the body per site and sample; then a sum over the sites of a point.
+ */
+class DataError
+{
+public:
+  /// Of a response with `samples` samples down to `range` (mm). `measurement`, spread over its
+  /// body, must outlive this.
+  DataError(
+    const SiteMeasurement& measurement, const AxisymmetricTool& tool, double range, int samples);
+
+  /// Relative, at a point that is reached (0 elsewhere) and a sample 0 … n-1.
+  double at(std::size_t point, std::size_t sample) const;
+  /// The deepest contact that was measured, interpolated, for E* = 1; its radius is 0 where no site
+  /// reaches.
+  LocalState contactAt(std::size_t point) const;
+
+private:
+  const SiteMeasurement& Measurement;
+  std::vector<std::vector<double>> Open;      ///< of each sample, of each site
+  std::vector<std::vector<double>> LogForces; ///< likewise; ln F
+  std::vector<double> Depths;                 ///< of the deepest contact of each site, mm
+  std::vector<double> Radii;                  ///< mm
+  std::vector<double> Forces;                 ///< F/E*, mm²
+  std::vector<double> Stiffnesses;            ///< (dF/dδ)/E*, mm
+};
+} // namespace palpate
+
+#endif
