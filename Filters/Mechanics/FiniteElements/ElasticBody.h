@@ -51,6 +51,11 @@ public:
     return this->Stiffness.dof[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis)];
   }
 
+  const ElasticMaterial& material(std::int32_t element) const
+  {
+    const std::vector<ElasticMaterial>& all = this->Input.materials;
+    return all[all.size() == 1 ? 0 : static_cast<std::size_t>(element)];
+  }
   /// Mean E and ν of the elements that meet at a node.
   ElasticMaterial materialAt(std::int32_t node) const;
 

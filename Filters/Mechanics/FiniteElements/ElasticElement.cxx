@@ -88,9 +88,24 @@ Eigen::Vector3d hexahedronPoint(int i)
   return Eigen::Vector3d(c[0], c[1], c[2]) / std::sqrt(3.0);
 }
 
-bool hexahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMatrix& k)
+/// Gradients of the trilinear shapes and of the modes at a point; the Jacobian's determinant there.
+double hexahedronGradients(const Eigen::Matrix<double, 3, 8>& x,
+  const Eigen::Matrix3d& centreInverse, double centreDeterminant, const Eigen::Vector3d& xi,
+  Eigen::Matrix<double, 3, 11>& gradients)
 {
-  const Eigen::Matrix<double, 3, 8> x = nodes;
+  const Eigen::Matrix<double, 3, 8> local = trilinearGradients(xi);
+  const Eigen::Matrix3d jacobian = local * x.transpose();
+  const double determinant = jacobian.determinant();
+  gradients.leftCols<8>() = jacobian.inverse() * local;
+  gradients.rightCols<3>() =
+    centreInverse * (-2.0 * centreDeterminant / determinant * xi).asDiagonal();
+  return determinant;
+}
+
+/// The stiffness of nodes and modes together; false when the element is inverted.
+bool hexahedronWithModes(
+  const Eigen::Matrix<double, 3, 8>& x, const Lame& lame, Eigen::Matrix<double, 33, 33>& all)
+{
   const Eigen::Matrix3d centre = trilinearGradients(Eigen::Vector3d::Zero()) * x.transpose();
   const double centreDeterminant = centre.determinant();
   if (!(centreDeterminant > 0.0))
@@ -101,21 +116,26 @@ bool hexahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMat
   GradientSum<11> sum; // eight nodes, three modes
   for (int q = 0; q < 8; ++q)
   {
-    const Eigen::Vector3d xi = hexahedronPoint(q);
-    const Eigen::Matrix<double, 3, 8> local = trilinearGradients(xi);
-    const Eigen::Matrix3d jacobian = local * x.transpose();
-    const double determinant = jacobian.determinant();
+    Eigen::Matrix<double, 3, 11> gradients;
+    const double determinant =
+      hexahedronGradients(x, centreInverse, centreDeterminant, hexahedronPoint(q), gradients);
     if (!(determinant > 0.0))
     {
       return false;
     }
-    Eigen::Matrix<double, 3, 11> gradients;
-    gradients.leftCols<8>() = jacobian.inverse() * local;
-    gradients.rightCols<3>() =
-      centreInverse * (-2.0 * centreDeterminant / determinant * xi).asDiagonal();
     sum.add(gradients, determinant);
   }
-  const Eigen::Matrix<double, 33, 33> all = sum.stiffness(lame);
+  all = sum.stiffness(lame);
+  return true;
+}
+
+bool hexahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMatrix& k)
+{
+  Eigen::Matrix<double, 33, 33> all;
+  if (!hexahedronWithModes(nodes, lame, all))
+  {
+    return false;
+  }
   const Eigen::Matrix<double, 9, 9> modes = all.bottomRightCorner<9, 9>();
   // With the factor of the modes, so that the result is symmetric.
   Eigen::Matrix<double, 9, 24> coupling = all.bottomLeftCorner<9, 24>();
@@ -141,11 +161,13 @@ bool tetrahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMa
   return true;
 }
 
+/// The corners beside the mid-edge nodes.
+constexpr std::array<std::array<int, 2>, 6> TetrahedronEdge = { { { 0, 1 }, { 1, 2 }, { 0, 2 },
+  { 0, 3 }, { 1, 3 }, { 2, 3 } } };
+
 /// dN_i/dξ of the quadratic shapes; barycentric coordinates (1-ξ-η-ζ, ξ, η, ζ).
 Eigen::Matrix<double, 3, 10> quadraticGradients(const Eigen::Vector3d& xi)
 {
-  constexpr std::array<std::array<int, 2>, 6> edge = { { { 0, 1 }, { 1, 2 }, { 0, 2 }, { 0, 3 },
-    { 1, 3 }, { 2, 3 } } };
   Eigen::Matrix<double, 3, 4> slope;
   slope << -1, 1, 0, 0, -1, 0, 1, 0, -1, 0, 0, 1;
   const Eigen::Vector4d l(1.0 - xi.sum(), xi[0], xi[1], xi[2]);
@@ -156,7 +178,7 @@ Eigen::Matrix<double, 3, 10> quadraticGradients(const Eigen::Vector3d& xi)
   }
   for (int i = 0; i < 6; ++i)
   {
-    const auto& e = edge[static_cast<std::size_t>(i)];
+    const auto& e = TetrahedronEdge[static_cast<std::size_t>(i)];
     g.col(4 + i) = 4.0 * (l[e[0]] * slope.col(e[1]) + l[e[1]] * slope.col(e[0]));
   }
   return g;
@@ -217,6 +239,70 @@ bool elementStiffness(
       return quadraticStiffness(nodes, lame, k);
   }
   return false;
+}
+
+double elementGradients(ElementKind kind, const ElementNodes& nodes, const Eigen::Vector3d& xi,
+  ElementGradients& gradients)
+{
+  if (kind == ElementKind::Hexahedron)
+  {
+    const Eigen::Matrix<double, 3, 8> x = nodes;
+    const Eigen::Matrix3d centre = trilinearGradients(Eigen::Vector3d::Zero()) * x.transpose();
+    Eigen::Matrix<double, 3, 11> found;
+    const double determinant =
+      hexahedronGradients(x, centre.inverse(), centre.determinant(), xi, found);
+    gradients = found;
+    return determinant;
+  }
+  ElementGradients local(3, nodes.cols());
+  if (kind == ElementKind::Tetrahedron)
+  {
+    local << -1, 1, 0, 0, -1, 0, 1, 0, -1, 0, 0, 1;
+  }
+  else
+  {
+    local = quadraticGradients(xi);
+  }
+  const Eigen::Matrix3d jacobian = local * nodes.transpose();
+  gradients = jacobian.inverse() * local;
+  return jacobian.determinant();
+}
+
+ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi)
+{
+  ElementShapes shapes(nodeCount(kind));
+  if (kind == ElementKind::Hexahedron)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const auto& c = HexahedronCorner[static_cast<std::size_t>(i)];
+      shapes[i] = 0.125 * (1.0 + c[0] * xi[0]) * (1.0 + c[1] * xi[1]) * (1.0 + c[2] * xi[2]);
+    }
+    return shapes;
+  }
+  const Eigen::Vector4d l(1.0 - xi.sum(), xi[0], xi[1], xi[2]);
+  for (int i = 0; i < 4; ++i)
+  {
+    shapes[i] = kind == ElementKind::Tetrahedron ? l[i] : l[i] * (2.0 * l[i] - 1.0);
+  }
+  for (int i = 0; i < 6 && kind == ElementKind::QuadraticTetrahedron; ++i)
+  {
+    const auto& e = TetrahedronEdge[static_cast<std::size_t>(i)];
+    shapes[4 + i] = 4.0 * l[e[0]] * l[e[1]];
+  }
+  return shapes;
+}
+
+Eigen::Matrix<double, 9, 24> modesOfNodes(
+  const ElementNodes& nodes, const ElasticMaterial& material)
+{
+  Eigen::Matrix<double, 33, 33> all;
+  if (!hexahedronWithModes(nodes, Lame(material), all))
+  {
+    return Eigen::Matrix<double, 9, 24>::Zero();
+  }
+  const Eigen::Matrix<double, 9, 9> modes = all.bottomRightCorner<9, 9>();
+  return -modes.llt().solve(all.bottomLeftCorner<9, 24>());
 }
 
 double smallestJacobian(ElementKind kind, const ElementNodes& nodes)

@@ -39,6 +39,24 @@ PALPATE_EXPORT ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeEle
 PALPATE_EXPORT bool elementStiffness(
   ElementKind kind, const ElementNodes& nodes, const ElasticMaterial& material, ElementMatrix& k);
 
+/// Gradients (3 × n) of an element's shapes, for a hexahedron of its three incompatible modes too.
+using ElementGradients = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
+
+/// Gradients in space at the element's own coordinates `xi` ([-1, 1]³, or the corner tetrahedron of
+/// the unit cube); returns the determinant of the Jacobian.
+PALPATE_EXPORT double elementGradients(ElementKind kind, const ElementNodes& nodes,
+  const Eigen::Vector3d& xi, ElementGradients& gradients);
+
+/// The shapes themselves there (n × 1).
+using ElementShapes = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, LargestNodeCount, 1>;
+PALPATE_EXPORT ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi);
+
+/// How far a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode) follow the
+/// motion of its nodes when nothing else drives them: forces f on the modes act on the nodes as the
+/// transpose of this times f. The element must not be inverted.
+PALPATE_EXPORT Eigen::Matrix<double, 9, 24> modesOfNodes(
+  const ElementNodes& nodes, const ElasticMaterial& material);
+
 /// The smallest Jacobian determinant over the integration points; not positive: inverted.
 PALPATE_EXPORT double smallestJacobian(ElementKind kind, const ElementNodes& nodes);
 } // namespace palpate

@@ -52,6 +52,11 @@ Eigen::VectorXd SimplicialFactor::solve(const Eigen::VectorXd& load) const
   return this->Solver.solve(load);
 }
 
+Eigen::MatrixXd SimplicialFactor::solveAll(const Eigen::MatrixXd& loads) const
+{
+  return this->Solver.solve(loads);
+}
+
 std::vector<double> SimplicialFactor::compliances(
   const std::vector<SparseLoad>& loads, const WorkObserver& observer) const
 {

@@ -16,6 +16,7 @@ public:
   double memoryEstimate() const override;
   bool factorise(const SymmetricSparse& lower) override;
   Eigen::VectorXd solve(const Eigen::VectorXd& load) const override;
+  Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const override;
   std::vector<double> compliances(
     const std::vector<SparseLoad>& loads, const WorkObserver& observer) const override;
 

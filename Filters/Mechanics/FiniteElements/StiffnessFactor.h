@@ -59,6 +59,9 @@ public:
   virtual bool factorise(const SymmetricSparse& lower) = 0;
   /// x = K⁻¹ b.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& load) const = 0;
+  /// The same for each column, from any number of threads at once; empty: not enough memory. A
+  /// column's bits depend on how many there are beside it, not on threads.
+  virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const = 0;
   /// The compliances of all loads, in their order; empty when the observer stopped it.
   virtual std::vector<double> compliances(
     const std::vector<SparseLoad>& loads, const WorkObserver& observer) const = 0;

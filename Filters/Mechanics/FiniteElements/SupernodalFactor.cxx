@@ -307,20 +307,31 @@ public:
 
   Eigen::VectorXd solve(const Eigen::VectorXd& load) const override
   {
+    const Eigen::MatrixXd x = this->solveAll(load);
+    return x.size() > 0 ? Eigen::VectorXd(x.col(0)) : Eigen::VectorXd();
+  }
+
+  Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const override
+  {
     const SingleThreadedBlas single;
+    cholmod_common common; // the workspace, one for each thread; the factor is only read
+    cholmod_start(&common);
+    common.print = 0;
     cholmod_dense right{};
-    right.nrow = right.nzmax = right.d = static_cast<std::size_t>(load.size());
-    right.ncol = 1;
-    right.x = const_cast<double*>(load.data()); // read only
+    right.nrow = right.d = static_cast<std::size_t>(loads.rows());
+    right.ncol = static_cast<std::size_t>(loads.cols());
+    right.nzmax = right.nrow * right.ncol;
+    right.x = const_cast<double*>(loads.data()); // read only
     right.xtype = CHOLMOD_REAL;
-    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, this->Factor, &right, &this->Common);
-    if (solution == nullptr)
+    Eigen::MatrixXd x;
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, this->Factor, &right, &common);
+    if (solution != nullptr)
     {
-      return {};
+      x = Eigen::Map<const Eigen::MatrixXd>(
+        static_cast<const double*>(solution->x), loads.rows(), loads.cols());
+      cholmod_free_dense(&solution, &common);
     }
-    Eigen::VectorXd x =
-      Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution->x), load.size());
-    cholmod_free_dense(&solution, &this->Common);
+    cholmod_finish(&common);
     return x;
   }
 
@@ -393,7 +404,7 @@ private:
     return matrix;
   }
 
-  mutable cholmod_common Common{}; // the workspace of cholmod_solve
+  cholmod_common Common{};
   cholmod_factor* Factor = nullptr;
   double Bytes = 0.0;
 };

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/TrueShape/ContactKernelFit.h"
+
+#include "Mechanics/ReducedModulus.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// Points that a polynomial of degree 0, 2, 4, 6 asks for.
+constexpr std::array<std::size_t, 4> PointsOfOrder = { 1, 9, 21, 37 };
+/// A least-squares fit whose pivots fall below this part of the largest does not tell its terms.
+constexpr double LeastPivot = 1e-3;
+
+int termsOfDegree(int degree)
+{
+  return (degree + 1) * (degree + 2) / 2;
+}
+
+/// The mean of cos^i sin^j over the circle, i and j even: (i-1)!! (j-1)!! / (i+j)!!.
+double angleMean(int i, int j)
+{
+  double mean = 1.0;
+  for (int k = 1; k < i; k += 2)
+  {
+    mean *= k;
+  }
+  for (int k = 1; k < j; k += 2)
+  {
+    mean *= k;
+  }
+  for (int k = 2; k <= i + j; k += 2)
+  {
+    mean /= k;
+  }
+  return mean;
+}
+
+/// 1 up to t = 1, and falling to 0 at DiscRatio.
+double fade(double t)
+{
+  const double s =
+    std::clamp((RegularGreen::DiscRatio - t) / (RegularGreen::DiscRatio - 1.0), 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+/// What a fit makes of values at points: the even terms of the angle mean (order rows), then the
+/// two slopes; for the disc scaled to radius 1.
+Eigen::MatrixXd fitOperator(
+  const std::vector<DiscPoint>& points, std::size_t count, double radius, int order, bool& good)
+{
+  const int degree = 2 * (order - 1);
+  const int terms = termsOfDegree(degree);
+  const auto rows = static_cast<Eigen::Index>(count);
+  Eigen::MatrixXd system(rows, terms);
+  Eigen::VectorXd weights(rows);
+  for (Eigen::Index i = 0; i < rows; ++i)
+  {
+    const DiscPoint& point = points[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d at = point.at / radius;
+    weights[i] = std::sqrt(fade(at.norm()) * point.area);
+    int term = 0;
+    for (int d = 0; d <= degree; ++d)
+    {
+      for (int k = 0; k <= d; ++k)
+      {
+        system(i, term++) = weights[i] * std::pow(at[0], d - k) * std::pow(at[1], k);
+      }
+    }
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(system);
+  const double least = std::abs(qr.matrixQR()(terms - 1, terms - 1));
+  good = least > LeastPivot * std::abs(qr.matrixQR()(0, 0));
+  Eigen::MatrixXd taken = Eigen::MatrixXd::Zero(order + 2, terms);
+  for (int m = 0; m < order; ++m)
+  {
+    for (int k = 0; k <= 2 * m; k += 2)
+    {
+      taken(m, (2 * m == 0 ? 0 : termsOfDegree(2 * m - 1)) + k) = angleMean(2 * m - k, k);
+    }
+  }
+  if (order > 1)
+  {
+    taken(order, 1) = taken(order + 1, 2) = 1.0;
+  }
+  return taken * qr.solve(Eigen::MatrixXd(weights.asDiagonal()));
+}
+} // namespace
+
+ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point)
+{
+  const SurfaceDisc* disc = green.disc(point);
+  if (disc == nullptr)
+  {
+    return;
+  }
+  const ElasticBody& body = green.body();
+  const ElasticMaterial material = body.materialAt(body.surface().node(point));
+  this->Status = disc->status;
+  this->Modulus = palpate::reducedModulus(material.youngsModulus, material.poissonRatio);
+  this->LargestRadius = std::min(green.radius(), disc->limit);
+  this->LimitedBy = disc->limit < green.radius() ? disc->limitedBy : PatchStatus::Valid;
+  this->Spacing = body.surface().spacing(point);
+  this->Points = disc->points;
+  const auto count = static_cast<Eigen::Index>(this->Points.size());
+  this->Values.resize(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    for (Eigen::Index j = 0; j <= i; ++j)
+    {
+      const double value = green.at(this->Points[static_cast<std::size_t>(i)].point,
+        this->Points[static_cast<std::size_t>(j)].point);
+      this->Values(i, j) = this->Values(j, i) = value;
+      this->Asymmetry = std::max(this->Asymmetry,
+        green.asymmetry(this->Points[static_cast<std::size_t>(i)].point,
+          this->Points[static_cast<std::size_t>(j)].point));
+    }
+  }
+  if (count > 0)
+  {
+    this->Asymmetry /= std::abs(this->Values(0, 0));
+  }
+}
+
+ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
+{
+  ContactKernel kernel;
+  kernel.coefficients.setZero();
+  kernel.drop.setZero();
+  if (this->Status != PatchStatus::Valid || this->Points.empty())
+  {
+    return kernel;
+  }
+  const std::size_t ring = std::min(PointsOfOrder[1], this->Points.size()) - 1;
+  const double disc = std::max(radius, this->Points[ring].distance * (1.0 + 1e-9));
+  const auto within = [&](double ratio)
+  {
+    return static_cast<std::size_t>(
+      std::partition_point(this->Points.begin(), this->Points.end(),
+        [&](const DiscPoint& p) { return p.distance < ratio * disc; }) -
+      this->Points.begin());
+  };
+  const std::size_t told = within(0.5 * (1.0 + RegularGreen::DiscRatio));
+  const std::size_t count = within(RegularGreen::DiscRatio);
+  int order = std::min(largestOrder, ContactKernel::LargestOrder);
+  while (order > 1 && told < PointsOfOrder[static_cast<std::size_t>(order - 1)])
+  {
+    --order;
+  }
+  Eigen::MatrixXd fit;
+  bool good = false;
+  fit = fitOperator(this->Points, count, disc, order, good);
+  while (!good && order > 1)
+  {
+    fit = fitOperator(this->Points, count, disc, --order, good);
+  }
+  const auto n = static_cast<Eigen::Index>(count);
+  Eigen::VectorXd heights(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    heights[i] = this->Points[static_cast<std::size_t>(i)].drop;
+  }
+  // From powers of r/disc to powers of r/a.
+  Eigen::VectorXd scale(order);
+  for (int m = 0; m < order; ++m)
+  {
+    scale[m] = std::pow(radius / disc, 2 * m);
+  }
+  const Eigen::MatrixXd all = fit * this->Values.topLeftCorner(n, n) * fit.transpose();
+  kernel.order = order;
+  kernel.coefficients.topLeftCorner(order, order) =
+    scale.asDiagonal() * all.topLeftCorner(order, order) * scale.asDiagonal();
+  kernel.drop.head(order) = scale.asDiagonal() * (fit.topRows(order) * heights);
+  kernel.drop[0] = 0.0;
+  kernel.tilt = all.col(0).tail<2>().norm() / disc;
+  return kernel;
+}
+} // namespace palpate

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/TrueShape/RegularGreen.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Mechanics/ThreadCount.h"
+#include "Mechanics/TrueShape/SubtractedLoad.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+#include <unordered_map>
+
+namespace palpate
+{
+namespace
+{
+/// Right-hand sides per solution: CHOLMOD takes a third of the time of as many single ones.
+constexpr std::size_t GreenBlock = 32;
+
+/// Mean curvature at the middle of a disc, 1/mm, > 0 where convex: of the nearest points.
+double meanCurvature(const ElasticBody& body, std::int32_t point)
+{
+  const SurfaceDisc ring = surfaceDisc(body, point, 2.0 * body.surface().spacing(point));
+  double sum = 0.0;
+  double weights = 0.0;
+  for (const DiscPoint& at : ring.points)
+  {
+    if (at.distance > 0.0)
+    {
+      // Each by its angle, roughly: its area over its distance.
+      const double weight = at.area / at.distance;
+      sum += weight * 2.0 * at.drop / (at.distance * at.distance);
+      weights += weight;
+    }
+  }
+  return weights > 0.0 ? sum / weights : 0.0;
+}
+} // namespace
+
+std::string whyNotPressed(const ElasticBody& body, std::int32_t point)
+{
+  if (point < 0 || point >= body.surface().pointTotal())
+  {
+    return joined(
+      "surface point ", point, " does not exist: there are ", body.surface().pointTotal());
+  }
+  const SurfaceDisc disc = surfaceDisc(body, point, 0.0);
+  switch (disc.status)
+  {
+    case PatchStatus::Valid:
+      return {};
+    case PatchStatus::Degenerate:
+      return joined("surface point ", point, " has no normal");
+    case PatchStatus::OutOfReach:
+      return joined("surface point ", point, " is held: it cannot be pressed");
+    case PatchStatus::Edge:
+      break;
+  }
+  const std::int32_t node = body.surface().node(point);
+  const std::int32_t* first = body.topology().elementsBegin(node);
+  for (const std::int32_t* e = first; e != body.topology().elementsEnd(node); ++e)
+  {
+    const ElasticMaterial& a = body.material(*first);
+    const ElasticMaterial& b = body.material(*e);
+    if (a.youngsModulus != b.youngsModulus || a.poissonRatio != b.poissonRatio)
+    {
+      return joined("surface point ", point, " lies between materials (cells ", *first, " and ", *e,
+        "): there is no modulus at it");
+    }
+  }
+  return joined("surface point ", point, " lies on an edge: the surface turns by more than 30°");
+}
+
+const SurfaceDisc* RegularGreen::disc(std::int32_t point) const
+{
+  const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
+  return at != this->Points.end() && *at == point
+    ? &this->Discs[static_cast<std::size_t>(at - this->Points.begin())]
+    : nullptr;
+}
+
+const double* RegularGreen::find(std::int32_t x, std::int32_t source) const
+{
+  const auto at = std::lower_bound(this->Sources.begin(), this->Sources.end(), source);
+  if (at == this->Sources.end() || *at != source)
+  {
+    return nullptr;
+  }
+  const Row& row = this->Rows[static_cast<std::size_t>(at - this->Sources.begin())];
+  const auto found = std::lower_bound(row.points.begin(), row.points.end(), x);
+  return found != row.points.end() && *found == x
+    ? &row.values[static_cast<std::size_t>(found - row.points.begin())]
+    : nullptr;
+}
+
+double RegularGreen::at(std::int32_t x, std::int32_t source) const
+{
+  const double* there = this->find(x, source);
+  const double* back = this->find(source, x);
+  return there != nullptr && back != nullptr ? 0.5 * (*there + *back)
+    : there != nullptr                       ? *there
+    : back != nullptr                        ? *back
+                                             : NotANumber;
+}
+
+double RegularGreen::asymmetry(std::int32_t x, std::int32_t source) const
+{
+  const double* there = this->find(x, source);
+  const double* back = this->find(source, x);
+  return there != nullptr && back != nullptr ? std::abs(*there - *back) : 0.0;
+}
+
+double RegularGreen::memoryForecast(const std::vector<std::int32_t>& points, double radius) const
+{
+  // Of some discs, spread over the points, their mean size; a row reaches twice as far.
+  constexpr std::size_t samples = 64;
+  double count = 0.0;
+  double taken = 0.0;
+  for (std::size_t i = 0; i < points.size(); i += std::max<std::size_t>(1, points.size() / samples))
+  {
+    count +=
+      static_cast<double>(surfaceDisc(this->Body, points[i], DiscRatio * radius).points.size());
+    taken += 1.0;
+  }
+  const double disc = count / std::max(1.0, taken);
+  const auto total = static_cast<double>(this->Body.surface().pointTotal());
+  const double sources = std::min(total, static_cast<double>(points.size()) * std::max(1.0, disc));
+  const double rows =
+    sources * std::min(total, 4.0 * disc) * (sizeof(double) + sizeof(std::int32_t));
+  const double discs = static_cast<double>(points.size()) * disc * sizeof(DiscPoint);
+  // Loads, solution and CHOLMOD's permuted copies.
+  const double blocks = static_cast<double>(threadCount()) * GreenBlock *
+    static_cast<double>(this->Body.unknowns()) * 4.0 * sizeof(double);
+  return rows + discs + blocks;
+}
+
+/// Which sources there have to be, and at which points each is to be known.
+void RegularGreen::layOut()
+{
+  std::unordered_map<std::int32_t, std::vector<std::size_t>> discsOf;
+  for (std::size_t i = 0; i < this->Discs.size(); ++i)
+  {
+    for (const DiscPoint& at : this->Discs[i].points)
+    {
+      discsOf[at.point].push_back(i);
+    }
+  }
+  this->Sources.clear();
+  for (const auto& entry : discsOf)
+  {
+    this->Sources.push_back(entry.first);
+  }
+  std::sort(this->Sources.begin(), this->Sources.end());
+  this->Rows.assign(this->Sources.size(), {});
+  for (std::size_t s = 0; s < this->Sources.size(); ++s)
+  {
+    std::vector<std::int32_t>& row = this->Rows[s].points;
+    for (const std::size_t i : discsOf.at(this->Sources[s]))
+    {
+      for (const DiscPoint& at : this->Discs[i].points)
+      {
+        row.push_back(at.point);
+      }
+    }
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    row.shrink_to_fit();
+  }
+}
+
+void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t first, std::size_t last)
+{
+  const BodySurface& surface = this->Body.surface();
+  Eigen::MatrixXd right(this->Body.unknowns(), static_cast<Eigen::Index>(last - first));
+  for (std::size_t s = first; s < last; ++s)
+  {
+    right.col(static_cast<Eigen::Index>(s - first)) =
+      loads.load(SingularSource(this->Body, this->Sources[s]));
+  }
+  const Eigen::MatrixXd smooth = this->Body.factor().solveAll(right);
+  for (std::size_t s = first; s < last; ++s)
+  {
+    const SingularSource source(this->Body, this->Sources[s]);
+    const BoussinesqField field(source.material);
+    const double modulus =
+      Pi * reducedModulus(source.material.youngsModulus, source.material.poissonRatio);
+    Row& row = this->Rows[s];
+    row.values.assign(row.points.size(), NotANumber);
+    for (std::size_t i = 0; smooth.size() > 0 && i < row.points.size(); ++i)
+    {
+      const std::int32_t point = row.points[i];
+      const std::int32_t node = surface.node(point);
+      const Eigen::Vector3d at = source.inFrame(surface.position(point));
+      const Eigen::Vector3d normal = source.frame.transpose() * surface.normal(point);
+      Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int unknown = this->Body.unknown(node, axis);
+        if (unknown >= 0)
+        {
+          moved[axis] = smooth(unknown, static_cast<Eigen::Index>(s - first));
+        }
+        else if (point != source.point)
+        {
+          moved[axis] = -source.frame.row(axis).dot(field.displacement(at));
+        }
+      }
+      row.values[i] = -surface.normal(point).dot(moved);
+      if (point != source.point)
+      {
+        row.values[i] += -normal.dot(field.displacement(at)) - 1.0 / (modulus * at.norm());
+      }
+      else
+      {
+        const double nu = source.material.poissonRatio;
+        row.values[i] +=
+          (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)) * meanCurvature(this->Body, point) / modulus;
+      }
+    }
+  }
+}
+
+std::string RegularGreen::solve(
+  const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer)
+{
+  if (!(radius > 0.0) || !std::isfinite(radius))
+  {
+    return joined("the largest contact radius must be positive and finite (mm), but is ", radius);
+  }
+  this->Radius = radius;
+  this->Points = points;
+  std::sort(this->Points.begin(), this->Points.end());
+  this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
+  this->Discs.clear();
+  bool any = false;
+  for (const std::int32_t point : this->Points)
+  {
+    if (point < 0 || point >= this->Body.surface().pointTotal())
+    {
+      return whyNotPressed(this->Body, point);
+    }
+    this->Discs.push_back(surfaceDisc(
+      this->Body, point, std::max(DiscRatio * radius, 2.9 * this->Body.surface().spacing(point))));
+    any = any || this->Discs.back().status == PatchStatus::Valid;
+  }
+  if (!any)
+  {
+    return this->Points.empty()
+      ? "there is no point to press"
+      : "no point can be pressed; the first: " + whyNotPressed(this->Body, this->Points.front());
+  }
+  this->layOut();
+
+  const SubtractedLoad loads(this->Body);
+  const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
+  std::atomic<std::size_t> next{ 0 };
+  std::atomic<std::size_t> done{ 0 };
+  std::atomic<bool> stopped{ false };
+  // The blocks are the same for any number of threads, and so are the results.
+  const auto work = [&](bool reports)
+  {
+    for (std::size_t block = next++; block < blocks && !stopped; block = next++)
+    {
+      this->solveBlock(
+        loads, block * GreenBlock, std::min(this->Sources.size(), (block + 1) * GreenBlock));
+      const std::size_t finished = ++done;
+      if (reports && finished < blocks &&
+        !observer(static_cast<double>(finished) / static_cast<double>(blocks)))
+      {
+        stopped = true;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < std::min(threadCount(), blocks); ++t)
+  {
+    others.emplace_back(work, false);
+  }
+  work(true);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  if (stopped || !observer(1.0))
+  {
+    this->Rows.clear();
+    this->Sources.clear();
+    return "stopped";
+  }
+  for (const Row& row : this->Rows)
+  {
+    if (!row.values.empty() && std::isnan(row.values.front()))
+    {
+      return "the solution for the sources does not fit the memory";
+    }
+  }
+  return {};
+}
+} // namespace palpate

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * The regular part H of a body's Green function at points of its surface,
+ *   G_nn(x, X) = 1/(πE*|x-X|) + H(x, X),
+ * the normal displacement at x into the body by 1 N pressed into it at X, less Boussinesq's; mm/N.
+ *
+ * The singular field is subtracted before the elements are asked (SubtractedLoad), so that they
+ * solve for what is smooth: elements of half the distance to what makes H (a base, an edge, the top
+ * of an inclusion) give it within 1 %, however small the contact. On a curved surface H has no
+ * limit at X but for ν = 0.5; (1-2ν)/(2(1-ν)) κ/(πE*), κ the mean curvature, is what the chord
+ * leaves.
+ *
+ * Sources are solved in blocks of 32 with the one factor of the body, the blocks shared among
+ * threadCount() threads; the same bits for any number.
+ */
+#ifndef palpate_RegularGreen_h
+#define palpate_RegularGreen_h
+
+#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/TrueShape/SurfaceDisc.h"
+
+namespace palpate
+{
+/// H between surface points that share a contact, and the surface around each.
+class PALPATE_EXPORT RegularGreen
+{
+public:
+  /// The body, factorised, must stay.
+  explicit RegularGreen(const ElasticBody& body)
+    : Body(body)
+  {
+  }
+
+  /// Bytes that solve() takes at its peak besides the body, to be asked beforehand.
+  double memoryForecast(const std::vector<std::int32_t>& points, double radius) const;
+
+  /**
+   * Solves for all sources that contacts at `points` of up to `radius` (mm) need. Returns what is
+   * wrong (no point that can be pressed, a radius that is none), "stopped" when the observer said
+   * so, or "".
+   */
+  std::string solve(
+    const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
+
+  /// What the fit takes the kernel from: this times the contact radius.
+  static constexpr double DiscRatio = 1.3;
+
+  const ElasticBody& body() const { return this->Body; }
+  double radius() const { return this->Radius; }
+  /// The surface around one of `points`; null for any other.
+  const SurfaceDisc* disc(std::int32_t point) const;
+  /// H(x, X), the mean of both orders where both were solved; NaN if neither was.
+  double at(std::int32_t x, std::int32_t source) const;
+  /// |H(x, X) - H(X, x)|; 0 where not both were solved.
+  double asymmetry(std::int32_t x, std::int32_t source) const;
+  /// How many sources were solved.
+  std::size_t sources() const { return this->Sources.size(); }
+
+private:
+  /// Surface points, ascending, and H there.
+  struct Row
+  {
+    std::vector<std::int32_t> points;
+    std::vector<double> values;
+  };
+
+  const double* find(std::int32_t x, std::int32_t source) const;
+  void layOut();
+  void solveBlock(const class SubtractedLoad& loads, std::size_t first, std::size_t last);
+
+  const ElasticBody& Body;
+  double Radius = 0.0;
+  std::vector<std::int32_t> Points;  ///< asked for, ascending
+  std::vector<SurfaceDisc> Discs;    ///< beside Points
+  std::vector<std::int32_t> Sources; ///< ascending
+  std::vector<Row> Rows;             ///< beside Sources
+};
+
+/// Why a point cannot be pressed, in words; "" if it can.
+PALPATE_EXPORT std::string whyNotPressed(const ElasticBody& body, std::int32_t point);
+} // namespace palpate
+
+#endif

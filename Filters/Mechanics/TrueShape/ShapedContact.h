@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * An axisymmetric, rigid, frictionless tool pressed along the inward normal into a body whose
+ * regular Green function is known around the point: one contact radius after the other, without
+ * iteration.
+ *
+ * Dimensionality reduction turns r^{2m} into φ_m(x) = κ_m x^{2m}, κ = 1, 2, 8/3, 16/5, on both
+ * sides of the kernel, so that the contact of radius a is y(x) + 2E* Σ c_mn φ_m(x) Y_n = δ - g(x),
+ * Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth, the integral equation of a half-space
+ * with a kernel of rank N. g is that of the tool plus the drop of the surface. Next to an edge the
+ * tool's answer to the surface's tilt is added to second order: δ - β²F T - ½ β²F² dT/dF with T =
+ * (4/3) E* a³. Linear elasticity at small strain.
+ */
+#ifndef palpate_ShapedContact_h
+#define palpate_ShapedContact_h
+
+#include "Mechanics/Layers/ProfileQuadrature.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/TrueShape/ContactCurve.h"
+#include "Mechanics/TrueShape/ContactKernelFit.h"
+
+namespace palpate
+{
+/// One tool, on any number of bodies and points.
+class PALPATE_EXPORT ShapedContact
+{
+public:
+  /// `tool` must outlive it. `samples`: contact radii of a curve.
+  explicit ShapedContact(const AxisymmetricTool& tool, int samples = 24);
+
+  /// The curve at a point. Empty where the fit's status is not valid, or the tool begins wider than
+  /// the fit reaches: then end() says why. Safe from any number of threads.
+  ContactCurve curve(
+    const ContactKernelFit& fit, int largestOrder = ContactKernel::LargestOrder) const;
+
+  /// One contact: what a kernel makes of a radius, without the tilt.
+  struct Contact
+  {
+    double deflection = 0.0; ///< mm
+    double force = 0.0;      ///< N
+    double stiffness = 0.0;  ///< 2E* Y₀ of a unit flat: dF/dδ while the kernel stays; N/mm
+    bool stable = false;     ///< the kernel lets δ rise
+  };
+  /// `deflection` > 0 for a contact that has reached the tool's wall, or of a flat: it is given
+  /// then.
+  Contact at(double radius, const ContactKernel& kernel, double reducedModulus,
+    double deflection = 0.0) const;
+
+private:
+  const AxisymmetricTool& Tool;
+  ProfileQuadrature Quadrature;
+  int Count;
+};
+} // namespace palpate
+
+#endif

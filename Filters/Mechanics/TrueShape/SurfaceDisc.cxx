@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/TrueShape/SurfaceDisc.h"
+
+#include "Mechanics/FiniteElements/PatchLoad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace palpate
+{
+namespace
+{
+/// Whether a point may not move along its normal.
+bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
+{
+  const Eigen::Vector3d& normal = body.surface().normal(point);
+  const std::int32_t node = body.surface().node(point);
+  bool held = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    held = held || (body.unknown(node, axis) < 0 && std::abs(normal[axis]) > 1e-6);
+  }
+  return held;
+}
+
+/// Whether all elements at a point are of the material.
+bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial& material)
+{
+  const MeshTopology& topology = body.topology();
+  const std::int32_t node = body.surface().node(point);
+  return std::all_of(topology.elementsBegin(node), topology.elementsEnd(node),
+    [&](std::int32_t element)
+    {
+      const ElasticMaterial& other = body.material(element);
+      return other.youngsModulus == material.youngsModulus &&
+        other.poissonRatio == material.poissonRatio;
+    });
+}
+
+double distanceToSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  const Eigen::Vector2d along = b - a;
+  const double square = along.squaredNorm();
+  const double t = square > 0.0 ? std::clamp(-a.dot(along) / square, 0.0, 1.0) : 0.0;
+  return (a + t * along).norm();
+}
+
+/// One walk over the surface around a point.
+class DiscWalk
+{
+public:
+  DiscWalk(const ElasticBody& body, std::int32_t point, double radius)
+    : Body(body)
+    , Surface(body.surface())
+    , Centre(point)
+    , Radius(radius)
+    , Frame(tangentFrame(Surface.normal(point)))
+    , Material(body.materialAt(Surface.node(point)))
+  {
+  }
+
+  void run(SurfaceDisc& disc)
+  {
+    std::vector<std::int32_t> front = { this->Centre };
+    std::unordered_set<std::int32_t> seen = { this->Centre };
+    std::unordered_set<std::int32_t> triangles;
+    while (!front.empty())
+    {
+      const std::int32_t from = front.back();
+      front.pop_back();
+      this->take(from, disc);
+      for (const std::int32_t* t = this->Surface.trianglesBegin(from);
+           t != this->Surface.trianglesEnd(from); ++t)
+      {
+        if (!triangles.insert(*t).second)
+        {
+          continue;
+        }
+        const double away = this->distance(*t);
+        if (away > this->Radius)
+        {
+          continue;
+        }
+        if (this->Surface.triangleNormal(*t).dot(this->Surface.normal(this->Centre)) < PatchTurn)
+        {
+          limit(disc, away, PatchStatus::Edge);
+          continue;
+        }
+        for (const std::int32_t next : this->Surface.triangle(*t))
+        {
+          if (seen.insert(next).second)
+          {
+            front.push_back(next);
+          }
+        }
+      }
+    }
+    std::sort(disc.points.begin(), disc.points.end(),
+      [](const DiscPoint& a, const DiscPoint& b)
+      { return a.distance != b.distance ? a.distance < b.distance : a.point < b.point; });
+  }
+
+private:
+  static void limit(SurfaceDisc& disc, double away, PatchStatus by)
+  {
+    if (away < disc.limit)
+    {
+      disc.limit = away;
+      disc.limitedBy = by;
+    }
+  }
+
+  Eigen::Vector3d inFrame(std::int32_t point) const
+  {
+    return this->Frame.transpose() *
+      (this->Surface.position(point) - this->Surface.position(this->Centre));
+  }
+
+  double distance(std::int32_t triangle) const
+  {
+    std::array<Eigen::Vector2d, 3> corner;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      corner[i] = this->inFrame(this->Surface.triangle(triangle)[i]).head<2>();
+    }
+    return std::min({ distanceToSegment(corner[0], corner[1]),
+      distanceToSegment(corner[1], corner[2]), distanceToSegment(corner[2], corner[0]) });
+  }
+
+  void take(std::int32_t point, SurfaceDisc& disc)
+  {
+    const Eigen::Vector3d at = this->inFrame(point);
+    const double away = at.head<2>().norm();
+    if (away > this->Radius ||
+      this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < PatchTurn)
+    {
+      return; // on an edge, whose other side limits the disc
+    }
+    if (isHeldAlongNormal(this->Body, point))
+    {
+      limit(disc, away, PatchStatus::OutOfReach);
+      return;
+    }
+    if (!isWithin(this->Body, point, this->Material))
+    {
+      limit(disc, away, PatchStatus::Edge);
+      return;
+    }
+    double area = 0.0;
+    for (const std::int32_t* t = this->Surface.trianglesBegin(point);
+         t != this->Surface.trianglesEnd(point); ++t)
+    {
+      area += this->Surface.triangleArea(*t) / 3.0;
+    }
+    disc.points.push_back({ point, at.head<2>(), at[2], area, away });
+  }
+
+  const ElasticBody& Body;
+  const BodySurface& Surface;
+  std::int32_t Centre;
+  double Radius;
+  Eigen::Matrix3d Frame;
+  ElasticMaterial Material;
+};
+} // namespace
+
+SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius)
+{
+  SurfaceDisc disc;
+  const BodySurface& surface = body.surface();
+  if (surface.normal(point).isZero() || !(surface.spacing(point) > 0.0))
+  {
+    disc.status = PatchStatus::Degenerate;
+    return disc;
+  }
+  if (isHeldAlongNormal(body, point))
+  {
+    disc.status = PatchStatus::OutOfReach;
+    return disc;
+  }
+  bool turns = !isWithin(body, point, body.materialAt(surface.node(point)));
+  for (const std::int32_t* t = surface.trianglesBegin(point); t != surface.trianglesEnd(point); ++t)
+  {
+    turns = turns || surface.triangleNormal(*t).dot(surface.normal(point)) < PatchTurn;
+  }
+  if (turns)
+  {
+    disc.status = PatchStatus::Edge;
+    return disc;
+  }
+  DiscWalk(body, point, radius).run(disc);
+  return disc;
+}
+} // namespace palpate

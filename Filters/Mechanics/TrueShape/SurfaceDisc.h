@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SurfaceDisc_h
+#define palpate_SurfaceDisc_h
+
+#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Mechanics/Numerics/Constants.h"
+
+namespace palpate
+{
+/// A surface point near another one, seen in the tangent plane there.
+struct DiscPoint
+{
+  std::int32_t point = 0;
+  Eigen::Vector2d at;    ///< mm
+  double drop = 0.0;     ///< how far it lies below that plane, mm
+  double area = 0.0;     ///< a third of its triangles', mm²
+  double distance = 0.0; ///< |at|
+};
+
+/**
+ * The points of the surface around a point X, up to a radius and as far as the surface is fit for a
+ * contact: connected to X without a triangle that turns by more than 30° from the normal at X, free
+ * to move along their normal, and of the material of X.
+ *
+ * `status` says what is wrong with X itself; `limit` how far from X the first edge, held point or
+ * other material lies, and `limitedBy` which it is.
+ */
+struct SurfaceDisc
+{
+  PatchStatus status = PatchStatus::Valid;
+  std::vector<DiscPoint> points; ///< X first, then by distance
+  double limit = Infinity;       ///< mm
+  PatchStatus limitedBy = PatchStatus::Valid;
+};
+
+/// X is a point of the surface of a body that was taken and assembled.
+PALPATE_EXPORT SurfaceDisc surfaceDisc(
+  const ElasticBody& body, std::int32_t point, double radius);
+} // namespace palpate
+
+#endif
