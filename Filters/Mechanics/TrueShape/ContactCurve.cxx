@@ -127,8 +127,9 @@ IndentationPoint ContactCurve::evaluate(double deflection) const
   const double third = a + b - 2.0 * rise;
   const double y = this->Ordinates[i] + t * (a + t * (second + t * third));
   const double slope = (a + t * (2.0 * second + 3.0 * t * third)) / width;
-  const double radius =
-    this->Samples[i].radius + t * (this->Samples[i + 1].radius - this->Samples[i].radius);
+  const double low = this->Samples[i].radius;
+  const double high = this->Samples[i + 1].radius;
+  const double radius = this->FlatEnd ? low + t * (high - low) : low * std::pow(high / low, t);
   if (this->FlatEnd)
   {
     return { y, slope, radius };

@@ -43,6 +43,8 @@ public:
   PatchStatus limitedBy() const { return this->LimitedBy; }
   /// Distance of neighbouring nodes, mm.
   double spacing() const { return this->Spacing; }
+  /// Linear tetrahedra around the point: they are too stiff.
+  bool isStiffened() const { return this->Stiffened; }
 
   /// The kernel of the largest order that the points carry, but not above `largestOrder`.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const;
@@ -50,7 +52,7 @@ public:
   /// H between the points of the disc, symmetric, beside points(). For oracles.
   const Eigen::MatrixXd& values() const { return this->Values; }
   const std::vector<DiscPoint>& points() const { return this->Points; }
-  /// The largest |H(x,y) - H(y,x)| of the disc over |H(X,X)|; a sign of elements too coarse near an
+  /// The largest |H(x,y) - H(y,x)| of the disc over the largest |H|; a sign of elements too coarse near an
   /// edge, not an estimate of the error.
   double asymmetry() const { return this->Asymmetry; }
 
@@ -60,6 +62,7 @@ private:
   double LargestRadius = 0.0;
   PatchStatus LimitedBy = PatchStatus::Valid;
   double Spacing = 0.0;
+  bool Stiffened = false;
   double Asymmetry = 0.0;
   std::vector<DiscPoint> Points;
   Eigen::MatrixXd Values;

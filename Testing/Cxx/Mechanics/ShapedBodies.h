@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_ShapedBodies_h
+#define palpate_testing_ShapedBodies_h
+
+#include "ElasticBlocks.h"
+#include "Mechanics/TrueShape/ShapedContact.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <vector>
+
+namespace palpate::testing
+{
+/// Hexahedra between the planes of three ascending lists of coordinates.
+inline VolumeMesh gridBlock(
+  const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z)
+{
+  VolumeMesh mesh = hexahedronBlock(static_cast<int>(x.size()) - 1, static_cast<int>(y.size()) - 1,
+    static_cast<int>(z.size()) - 1, 1.0);
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    const auto at = [&](int axis) { return static_cast<std::size_t>(mesh.nodes(axis, i) + 0.5); };
+    mesh.nodes.col(i) << x[at(0)], y[at(1)], z[at(2)];
+  }
+  return mesh;
+}
+
+/// Coordinates from 0 outwards: `side` up to `fine`, then growing by `ratio` up to `end`; mirrored.
+inline std::vector<double> gradedLine(double side, double fine, double ratio, double end)
+{
+  std::vector<double> half = { 0.0 };
+  double step = side;
+  while (half.back() < end - 1e-9)
+  {
+    step *= half.back() >= fine - 1e-9 ? ratio : 1.0;
+    const double next = half.back() + step;
+    half.push_back(next > end - 0.5 * step ? end : next);
+  }
+  std::vector<double> line;
+  for (std::size_t i = half.size(); i-- > 1;)
+  {
+    line.push_back(-half[i]);
+  }
+  line.insert(line.end(), half.begin(), half.end());
+  return line;
+}
+
+/// A factorised body, its Green function solved for contacts at one place.
+struct ShapedBody
+{
+  ElasticBody body;
+  std::unique_ptr<RegularGreen> green;
+  std::unique_ptr<ContactKernelFit> fit;
+
+  ShapedBody(ElasticBodyInput input, const Eigen::Vector3d& place, double radius)
+  {
+    EXPECT_EQ(this->body.assemble(std::move(input)), "");
+    EXPECT_EQ(this->body.analyse(StiffnessFactor::Kind::Automatic), "");
+    EXPECT_EQ(this->body.factorise(), "");
+    const std::int32_t point = pointAt(this->body.surface(), place);
+    this->green = std::make_unique<RegularGreen>(this->body);
+    EXPECT_EQ(this->green->solve({ point }, radius, [](double) { return true; }), "");
+    this->fit = std::make_unique<ContactKernelFit>(*this->green, point);
+  }
+};
+} // namespace palpate::testing
+
+#endif
