@@ -52,8 +52,8 @@ public:
   /// H between the points of the disc, symmetric, beside points(). For oracles.
   const Eigen::MatrixXd& values() const { return this->Values; }
   const std::vector<DiscPoint>& points() const { return this->Points; }
-  /// The largest |H(x,y) - H(y,x)| of the disc over the largest |H|; a sign of elements too coarse near an
-  /// edge, not an estimate of the error.
+  /// The largest |H(x,y) - H(y,x)| of the disc over the largest |H|; a sign of elements too coarse
+  /// near an edge, not an estimate of the error.
   double asymmetry() const { return this->Asymmetry; }
 
 private:

@@ -35,8 +35,7 @@ struct SurfaceDisc
 };
 
 /// X is a point of the surface of a body that was taken and assembled.
-PALPATE_EXPORT SurfaceDisc surfaceDisc(
-  const ElasticBody& body, std::int32_t point, double radius);
+PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius);
 } // namespace palpate
 
 #endif

@@ -46,6 +46,26 @@ inline std::vector<double> gradedLine(double side, double fine, double ratio, do
   return line;
 }
 
+/// Those of gradedLine() that are not below 0.
+inline std::vector<double> gradedHalf(double side, double fine, double ratio, double end)
+{
+  const std::vector<double> line = gradedLine(side, fine, ratio, end);
+  return std::vector<double>(
+    line.begin() + static_cast<std::ptrdiff_t>(line.size() / 2), line.end());
+}
+
+/// Heights from 0 to `top`, graded downwards from the top.
+inline std::vector<double> gradedDepth(double side, double fine, double ratio, double top)
+{
+  std::vector<double> heights;
+  const std::vector<double> depths = gradedHalf(side, fine, ratio, top);
+  for (std::size_t i = depths.size(); i-- > 0;)
+  {
+    heights.push_back(i + 1 == depths.size() ? 0.0 : top - depths[i]);
+  }
+  return heights;
+}
+
 /// A factorised body, its Green function solved for contacts at one place.
 struct ShapedBody
 {

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts on a bonded layer of finite elements against the exact layer (LayerContact).
+#include "ShapedBodies.h"
+
+#include "Agreement.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "TestTools.h"
+
+namespace
+{
+using namespace palpate;
+using palpate::testing::agrees;
+using palpate::testing::ShapedBody;
+using palpate::testing::tool;
+
+constexpr double Thickness = 10.0;
+
+enum class Cells
+{
+  Hexahedra,
+  Tetrahedra,
+  QuadraticTetrahedra
+};
+
+/// A block whose sides are 60 mm away: its edges change C_g of a bonded layer by less than 1e-6.
+ShapedBody layerOf(Cells cells, double side, double nu)
+{
+  const std::vector<double> line = palpate::testing::gradedLine(side, 15.0, 1.5, 60.0);
+  std::vector<double> heights;
+  for (int i = 0; i * side < Thickness + 0.5 * side; ++i)
+  {
+    heights.push_back(i * side);
+  }
+  VolumeMesh mesh = palpate::testing::gridBlock(line, line, heights);
+  mesh = cells == Cells::Hexahedra ? mesh : palpate::testing::tetrahedra(mesh);
+  mesh = cells == Cells::QuadraticTetrahedra ? palpate::testing::quadratic(mesh) : mesh;
+  const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
+  return ShapedBody(
+    { std::move(mesh), { { 1.0, nu } }, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 15.0);
+}
+
+/// The largest errors of force and stiffness over a/h = 0.1 .. 1.48, fractions.
+struct Errors
+{
+  double force = 0.0;
+  double stiffness = 0.0;
+};
+
+Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const char*>& tools)
+{
+  const auto kernel = std::make_shared<LayerKernel>(nu, LayerBase::Bonded);
+  Errors errors;
+  const auto compare = [&](const AxisymmetricTool& pressed, const ContactCurve& curve, double depth)
+  {
+    const IndentationPoint exact =
+      LayerContact(pressed, kernel, Thickness).evaluate(depth, fit.reducedModulus());
+    const IndentationPoint found = curve.evaluate(depth);
+    EXPECT_FALSE(std::isnan(found.force)) << pressed.specification() << " at " << depth;
+    errors.force = std::max(errors.force, std::abs(found.force / exact.force - 1.0));
+    errors.stiffness =
+      std::max(errors.stiffness, std::abs(found.stiffness / exact.stiffness - 1.0));
+  };
+  for (const char* name : tools)
+  {
+    const auto pressed = tool(name);
+    const ContactCurve curve = ShapedContact(*pressed).curve(fit);
+    const LayerContact exact(*pressed, kernel, Thickness);
+    for (const double ratio : { 0.1, 0.25, 0.4, 0.5, 0.62, 0.75, 0.88, 1.0, 1.2, 1.35, 1.48 })
+    {
+      compare(*pressed, curve, exact.depthAtContactRadius(ratio * Thickness));
+    }
+  }
+  for (const char* name : { "flat:2.5", "flat:5", "flat:7.5", "flat:10", "flat:15" })
+  {
+    const auto pressed = tool(name);
+    compare(*pressed, ShapedContact(*pressed).curve(fit), 0.3);
+  }
+  return errors;
+}
+
+const std::vector<const char*> Smooth = { "paraboloid:10", "sphere:40" };
+} // namespace
+
+// Reference sheet: 1 % with two elements through the thickness; the interpolation of C_g errs by 3
+// %. Of the cone 1.1 % was measured, as it presses its middle, where that error is. The stiffness
+// takes the steps of the fit, from 9 to 21 to 37 points, in full.
+TEST(ShapedLayer, TwoHexahedraThroughTheThickness)
+{
+  const ShapedBody layer = layerOf(Cells::Hexahedra, 5.0, 0.45);
+  const Errors errors = errorsOn(*layer.fit, 0.45, Smooth);
+  EXPECT_LT(errors.force, 0.0105);
+  EXPECT_LT(errors.stiffness, 0.035);
+  EXPECT_LT(errorsOn(*layer.fit, 0.45, { "cone:80" }).force, 0.0125);
+}
+
+// 0.35 % with four, in both respects but the stiffness between two orders of the fit.
+TEST(ShapedLayer, FourHexahedraThroughTheThickness)
+{
+  for (const double nu : { 0.3, 0.45 })
+  {
+    const ShapedBody layer = layerOf(Cells::Hexahedra, 2.5, nu);
+    const Errors errors =
+      errorsOn(*layer.fit, nu, { "paraboloid:10", "sphere:40", "cone:80", "blunted:8,80" });
+    EXPECT_LT(errors.force, 0.0035) << nu;
+    EXPECT_LT(errors.stiffness, 0.005) << nu;
+  }
+}
+
+// Measured: 0.7 % with two quadratic tetrahedra through the thickness.
+TEST(ShapedLayer, TwoQuadraticTetrahedraThroughTheThickness)
+{
+  const ShapedBody layer = layerOf(Cells::QuadraticTetrahedra, 5.0, 0.45);
+  const Errors errors = errorsOn(*layer.fit, 0.45, Smooth);
+  EXPECT_LT(errors.force, 0.008);
+  EXPECT_LT(errors.stiffness, 0.01);
+}
+
+// Linear tetrahedra lock: with four through the thickness 3.6 % too stiff at ν = 0.45, 0.25 % at
+// 0.3. The bound below says that the error keeps its sign.
+TEST(ShapedLayer, LinearTetrahedraAreTooStiff)
+{
+  const ShapedBody locked = layerOf(Cells::Tetrahedra, 2.5, 0.45);
+  const double worst = errorsOn(*locked.fit, 0.45, Smooth).force;
+  EXPECT_GT(worst, 0.02);
+  EXPECT_LT(worst, 0.045);
+  const ShapedBody other = layerOf(Cells::Tetrahedra, 2.5, 0.3);
+  EXPECT_LT(errorsOn(*other.fit, 0.3, Smooth).force, 0.0035);
+}
+
+// The estimate from the spacing is to be neither far below the error nor ten times above it where
+// it matters, up to a/h = 0.75.
+TEST(ShapedLayer, TellsTheErrorOfItsElements)
+{
+  for (const double side : { 5.0, 2.5 })
+  {
+    const ShapedBody layer = layerOf(Cells::Hexahedra, side, 0.45);
+    const auto kernel = std::make_shared<LayerKernel>(0.45, LayerBase::Bonded);
+    const auto pressed = tool("paraboloid:10");
+    const ContactCurve curve = ShapedContact(*pressed).curve(*layer.fit);
+    const LayerContact exact(*pressed, kernel, Thickness);
+    for (const double ratio : { 0.25, 0.5 })
+    {
+      const double depth = exact.depthAtContactRadius(ratio * Thickness);
+      const double error = std::abs(
+        curve.evaluate(depth).force / exact.evaluate(depth, layer.fit->reducedModulus()).force -
+        1.0);
+      const double told = curve.errorsAt(depth).mesh;
+      EXPECT_GT(told, 0.5 * error) << side << " " << ratio;
+      EXPECT_LT(told, 10.0 * error) << side << " " << ratio;
+    }
+  }
+}
