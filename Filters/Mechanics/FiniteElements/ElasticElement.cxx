@@ -293,6 +293,11 @@ ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi)
   return shapes;
 }
 
+std::array<int, 2> edgeOfMiddle(int node)
+{
+  return TetrahedronEdge[static_cast<std::size_t>(node - 4)];
+}
+
 Eigen::Matrix<double, 9, 24> modesOfNodes(
   const ElementNodes& nodes, const ElasticMaterial& material)
 {

@@ -51,6 +51,9 @@ PALPATE_EXPORT double elementGradients(ElementKind kind, const ElementNodes& nod
 using ElementShapes = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, LargestNodeCount, 1>;
 PALPATE_EXPORT ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi);
 
+/// The corners at the ends of the edge whose middle is node 4 .. 9 of a quadratic tetrahedron.
+PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
+
 /// How far a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode) follow the
 /// motion of its nodes when nothing else drives them: forces f on the modes act on the nodes as the
 /// transpose of this times f. The element must not be inverted.

@@ -56,6 +56,19 @@ std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, i
   return radii;
 }
 
+/// What ends a curve that meets nothing else.
+CurveEnd endOf(const ContactKernelFit& fit, bool reachesWall)
+{
+  if (reachesWall)
+  {
+    return CurveEnd::None;
+  }
+  const PatchStatus by = fit.limitedBy();
+  return by == PatchStatus::OutOfReach ? CurveEnd::Held
+    : by == PatchStatus::Edge          ? CurveEnd::Edge
+                                       : CurveEnd::Patch;
+}
+
 /// d ln F / d ln a at a sample, by its neighbours.
 double growth(const std::vector<ContactSample>& samples, std::size_t i)
 {
@@ -133,75 +146,88 @@ ShapedContact::Contact ShapedContact::at(
   return contact;
 }
 
+/// A curve on its way.
+struct ShapedContact::Course
+{
+  std::vector<ContactSample> samples;
+  std::vector<double> tilts;
+  double firstStiffness = 0.0;
+  double lastStiffness = 0.0;
+};
+
+/// Adds the contact of a radius; false when the contact does not grow to it.
+bool ShapedContact::takeSample(
+  double radius, const ContactKernelFit& fit, int largestOrder, Course& course) const
+{
+  const double modulus = fit.reducedModulus();
+  const ContactKernel kernel = fit.at(radius, largestOrder);
+  const double given = this->isFlat() ? 1.0 : 0.0; // a flat's curve is a straight line
+  const Contact contact = this->at(radius, kernel, modulus, given);
+  ContactSample sample;
+  sample.radius = radius;
+  const bool begins =
+    course.samples.empty() && this->Tool.smallestContactRadius() > 0.0 && !this->isFlat();
+  if (!begins)
+  {
+    sample.deflection = contact.deflection;
+    sample.force = contact.force;
+  }
+  const double depthBefore = course.samples.empty() ? 0.0 : course.samples.back().deflection;
+  const double forceBefore = course.samples.empty() ? 0.0 : course.samples.back().force;
+  const bool rises = sample.deflection > depthBefore && sample.force > forceBefore;
+  if (!contact.stable || (!rises && !begins))
+  {
+    return false;
+  }
+  if (kernel.order > 1 && !begins)
+  {
+    ContactKernel coarser = fit.at(radius, kernel.order - 1);
+    coarser.drop = kernel.drop; // the shape is not what is expanded
+    const Contact lower = this->at(radius, coarser, modulus, given);
+    sample.truncation =
+      (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
+      1.0;
+  }
+  sample.mesh = contact.stiffness * meshError(kernel, fit, radius);
+  course.firstStiffness = course.samples.empty() ? contact.stiffness : course.firstStiffness;
+  course.lastStiffness = contact.stiffness;
+  course.samples.push_back(sample);
+  course.tilts.push_back(kernel.tilt);
+  return true;
+}
+
 ContactCurve ShapedContact::curve(const ContactKernelFit& fit, int largestOrder) const
 {
   const double smallest = this->Tool.smallestContactRadius();
   const double wall = this->Tool.largestContactRadius();
-  const bool reachesWall = wall <= fit.largestRadius();
-  CurveEnd end = reachesWall                     ? CurveEnd::None
-    : fit.limitedBy() == PatchStatus::OutOfReach ? CurveEnd::Held
-    : fit.limitedBy() == PatchStatus::Edge       ? CurveEnd::Edge
-                                                 : CurveEnd::Patch;
-  const double modulus = fit.reducedModulus();
+  CurveEnd end = endOf(fit, wall <= fit.largestRadius());
   if (fit.status() != PatchStatus::Valid || smallest > fit.largestRadius())
   {
     return ContactCurve({}, 1.0, false, 0.0, end, 0.0);
   }
-  const bool isFlat = smallest > 0.0 && wall <= smallest;
-  std::vector<ContactSample> samples;
-  std::vector<double> tilts;
-  double firstStiffness = 0.0;
-  double tail = 0.0;
   const double largest = std::min(std::nextafter(wall, 0.0), fit.largestRadius());
-  for (const double radius :
-    isFlat ? std::vector<double>{ wall } : contactRadii(this->Tool, largest, this->Count))
+  const std::vector<double> radii =
+    this->isFlat() ? std::vector<double>{ wall } : contactRadii(this->Tool, largest, this->Count);
+  Course course;
+  for (std::size_t i = 0; i < radii.size() && end != CurveEnd::Unstable; ++i)
   {
-    const ContactKernel kernel = fit.at(radius, largestOrder);
-    const bool first = samples.empty() && smallest > 0.0;
-    // A flat at unit deflection; one with more than its flat begins at none.
-    const Contact contact = this->at(radius, kernel, modulus, isFlat ? 1.0 : 0.0);
-    ContactSample sample;
-    sample.radius = radius;
-    sample.deflection = first && !isFlat ? 0.0 : contact.deflection;
-    sample.force = first && !isFlat ? 0.0 : contact.force;
-    const bool rises = samples.empty() ||
-      (sample.deflection > samples.back().deflection && sample.force > samples.back().force);
-    if (!contact.stable || !rises || (!first && !(sample.deflection > 0.0 && sample.force > 0.0)))
-    {
-      end = CurveEnd::Unstable;
-      break;
-    }
-    if (kernel.order > 1)
-    {
-      ContactKernel coarser = fit.at(radius, kernel.order - 1);
-      coarser.drop = kernel.drop; // the shape is not what is expanded
-      const Contact lower = this->at(radius, coarser, modulus, isFlat ? 1.0 : 0.0);
-      sample.truncation = contact.force > 0.0
-        ? (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) /
-            contact.force -
-          1.0
-        : 0.0;
-    }
-    sample.mesh = contact.stiffness * meshError(kernel, fit, radius);
-    firstStiffness = samples.empty() ? contact.stiffness : firstStiffness;
-    tail = contact.stiffness;
-    samples.push_back(sample);
-    tilts.push_back(kernel.tilt);
+    end = this->takeSample(radii[i], fit, largestOrder, course) ? end : CurveEnd::Unstable;
   }
-  addTilts(samples, tilts, modulus);
-  for (std::size_t i = 1; i < samples.size(); ++i)
+  std::vector<ContactSample>& samples = course.samples;
+  addTilts(samples, course.tilts, fit.reducedModulus());
+  std::size_t rising = std::min<std::size_t>(samples.size(), 1);
+  while (rising < samples.size() && samples[rising].deflection > samples[rising - 1].deflection)
   {
-    if (!(samples[i].deflection > samples[i - 1].deflection))
-    {
-      samples.resize(i);
-      end = CurveEnd::Unstable;
-    }
+    ++rising;
   }
-  if (isFlat && !samples.empty())
+  end = rising < samples.size() ? CurveEnd::Unstable : end;
+  samples.resize(rising);
+  if (!this->isFlat())
   {
-    tail = samples.front().force / samples.front().deflection;
+    return ContactCurve(std::move(samples), this->Tool.forceExponent(), smallest > 0.0,
+      course.firstStiffness, end, course.lastStiffness);
   }
-  return ContactCurve(std::move(samples), isFlat ? 1.0 : this->Tool.forceExponent(),
-    smallest > 0.0 && !isFlat, firstStiffness, end, tail);
+  const double slope = samples.empty() ? 0.0 : samples.front().force / samples.front().deflection;
+  return ContactCurve(std::move(samples), 1.0, false, slope, end, slope);
 }
 } // namespace palpate

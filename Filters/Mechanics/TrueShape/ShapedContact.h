@@ -48,6 +48,14 @@ public:
     double deflection = 0.0) const;
 
 private:
+  struct Course;
+  bool takeSample(
+    double radius, const ContactKernelFit& fit, int largestOrder, Course& course) const;
+  bool isFlat() const
+  {
+    return this->Tool.largestContactRadius() <= this->Tool.smallestContactRadius();
+  }
+
   const AxisymmetricTool& Tool;
   ProfileQuadrature Quadrature;
   int Count;

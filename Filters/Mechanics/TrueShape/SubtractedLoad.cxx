@@ -102,14 +102,23 @@ SubtractedLoad::SubtractedLoad(const ElasticBody& body)
       this->LoadedFaces.push_back(static_cast<std::int32_t>(f));
     }
   }
+  this->couple();
+}
+
+/// The stiffness between unknowns and held directions.
+void SubtractedLoad::couple()
+{
+  const VolumeMesh& mesh = this->Body.mesh();
+  const auto place = [](std::int32_t node, int axis)
+  { return 3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis); };
   std::vector<int> column(3 * static_cast<std::size_t>(mesh.nodeTotal()), -1);
   for (std::int32_t node = 0; node < mesh.nodeTotal(); ++node)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (body.unknown(node, axis) < 0)
+      if (this->Body.unknown(node, axis) < 0)
       {
-        column[static_cast<std::size_t>(3 * node + axis)] = static_cast<int>(this->Held.size());
+        column[place(node, axis)] = static_cast<int>(this->Held.size());
         this->Held.emplace_back(node, axis);
       }
     }
@@ -118,26 +127,26 @@ SubtractedLoad::SubtractedLoad(const ElasticBody& body)
   ElementMatrix k;
   for (std::int32_t e = 0; e < mesh.elementTotal(); ++e)
   {
-    this->Uniform = this->Uniform && isAlike(body.material(e), body.material(0));
+    this->Uniform = this->Uniform && isAlike(this->Body.material(e), this->Body.material(0));
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
     const auto node = [&element](int i) { return element.nodes[static_cast<std::size_t>(i / 3)]; };
     const int size = 3 * nodeCount(element.kind);
     bool touches = false;
     for (int i = 0; i < size; ++i)
     {
-      touches = touches || body.unknown(node(i), i % 3) < 0;
+      touches = touches || this->Body.unknown(node(i), i % 3) < 0;
     }
     if (!touches ||
-      !elementStiffness(element.kind, elementNodes(mesh, element), body.material(e), k))
+      !elementStiffness(element.kind, elementNodes(mesh, element), this->Body.material(e), k))
     {
       continue;
     }
     for (int j = 0; j < size; ++j)
     {
-      const int held = column[static_cast<std::size_t>(3 * node(j) + j % 3)];
+      const int held = column[place(node(j), j % 3)];
       for (int i = 0; held >= 0 && i < size; ++i)
       {
-        const int row = body.unknown(node(i), i % 3);
+        const int row = this->Body.unknown(node(i), i % 3);
         if (row >= 0)
         {
           entries.emplace_back(row, held, k(i, j));
@@ -145,7 +154,7 @@ SubtractedLoad::SubtractedLoad(const ElasticBody& body)
       }
     }
   }
-  this->Coupling.resize(body.unknowns(), static_cast<Eigen::Index>(this->Held.size()));
+  this->Coupling.resize(this->Body.unknowns(), static_cast<Eigen::Index>(this->Held.size()));
   this->Coupling.setFromTriplets(entries.begin(), entries.end());
 }
 

@@ -53,6 +53,7 @@ public:
 private:
   struct Work;
 
+  void couple();
   void addOuterFaces(Work& work) const;
   void addInclusions(Work& work) const;
   void addOverhang(Work& work) const;

@@ -2,6 +2,7 @@
 #include "Mechanics/TrueShape/SurfaceDisc.h"
 
 #include "Mechanics/FiniteElements/PatchLoad.h"
+#include "Mechanics/TrueShape/SmoothSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,7 @@ public:
     , Centre(point)
     , Radius(radius)
     , Frame(tangentFrame(Surface.normal(point)))
+    , Origin(smoothPosition(body, point))
     , Material(body.materialAt(Surface.node(point)))
   {
   }
@@ -130,7 +132,8 @@ private:
 
   void take(std::int32_t point, SurfaceDisc& disc)
   {
-    const Eigen::Vector3d at = this->inFrame(point);
+    const Eigen::Vector3d at =
+      this->Frame.transpose() * (smoothPosition(this->Body, point) - this->Origin);
     const double away = at.head<2>().norm();
     if (away > this->Radius ||
       this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < PatchTurn)
@@ -161,6 +164,7 @@ private:
   std::int32_t Centre;
   double Radius;
   Eigen::Matrix3d Frame;
+  Eigen::Vector3d Origin; ///< on the smooth surface
   ElasticMaterial Material;
 };
 } // namespace

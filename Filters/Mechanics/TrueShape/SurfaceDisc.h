@@ -13,7 +13,7 @@ struct DiscPoint
 {
   std::int32_t point = 0;
   Eigen::Vector2d at;    ///< mm
-  double drop = 0.0;     ///< how far it lies below that plane, mm
+  double drop = 0.0;     ///< how far it lies below that plane, mm (SmoothSurface)
   double area = 0.0;     ///< a third of its triangles', mm²
   double distance = 0.0; ///< |at|
 };

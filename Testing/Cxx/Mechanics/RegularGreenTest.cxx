@@ -149,7 +149,7 @@ TEST(RegularGreen, SameBitsForAnyNumberOfThreads)
     }
   }
   std::vector<double> alone;
-  for (const std::size_t threads : { 1, 2, 3 })
+  for (const std::size_t threads : { 1U, 2U, 3U })
   {
     const ThreadLimit limit(threads);
     RegularGreen green(body);
