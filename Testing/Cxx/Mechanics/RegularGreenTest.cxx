@@ -220,6 +220,58 @@ TEST(RegularGreen, SaysWhatIsWrong)
   EXPECT_TRUE(std::isnan(green.at(at(2, 4, 3), at(8, 8, 3))));
 }
 
+// A mouth: the line on which the subtracted field is singular passes through the upper jaw. What
+// the jaw changes is known without any subtraction, from nodal forces on both bodies: next to
+// nothing.
+TEST(RegularGreen, SeesPastABodyThatStandsOverItself)
+{
+  const VolumeMesh whole = hexahedronBlock(12, 10, 11, 1.0);
+  const Eigen::Vector3d place(4.0, 5.0, 4.0);
+  const std::vector<Eigen::Vector3d> ways = { { 0.0, 0.0, 0.0 }, { 3.0, 0.0, 0.0 },
+    { -3.0, 0.0, 0.0 }, { 0.0, 3.0, 0.0 } };
+  std::array<std::vector<double>, 2> found;
+  std::array<std::vector<double>, 2> direct;
+  for (std::size_t jaw = 0; jaw < 2; ++jaw)
+  {
+    VolumeMesh mesh = whole;
+    mesh.elements.clear();
+    for (const VolumeElement& cell : whole.elements)
+    {
+      const Eigen::Vector3d at = elementMiddle(whole, cell);
+      if (at[0] > 10.0 || at[2] < 4.0 || (jaw == 1 && at[2] > 7.0))
+      {
+        mesh.elements.push_back(cell);
+      }
+    }
+    std::vector<unsigned char> fixed = heldBelow(mesh);
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+    {
+      fixed[i] = mesh.nodes(2, static_cast<Eigen::Index>(i)) > 10.5 ? 7 : fixed[i];
+    }
+    ElasticBody body;
+    ASSERT_EQ(body.assemble({ mesh, { { 1.0, 0.3 } }, fixed }), "");
+    ASSERT_EQ(body.analyse(StiffnessFactor::Kind::Automatic), "");
+    ASSERT_EQ(body.factorise(), "");
+    const std::int32_t source = pointAt(body.surface(), place);
+    RegularGreen green(body);
+    ASSERT_EQ(green.solve({ source }, 3.0, always), "");
+    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, mesh.nodes.cols());
+    force(2, body.surface().node(source)) = -1.0;
+    const Eigen::Matrix3Xd moved = body.displacement(force);
+    for (const Eigen::Vector3d& way : ways)
+    {
+      const std::int32_t at = pointAt(body.surface(), place + way);
+      found[jaw].push_back(green.at(at, source));
+      direct[jaw].push_back(-moved(2, body.surface().node(at)));
+    }
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i)
+  {
+    // H is -0.09 mm/N here; 1 % of it.
+    EXPECT_NEAR(found[1][i] - found[0][i], direct[1][i] - direct[0][i], 0.0009) << i;
+  }
+}
+
 // Rows are what a contact needs, and the forecast is above what they take, but not by far.
 TEST(RegularGreen, ForecastsItsMemory)
 {

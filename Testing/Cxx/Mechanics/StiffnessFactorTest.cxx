@@ -84,6 +84,9 @@ TEST(StiffnessFactor, CompliancesAreThoseOfTheDenseMatrix)
         EXPECT_LT((factor->solve(b) - exact.solve(b)).norm(), 1e-11 * exact.solve(b).norm());
       }
     }
+    const Eigen::MatrixXd many = Eigen::MatrixXd::Random(dense.rows(), 5);
+    EXPECT_LT(
+      (factor->solveAll(many) - exact.solve(many)).norm(), 1e-11 * exact.solve(many).norm());
     // At least the lower triangle of K has to be held, at most all of it and its factor.
     const auto n = static_cast<double>(dense.rows());
     EXPECT_GT(
