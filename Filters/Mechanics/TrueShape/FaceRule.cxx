@@ -11,8 +11,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostPoints = 6;
-
 /// Shapes of a face and their derivatives along its two coordinates.
 struct FaceShape
 {

@@ -42,6 +42,7 @@ void facePoints(const LocalFace& face, std::vector<FacePoint>& points);
 /// whose farthest corner is `size` from the middle: the error of Boussinesq's stress stays near
 /// 1e-3 of what the cell contributes.
 int pointsAlong(double distance, double size);
+constexpr int MostPoints = 6; ///< that it asks for
 } // namespace palpate
 
 #endif

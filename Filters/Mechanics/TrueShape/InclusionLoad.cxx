@@ -39,18 +39,18 @@ std::vector<VolumePoint> makeVolumeRule(bool hexahedron, int n)
 
 const std::vector<VolumePoint>& volumeRule(ElementKind kind, int n)
 {
-  constexpr int most = 6;
-  static const std::array<std::vector<VolumePoint>, 2 * (most + 1)> rules = []
+  using Rules = std::array<std::vector<VolumePoint>, MostPoints + 1>;
+  static const std::array<Rules, 2> rules = []
   {
-    std::array<std::vector<VolumePoint>, 2 * (most + 1)> made;
-    for (int k = 1; k <= most; ++k)
+    std::array<Rules, 2> made;
+    for (int k = 1; k <= MostPoints; ++k)
     {
-      made[static_cast<std::size_t>(k)] = makeVolumeRule(true, k);
-      made[static_cast<std::size_t>(most + 1 + k)] = makeVolumeRule(false, k);
+      made[0][static_cast<std::size_t>(k)] = makeVolumeRule(false, k);
+      made[1][static_cast<std::size_t>(k)] = makeVolumeRule(true, k);
     }
     return made;
   }();
-  return rules[static_cast<std::size_t>(kind == ElementKind::Hexahedron ? n : most + 1 + n)];
+  return rules[kind == ElementKind::Hexahedron ? 1 : 0][static_cast<std::size_t>(n)];
 }
 } // namespace
 
