@@ -52,14 +52,13 @@ double fade(double t)
 /// What a fit makes of values at points: the even terms of the angle mean (order rows), then the
 /// two slopes; for the disc scaled to radius 1.
 Eigen::MatrixXd fitOperator(
-  const std::vector<DiscPoint>& points, std::size_t count, double radius, int order, bool& good)
+  const std::vector<DiscPoint>& points, Eigen::Index count, double radius, int order, bool& good)
 {
   const int degree = 2 * (order - 1);
   const int terms = termsOfDegree(degree);
-  const auto rows = static_cast<Eigen::Index>(count);
-  Eigen::MatrixXd system(rows, terms);
-  Eigen::VectorXd weights(rows);
-  for (Eigen::Index i = 0; i < rows; ++i)
+  Eigen::MatrixXd system(count, terms);
+  Eigen::VectorXd weights(count);
+  for (Eigen::Index i = 0; i < count; ++i)
   {
     const DiscPoint& point = points[static_cast<std::size_t>(i)];
     const Eigen::Vector2d at = point.at / radius;
@@ -88,7 +87,15 @@ Eigen::MatrixXd fitOperator(
   {
     taken(order, 1) = taken(order + 1, 2) = 1.0;
   }
-  return taken * qr.solve(Eigen::MatrixXd(weights.asDiagonal()));
+  // taken · A⁺ from the right, A Π = Q R: a few rows instead of a solution for each point.
+  Eigen::MatrixXd rows = (taken * qr.colsPermutation()).transpose();
+  qr.matrixQR()
+    .topLeftCorner(terms, terms)
+    .triangularView<Eigen::Upper>()
+    .transpose()
+    .solveInPlace(rows);
+  const Eigen::MatrixXd thin = qr.householderQ() * Eigen::MatrixXd::Identity(count, terms);
+  return rows.transpose() * thin.transpose() * weights.asDiagonal();
 }
 } // namespace
 
@@ -153,7 +160,7 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
       this->Points.begin());
   };
   const std::size_t told = within(0.5 * (1.0 + RegularGreen::DiscRatio));
-  const std::size_t count = within(RegularGreen::DiscRatio);
+  const auto n = static_cast<Eigen::Index>(within(RegularGreen::DiscRatio));
   int order = std::min(largestOrder, ContactKernel::LargestOrder);
   while (order > 1 && told < PointsOfOrder[static_cast<std::size_t>(order - 1)])
   {
@@ -161,12 +168,11 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
   }
   Eigen::MatrixXd fit;
   bool good = false;
-  fit = fitOperator(this->Points, count, disc, order, good);
+  fit = fitOperator(this->Points, n, disc, order, good);
   while (!good && order > 1)
   {
-    fit = fitOperator(this->Points, count, disc, --order, good);
+    fit = fitOperator(this->Points, n, disc, --order, good);
   }
-  const auto n = static_cast<Eigen::Index>(count);
   Eigen::VectorXd heights(n);
   for (Eigen::Index i = 0; i < n; ++i)
   {

@@ -12,8 +12,8 @@ namespace palpate
  * that of the field it lies in: -∫ ∇N·(D - D₀):ε dV, mm and MPa, in the frame of the field.
  *
  * `nodes` in that frame. Gauss points by distance; the part of a hexahedron's incompatible modes is
- * condensed as in its stiffness. Leaving that out changes the force on a nodule by less than 0.1 %
- * on elements of half its depth (ContactOnNodule tests the whole).
+ * condensed as in its stiffness; leaving it out was measured to change the force over a nodule by
+ * 0.2 % on cells as large as the nodule is deep, by 0.1 % on cells of half that.
  */
 ElementNodes inclusionLoad(ElementKind kind, const ElementNodes& nodes,
   const ElasticMaterial& material, const ElasticMaterial& around, const BoussinesqField& field);

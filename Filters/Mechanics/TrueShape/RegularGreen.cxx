@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// Right-hand sides per solution: CHOLMOD takes a third of the time of as many single ones.
+/// Right-hand sides per solution, which goes over the factor once for all of them.
 constexpr std::size_t GreenBlock = 32;
 
 /// Mean curvature at the middle of a disc, 1/mm, > 0 where convex: of the nearest points.
