@@ -97,6 +97,64 @@ Eigen::MatrixXd fitOperator(
   const Eigen::MatrixXd thin = qr.householderQ() * Eigen::MatrixXd::Identity(count, terms);
   return rows.transpose() * thin.transpose() * weights.asDiagonal();
 }
+/// The fit of one disc.
+struct DiscFit
+{
+  Eigen::MatrixXd rows; ///< as of fitOperator()
+  Eigen::Index count = 0;
+  double disc = 0.0; ///< its radius, mm
+  int order = 0;
+
+  /// From powers of r/disc to powers of r/a.
+  Eigen::VectorXd scale(double radius) const
+  {
+    Eigen::VectorXd powers(this->order);
+    for (int m = 0; m < this->order; ++m)
+    {
+      powers[m] = std::pow(radius / this->disc, 2 * m);
+    }
+    return powers;
+  }
+
+  Eigen::VectorXd drop(const std::vector<DiscPoint>& points, double radius) const
+  {
+    Eigen::VectorXd heights(this->count);
+    for (Eigen::Index i = 0; i < this->count; ++i)
+    {
+      heights[i] = points[static_cast<std::size_t>(i)].drop;
+    }
+    return this->scale(radius).cwiseProduct(this->rows.topRows(this->order) * heights);
+  }
+};
+
+/// Around a contact of this radius, with the largest order that the points carry.
+DiscFit fitDisc(const std::vector<DiscPoint>& points, double radius, int largestOrder)
+{
+  const std::size_t ring = std::min(PointsOfOrder[1], points.size()) - 1;
+  DiscFit fit;
+  fit.disc = std::max(radius, points[ring].distance * (1.0 + 1e-9));
+  const auto within = [&](double ratio)
+  {
+    return static_cast<std::size_t>(
+      std::partition_point(points.begin(), points.end(),
+        [&](const DiscPoint& p) { return p.distance < ratio * fit.disc; }) -
+      points.begin());
+  };
+  const std::size_t told = within(0.5 * (1.0 + RegularGreen::DiscRatio));
+  fit.count = static_cast<Eigen::Index>(within(RegularGreen::DiscRatio));
+  fit.order = std::min(largestOrder, ContactKernel::LargestOrder);
+  while (fit.order > 1 && told < PointsOfOrder[static_cast<std::size_t>(fit.order - 1)])
+  {
+    --fit.order;
+  }
+  bool good = false;
+  fit.rows = fitOperator(points, fit.count, fit.disc, fit.order, good);
+  while (!good && fit.order > 1)
+  {
+    fit.rows = fitOperator(points, fit.count, fit.disc, --fit.order, good);
+  }
+  return fit;
+}
 } // namespace
 
 ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point)
@@ -120,7 +178,22 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
     this->Stiffened = this->Stiffened ||
       body.mesh().elements[static_cast<std::size_t>(*e)].kind == ElementKind::Tetrahedron;
   }
-  this->Points = disc->points;
+  for (const DiscPoint& at : disc->points)
+  {
+    if (green.isSource(at.point))
+    {
+      this->Points.push_back(at);
+      this->Points.back().area = green.spacing() > 0.0 ? 1.0 : at.area; // thinned: evenly spread
+    }
+  }
+  if (this->Points.size() < disc->points.size())
+  {
+    this->Surface = disc->points;
+  }
+  if (this->Points.empty() && this->Status == PatchStatus::Valid)
+  {
+    this->Status = PatchStatus::Degenerate;
+  }
   const auto count = static_cast<Eigen::Index>(this->Points.size());
   this->Values.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -150,47 +223,24 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
   {
     return kernel;
   }
-  const std::size_t ring = std::min(PointsOfOrder[1], this->Points.size()) - 1;
-  const double disc = std::max(radius, this->Points[ring].distance * (1.0 + 1e-9));
-  const auto within = [&](double ratio)
+  const DiscFit fit = fitDisc(this->Points, radius, largestOrder);
+  const Eigen::MatrixXd all =
+    fit.rows * this->Values.topLeftCorner(fit.count, fit.count) * fit.rows.transpose();
+  const Eigen::VectorXd scale = fit.scale(radius);
+  kernel.order = fit.order;
+  kernel.coefficients.topLeftCorner(fit.order, fit.order) =
+    scale.asDiagonal() * all.topLeftCorner(fit.order, fit.order) * scale.asDiagonal();
+  if (this->Surface.empty())
   {
-    return static_cast<std::size_t>(
-      std::partition_point(this->Points.begin(), this->Points.end(),
-        [&](const DiscPoint& p) { return p.distance < ratio * disc; }) -
-      this->Points.begin());
-  };
-  const std::size_t told = within(0.5 * (1.0 + RegularGreen::DiscRatio));
-  const auto n = static_cast<Eigen::Index>(within(RegularGreen::DiscRatio));
-  int order = std::min(largestOrder, ContactKernel::LargestOrder);
-  while (order > 1 && told < PointsOfOrder[static_cast<std::size_t>(order - 1)])
-  {
-    --order;
+    kernel.drop.head(fit.order) = fit.drop(this->Points, radius);
   }
-  Eigen::MatrixXd fit;
-  bool good = false;
-  fit = fitOperator(this->Points, n, disc, order, good);
-  while (!good && order > 1)
+  else
   {
-    fit = fitOperator(this->Points, n, disc, --order, good);
+    const DiscFit shape = fitDisc(this->Surface, radius, largestOrder);
+    kernel.drop.head(shape.order) = shape.drop(this->Surface, radius);
   }
-  Eigen::VectorXd heights(n);
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    heights[i] = this->Points[static_cast<std::size_t>(i)].drop;
-  }
-  // From powers of r/disc to powers of r/a.
-  Eigen::VectorXd scale(order);
-  for (int m = 0; m < order; ++m)
-  {
-    scale[m] = std::pow(radius / disc, 2 * m);
-  }
-  const Eigen::MatrixXd all = fit * this->Values.topLeftCorner(n, n) * fit.transpose();
-  kernel.order = order;
-  kernel.coefficients.topLeftCorner(order, order) =
-    scale.asDiagonal() * all.topLeftCorner(order, order) * scale.asDiagonal();
-  kernel.drop.head(order) = scale.asDiagonal() * (fit.topRows(order) * heights);
   kernel.drop[0] = 0.0;
-  kernel.tilt = all.col(0).tail<2>().norm() / disc;
+  kernel.tilt = all.col(0).tail<2>().norm() / fit.disc;
   return kernel;
 }
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/ThreadCount.h"
+#include "Mechanics/TrueShape/SourceThinning.h"
 #include "Mechanics/TrueShape/SubtractedLoad.h"
 
 #include <algorithm>
@@ -58,17 +59,15 @@ std::string whyNotPressed(const ElasticBody& body, std::int32_t point)
     case PatchStatus::Edge:
       break;
   }
-  const std::int32_t node = body.surface().node(point);
-  const std::int32_t* first = body.topology().elementsBegin(node);
-  for (const std::int32_t* e = first; e != body.topology().elementsEnd(node); ++e)
+  if (!isOfOneMaterial(body, point))
   {
-    const ElasticMaterial& a = body.material(*first);
-    const ElasticMaterial& b = body.material(*e);
-    if (a.youngsModulus != b.youngsModulus || a.poissonRatio != b.poissonRatio)
-    {
-      return joined("surface point ", point, " lies between materials (cells ", *first, " and ", *e,
-        "): there is no modulus at it");
-    }
+    const std::int32_t node = body.surface().node(point);
+    const auto stiffer = [&body](std::int32_t a, std::int32_t b)
+    { return body.material(a).youngsModulus < body.material(b).youngsModulus; };
+    const auto ends = std::minmax_element(
+      body.topology().elementsBegin(node), body.topology().elementsEnd(node), stiffer);
+    return joined("surface point ", point, " lies between materials (cells ", *ends.first, " and ",
+      *ends.second, "): there is no modulus at it");
   }
   return joined("surface point ", point, " lies on an edge: the surface turns by more than 30°");
 }
@@ -95,6 +94,11 @@ const double* RegularGreen::find(std::int32_t x, std::int32_t source) const
     : nullptr;
 }
 
+bool RegularGreen::isSource(std::int32_t point) const
+{
+  return std::binary_search(this->Sources.begin(), this->Sources.end(), point);
+}
+
 double RegularGreen::at(std::int32_t x, std::int32_t source) const
 {
   const double* there = this->find(x, source);
@@ -112,23 +116,38 @@ double RegularGreen::asymmetry(std::int32_t x, std::int32_t source) const
   return there != nullptr && back != nullptr ? std::abs(*there - *back) : 0.0;
 }
 
-double RegularGreen::memoryForecast(const std::vector<std::int32_t>& points, double radius) const
+/// How far around a point sources are wanted: enough of them for the smallest fit.
+double RegularGreen::discRadius(std::int32_t point) const
+{
+  constexpr double ring = 2.9;
+  return std::max(
+    { DiscRatio * this->Radius, ring * this->Body.surface().spacing(point), ring * this->Spacing });
+}
+
+double RegularGreen::memoryForecast(
+  const std::vector<std::int32_t>& points, double radius, double spacing) const
 {
   // Of some discs, spread over the points, their mean size; a row reaches twice as far.
   constexpr std::size_t samples = 64;
-  double count = 0.0;
+  double inDisc = 0.0;
+  double apart = 0.0;
   double taken = 0.0;
   for (std::size_t i = 0; i < points.size(); i += std::max<std::size_t>(1, points.size() / samples))
   {
-    count +=
-      static_cast<double>(surfaceDisc(this->Body, points[i], DiscRatio * radius).points.size());
+    inDisc += static_cast<double>(
+      surfaceDisc(this->Body, points[i], std::max(DiscRatio * radius, 2.9 * spacing))
+        .points.size());
+    apart += this->Body.surface().spacing(points[i]);
     taken += 1.0;
   }
-  const double disc = count / std::max(1.0, taken);
+  const double disc = inDisc / std::max(1.0, taken);
+  const double thinned = std::max(1.0, spacing * taken / std::max(apart, 1e-300));
   const auto total = static_cast<double>(this->Body.surface().pointTotal());
-  const double sources = std::min(total, static_cast<double>(points.size()) * std::max(1.0, disc));
+  const double kept = 1.0 / (thinned * thinned);
+  const double sources =
+    kept * std::min(total, static_cast<double>(points.size()) * std::max(1.0, disc));
   const double rows =
-    sources * std::min(total, 4.0 * disc) * (sizeof(double) + sizeof(std::int32_t));
+    sources * kept * std::min(total, 4.0 * disc) * (sizeof(double) + sizeof(std::int32_t));
   const double discs = static_cast<double>(points.size()) * disc * sizeof(DiscPoint);
   // Loads, solution and CHOLMOD's permuted copies.
   const double blocks = static_cast<double>(threadCount()) * GreenBlock *
@@ -136,33 +155,55 @@ double RegularGreen::memoryForecast(const std::vector<std::int32_t>& points, dou
   return rows + discs + blocks;
 }
 
-/// Which sources there have to be, and at which points each is to be known.
+/// The points of all discs, or those of them that stand for the others.
+void RegularGreen::chooseSources()
+{
+  this->Sources.clear();
+  for (const SurfaceDisc& disc : this->Discs)
+  {
+    for (const DiscPoint& at : disc.points)
+    {
+      this->Sources.push_back(at.point);
+    }
+  }
+  std::sort(this->Sources.begin(), this->Sources.end());
+  this->Sources.erase(std::unique(this->Sources.begin(), this->Sources.end()), this->Sources.end());
+  if (this->Spacing > 0.0)
+  {
+    std::vector<double> spacings;
+    for (const std::int32_t point : this->Sources)
+    {
+      const SurfaceDisc around = surfaceDisc(this->Body, point, 2.0 * this->Spacing);
+      spacings.push_back(std::min(this->Spacing, 0.5 * around.limit));
+    }
+    this->Sources = thinnedSources(this->Body.surface(), this->Sources, spacings);
+    std::sort(this->Sources.begin(), this->Sources.end());
+  }
+}
+
+/// At which points each source is to be known.
 void RegularGreen::layOut()
 {
+  std::vector<std::vector<std::int32_t>> known(this->Discs.size());
   std::unordered_map<std::int32_t, std::vector<std::size_t>> discsOf;
   for (std::size_t i = 0; i < this->Discs.size(); ++i)
   {
     for (const DiscPoint& at : this->Discs[i].points)
     {
-      discsOf[at.point].push_back(i);
+      if (this->isSource(at.point))
+      {
+        discsOf[at.point].push_back(i);
+        known[i].push_back(at.point);
+      }
     }
   }
-  this->Sources.clear();
-  for (const auto& entry : discsOf)
-  {
-    this->Sources.push_back(entry.first);
-  }
-  std::sort(this->Sources.begin(), this->Sources.end());
   this->Rows.assign(this->Sources.size(), {});
   for (std::size_t s = 0; s < this->Sources.size(); ++s)
   {
     std::vector<std::int32_t>& row = this->Rows[s].points;
     for (const std::size_t i : discsOf.at(this->Sources[s]))
     {
-      for (const DiscPoint& at : this->Discs[i].points)
-      {
-        row.push_back(at.point);
-      }
+      row.insert(row.end(), known[i].begin(), known[i].end());
     }
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
@@ -222,14 +263,19 @@ void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t first, st
   }
 }
 
-std::string RegularGreen::solve(
-  const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer)
+std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double radius,
+  const WorkObserver& observer, double spacing)
 {
+  if (!(spacing >= 0.0) || !std::isfinite(spacing))
+  {
+    return joined("the spacing of sources must be finite and not negative (mm), but is ", spacing);
+  }
   if (!(radius > 0.0) || !std::isfinite(radius))
   {
     return joined("the largest contact radius must be positive and finite (mm), but is ", radius);
   }
   this->Radius = radius;
+  this->Spacing = spacing;
   this->Points = points;
   std::sort(this->Points.begin(), this->Points.end());
   this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
@@ -241,8 +287,7 @@ std::string RegularGreen::solve(
     {
       return whyNotPressed(this->Body, point);
     }
-    this->Discs.push_back(surfaceDisc(
-      this->Body, point, std::max(DiscRatio * radius, 2.9 * this->Body.surface().spacing(point))));
+    this->Discs.push_back(surfaceDisc(this->Body, point, this->discRadius(point)));
     any = any || this->Discs.back().status == PatchStatus::Valid;
   }
   if (!any)
@@ -251,6 +296,7 @@ std::string RegularGreen::solve(
       ? "there is no point to press"
       : "no point can be pressed; the first: " + whyNotPressed(this->Body, this->Points.front());
   }
+  this->chooseSources();
   this->layOut();
 
   const SubtractedLoad loads(this->Body);

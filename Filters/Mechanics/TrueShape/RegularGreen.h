@@ -34,21 +34,29 @@ public:
   }
 
   /// Bytes that solve() takes at its peak besides the body, to be asked beforehand.
-  double memoryForecast(const std::vector<std::int32_t>& points, double radius) const;
+  double memoryForecast(
+    const std::vector<std::int32_t>& points, double radius, double spacing = 0.0) const;
 
   /**
    * Solves for all sources that contacts at `points` of up to `radius` (mm) need. Returns what is
    * wrong (no point that can be pressed, a radius that is none), "stopped" when the observer said
    * so, or "".
+   *
+   * `spacing` (mm) > 0: not every surface point is a source, but some that are so far apart, or
+   * half as far as from the next edge where that is less. Contacts at the others take H from those
+   * around: kernels are fits, whose middle need not be a source. Half the distance to what makes H
+   * (a base, an inclusion) is enough.
    */
-  std::string solve(
-    const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
+  std::string solve(const std::vector<std::int32_t>& points, double radius,
+    const WorkObserver& observer, double spacing = 0.0);
 
   /// What the fit takes the kernel from: this times the contact radius.
   static constexpr double DiscRatio = 1.3;
 
   const ElasticBody& body() const { return this->Body; }
   double radius() const { return this->Radius; }
+  double spacing() const { return this->Spacing; }
+  bool isSource(std::int32_t point) const;
   /// The surface around one of `points`; null for any other.
   const SurfaceDisc* disc(std::int32_t point) const;
   /// H(x, X), the mean of both orders where both were solved; NaN if neither was.
@@ -67,11 +75,14 @@ private:
   };
 
   const double* find(std::int32_t x, std::int32_t source) const;
+  double discRadius(std::int32_t point) const;
+  void chooseSources();
   void layOut();
   void solveBlock(const class SubtractedLoad& loads, std::size_t first, std::size_t last);
 
   const ElasticBody& Body;
   double Radius = 0.0;
+  double Spacing = 0.0;
   std::vector<std::int32_t> Points;  ///< asked for, ascending
   std::vector<SurfaceDisc> Discs;    ///< beside Points
   std::vector<std::int32_t> Sources; ///< ascending

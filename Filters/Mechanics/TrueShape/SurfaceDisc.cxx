@@ -25,7 +25,12 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
-/// Whether all elements at a point are of the material.
+/// How far the materials of the elements at a point may differ from their mean: graded ones, and
+/// those of images, are no border. Young's modulus by a fraction, Poisson's ratio.
+constexpr double AlikeModulus = 0.05;
+constexpr double AlikeRatio = 0.01;
+
+/// Whether all elements at a point are of the material, nearly.
 bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial& material)
 {
   const MeshTopology& topology = body.topology();
@@ -34,8 +39,8 @@ bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial
     [&](std::int32_t element)
     {
       const ElasticMaterial& other = body.material(element);
-      return other.youngsModulus == material.youngsModulus &&
-        other.poissonRatio == material.poissonRatio;
+      return std::abs(other.youngsModulus / material.youngsModulus - 1.0) <= AlikeModulus &&
+        std::abs(other.poissonRatio - material.poissonRatio) <= AlikeRatio;
     });
 }
 
@@ -169,6 +174,11 @@ private:
 };
 } // namespace
 
+bool isOfOneMaterial(const ElasticBody& body, std::int32_t point)
+{
+  return isWithin(body, point, body.materialAt(body.surface().node(point)));
+}
+
 SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius)
 {
   SurfaceDisc disc;
@@ -183,7 +193,7 @@ SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radi
     disc.status = PatchStatus::OutOfReach;
     return disc;
   }
-  bool turns = !isWithin(body, point, body.materialAt(surface.node(point)));
+  bool turns = !isOfOneMaterial(body, point);
   for (const std::int32_t* t = surface.trianglesBegin(point); t != surface.trianglesEnd(point); ++t)
   {
     turns = turns || surface.triangleNormal(*t).dot(surface.normal(point)) < PatchTurn;

@@ -21,7 +21,8 @@ struct DiscPoint
 /**
  * The points of the surface around a point X, up to a radius and as far as the surface is fit for a
  * contact: connected to X without a triangle that turns by more than 30° from the normal at X, free
- * to move along their normal, and of the material of X.
+ * to move along their normal, and of the material of X: E within 5 %, ν within 0.01 of the mean of
+ * the elements at X.
  *
  * `status` says what is wrong with X itself; `limit` how far from X the first edge, held point or
  * other material lies, and `limitedBy` which it is.
@@ -36,6 +37,9 @@ struct SurfaceDisc
 
 /// X is a point of the surface of a body that was taken and assembled.
 PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius);
+
+/// Whether the elements at a surface point are of one material, as nearly as a disc asks for.
+PALPATE_EXPORT bool isOfOneMaterial(const ElasticBody& body, std::int32_t point);
 } // namespace palpate
 
 #endif

@@ -73,14 +73,17 @@ struct ShapedBody
   std::unique_ptr<RegularGreen> green;
   std::unique_ptr<ContactKernelFit> fit;
 
-  ShapedBody(ElasticBodyInput input, const Eigen::Vector3d& place, double radius)
+  ShapedBody(
+    ElasticBodyInput input, const Eigen::Vector3d& place, double radius, double spacing = 0.0)
   {
     EXPECT_EQ(this->body.assemble(std::move(input)), "");
     EXPECT_EQ(this->body.analyse(StiffnessFactor::Kind::Automatic), "");
     EXPECT_EQ(this->body.factorise(), "");
     const std::int32_t point = pointAt(this->body.surface(), place);
     this->green = std::make_unique<RegularGreen>(this->body);
-    EXPECT_EQ(this->green->solve({ point }, radius, [](double) { return true; }), "");
+    EXPECT_EQ(this->green->solve(
+                { point }, radius, [](double) { return true; }, spacing),
+      "");
     this->fit = std::make_unique<ContactKernelFit>(*this->green, point);
   }
 };

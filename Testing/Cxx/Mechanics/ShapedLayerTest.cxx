@@ -23,7 +23,7 @@ enum class Cells
 };
 
 /// A block whose sides are 60 mm away: its edges change C_g of a bonded layer by less than 1e-6.
-ShapedBody layerOf(Cells cells, double side, double nu)
+ShapedBody layerOf(Cells cells, double side, double nu, double spacing = 0.0)
 {
   const std::vector<double> line = palpate::testing::gradedLine(side, 15.0, 1.5, 60.0);
   std::vector<double> heights;
@@ -35,8 +35,8 @@ ShapedBody layerOf(Cells cells, double side, double nu)
   mesh = cells == Cells::Hexahedra ? mesh : palpate::testing::tetrahedra(mesh);
   mesh = cells == Cells::QuadraticTetrahedra ? palpate::testing::quadratic(mesh) : mesh;
   const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
-  return ShapedBody(
-    { std::move(mesh), { { 1.0, nu } }, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 15.0);
+  return ShapedBody({ std::move(mesh), { { 1.0, nu } }, fixed },
+    Eigen::Vector3d(0.0, 0.0, Thickness), 15.0, spacing);
 }
 
 /// The largest errors of force and stiffness over a/h = 0.1 .. 1.48, fractions.
@@ -46,7 +46,8 @@ struct Errors
   double stiffness = 0.0;
 };
 
-Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const char*>& tools)
+Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const char*>& tools,
+  double largest = 1.5)
 {
   const auto kernel = std::make_shared<LayerKernel>(nu, LayerBase::Bonded);
   Errors errors;
@@ -73,7 +74,10 @@ Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const 
   for (const char* name : { "flat:2.5", "flat:5", "flat:7.5", "flat:10", "flat:15" })
   {
     const auto pressed = tool(name);
-    compare(*pressed, ShapedContact(*pressed).curve(fit), 0.3);
+    if (pressed->largestContactRadius() <= largest * Thickness)
+    {
+      compare(*pressed, ShapedContact(*pressed).curve(fit), 0.3);
+    }
   }
   return errors;
 }
@@ -104,6 +108,35 @@ TEST(ShapedLayer, FourHexahedraThroughTheThickness)
     EXPECT_LT(errors.force, 0.0035) << nu;
     EXPECT_LT(errors.stiffness, 0.005) << nu;
   }
+}
+
+// Sources a quarter of the thickness apart on elements of an eighth; the point itself is none of
+// them or is one, as it comes.
+TEST(ShapedLayer, SomeSourcesStandForAll)
+{
+  const ShapedBody all = layerOf(Cells::Hexahedra, 1.25, 0.45);
+  const ShapedBody some = layerOf(Cells::Hexahedra, 1.25, 0.45, 2.4);
+  EXPECT_LT(some.green->sources(), all.green->sources() / 3);
+  EXPECT_LT(errorsOn(*all.fit, 0.45, Smooth).force, 0.001);
+  EXPECT_LT(errorsOn(*some.fit, 0.45, Smooth).force, 0.0035);
+}
+
+// Moduli that scatter by 2 % about their mean, as those of an image do, are no border; the force
+// lies between those of the softest and the hardest, up to what the elements do.
+TEST(ShapedLayer, ScatteredModuliAreNoBorder)
+{
+  const std::vector<double> line = palpate::testing::gradedLine(2.5, 7.5, 1.6, 60.0);
+  VolumeMesh mesh = palpate::testing::gridBlock(line, line, { 0.0, 2.5, 5.0, 7.5, 10.0 });
+  std::vector<ElasticMaterial> materials;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i)
+  {
+    materials.push_back({ i * 7919 % 2 == 0 ? 0.98 : 1.02, 0.45 });
+  }
+  const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
+  const ShapedBody layer(
+    { std::move(mesh), materials, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 7.5);
+  EXPECT_EQ(layer.fit->status(), PatchStatus::Valid);
+  EXPECT_LT(errorsOn(*layer.fit, 0.45, {}, 0.75).force, 0.02 + 0.0035);
 }
 
 // Measured: 0.7 % with two quadratic tetrahedra through the thickness.
