@@ -15,7 +15,7 @@ struct ContactSample
   double radius = 0.0;     ///< a, mm
   double deflection = 0.0; ///< δ, mm
   double force = 0.0;      ///< N
-  double truncation = 0.0; ///< of the force, a fraction: one order more against this one
+  double truncation = 0.0; ///< the force with one order less over this one, less 1
   double harmonics = 0.0;  ///< the tilt's part of δ, a fraction
   double mesh = 0.0;       ///< of the force, a fraction: what the elements' size lets expect
 };

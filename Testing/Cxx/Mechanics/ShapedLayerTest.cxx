@@ -23,9 +23,9 @@ enum class Cells
 };
 
 /// A block whose sides are 60 mm away: its edges change C_g of a bonded layer by less than 1e-6.
-ShapedBody layerOf(Cells cells, double side, double nu, double spacing = 0.0)
+ShapedBody layerOf(Cells cells, double side, double nu, double reach = 15.0, double spacing = 0.0)
 {
-  const std::vector<double> line = palpate::testing::gradedLine(side, 15.0, 1.5, 60.0);
+  const std::vector<double> line = palpate::testing::gradedLine(side, reach, 1.5, 60.0);
   std::vector<double> heights;
   for (int i = 0; i * side < Thickness + 0.5 * side; ++i)
   {
@@ -36,7 +36,7 @@ ShapedBody layerOf(Cells cells, double side, double nu, double spacing = 0.0)
   mesh = cells == Cells::QuadraticTetrahedra ? palpate::testing::quadratic(mesh) : mesh;
   const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
   return ShapedBody({ std::move(mesh), { { 1.0, nu } }, fixed },
-    Eigen::Vector3d(0.0, 0.0, Thickness), 15.0, spacing);
+    Eigen::Vector3d(0.0, 0.0, Thickness), reach, spacing);
 }
 
 /// The largest errors of force and stiffness over a/h = 0.1 .. 1.48, fractions.
@@ -68,7 +68,11 @@ Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const 
     const LayerContact exact(*pressed, kernel, Thickness);
     for (const double ratio : { 0.1, 0.25, 0.4, 0.5, 0.62, 0.75, 0.88, 1.0, 1.2, 1.35, 1.48 })
     {
-      compare(*pressed, curve, exact.depthAtContactRadius(ratio * Thickness));
+      const double depth = exact.depthAtContactRadius(ratio * Thickness);
+      if (depth > 0.0 && ratio < largest)
+      {
+        compare(*pressed, curve, depth);
+      }
     }
   }
   for (const char* name : { "flat:2.5", "flat:5", "flat:7.5", "flat:10", "flat:15" })
@@ -103,8 +107,9 @@ TEST(ShapedLayer, FourHexahedraThroughTheThickness)
   for (const double nu : { 0.3, 0.45 })
   {
     const ShapedBody layer = layerOf(Cells::Hexahedra, 2.5, nu);
-    const Errors errors =
-      errorsOn(*layer.fit, nu, { "paraboloid:10", "sphere:40", "cone:80", "blunted:8,80" });
+    const Errors errors = errorsOn(*layer.fit, nu,
+      { "paraboloid:10", "sphere:40", "cone:80", "blunted:8,80", "truncated:2,80",
+        "rounded:2,40" });
     EXPECT_LT(errors.force, 0.0035) << nu;
     EXPECT_LT(errors.stiffness, 0.005) << nu;
   }
@@ -114,11 +119,11 @@ TEST(ShapedLayer, FourHexahedraThroughTheThickness)
 // them or is one, as it comes.
 TEST(ShapedLayer, SomeSourcesStandForAll)
 {
-  const ShapedBody all = layerOf(Cells::Hexahedra, 1.25, 0.45);
-  const ShapedBody some = layerOf(Cells::Hexahedra, 1.25, 0.45, 2.4);
+  const ShapedBody all = layerOf(Cells::Hexahedra, 1.25, 0.45, 7.5);
+  const ShapedBody some = layerOf(Cells::Hexahedra, 1.25, 0.45, 7.5, 2.4);
   EXPECT_LT(some.green->sources(), all.green->sources() / 3);
-  EXPECT_LT(errorsOn(*all.fit, 0.45, Smooth).force, 0.001);
-  EXPECT_LT(errorsOn(*some.fit, 0.45, Smooth).force, 0.0035);
+  EXPECT_LT(errorsOn(*all.fit, 0.45, Smooth, 0.75).force, 0.001);
+  EXPECT_LT(errorsOn(*some.fit, 0.45, Smooth, 0.75).force, 0.0035);
 }
 
 // Moduli that scatter by 2 % about their mean, as those of an image do, are no border; the force
@@ -136,7 +141,7 @@ TEST(ShapedLayer, ScatteredModuliAreNoBorder)
   const ShapedBody layer(
     { std::move(mesh), materials, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 7.5);
   EXPECT_EQ(layer.fit->status(), PatchStatus::Valid);
-  EXPECT_LT(errorsOn(*layer.fit, 0.45, {}, 0.75).force, 0.02 + 0.0035);
+  EXPECT_LT(errorsOn(*layer.fit, 0.45, Smooth, 0.74).force, 0.02 + 0.0035);
 }
 
 // Measured: 0.7 % with two quadratic tetrahedra through the thickness.
