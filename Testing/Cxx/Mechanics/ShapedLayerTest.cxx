@@ -6,6 +6,8 @@
 #include "Mechanics/Layers/LayerContact.h"
 #include "TestTools.h"
 
+#include <random>
+
 namespace
 {
 using namespace palpate;
@@ -124,6 +126,31 @@ TEST(ShapedLayer, SomeSourcesStandForAll)
   EXPECT_LT(some.green->sources(), all.green->sources() / 3);
   EXPECT_LT(errorsOn(*all.fit, 0.45, Smooth, 0.75).force, 0.001);
   EXPECT_LT(errorsOn(*some.fit, 0.45, Smooth, 0.75).force, 0.0035);
+}
+
+// Nodes moved by up to a quarter of the elements' side in all directions, but for those outside and
+// X.
+TEST(ShapedLayer, IrregularHexahedra)
+{
+  const std::vector<double> line = palpate::testing::gradedLine(2.5, 15.0, 1.5, 60.0);
+  VolumeMesh mesh = palpate::testing::gridBlock(line, line, { 0.0, 2.5, 5.0, 7.5, 10.0 });
+  std::mt19937 random(5);
+  const auto step = [&random]
+  { return 1.25 * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    const Eigen::Vector3d at = mesh.nodes.col(i);
+    const bool inside = at.head<2>().cwiseAbs().maxCoeff() < 59.0 && at.head<2>().norm() > 1e-9;
+    mesh.nodes(0, i) += inside ? step() : 0.0;
+    mesh.nodes(1, i) += inside ? step() : 0.0;
+    mesh.nodes(2, i) += at[2] > 0.1 && at[2] < Thickness - 0.1 ? step() : 0.0;
+  }
+  const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
+  const ShapedBody layer(
+    { std::move(mesh), { { 1.0, 0.45 } }, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 15.0);
+  const Errors errors = errorsOn(*layer.fit, 0.45, Smooth);
+  EXPECT_LT(errors.force, 0.0035); // as of regular ones
+  EXPECT_LT(errors.stiffness, 0.005);
 }
 
 // Moduli that scatter by 2 % about their mean, as those of an image do, are no border; the force
