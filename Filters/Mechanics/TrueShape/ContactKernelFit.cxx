@@ -219,7 +219,7 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
   ContactKernel kernel;
   kernel.coefficients.setZero();
   kernel.drop.setZero();
-  if (this->Status != PatchStatus::Valid || this->Points.empty())
+  if (this->Status != PatchStatus::Valid || !(radius > 0.0) || !std::isfinite(radius))
   {
     return kernel;
   }

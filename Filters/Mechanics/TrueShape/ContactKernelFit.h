@@ -47,7 +47,8 @@ public:
   /// Linear tetrahedra around the point: they are too stiff.
   bool isStiffened() const { return this->Stiffened; }
 
-  /// The kernel of the largest order that the points carry, but not above `largestOrder`.
+  /// The kernel of the largest order that the points carry, but not above `largestOrder` >= 1. Of
+  /// order 0 where the status is not valid, or for a radius that is none.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const;
 
   /// H between the points of the disc, symmetric, beside points(). For oracles.

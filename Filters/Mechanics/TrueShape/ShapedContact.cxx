@@ -175,7 +175,7 @@ bool ShapedContact::takeSample(
   const double depthBefore = course.samples.empty() ? 0.0 : course.samples.back().deflection;
   const double forceBefore = course.samples.empty() ? 0.0 : course.samples.back().force;
   const bool rises = sample.deflection > depthBefore && sample.force > forceBefore;
-  if (!contact.stable || (!rises && !begins))
+  if (kernel.order == 0 || !contact.stable || (!rises && !begins))
   {
     return false;
   }
