@@ -4,6 +4,7 @@
 #include "ShapedBodies.h"
 
 #include "Agreement.h"
+#include "DenseContact.h"
 #include "Mechanics/TrueShape/InclusionMixing.h"
 #include "ReferenceTable.h"
 #include "TestTools.h"
@@ -109,6 +110,23 @@ TEST(ShapedNodule, FiveMillimetresDeep)
   const auto [force, stiffness] = noduleErrors(5.0, 10.0);
   EXPECT_LT(force, 0.004);
   EXPECT_LT(stiffness, 0.004);
+}
+
+// The same H without angle means or a fit that follows the contact. Over a nodule 1 mm deep on
+// cells of 1 mm the two ways through the points between differ by up to 1.5 %.
+TEST(ShapedNodule, IsWhatAllHarmonicsGive)
+{
+  const ShapedBody block = noduleBlock(1.0, 10.0, 2.6);
+  const auto pressed = palpate::testing::tool("sphere:6.35");
+  const ContactCurve curve = ShapedContact(*pressed).curve(*block.fit);
+  for (const double depth : { 0.3, 0.6, 0.9 })
+  {
+    const double radius = curve.evaluate(depth).contactRadius;
+    const palpate::testing::DenseContact dense(*block.fit, 1.25 * radius, radius / 9.0);
+    const double expected = dense.force(
+      depth, [&](double r) { return pressed->profile(r); }, true);
+    EXPECT_TRUE(agrees(curve.evaluate(depth).force, expected, 0.02)) << depth;
+  }
 }
 
 TEST(InclusionMixing, IsHarmonicWhereHardAndGeometricWhereSoft)
