@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 namespace palpate
 {
@@ -16,7 +17,9 @@ struct Round
   double fillet;
   double edge;
 };
-constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 2.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
+constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
+/// Of a rim's radius: deeper the surface creases next to it and c falls by up to 1.5 % too much.
+constexpr double TrustedDepth = 6.5;
 constexpr double TimeLeft = 0.3; // of the time left: what a rounder rim has to go on with
 
 /// c with one fillet, as deep as there is an equilibrium.
@@ -57,15 +60,32 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   std::vector<double> factors;
   double from = 0.0;
   bool isEnded = false;
+  const bool hasRim = tool.smallestContactRadius() > 0.0;
   for (const Round& round : Rounds)
   {
-    const ToolOutline outline = solvedOutline(tool, problem.contactRadius, round.fillet * fillet);
-    // The last depth that is known is solved again: there both rims are compared.
-    const std::size_t again = factors.empty() ? 0 : 1;
+    const double roundness = round.fillet * fillet;
+    const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
+    // The last depth that is known is solved again: there both rims are compared. The first one
+    // leads there, as it did before.
+    const std::size_t again = std::min<std::size_t>(factors.size(), 2);
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);
     rest.depths.erase(rest.depths.begin(),
       rest.depths.begin() + static_cast<std::ptrdiff_t>(factors.size() - again));
+    if (again > 1)
+    {
+      rest.depths.front() = problem.depths.front();
+    }
+    if (hasRim && &round != std::end(Rounds) - 1)
+    {
+      rest.depths.erase(
+        std::upper_bound(rest.depths.begin(), rest.depths.end(), TrustedDepth * roundness),
+        rest.depths.end());
+    }
+    if (rest.depths.size() <= again)
+    {
+      continue;
+    }
     const double width = (1.0 - from) * (1.0 - TimeLeft);
     const std::vector<double> found = factorsWith(outline, rest,
       [&](double fraction)
@@ -74,8 +94,8 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
         return !isEnded;
       });
     from += width;
-    const bool isCompared = again > 0 && !found.empty() && found.front() > 0.0;
-    const double ratio = isCompared ? factors.back() / found.front() : 1.0;
+    const bool isCompared = again > 0 && found.size() >= again && found[again - 1] > 0.0;
+    const double ratio = isCompared ? factors.back() / found[again - 1] : 1.0;
     for (std::size_t k = again; k < found.size(); ++k)
     {
       factors.push_back(ratio * found[k]);

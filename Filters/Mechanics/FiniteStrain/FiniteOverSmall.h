@@ -21,11 +21,11 @@ ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius, do
  * on where there is no equilibrium, and where nothing is felt yet. Where `goOn(fraction)` ends it,
  * what it had come to.
  *
- * The tool's corners have fillets of radius `fillet` (mm). Under a sharp rim the elements turn
- * inside out before the tool is as deep as it is wide; a rim up to three times as round, on longer
- * elements, gets further, and goes on from where the sharper one ended: c of both is in a ratio
- * that hardly changes with the depth (0.5 % from 0.6 to 1.1 radii of a flat, where it can be
- * compared).
+ * The tool's corners have fillets of radius `fillet` (mm). Under a sharp rim the surface creases
+ * and the elements turn inside out before the tool is as deep as it is wide: c is trusted to a
+ * depth of 6.5 fillets, from where a rim 1.5, 2 and 3 times as round goes on. c of two rims is in a
+ * ratio that hardly changes with the depth (0.5 % from 0.6 to 1.1 radii of a flat, where it can be
+ * compared; at ν = 0.495 it falls by 1.5 %).
  */
 std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FiniteProblem& problem,
   double fillet, const std::function<bool(double)>& goOn);

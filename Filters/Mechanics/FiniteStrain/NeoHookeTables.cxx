@@ -138,9 +138,9 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
   return nullptr;
 }
 
-StrainReach thickLayerReach(double radius)
+StrainReach thickLayerReach(ToolShape shape, double radius)
 {
-  return { 1.3 * radius, 0.75 };
+  return { (shape == ToolShape::Flat ? 1.7 : 1.3) * radius, 0.75 };
 }
 
 std::unique_ptr<StrainTable> neoHookeOnLayers(
@@ -159,7 +159,7 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
     return layerTable(
       TableLayers, Layers, radius, StrainReach{ Infinity, LayerDeepest }, TableError);
   }
-  const StrainReach reach = thickLayerReach(radius);
+  const StrainReach reach = thickLayerReach(found.Shape, radius);
   if (thinnest < ThickLayers[0] * radius || deepest > BeyondLayers * reach.at(thinnest, 0.0))
   {
     return nullptr;

@@ -3,6 +3,7 @@
 #define NeoHookeTables_h
 
 #include "Mechanics/FiniteStrain/StrainTable.h"
+#include "Mechanics/Tools/ToolSpecification.h"
 
 #include <memory>
 
@@ -23,7 +24,7 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
 
 /// How deep the tables of thick layers go, of a sphere or a flat of that radius, mm.
-StrainReach thickLayerReach(double radius);
+StrainReach thickLayerReach(ToolShape shape, double radius);
 } // namespace palpate
 
 #endif

@@ -113,7 +113,7 @@ std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row
 
 std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
 {
-  std::string key = joined("finite strain 3|", problem.tool.specification(), "|",
+  std::string key = joined("finite strain 4|", problem.tool.specification(), "|",
     describe(problem.law), "|", static_cast<int>(problem.stack.base));
   const auto add = [&key](std::initializer_list<double> values)
   {

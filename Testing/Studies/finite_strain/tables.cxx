@@ -15,8 +15,10 @@
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,8 @@ using namespace palpate;
 namespace
 {
 constexpr double Roots[] = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
+constexpr std::size_t Columns = std::size(Roots);
+constexpr double LargestBend = 0.025; // of c, second difference between columns
 constexpr double Ratios[] = { 0.0, 0.15, 0.3, 0.4, 0.45, 0.48, 0.495 };
 
 struct Case
@@ -50,7 +54,9 @@ Case caseOf(const std::string& name)
     at == std::string::npos ? 0.0 : std::strtod(name.c_str() + at + 5, nullptr);
   if (at != std::string::npos && at > 0) // spherelayer…, flatlayer…
   {
-    return { name.substr(0, at) + ":1", thickLayerReach(1.0).at(thickness, 0.0), 0.1, thickness };
+    const ToolShape shape = name[0] == 'f' ? ToolShape::Flat : ToolShape::Sphere;
+    return { name.substr(0, at) + ":1", thickLayerReach(shape, 1.0).at(thickness, 0.0), 0.1,
+      thickness };
   }
   return { "sphere:1", thickness > 0.0 ? 0.5 * thickness : 1.0, 0.1, thickness };
 }
@@ -67,11 +73,28 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
   }
   problem.layers = { layer };
   problem.contactRadius = tool.contactRadius(given.deepest);
-  for (const double root : Roots)
+  // Twice as many as are printed, so that a corner's rims are joined near where they end.
+  const auto depthOf = [&](double root) { return given.deepest * root * root; };
+  for (std::size_t k = 0; k < Columns; ++k)
   {
-    problem.depths.push_back(given.deepest * root * root);
+    if (k > 0)
+    {
+      problem.depths.push_back(depthOf(0.5 * (Roots[k - 1] + Roots[k])));
+    }
+    problem.depths.push_back(depthOf(Roots[k]));
   }
-  return finiteOverSmall(tool, problem, given.fillet, {});
+  const std::vector<double> all = finiteOverSmall(tool, problem, given.fillet, {});
+  std::vector<double> factors;
+  bool isKnown = true;
+  for (std::size_t k = 0; k < Columns; ++k)
+  {
+    const double c = all[2 * k];
+    // An equilibrium on another branch than the row's: a deep flat on a thin layer finds some.
+    isKnown = isKnown && c > 0.0 &&
+      (k < 2 || std::abs(c - 2.0 * factors[k - 1] + factors[k - 2]) < LargestBend);
+    factors.push_back(isKnown ? c : 0.0);
+  }
+  return factors;
 }
 } // namespace
 
