@@ -16,7 +16,8 @@ struct LimitWords
 constexpr std::array<LimitWords, ResponseLimitCount> Words = { { { "", "" },
   { "strain", "small strain" }, { "curvature of the body", "a flat surface" },
   { "layer thickness", "the thickness" }, { "the opposite wall", "the opposite wall" },
-  { "an edge", "an edge" }, { "the measured data", "the measured data" } } };
+  { "an edge", "an edge" }, { "the measured data", "the measured data" },
+  { "the finite elements", "the finite elements" } } };
 
 struct ContactWords
 {

@@ -35,9 +35,10 @@ enum class ResponseLimit : std::uint8_t
   Thickness,
   OppositeWall,
   Edge,
-  DataEnd
+  DataEnd,
+  Elements ///< the finite elements it was computed with
 };
-constexpr std::size_t ResponseLimitCount = 7;
+constexpr std::size_t ResponseLimitCount = 8;
 
 /// What breaks it: "strain", "layer thickness"; "" for 0 and for a number that is no code. These
 /// and the next are static texts.
@@ -64,7 +65,8 @@ enum ModelPart : int
   SpringPart = 8,           ///< a spring at each point, whatever the tool
   StackPart = 16,           ///< layers on each other
   FiniteStrainPart = 32,
-  CurvaturePart = 64 ///< the body's sag
+  CurvaturePart = 64, ///< the body's sag
+  TrueShapePart = 128 ///< finite elements of the whole body, under each point
 };
 
 /// The parts of a response that was saved without them, from its text; 0: nothing known.

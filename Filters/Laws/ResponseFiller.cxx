@@ -4,6 +4,7 @@
 #include "Contact/ParallelRanges.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/PreparedLaw.h"
+#include "Laws/TrustedDepth.h"
 #include "Mechanics/SeriesCompliance.h"
 
 #include <algorithm>
@@ -139,16 +140,13 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
   return { 0.0, status == Valid ? ResponseLimit::Thickness : ResponseLimit::None };
 }
 
-/// Between the samples the error is straight over √δ, as strain is below a sphere.
 template <class StateAt>
 ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& stateAt, bool fits,
   const ContactSpot& spot, const SpotSurface& surface) const
 {
   const auto n = static_cast<std::size_t>(this->Spans.samples);
-  const auto range = static_cast<double>(this->Range);
-  ValidityRule::Answer trusted{ 0.0, ResponseLimit::None };
-  bool isTrusted = false;
-  double below = 0.0; // the error of the sample that was seen before, which is the deeper one
+  ResponseLimit limit = ResponseLimit::None;
+  TrustedDepth trusted(static_cast<double>(this->Range), n, this->Tolerance);
   for (std::size_t k = n + 1; k-- > 0;)
   {
     const LocalState state = stateAt(k);
@@ -166,22 +164,14 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& sta
     {
       this->Spans.error[n * i + k - 1] = static_cast<float>(error);
     }
-    if (!isTrusted && error <= this->Tolerance)
+    const bool isTrusted = trusted.add(k, error);
+    limit = isTrusted ? limit : parts.largest();
+    if (isTrusted && !this->Spans.error)
     {
-      isTrusted = true;
-      const double fraction = k == n ? 0.0 : (this->Tolerance - error) / (below - error);
-      const double root = (static_cast<double>(k) + (std::isfinite(fraction) ? fraction : 0.0)) /
-        static_cast<double>(n);
-      trusted.depth = range * root * root;
-      if (!this->Spans.error)
-      {
-        break;
-      }
+      break;
     }
-    trusted.limit = isTrusted ? trusted.limit : parts.largest();
-    below = error;
   }
-  return trusted;
+  return { trusted.depth(), limit };
 }
 
 unsigned char ResponseFiller::fillCurve(std::size_t i, const ContactSpot& spot, double bound) const

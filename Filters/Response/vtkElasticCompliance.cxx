@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticCompliance.h"
 
-#include "Mechanics/Numerics/AvailableMemory.h"
+#include "Mechanics/JoinedText.h"
 #include "Response/FilterStage.h"
 #include "Response/FilterThreads.h"
 #include "Mechanics/FiniteElements/GlobalModes.h"
 #include "Mechanics/FiniteElements/PatchCompliance.h"
-#include "Mechanics/ReducedModulus.h"
+#include "Response/Bodies/FactorisedBody.h"
 #include "Response/Bodies/VolumeConversion.h"
 
-#include "vtkCellData.h"
-#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -30,19 +28,6 @@
 
 namespace
 {
-using palpate::Mebibyte;
-
-/// Of the memory that is available: what the factorisation may take, so that the solutions have
-/// room, and others.
-constexpr double MemoryShare = 0.9;
-
-palpate::StiffnessFactor::Kind kindOf(int solver)
-{
-  return solver == vtkElasticCompliance::Supernodal ? palpate::StiffnessFactor::Kind::Supernodal
-    : solver == vtkElasticCompliance::Simplicial    ? palpate::StiffnessFactor::Kind::Simplicial
-                                                    : palpate::StiffnessFactor::Kind::Automatic;
-}
-
 void attachCompliances(
   const palpate::PatchCompliances& compliances, vtkPolyData* output, vtkIdType count)
 {
@@ -119,76 +104,33 @@ int vtkElasticCompliance::RequestData(
   {
     return 1;
   }
-  vtkDataArray* young = nullptr;
-  vtkDataArray* poisson = nullptr;
-  if (!this->CheckProperties() || !this->FetchCellArray(grid, 0, young) ||
-    !this->FetchCellArray(grid, 1, poisson))
-  {
-    return 0;
-  }
-  const auto failed = [this](const std::string& error)
-  {
-    if (!error.empty())
-    {
-      vtkErrorMacro(<< "Wrong input: " << error << ".");
-    }
-    return !error.empty();
-  };
-  palpate::ElasticBodyInput input;
-  if (failed(palpate::convertVolume(grid, input.mesh)) ||
-    failed(palpate::convertFixed(grid, input.fixed)))
-  {
-    return 0;
-  }
-  input.materials = palpate::convertMaterials(
-    grid->GetNumberOfCells(), young, poisson, { this->YoungsModulus, this->PoissonRatio });
-
-  const auto goOn = [this](double done) { return palpate::FilterStage{ this, 0.0, 1.0 }(done); };
+  palpate::FactorRequest request;
+  request.material = { this->YoungsModulus, this->PoissonRatio };
+  request.solver = this->Solver;
+  request.memoryLimit = this->MemoryLimit;
+  std::string fault = this->CheckProperties(request);
+  const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
+  fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.young) : fault;
+  fault = fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.poisson) : fault;
   const palpate::FilterThreads threads;
   palpate::ElasticBody body;
-  if (failed(body.take(std::move(input))))
+  bool isEnded = false;
+  if (fault.empty())
   {
+    fault = palpate::factoriseBody(
+      grid, request, palpate::FilterStage{ this, 0.0, 0.4 }, body, this->MemoryEstimate, isEnded);
+  }
+  if (fault.empty() && !isEnded && this->LoadedPoint >= body.surface().pointTotal())
+  {
+    fault = palpate::joined("LoadedPoint must be -1 or a point of the surface, which has ",
+      body.surface().pointTotal(), ", but is ", this->LoadedPoint);
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
     return 0;
   }
-  const palpate::MemoryForecast forecast = body.memoryForecast();
-  if (forecast.exceeds(this->AllowedMemory()))
-  {
-    this->RefuseMemory(3 * grid->GetNumberOfPoints(), forecast.matrix + forecast.factor);
-    return 0;
-  }
-  if (failed(body.assemble()))
-  {
-    return 0;
-  }
-  if (this->LoadedPoint >= body.surface().pointTotal())
-  {
-    vtkErrorMacro(<< "LoadedPoint must be -1 or a point of the surface, which has "
-                  << body.surface().pointTotal() << ", but is " << this->LoadedPoint << ".");
-    return 0;
-  }
-  if (!goOn(0.05))
-  {
-    return 1;
-  }
-  if (failed(body.analyse(kindOf(this->Solver))))
-  {
-    return 0;
-  }
-  this->MemoryEstimate = body.memoryEstimate() / Mebibyte;
-  if (body.memoryEstimate() > this->AllowedMemory())
-  {
-    this->RefuseMemory(body.unknowns(), body.memoryEstimate());
-    return 0;
-  }
-  if (!goOn(0.1))
-  {
-    return 1;
-  }
-  if (failed(body.factorise()))
-  {
-    return 0;
-  }
-  if (!goOn(0.4))
+  if (isEnded)
   {
     return 1;
   }
@@ -242,101 +184,28 @@ int vtkElasticCompliance::RequestData(
   return 1;
 }
 
-double vtkElasticCompliance::AllowedMemory() const
+std::string vtkElasticCompliance::CheckProperties(const palpate::FactorRequest& request)
 {
-  return this->MemoryLimit > 0.0 ? Mebibyte * this->MemoryLimit
-                                 : MemoryShare * palpate::availableMemory();
-}
-
-void vtkElasticCompliance::RefuseMemory(vtkIdType unknowns, double bytes)
-{
-  this->MemoryEstimate = bytes / Mebibyte;
-  vtkErrorMacro(<< "The factorisation of " << unknowns << " unknowns needs about "
-                << this->MemoryEstimate << " MiB, more than "
-                << (this->MemoryLimit > 0.0 ? "MemoryLimit, "
-                                            : "what is available (MemoryLimit is 0), ")
-                << this->AllowedMemory() / Mebibyte << " MiB.");
-}
-
-bool vtkElasticCompliance::CheckProperties()
-{
-  if (!palpate::isYoungsModulus(this->YoungsModulus))
+  std::string fault = palpate::checkFactorRequest(request);
+  if (!fault.empty())
   {
-    vtkErrorMacro(<< "YoungsModulus must be positive and finite (MPa), but is "
-                  << this->YoungsModulus << ".");
-    return false;
-  }
-  if (!(this->PoissonRatio >= 0.0 && this->PoissonRatio <= palpate::LargestPoissonRatio))
-  {
-    vtkErrorMacro(<< "PoissonRatio must lie between 0 and " << palpate::LargestPoissonRatio
-                  << " (finite elements need a compressible material), but is "
-                  << this->PoissonRatio << ".");
-    return false;
+    return fault;
   }
   if (!(this->PatchRadius >= 0.0 && std::isfinite(this->PatchRadius)))
   {
-    vtkErrorMacro(<< "PatchRadius must be 0 or positive (mm), but is " << this->PatchRadius << ".");
-    return false;
-  }
-  if (!(this->MemoryLimit >= 0.0))
-  {
-    vtkErrorMacro(<< "MemoryLimit must be 0 or positive (MiB), but is " << this->MemoryLimit
-                  << ".");
-    return false;
-  }
-  if (this->Solver < Automatic || this->Solver > Simplicial)
-  {
-    vtkErrorMacro(<< "Solver must be 0, 1 or 2, but is " << this->Solver << ".");
-    return false;
+    return palpate::joined("PatchRadius must be 0 or positive (mm), but is ", this->PatchRadius);
   }
   if (this->NumberOfModes < 0 || this->NumberOfModes > palpate::MostGlobalModes)
   {
-    vtkErrorMacro(<< "NumberOfModes must lie between 0 and " << palpate::MostGlobalModes
-                  << ", but is " << this->NumberOfModes << ".");
-    return false;
+    return palpate::joined("NumberOfModes must lie between 0 and ", palpate::MostGlobalModes,
+      ", but is ", this->NumberOfModes);
   }
   if (this->LoadedPoint < -1 || !std::isfinite(this->LoadForce))
   {
-    vtkErrorMacro(<< "LoadedPoint must be -1 or a point and LoadForce finite, but they are "
-                  << this->LoadedPoint << " and " << this->LoadForce << " N.");
-    return false;
+    return palpate::joined("LoadedPoint must be -1 or a point and LoadForce finite, but they are ",
+      this->LoadedPoint, " and ", this->LoadForce, " N");
   }
-  return true;
-}
-
-bool vtkElasticCompliance::FetchCellArray(
-  vtkUnstructuredGrid* grid, int index, vtkDataArray*& array)
-{
-  array = nullptr;
-  vtkInformationVector* wanted = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
-  if (!wanted || index >= wanted->GetNumberOfInformationObjects() ||
-    !wanted->GetInformationObject(index)->Has(INPUT_PORT()))
-  {
-    return true; // never set: the constant property holds
-  }
-  vtkInformation* which = wanted->GetInformationObject(index);
-  const char* name =
-    which->Has(vtkDataObject::FIELD_NAME()) ? which->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  if (name && !*name)
-  {
-    return true; // an empty name takes the setting back
-  }
-  array = name ? grid->GetCellData()->GetArray(name) : this->GetInputArrayToProcess(index, grid);
-  if (!array)
-  {
-    vtkErrorMacro(<< "Array to process " << index << " ('" << (name ? name : "active attribute")
-                  << "') is not on the input's cells.");
-    return false;
-  }
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != grid->GetNumberOfCells())
-  {
-    vtkErrorMacro(<< "Array '" << array->GetName() << "' must have 1 component and "
-                  << grid->GetNumberOfCells() << " tuples, but has "
-                  << array->GetNumberOfComponents() << " and " << array->GetNumberOfTuples()
-                  << ".");
-    return false;
-  }
-  return true;
+  return {};
 }
 
 void vtkElasticCompliance::PrintSelf(ostream& os, vtkIndent indent)

@@ -81,8 +81,12 @@
 #include "palpateResponseModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class vtkDataArray;
-class vtkUnstructuredGrid;
+#include <string> // For std::string
+
+namespace palpate
+{
+struct FactorRequest;
+}
 
 class PALPATERESPONSE_EXPORT vtkElasticCompliance : public vtkPolyDataAlgorithm
 {
@@ -170,11 +174,7 @@ private:
   vtkElasticCompliance(const vtkElasticCompliance&) = delete;
   void operator=(const vtkElasticCompliance&) = delete;
 
-  bool CheckProperties();
-  /// Bytes: by MemoryLimit, or by what is available now.
-  double AllowedMemory() const;
-  void RefuseMemory(vtkIdType unknowns, double bytes);
-  bool FetchCellArray(vtkUnstructuredGrid* grid, int index, vtkDataArray*& array);
+  std::string CheckProperties(const palpate::FactorRequest& request);
 
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;

@@ -66,7 +66,13 @@ PROPERTIES = {                                              # of each proxy: lab
         "Tool": None, "Body Model": 0, "Poisson's Ratio": 0.45, "Layer Base": 0, "Find First Contact": 1,
         "Noise (N)": 0.0, "Maximum Hysteresis": 0.2, "Maximum Rate Effect": 0.1, "Maximum Strain": 0.4,
         "Maximum Misfit": 0.02, "Maximum Uncertainty": 0.5, "Maximum Site Distance (mm)": 2.0, "Reach (mm)": 20.0,
-        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
+        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1,
+        "Response Name": "Response"},
+    ("filters", "ElasticContactResponse"): {
+        "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
+        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
+        "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1, "Response Name": "Response",
+        "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0},
     ("filters", "ElasticCompliance"): {
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45,
@@ -323,6 +329,30 @@ def check_compliance():
     assert moved[height.argmax(), 2] < 0, moved
 
 
+def check_true_shape():
+    """A ball on its foot, pressed: softer than a half-space as curved; force goes with E; the next tool is free."""
+    ball = simple.Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
+    solid = simple.VoxelBody(Input=ball, Spacingmm=2.5)
+    shaped = simple.ElasticContactResponse(Input=solid, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
+    shaped.Tool.Shape = "Sphere"
+    shaped.Tool.Radiusmm = 5
+    shaped.MaximumDeflectionmm = 0.5
+    force = fetched(shaped, "ResponseForce")
+    made = shaped.GetClientSideObject()
+    assert type(made) is palpate.vtkElasticContactResponse
+    assert made.GetNumberOfSolutions() > 0
+    body = servermanager.Fetch(shaped)
+    top = vtk_to_numpy(body.GetPoints().GetData())[:, 2].argmax()
+    assert body.GetPointData().GetArray("ResponseStatus").GetValue(top) == 0
+    hertz = 4 / 3 * REDUCED * (1 / (1 / 5 + 1 / 10)) ** 0.5 * 0.5 ** 1.5
+    assert 0.7 * hertz < force[top, -1] < 1.02 * hertz, (force[top], hertz)
+    shaped.Tool.Radiusmm = 2
+    smaller = fetched(shaped, "ResponseForce")
+    assert smaller[top, -1] < force[top, -1] and made.GetNumberOfSolutions() == 0
+    shaped.YoungsModulusMPa = 2 * YOUNG
+    np.testing.assert_allclose(fetched(shaped, "ResponseForce")[top], 2 * smaller[top], rtol=1e-4)
+
+
 def check_skin():
     """Wavelet's values grow towards its centre: the skin is a closed surface around it."""
     scan = simple.Wavelet()
@@ -378,6 +408,7 @@ check_plane()
 check_tool()
 check_layer()
 check_compliance()
+check_true_shape()
 check_skin()
 check_thickness()
 check_trajectory()

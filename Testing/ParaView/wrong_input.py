@@ -42,6 +42,7 @@ for make in (simple.BodySurface, simple.ToolContactResponse, simple.VoxelBody, s
     check(make(Input=table), "vtkTable is no body", "Table To Points")
     check(make(Input=simple.GroupDatasets(Input=[ball, table])), "block 'ResponseCurves", "vtkTable is no body")
 check(simple.ElasticCompliance(Input=ball), "vtkPolyData has no volume", "Voxel Body")
+check(simple.ElasticContactResponse(Input=ball), "vtkPolyData has no volume", "Voxel Body")
 hole = simple.TrivialProducer()
 pierced = servermanager.Fetch(ball).NewInstance()
 pierced.DeepCopy(servermanager.Fetch(ball))

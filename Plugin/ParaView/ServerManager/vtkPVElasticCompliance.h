@@ -11,12 +11,10 @@
 #ifndef vtkPVElasticCompliance_h
 #define vtkPVElasticCompliance_h
 
+#include "BodyInput.h"                  // For palpate::BodyInput
+#include "VolumeInput.h"                // For its macro
 #include "palpateServerManagerModule.h" // For export macro
 #include "vtkElasticCompliance.h"
-#include "vtkSmartPointer.h" // For vtkSmartPointer
-
-class vtkDataObject;
-class vtkUnstructuredGrid;
 
 class PALPATESERVERMANAGER_EXPORT vtkPVElasticCompliance : public vtkElasticCompliance
 {
@@ -24,28 +22,15 @@ public:
   static vtkPVElasticCompliance* New();
   vtkTypeMacro(vtkPVElasticCompliance, vtkElasticCompliance);
 
-  ///@{
-  /** The unit of the input's coordinates: 0 mm (default), 1 cm, 2 m. */
-  vtkSetClampMacro(LengthUnit, int, 0, 2);
-  vtkGetMacro(LengthUnit, int);
-  ///@}
-
 protected:
   vtkPVElasticCompliance() = default;
   ~vtkPVElasticCompliance() override = default;
-
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
   vtkPVElasticCompliance(const vtkPVElasticCompliance&) = delete;
   void operator=(const vtkPVElasticCompliance&) = delete;
 
-  /** As one mesh in mm; null after an error. */
-  vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(vtkDataObject* data);
-
-  int LengthUnit = 0;
+  palpateVolumeInputMacro();
 };
 
 #endif

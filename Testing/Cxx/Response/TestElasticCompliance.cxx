@@ -2,6 +2,7 @@
 // vtkElasticCompliance: its output, its arrays to process, both solvers, its errors, abort.
 // Accuracy: TestElasticComplianceLayer, TestElasticCompliancePlate.
 #include "FilterChecks.h"
+#include "VolumeBlock.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -24,64 +25,6 @@
 namespace
 {
 using namespace palpate::testing;
-using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
-
-/// side × side × height cells of 1 mm on a fixed base, as voxels or hexahedra.
-Grid block(int side, int height, int cellType = VTK_VOXEL)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkUnsignedCharArray> fixed;
-  fixed->SetName("Fixed");
-  vtkNew<vtkDoubleArray> heights;
-  heights->SetName("Height");
-  for (int k = 0; k <= height; ++k)
-  {
-    for (int j = 0; j <= side; ++j)
-    {
-      for (int i = 0; i <= side; ++i)
-      {
-        points->InsertNextPoint(i, j, k);
-        fixed->InsertNextValue(k == 0 ? 7 : 0);
-        heights->InsertNextValue(k);
-      }
-    }
-  }
-  auto grid = Grid::New();
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(fixed);
-  grid->GetPointData()->AddArray(heights);
-  const auto id = [side](int i, int j, int k) -> vtkIdType
-  { return (k * (side + 1) + j) * (side + 1) + i; };
-  for (int k = 0; k < height; ++k)
-  {
-    for (int j = 0; j < side; ++j)
-    {
-      for (int i = 0; i < side; ++i)
-      {
-        std::array<vtkIdType, 8> corners = { id(i, j, k), id(i + 1, j, k), id(i, j + 1, k),
-          id(i + 1, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i, j + 1, k + 1),
-          id(i + 1, j + 1, k + 1) };
-        if (cellType == VTK_HEXAHEDRON)
-        {
-          std::swap(corners[2], corners[3]);
-          std::swap(corners[6], corners[7]);
-        }
-        grid->InsertNextCell(cellType, 8, corners.data());
-      }
-    }
-  }
-  return grid;
-}
-
-void addCells(vtkUnstructuredGrid* grid, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(grid->GetNumberOfCells());
-  array->Fill(value);
-  grid->GetCellData()->AddArray(array);
-}
-
 vtkSmartPointer<vtkElasticCompliance> makeFilter(vtkUnstructuredGrid* grid)
 {
   auto filter = vtkSmartPointer<vtkElasticCompliance>::New();

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laws/ShapedResponse.h"
+
+#include "Contact/ResponseSampling.h"
+#include "Laws/TrustedDepth.h"
+#include "Mechanics/FiniteStrain/SmallStrainError.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/ThreadCount.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/TrueShape/ShapedContact.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr auto ValidPoint = static_cast<unsigned char>(ResponseStatus::Valid);
+constexpr double Exponent = 1.0; // a body may harden or soften any tool's law
+constexpr double LeftOfTilt = 0.2;
+constexpr double LeastRange = 1e-3; // of what was asked for: a curve that ends before is none
+constexpr double FromTouch = 1e-3;  // of the first sample's depth
+
+/// The samples of one point.
+struct SampledCurve
+{
+  const float* forces;
+  const float* stiffnesses;
+  double force(int k) const { return static_cast<double>(this->forces[k]); }
+  double stiffness(int k) const { return static_cast<double>(this->stiffnesses[k]); }
+};
+
+/// What one point needs, shared by all.
+class ShapedFiller
+{
+public:
+  ShapedFiller(const AxisymmetricTool& tool, const RegularGreen& green, const ShapedTerms& terms,
+    const ResponseSpans& spans)
+    : Contact(tool)
+    , Green(green)
+    , Terms(terms)
+    , Spans(spans)
+    , Sampling(spans.samples, Exponent)
+  {
+  }
+
+  void fill(std::size_t i) const
+  {
+    const auto n = static_cast<std::size_t>(this->Spans.samples);
+    float* force = this->Spans.force + n * i;
+    float* stiffness = this->Spans.stiffness + n * i;
+    std::fill_n(force, n, 0.0F);
+    std::fill_n(stiffness, n, 0.0F);
+    if (this->Spans.error)
+    {
+      std::fill_n(this->Spans.error + n * i, n, std::numeric_limits<float>::quiet_NaN());
+    }
+    this->Spans.range[i] = static_cast<float>(this->Terms.range);
+    this->Spans.validity[i] = 0.0F;
+    this->Spans.limit[i] = static_cast<unsigned char>(ResponseLimit::None);
+    unsigned char& status = this->Spans.status[i];
+    if (status != ValidPoint)
+    {
+      return;
+    }
+    const ContactKernelFit fit(this->Green, static_cast<std::int32_t>(i));
+    status = static_cast<unsigned char>(fit.status());
+    if (status != ValidPoint)
+    {
+      return;
+    }
+    const ContactCurve curve = this->Contact.curve(fit);
+    // A float below where the curve ends, so that its last sample is on it.
+    const double deepest = curve.isEmpty() ? 0.0 : (1.0 - 1e-6) * curve.deepest();
+    if (!(deepest > LeastRange * this->Terms.range))
+    {
+      status = static_cast<unsigned char>(ResponseStatus::Edge);
+      return;
+    }
+    const auto range = static_cast<float>(std::min(this->Terms.range, deepest));
+    this->Spans.range[i] = range;
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const IndentationPoint point =
+        curve.evaluate(this->Sampling.depth(static_cast<int>(k), static_cast<double>(range)));
+      force[k] = static_cast<float>(point.force);
+      stiffness[k] = static_cast<float>(point.stiffness);
+    }
+    this->judge(i, curve, fit.reducedModulus());
+  }
+
+private:
+  /// Error and validity of a point whose curve is stored.
+  void judge(std::size_t i, const ContactCurve& curve, double modulus) const
+  {
+    const auto n = static_cast<std::size_t>(this->Spans.samples);
+    const auto range = static_cast<double>(this->Spans.range[i]);
+    if (!(this->Terms.errorTolerance > 0.0))
+    {
+      this->Spans.validity[i] = this->Spans.range[i];
+      return;
+    }
+    const BodySurface& surface = this->Green.body().surface();
+    const double ratio =
+      this->Green.body().materialAt(surface.node(static_cast<std::int32_t>(i))).poissonRatio;
+    ResponseLimit limit = ResponseLimit::None;
+    TrustedDepth trusted(range, n, this->Terms.errorTolerance);
+    for (std::size_t k = n + 1; k-- > 0;)
+    {
+      const double depth = k > 0 ? this->Sampling.depth(static_cast<int>(k) - 1, range)
+                                 : FromTouch * this->Sampling.depth(0, range);
+      const IndentationPoint point = curve.evaluate(depth);
+      const ContactSample errors = curve.errorsAt(depth);
+      const double a = point.contactRadius;
+      ErrorParts parts;
+      parts[ResponseLimit::Strain] =
+        smallStrainError(point.force / (Pi * a * a * modulus), ratio, 0.0, 0.0);
+      parts[ResponseLimit::Edge] =
+        LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
+      parts[ResponseLimit::Elements] = std::abs(errors.mesh) + std::abs(errors.truncation);
+      parts[ResponseLimit::None] = k > 0 ? this->storedWrong(i, k - 1, curve) : 0.0;
+      double error = parts.total();
+      error = std::isfinite(error) ? error : 1.0;
+      if (k > 0 && this->Spans.error)
+      {
+        this->Spans.error[n * i + k - 1] = static_cast<float>(error);
+      }
+      limit = trusted.add(k, error) ? limit : parts.largest();
+    }
+    this->Spans.validity[i] = static_cast<float>(trusted.depth());
+    this->Spans.limit[i] = static_cast<unsigned char>(limit);
+  }
+
+  /// How far the stored curve is off half-way to a sample, relative.
+  double storedWrong(std::size_t i, std::size_t k, const ContactCurve& curve) const
+  {
+    const auto n = static_cast<std::size_t>(this->Spans.samples);
+    const auto range = static_cast<double>(this->Spans.range[i]);
+    const double root = (static_cast<double>(k) + 0.5) / static_cast<double>(n);
+    const double depth = range * root * root;
+    const SampledCurve samples{ this->Spans.force + n * i, this->Spans.stiffness + n * i };
+    const double stored = this->Sampling.evaluate(samples, range, depth).force;
+    return std::abs(stored / curve.evaluate(depth).force - 1.0);
+  }
+
+  ShapedContact Contact;
+  const RegularGreen& Green;
+  ShapedTerms Terms;
+  ResponseSpans Spans;
+  ResponseSampling Sampling;
+};
+} // namespace
+
+MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& green,
+  const ShapedTerms& terms, const ResponseSpans& spans, const std::function<bool(double)>& goOn)
+{
+  const auto points = static_cast<std::size_t>(green.body().surface().pointTotal());
+  const ShapedFiller filler(tool, green, terms, spans);
+  MadeResponse made;
+  made.exponent = Exponent;
+  std::atomic<std::size_t> next{ 0 };
+  std::atomic<bool> isStopped{ false };
+  const auto work = [&](bool reports)
+  {
+    for (std::size_t i = next++; i < points && !isStopped; i = next++)
+    {
+      filler.fill(i);
+      if (reports && goOn && !goOn(static_cast<double>(i) / static_cast<double>(points)))
+      {
+        isStopped = true;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < std::min(threadCount(), points); ++t)
+  {
+    others.emplace_back(work, false);
+  }
+  work(true);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  if (isStopped)
+  {
+    return made;
+  }
+  made.complete = true;
+  made.without =
+    points - static_cast<std::size_t>(std::count(spans.status, spans.status + points, ValidPoint));
+  return made;
+}
+} // namespace palpate

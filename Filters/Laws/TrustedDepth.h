@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TrustedDepth_h
+#define palpate_TrustedDepth_h
+
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+/// The largest depth to which the error of a curve is within a tolerance, found from the deepest
+/// sample up. Between the samples, which lie at even √δ, the error is straight over √δ, as strain
+/// is below a sphere.
+class TrustedDepth
+{
+public:
+  /// `range`: that of the last of `samples` samples, mm.
+  TrustedDepth(double range, std::size_t samples, double tolerance)
+    : Range(range)
+    , Samples(static_cast<double>(samples))
+    , Tolerance(tolerance)
+  {
+  }
+
+  /// The error at sample k = n … 1, then just at touch, 0. True as soon as the depth is known.
+  bool add(std::size_t k, double error)
+  {
+    if (!this->Known && error <= this->Tolerance)
+    {
+      this->Known = true;
+      const auto place = static_cast<double>(k);
+      const double fraction =
+        place == this->Samples ? 0.0 : (this->Tolerance - error) / (this->Below - error);
+      const double root = (place + (std::isfinite(fraction) ? fraction : 0.0)) / this->Samples;
+      this->Found = this->Range * root * root;
+    }
+    this->Below = error;
+    return this->Known;
+  }
+
+  double depth() const noexcept { return this->Found; }
+
+private:
+  double Range;
+  double Samples;
+  double Tolerance;
+  double Below = 0.0; // the error of the sample before, which is the deeper one
+  double Found = 0.0;
+  bool Known = false;
+};
+} // namespace palpate
+
+#endif

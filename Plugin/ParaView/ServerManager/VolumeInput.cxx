@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeInput.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+std::vector<vtkDataObject*> leavesOf(vtkDataObject* data)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return { data };
+  }
+  std::vector<vtkDataObject*> leaves;
+  vtkSmartPointer<vtkCompositeDataIterator> leaf;
+  leaf.TakeReference(composite->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    leaves.push_back(leaf->GetCurrentDataObject());
+  }
+  return leaves;
+}
+} // namespace
+
+vtkInformationVector** VolumeInput::replace(vtkInformationVector** inputs, std::string& fault)
+{
+  vtkInformation* given = inputs[0]->GetInformationObject(0);
+  vtkDataObject* data = given->Get(vtkDataObject::DATA_OBJECT());
+  const bool isKept = this->Kept && this->KeptData == data && this->KeptFrom == data->GetMTime() &&
+    this->KeptUnit == this->LengthUnit;
+  fault = isKept ? std::string() : this->makeMesh(data);
+  if (!fault.empty())
+  {
+    this->Kept = nullptr;
+    return nullptr;
+  }
+  vtkNew<vtkInformation> replaced;
+  replaced->Copy(given);
+  replaced->Set(vtkDataObject::DATA_OBJECT(), this->Kept);
+  this->First = vtkSmartPointer<vtkInformationVector>::New();
+  this->First->Append(replaced);
+  this->Inputs[0] = this->First;
+  return this->Inputs;
+}
+
+std::string VolumeInput::makeMesh(vtkDataObject* data)
+{
+  vtkNew<vtkAppendFilter> all;
+  all->MergePointsOn();
+  for (vtkDataObject* leaf : leavesOf(data))
+  {
+    if (!vtkDataSet::SafeDownCast(leaf) || vtkPolyData::SafeDownCast(leaf))
+    {
+      return std::string("Wrong input: a ") + (leaf ? leaf->GetClassName() : "missing data set") +
+        " has no volume: apply Voxel Body (vtkVoxelBody) to a closed surface first";
+    }
+    all->AddInputData(vtkDataSet::SafeDownCast(leaf));
+  }
+  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    mesh->ShallowCopy(grid);
+  }
+  else if (all->GetNumberOfInputConnections(0) > 0)
+  {
+    all->Update();
+    mesh->ShallowCopy(all->GetOutput());
+  }
+  const double millimetres[] = { 1.0, 10.0, 1000.0 };
+  const double scale = millimetres[this->LengthUnit];
+  if (scale != 1.0 && mesh->GetNumberOfPoints() > 0)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(mesh->GetPoints()->GetDataType());
+    points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      mesh->GetPoint(i, p);
+      points->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+    }
+    mesh->SetPoints(points);
+  }
+  this->Kept = mesh;
+  this->KeptFrom = data->GetMTime();
+  this->KeptUnit = this->LengthUnit;
+  this->KeptData = data;
+  return {};
+}
+} // namespace palpate

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The volume of a proxy: whatever ParaView has, on its way to a filter that takes one
+ * vtkUnstructuredGrid in mm. A thin subclass of the filter has one of these, by
+ * palpateVolumeInputMacro; see BodyInput.h.
+ */
+#ifndef palpate_VolumeInput_h
+#define palpate_VolumeInput_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h" // For vtkMTimeType
+
+#include <string> // For std::string
+
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+class VolumeInput
+{
+public:
+  /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
+  int LengthUnit = 0;
+
+  /// The input of one port with its data as one mesh in mm, in blocks or partitions too, which are
+  /// joined where their points coincide exactly; null after an error, then `fault` says what is
+  /// wrong. The same mesh again for the same data and unit.
+  vtkInformationVector** replace(vtkInformationVector** inputs, std::string& fault);
+
+private:
+  std::string makeMesh(vtkDataObject* data);
+
+  vtkSmartPointer<vtkUnstructuredGrid> Kept;
+  vtkSmartPointer<vtkDataObject> KeptData;
+  vtkMTimeType KeptFrom = 0;
+  int KeptUnit = 0;
+  vtkSmartPointer<vtkInformationVector> First;
+  vtkInformationVector* Inputs[1] = { nullptr };
+};
+} // namespace palpate
+
+/// All that makes a filter of a volume take any, in any unit of length: in the class of its
+/// subclass, at the end. The source needs BodyInput.h, vtkInformation.h and vtkInformationVector.h.
+#define palpateVolumeInputMacro()                                                                  \
+public:                                                                                            \
+  void SetLengthUnit(int unit)                                                                     \
+  {                                                                                                \
+    const int known = unit < 0 ? 0 : unit > 2 ? 2 : unit;                                          \
+    if (this->Volume.LengthUnit != known)                                                          \
+    {                                                                                              \
+      this->Volume.LengthUnit = known;                                                             \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  int GetLengthUnit()                                                                              \
+  {                                                                                                \
+    return this->Volume.LengthUnit;                                                                \
+  }                                                                                                \
+                                                                                                   \
+protected:                                                                                         \
+  int FillInputPortInformation(int, vtkInformation* info) override                                 \
+  {                                                                                                \
+    palpate::BodyInput::admit(info);                                                               \
+    return 1;                                                                                      \
+  }                                                                                                \
+  int RequestData(                                                                                 \
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override  \
+  {                                                                                                \
+    std::string fault;                                                                             \
+    vtkInformationVector** replaced = this->Volume.replace(input, fault);                          \
+    if (!replaced)                                                                                 \
+    {                                                                                              \
+      vtkErrorMacro(<< fault << ".");                                                              \
+      return 0;                                                                                    \
+    }                                                                                              \
+    return this->Superclass::RequestData(request, replaced, output);                               \
+  }                                                                                                \
+                                                                                                   \
+private:                                                                                           \
+  palpate::VolumeInput Volume
+
+#endif

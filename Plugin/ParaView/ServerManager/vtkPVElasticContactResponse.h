@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVElasticContactResponse
+ * @brief responses of true shape on any volume
+ *
+ * The filter as ParaView's menu offers it: its body may be any volume mesh, as that of
+ * vtkPVElasticCompliance. Settings and results are those of the superclass; all lengths but the
+ * input's coordinates are in mm.
+ */
+#ifndef vtkPVElasticContactResponse_h
+#define vtkPVElasticContactResponse_h
+
+#include "BodyInput.h"                  // For palpate::BodyInput
+#include "VolumeInput.h"                // For its macro
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkElasticContactResponse.h"
+
+class PALPATESERVERMANAGER_EXPORT vtkPVElasticContactResponse : public vtkElasticContactResponse
+{
+public:
+  static vtkPVElasticContactResponse* New();
+  vtkTypeMacro(vtkPVElasticContactResponse, vtkElasticContactResponse);
+
+protected:
+  vtkPVElasticContactResponse() = default;
+  ~vtkPVElasticContactResponse() override = default;
+
+private:
+  vtkPVElasticContactResponse(const vtkPVElasticContactResponse&) = delete;
+  void operator=(const vtkPVElasticContactResponse&) = delete;
+
+  palpateVolumeInputMacro();
+};
+
+#endif

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkElasticContactResponse: against the exact layer, over an inclusion, from one tool to the next,
+// its status, its errors, abort, threads. The kernels: Mechanics, Shaped…Test.
+#include "FilterChecks.h"
+#include "VolumeBlock.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataObject.h"
+#include "vtkElasticContactResponse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using namespace palpate::testing;
+using ElasticFilter = vtkSmartPointer<vtkElasticContactResponse>;
+
+constexpr int Side = 24;
+constexpr int Height = 4; // a layer of 4 mm in four cells
+
+ElasticFilter press(vtkUnstructuredGrid* grid, const std::string& tool)
+{
+  auto filter = ElasticFilter::New();
+  filter->SetInputData(grid);
+  filter->SetTool(makeTool(tool));
+  filter->SetMaximumDeflection(0.6);
+  return filter;
+}
+
+vtkIdType topMiddle(vtkElasticContactResponse* filter)
+{
+  return filter->GetOutput()->FindPoint(0.5 * Side, 0.5 * Side, Height);
+}
+
+double component(vtkElasticContactResponse* filter, const char* name, vtkIdType point, int k = 0)
+{
+  return filter->GetOutput()->GetPointData()->GetArray(name)->GetComponent(point, k);
+}
+
+/// The middle of a bonded layer, by the exact integral equation.
+void checkLayer()
+{
+  const Grid grid = block(Side, Height);
+  for (const char* tool : { "sphere:1.6", "sphere:6.35", "flat:1.6", "cone:60" })
+  {
+    const ElasticFilter filter = press(grid, tool);
+    Messages messages(filter.Get());
+    filter->Update();
+    PALPATE_CHECK(messages.errors().empty());
+    PALPATE_CHECK_TEXT(messages.warnings(), "no response", "ResponseStatus"); // edges and base
+    vtkNew<vtkToolContactResponse> exact;
+    exact->SetInputData(planeBody(30.0, 8));
+    exact->SetTool(makeTool(tool));
+    exact->SetYoungsModulus(0.1);
+    exact->SetPoissonRatio(0.45);
+    exact->SetLayerThickness(Height);
+    exact->SetMaximumDeflection(0.6);
+    exact->Update();
+    const vtkIdType point = topMiddle(filter);
+    PALPATE_CHECK(component(filter, "ResponseStatus", point) == 0.0);
+    PALPATE_CHECK_NEAR(component(filter, "ResponseRange", point), 0.6, 1e-6);
+    for (int k = 1; k < 8; ++k)
+    {
+      for (const char* name : { "ResponseForce", "ResponseStiffness" })
+      {
+        const double truth =
+          exact->GetOutput()->GetPointData()->GetArray(name)->GetComponent(40, k);
+        // Four cells through the layer: 0.35 % of the force, and the sides are three layers away;
+        // the stiffness is the curve's derivative, with twice that.
+        PALPATE_CHECK_NEAR(component(filter, name, point, k), truth,
+          (std::string(name) == "ResponseForce" ? 0.005 : 0.01) * truth);
+      }
+    }
+    const double error = component(filter, "ResponseError", point, 7);
+    PALPATE_CHECK(error > 0.0 && error < 0.2);
+  }
+}
+
+void checkStatus()
+{
+  const ElasticFilter filter = press(block(Side, Height), "sphere:1.6");
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  const auto statusAt = [&](double x, double y, double z)
+  { return component(filter, "ResponseStatus", surface->FindPoint(x, y, z)); };
+  PALPATE_CHECK(statusAt(0.0, 0.0, Height) == 5.0);          // a corner
+  PALPATE_CHECK(statusAt(0.0, 0.5 * Side, Height) == 5.0);   // an edge
+  PALPATE_CHECK(statusAt(0.5 * Side, 0.5 * Side, 0) == 4.0); // held
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const bool isValid = component(filter, "ResponseStatus", i) == 0.0;
+    const double force = component(filter, "ResponseForce", i, 7);
+    PALPATE_CHECK(isValid ? force > 0.0 : force == 0.0);
+    PALPATE_CHECK(isValid || std::isnan(component(filter, "ResponseError", i, 3)));
+    PALPATE_CHECK(component(filter, "ResponseRange", i) > 0.0);
+  }
+  // Two cells from the edge a contact ends where it reaches that.
+  const vtkIdType beside = surface->FindPoint(2.0, 0.5 * Side, Height);
+  PALPATE_CHECK(component(filter, "ResponseStatus", beside) == 0.0);
+  PALPATE_CHECK(component(filter, "ResponseForce", beside, 7) <
+    component(filter, "ResponseForce", topMiddle(filter), 7)); // it gives way more
+}
+
+/// A hard cell under the surface is felt above it, and not far away.
+void checkInclusion()
+{
+  const Grid grid = block(Side, Height);
+  addCells(grid, "E", 0.1);
+  const int middle = Side / 2;
+  for (const int j : { middle - 1, middle })
+  {
+    for (const int i : { middle - 1, middle })
+    {
+      grid->GetCellData()->GetArray("E")->SetTuple1((2 * Side + j) * Side + i, 1.0);
+    }
+  }
+  const ElasticFilter plain = press(block(Side, Height), "sphere:1.6");
+  const ElasticFilter with = press(grid, "sphere:1.6");
+  with->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "E");
+  plain->Update();
+  with->Update();
+  const auto ratioAt = [&](double x)
+  {
+    const vtkIdType point = plain->GetOutput()->FindPoint(x, 0.5 * Side, Height);
+    return component(with, "ResponseForce", point, 7) / component(plain, "ResponseForce", point, 7);
+  };
+  PALPATE_CHECK(ratioAt(0.5 * Side) > 1.1);
+  PALPATE_CHECK(ratioAt(0.5 * Side) > ratioAt(0.5 * Side + 1.0));
+  PALPATE_CHECK_NEAR(ratioAt(0.5 * Side + 6.0), 1.0, 0.01);
+}
+
+/// A third of the points stand for all: with half of the thickness between them within 2 %.
+void checkSourceSpacing()
+{
+  const Grid grid = block(16, Height);
+  const ElasticFilter all = press(grid, "sphere:3");
+  all->Update();
+  const ElasticFilter some = press(grid, "sphere:3");
+  some->SetSourceSpacing(0.5 * Height);
+  some->Update();
+  PALPATE_CHECK(some->GetNumberOfSolutions() < 0.7 * all->GetNumberOfSolutions());
+  for (const double x : { 5.0, 6.0, 7.0, 8.0, 9.0 })
+  {
+    const vtkIdType point = all->GetOutput()->FindPoint(x, 8.0, Height);
+    const double force = component(all, "ResponseForce", point, 7);
+    PALPATE_CHECK_NEAR(component(some, "ResponseForce", point, 7), force, 0.02 * force);
+  }
+}
+
+/// The next tool needs no new solution unless its contact is wider, and feels the same as alone.
+void checkNextTool()
+{
+  const Grid grid = block(10, 3);
+  const ElasticFilter filter = press(grid, "sphere:4");
+  filter->Update();
+  PALPATE_CHECK(filter->GetNumberOfSolutions() > 0);
+  PALPATE_CHECK(filter->GetMemoryEstimate() > 0.0);
+  const double radius = 1.42 * makeTool("sphere:4")->GetContactRadius(0.6);
+  for (const char* tool : { "sphere:2", "flat:1", "cone:70" })
+  {
+    filter->SetTool(makeTool(tool));
+    filter->Update();
+    PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
+    const ElasticFilter alone = press(grid, tool);
+    alone->SetLargestContactRadius(radius);
+    alone->Update();
+    const vtkIdType values = filter->GetOutput()->GetNumberOfPoints() * 8;
+    bool same = values > 0;
+    for (vtkIdType i = 0; i < values && same; ++i)
+    {
+      same = filter->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetVariantValue(i) ==
+        alone->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetVariantValue(i);
+    }
+    PALPATE_CHECK(same);
+  }
+  filter->SetTool(makeTool("sphere:8"));
+  filter->Update();
+  PALPATE_CHECK(filter->GetNumberOfSolutions() > 0);
+  filter->SetPoissonRatio(0.3);
+  filter->Update();
+  PALPATE_CHECK(filter->GetNumberOfSolutions() > 0);
+  filter->SetMaximumDeflection(0.3);
+  filter->Update();
+  PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
+}
+
+void checkThreads()
+{
+  std::vector<vtkSmartPointer<vtkDataArray>> runs;
+  for (const int threads : { 1, 3 })
+  {
+    withThreads(threads,
+      [&]
+      {
+        const ElasticFilter filter = press(block(8, 3), "sphere:2");
+        filter->Update();
+        runs.emplace_back(filter->GetOutput()->GetPointData()->GetArray("ResponseForce"));
+      });
+  }
+  bool same = runs[0]->GetNumberOfValues() > 0;
+  for (vtkIdType i = 0; i < runs[0]->GetNumberOfValues(); ++i)
+  {
+    same = same && runs[0]->GetVariantValue(i) == runs[1]->GetVariantValue(i);
+  }
+  PALPATE_CHECK(same);
+}
+
+void checkErrors()
+{
+  const auto fails =
+    [](vtkUnstructuredGrid* grid, auto&& change, std::initializer_list<const char*> words)
+  {
+    const ElasticFilter filter = press(grid, "sphere:1.6");
+    Messages messages(filter.Get());
+    change(filter.Get());
+    filter->Update();
+    checkText(messages.errors(), words, __FILE__, __LINE__);
+    PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  };
+  const auto nothing = [](vtkElasticContactResponse*) {};
+  const Grid grid = block(4, 2);
+  fails(grid, [](auto* f) { f->SetTool(nullptr); }, { "Tool", "SetTool" });
+  fails(grid, [](auto* f) { f->SetPoissonRatio(0.5); }, { "PoissonRatio", "0.5" });
+  fails(grid, [](auto* f) { f->SetYoungsModulus(-1.0); }, { "YoungsModulus", "-1" });
+  fails(grid, [](auto* f) { f->SetMaximumDeflection(0.0); }, { "MaximumDeflection", "0" });
+  fails(
+    grid, [](auto* f) { f->SetMaximumDeflection(std::nan("")); }, { "MaximumDeflection", "nan" });
+  fails(grid, [](auto* f) { f->SetNumberOfSamples(1); }, { "NumberOfSamples", "1" });
+  fails(grid, [](auto* f) { f->SetErrorTolerance(-0.1); }, { "ErrorTolerance", "-0.1" });
+  fails(grid, [](auto* f) { f->SetLargestContactRadius(-2.0); }, { "LargestContactRadius", "-2" });
+  fails(grid, [](auto* f) { f->SetSourceSpacing(-1.0); }, { "SourceSpacing", "-1" });
+  fails(grid, [](auto* f) { f->SetSolver(7); }, { "Solver", "7" });
+  fails(grid, [](auto* f) { f->SetMemoryLimit(0.01); }, { "MemoryLimit", "MiB" });
+  fails(grid, [](auto* f) { f->SetResponseName(""); }, { "ResponseName" });
+  fails(grid,
+    [](auto* f)
+    { f->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Stiff"); },
+    { "Stiff", "cells" });
+  const Grid free = block(3, 3);
+  free->GetPointData()->RemoveArray("Fixed");
+  fails(free, nothing, { "no point array 'Fixed'" });
+  const Grid held = block(2, 1);
+  held->GetPointData()->GetArray("Fixed")->Fill(7.0);
+  fails(held, nothing, { "Wrong input" });
+
+  const ElasticFilter empty = press(Grid::New(), "sphere:1.6");
+  Messages messages(empty.Get());
+  empty->Update();
+  PALPATE_CHECK(messages.none() && empty->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+void checkAbort()
+{
+  for (const double at : { 0.01, 0.1, 0.2, 0.92 })
+  {
+    vtkNew<vtkCallbackCommand> stop;
+    double limit = at;
+    stop->SetClientData(&limit);
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void* client, void* data)
+      {
+        if (*static_cast<double*>(data) > *static_cast<double*>(client))
+        {
+          static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+        }
+      });
+    const ElasticFilter aborted = press(block(8, 3), "sphere:1.6");
+    Messages messages(aborted.Get());
+    const unsigned long tag = aborted->AddObserver(vtkCommand::ProgressEvent, stop);
+    aborted->Update();
+    PALPATE_CHECK(messages.errors().empty());
+    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() == 0);
+    // And again, to its end.
+    aborted->RemoveObserver(tag);
+    aborted->AbortExecuteOff();
+    aborted->Modified();
+    aborted->Update();
+    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() > 0);
+  }
+}
+} // namespace
+
+int TestElasticContactResponse(int, char*[])
+{
+  checkLayer();
+  checkStatus();
+  checkInclusion();
+  checkSourceSpacing();
+  checkNextTool();
+  checkThreads();
+  checkErrors();
+  checkAbort();
+  return result();
+}
