@@ -17,6 +17,9 @@ constexpr std::array<std::size_t, 4> PointsOfOrder = { 1, 9, 21, 37 };
 /// A least-squares fit whose pivots fall below this part of the largest does not tell its terms.
 constexpr double LeastPivot = 1e-3;
 
+/// Of the points under a contact that is small against its disc; more would hide the others.
+constexpr double LargestEmphasis = 100.0;
+
 int termsOfDegree(int degree)
 {
   return (degree + 1) * (degree + 2) / 2;
@@ -50,19 +53,23 @@ double fade(double t)
 }
 
 /// What a fit makes of values at points: the even terms of the angle mean (order rows), then the
-/// two slopes; for the disc scaled to radius 1.
-Eigen::MatrixXd fitOperator(
-  const std::vector<DiscPoint>& points, Eigen::Index count, double radius, int order, bool& good)
+/// two slopes; for the disc scaled to radius 1. Points under the contact itself count as much as
+/// those of the disc together, where that is larger: near an edge H varies over a disc that few
+/// elements make.
+Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index count, double radius,
+  double contact, int order, bool& good)
 {
   const int degree = 2 * (order - 1);
   const int terms = termsOfDegree(degree);
   Eigen::MatrixXd system(count, terms);
   Eigen::VectorXd weights(count);
+  const double emphasis = std::min(LargestEmphasis, radius * radius / (contact * contact));
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const DiscPoint& point = points[static_cast<std::size_t>(i)];
     const Eigen::Vector2d at = point.at / radius;
-    weights[i] = std::sqrt(fade(at.norm()) * point.area);
+    weights[i] = std::sqrt(
+      fade(at.norm()) * point.area * (1.0 + (emphasis - 1.0) * fade(point.distance / contact)));
     int term = 0;
     for (int d = 0; d <= degree; ++d)
     {
@@ -148,10 +155,10 @@ DiscFit fitDisc(const std::vector<DiscPoint>& points, double radius, int largest
     --fit.order;
   }
   bool good = false;
-  fit.rows = fitOperator(points, fit.count, fit.disc, fit.order, good);
+  fit.rows = fitOperator(points, fit.count, fit.disc, radius, fit.order, good);
   while (!good && fit.order > 1)
   {
-    fit.rows = fitOperator(points, fit.count, fit.disc, --fit.order, good);
+    fit.rows = fitOperator(points, fit.count, fit.disc, radius, --fit.order, good);
   }
   return fit;
 }

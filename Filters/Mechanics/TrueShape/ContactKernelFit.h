@@ -28,8 +28,9 @@ struct ContactKernel
  * sides. The disc follows the contact: points up to a count in full, and fade out by 1.3 a (about
  * 1.15 a in the mean), so that a growing contact takes in new points without a step. The degree is
  * 2(N-1): N = 2 from 9 points on, 3 from 21, 4 from 37, and less where these do not tell it. Of a
- * small contact the disc is that of the 9 nearest points. The points are sources of the Green
- * function, not all of the surface's where that was solved for some; the drop is fitted to all.
+ * small contact the disc is that of the 9 nearest points, those under it with more weight. The
+ * points are sources of the Green function, not all of the surface's where that was solved for
+ * some; the drop is fitted to all.
  */
 class PALPATE_EXPORT ContactKernelFit
 {

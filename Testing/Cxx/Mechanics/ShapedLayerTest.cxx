@@ -91,16 +91,15 @@ Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const 
 const std::vector<const char*> Smooth = { "paraboloid:10", "sphere:40" };
 } // namespace
 
-// Reference sheet: 1 % with two elements through the thickness; the interpolation of C_g errs by 3
-// %. Of the cone 1.1 % was measured, as it presses its middle, where that error is. The stiffness
-// takes the steps of the fit, from 9 to 21 to 37 points, in full.
+// Reference sheet: 1 % with two elements through the thickness, of which C_g errs by 3 %. The
+// stiffness takes the steps of the fit, from 9 to 21 to 37 points, in full.
 TEST(ShapedLayer, TwoHexahedraThroughTheThickness)
 {
   const ShapedBody layer = layerOf(Cells::Hexahedra, 5.0, 0.45);
   const Errors errors = errorsOn(*layer.fit, 0.45, Smooth);
-  EXPECT_LT(errors.force, 0.0105);
+  EXPECT_LT(errors.force, 0.01);
   EXPECT_LT(errors.stiffness, 0.035);
-  EXPECT_LT(errorsOn(*layer.fit, 0.45, { "cone:80" }).force, 0.0125);
+  EXPECT_LT(errorsOn(*layer.fit, 0.45, { "cone:80" }).force, 0.01);
 }
 
 // 0.35 % with four, in both respects but the stiffness between two orders of the fit.
