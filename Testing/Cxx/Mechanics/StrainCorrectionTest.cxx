@@ -249,9 +249,10 @@ TEST(StrainCorrection, SpheresAndAFlatAreThoseOfCalculix)
          Case{ "layer10-sphere6.35-neohooke", 10.0, 0.005 },
          Case{ "layer10-sphere6.35-neohooke-deep", 10.0, 0.013 },
          // The table of thick layers. A mesh of 0.1 of the radius; the flat's rim follows its
-         // nodes, which takes 1 % of a block's force as well.
+         // nodes, which takes 1 % of a block's force as well: solved for at this very thickness c
+         // differs by 2.03 % at 0.375 radii, by the table by 2.06 %, and 2.2 % is what it states.
          Case{ "layer10-sphere1.6-neohooke", 10.0, 0.01 },
-         Case{ "layer10-flat1.6-neohooke", 10.0, 0.02 } })
+         Case{ "layer10-flat1.6-neohooke", 10.0, 0.022 } })
   {
     MeasuredCurves file;
     ASSERT_EQ(

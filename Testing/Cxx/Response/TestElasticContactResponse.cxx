@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdio>
 #include <vector>
 
 namespace
@@ -132,19 +132,21 @@ void checkInclusion()
   PALPATE_CHECK_NEAR(ratioAt(0.5 * Side + 6.0), 1.0, 0.01);
 }
 
-/// A third of the points stand for all: with half of the thickness between them within 2 %.
+/// Two thirds of the points stand for all: half of the thickness apart, and closer by the edges.
 void checkSourceSpacing()
 {
-  const Grid grid = block(16, Height);
+  const Grid grid = block(Side, Height);
   const ElasticFilter all = press(grid, "sphere:3");
   all->Update();
   const ElasticFilter some = press(grid, "sphere:3");
   some->SetSourceSpacing(0.5 * Height);
   some->Update();
   PALPATE_CHECK(some->GetNumberOfSolutions() < 0.7 * all->GetNumberOfSolutions());
-  for (const double x : { 5.0, 6.0, 7.0, 8.0, 9.0 })
+  std::printf("%lld of %lld solved for\n", static_cast<long long>(some->GetNumberOfSolutions()),
+    static_cast<long long>(all->GetNumberOfSolutions()));
+  for (const double x : { 9.0, 10.0, 11.0, 12.0, 13.0 })
   {
-    const vtkIdType point = all->GetOutput()->FindPoint(x, 8.0, Height);
+    const vtkIdType point = all->GetOutput()->FindPoint(x, 12.0, Height);
     const double force = component(all, "ResponseForce", point, 7);
     PALPATE_CHECK_NEAR(component(some, "ResponseForce", point, 7), force, 0.02 * force);
   }
