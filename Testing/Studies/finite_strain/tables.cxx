@@ -15,6 +15,7 @@
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -83,16 +84,31 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
     }
     problem.depths.push_back(depthOf(Roots[k]));
   }
-  const std::vector<double> all = finiteOverSmall(tool, problem, given.fillet, {});
-  std::vector<double> factors;
-  bool isKnown = true;
-  for (std::size_t k = 0; k < Columns; ++k)
+  const auto columnsWith = [&](double fillet)
   {
-    const double c = all[2 * k];
-    // An equilibrium on another branch than the row's: a deep flat on a thin layer finds some.
-    isKnown = isKnown && c > 0.0 &&
-      (k < 2 || std::abs(c - 2.0 * factors[k - 1] + factors[k - 2]) < LargestBend);
-    factors.push_back(isKnown ? c : 0.0);
+    const std::vector<double> all = finiteOverSmall(tool, problem, fillet, {});
+    std::vector<double> factors;
+    bool isKnown = true;
+    for (std::size_t k = 0; k < Columns; ++k)
+    {
+      const double c = all[2 * k];
+      // An equilibrium on another branch than the row's: a deep flat on a thin layer finds some.
+      isKnown = isKnown && c > 0.0 &&
+        (k < 2 || std::abs(c - 2.0 * factors[k - 1] + factors[k - 2]) < LargestBend);
+      factors.push_back(isKnown ? c : 0.0);
+    }
+    return factors;
+  };
+  std::vector<double> factors = columnsWith(given.fillet);
+  const auto end = std::find(factors.begin(), factors.end(), 0.0);
+  if (end != factors.begin() && end != factors.end())
+  {
+    // A rim that is rounder from the start, joined at the last column.
+    const std::vector<double> rounder = columnsWith(2.0 * given.fillet);
+    const auto last = static_cast<std::size_t>(end - factors.begin()) - 1;
+    const double ratio = rounder[last] > 0.0 ? factors[last] / rounder[last] : 0.0;
+    std::transform(rounder.begin() + static_cast<std::ptrdiff_t>(last) + 1, rounder.end(), end,
+      [ratio](double c) { return ratio * c; });
   }
   return factors;
 }
