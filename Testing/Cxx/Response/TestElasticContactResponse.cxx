@@ -2,6 +2,7 @@
 // vtkElasticContactResponse: against the exact layer, over an inclusion, from one tool to the next,
 // its status, its errors, abort, threads. The kernels: Mechanics, Shaped…Test.
 #include "FilterChecks.h"
+#include "TestBodies.h"
 #include "VolumeBlock.h"
 
 #include "vtkCallbackCommand.h"
