@@ -206,8 +206,19 @@ def measured_curves():
         close(force, 0.5 * stiffness / (1 + stiffness * compliance), 1e-3 * force) # three and four decimals
 
 
+def feel_a_nodule():
+    # Axisymmetric finite elements of a wider body, Data/Reference/shape/nodule_forces.csv (0.4 mm deep between its
+    # rows); cells of half the ball's depth and a block of 20 mm: a tenth of the change, and 2 %.
+    for line, tool, change in zip(run("feel_a_nodule.py"), ("flat:1.6", "sphere:1.6", "sphere:6.35"), (26.6, 18.9, 29.5)):
+        assert line.startswith(tool), line
+        above, *beside = [float(found) for found in re.findall(r"[+-]\d+(?= %)", line)]
+        close(above, change, 0.1 * change + 2)
+        assert above > 1.5 * beside[0] > 0 and abs(beside[1]) <= 4, line
+
+
 CHECKS = [first_force, tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
-          deflection_picture, touch_window, in_paraview, compare_global_local, measured_curves]
+          deflection_picture, touch_window, in_paraview, compare_global_local, measured_curves,
+          feel_a_nodule]
 ELSEWHERE = {"many_tools_mpi"}                              # many_tools.py runs it under mpiexec
 assert {check.__name__ for check in CHECKS} | ELSEWHERE == {path.stem for path in EXAMPLES.glob("*.py")}
 for check in CHECKS:
