@@ -33,7 +33,7 @@ ElasticFilter press(vtkUnstructuredGrid* grid, const std::string& tool)
 
 vtkIdType topMiddle(vtkElasticContactResponse* filter)
 {
-  return filter->GetOutput()->FindPoint(0.5 * Side, 0.5 * Side, Height);
+  return filter->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height);
 }
 
 double component(vtkElasticContactResponse* filter, const char* name, vtkIdType point, int k = 0)
@@ -86,7 +86,7 @@ void checkStatus()
   filter->Update();
   vtkPolyData* surface = filter->GetOutput();
   const auto statusAt = [&](double x, double y, double z)
-  { return component(filter, "ResponseStatus", surface->FindPoint(x, y, z)); };
+  { return component(filter, "ResponseStatus", surface->vtkDataSet::FindPoint(x, y, z)); };
   PALPATE_CHECK(statusAt(0.0, 0.0, Height) == 5.0);          // a corner
   PALPATE_CHECK(statusAt(0.0, 0.5 * Side, Height) == 5.0);   // an edge
   PALPATE_CHECK(statusAt(0.5 * Side, 0.5 * Side, 0) == 4.0); // held
@@ -99,7 +99,7 @@ void checkStatus()
     PALPATE_CHECK(component(filter, "ResponseRange", i) > 0.0);
   }
   // Two cells from the edge a contact ends where it reaches that.
-  const vtkIdType beside = surface->FindPoint(2.0, 0.5 * Side, Height);
+  const vtkIdType beside = surface->vtkDataSet::FindPoint(2.0, 0.5 * Side, Height);
   PALPATE_CHECK(component(filter, "ResponseStatus", beside) == 0.0);
   PALPATE_CHECK(component(filter, "ResponseForce", beside, 7) <
     component(filter, "ResponseForce", topMiddle(filter), 7)); // it gives way more
@@ -125,7 +125,7 @@ void checkInclusion()
   with->Update();
   const auto ratioAt = [&](double x)
   {
-    const vtkIdType point = plain->GetOutput()->FindPoint(x, 0.5 * Side, Height);
+    const vtkIdType point = plain->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height);
     return component(with, "ResponseForce", point, 7) / component(plain, "ResponseForce", point, 7);
   };
   PALPATE_CHECK(ratioAt(0.5 * Side) > 1.1);
@@ -147,7 +147,7 @@ void checkSourceSpacing()
     static_cast<long long>(all->GetNumberOfSolutions()));
   for (const double x : { 9.0, 10.0, 11.0, 12.0, 13.0 })
   {
-    const vtkIdType point = all->GetOutput()->FindPoint(x, 12.0, Height);
+    const vtkIdType point = all->GetOutput()->vtkDataSet::FindPoint(x, 12.0, Height);
     const double force = component(all, "ResponseForce", point, 7);
     PALPATE_CHECK_NEAR(component(some, "ResponseForce", point, 7), force, 0.02 * force);
   }

@@ -162,7 +162,7 @@ void checkDataEnd(const std::string& folder)
 
 vtkIdType pointAt(vtkPolyData* body, double x, double y, double z)
 {
-  return body->FindPoint(x, y, z);
+  return body->vtkDataSet::FindPoint(x, y, z);
 }
 
 /// The error between sites is how they differ: halfway between E* and 1.4 E* the forces are those
