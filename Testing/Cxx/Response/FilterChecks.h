@@ -3,8 +3,10 @@
 #define palpate_testing_FilterChecks_h
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkTestErrorObserver.h"
@@ -114,6 +116,36 @@ private:
 
   Observer Own = Observer::New();
   Observer Executive = Observer::New();
+};
+
+/// While one lives, a filter is told to end where its progress passes a fraction.
+class AbortAfter
+{
+public:
+  AbortAfter(vtkAlgorithm* filter, double progress)
+    : Filter(filter)
+    , Progress(progress)
+  {
+    this->Observer->SetClientData(&this->Progress);
+    this->Observer->SetCallback(
+      [](vtkObject* caller, unsigned long, void* limit, void* progress)
+      {
+        if (*static_cast<double*>(progress) > *static_cast<double*>(limit))
+        {
+          static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+        }
+      });
+    this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, this->Observer);
+  }
+  ~AbortAfter() { this->Filter->RemoveObserver(this->Tag); }
+  AbortAfter(const AbortAfter&) = delete;
+  AbortAfter& operator=(const AbortAfter&) = delete;
+
+private:
+  vtkAlgorithm* Filter;
+  double Progress;
+  vtkNew<vtkCallbackCommand> Observer;
+  unsigned long Tag;
 };
 
 /// Runs `work` with so many threads; the Sequential default of some VTKs would test nothing.

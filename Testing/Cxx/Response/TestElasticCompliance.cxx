@@ -259,20 +259,9 @@ void checkProgressAndAbort()
 
   for (const double at : { 0.04, 0.09, 0.39, 0.41, 0.6 })
   {
-    vtkNew<vtkCallbackCommand> stop;
-    double limit = at;
-    stop->SetClientData(&limit);
-    stop->SetCallback(
-      [](vtkObject* caller, unsigned long, void* client, void* data)
-      {
-        if (*static_cast<double*>(data) > *static_cast<double*>(client))
-        {
-          static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
-        }
-      });
     const auto aborted = makeFilter(block(5, 3));
     Messages messages(aborted.Get());
-    aborted->AddObserver(vtkCommand::ProgressEvent, stop);
+    const AbortAfter abort(aborted, at);
     aborted->Update();
     PALPATE_CHECK(messages.none() && aborted->GetOutput()->GetNumberOfPoints() == 0);
   }

@@ -6,7 +6,6 @@
 #include "FilterChecks.h"
 #include "Mechanics/FiniteElements/GlobalModes.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkElasticCompliance.h"
@@ -295,17 +294,8 @@ void checkErrorsAndAbort()
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   }
   const auto aborted = makeFilter(bar(12), 6);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* data)
-    {
-      if (*static_cast<double*>(data) > 0.85) // while the modes are solved for
-      {
-        static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
-      }
-    });
   Messages messages(aborted.Get());
-  aborted->AddObserver(vtkCommand::ProgressEvent, stop);
+  const AbortAfter abort(aborted, 0.85); // while the modes are solved for
   aborted->Update();
   PALPATE_CHECK(messages.none() && aborted->GetOutput()->GetNumberOfPoints() == 0);
 }

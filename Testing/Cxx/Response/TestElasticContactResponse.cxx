@@ -5,7 +5,6 @@
 #include "TestBodies.h"
 #include "VolumeBlock.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
 #include "vtkElasticContactResponse.h"
 
@@ -259,25 +258,15 @@ void checkAbort()
 {
   for (const double at : { 0.01, 0.1, 0.2, 0.92 })
   {
-    vtkNew<vtkCallbackCommand> stop;
-    double limit = at;
-    stop->SetClientData(&limit);
-    stop->SetCallback(
-      [](vtkObject* caller, unsigned long, void* client, void* data)
-      {
-        if (*static_cast<double*>(data) > *static_cast<double*>(client))
-        {
-          static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
-        }
-      });
     const ElasticFilter aborted = press(block(8, 3), "sphere:1.6");
     Messages messages(aborted.Get());
-    const unsigned long tag = aborted->AddObserver(vtkCommand::ProgressEvent, stop);
-    aborted->Update();
+    {
+      const AbortAfter abort(aborted, at);
+      aborted->Update();
+    }
     PALPATE_CHECK(messages.errors().empty());
     PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() == 0);
     // And again, to its end.
-    aborted->RemoveObserver(tag);
     aborted->AbortExecuteOff();
     aborted->Modified();
     aborted->Update();

@@ -87,23 +87,15 @@ void checkProgress()
 
 void checkAbort()
 {
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* data)
-    {
-      if (*static_cast<double*>(data) > 0.3)
-      {
-        static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
-      }
-    });
   auto filter = makeFilter(sphereBody(30.0, 3));
   Messages messages(filter.Get());
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, observer);
-  filter->Update();
+  {
+    const AbortAfter abort(filter, 0.3);
+    filter->Update();
+  }
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   PALPATE_CHECK(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0);
   PALPATE_CHECK(messages.none());
-  filter->RemoveObserver(tag);
   filter->AbortExecuteOff();
   filter->Modified();
   filter->Update();
