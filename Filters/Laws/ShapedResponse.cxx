@@ -5,16 +5,13 @@
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
 #include "Mechanics/Numerics/Constants.h"
-#include "Mechanics/ThreadCount.h"
+#include "Mechanics/SharedWork.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/TrueShape/ShapedContact.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
-#include <vector>
 
 namespace palpate
 {
@@ -163,30 +160,8 @@ MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& gr
   const ShapedFiller filler(tool, green, terms, spans);
   MadeResponse made;
   made.exponent = Exponent;
-  std::atomic<std::size_t> next{ 0 };
-  std::atomic<bool> isStopped{ false };
-  const auto work = [&](bool reports)
-  {
-    for (std::size_t i = next++; i < points && !isStopped; i = next++)
-    {
-      filler.fill(i);
-      if (reports && goOn && !goOn(static_cast<double>(i) / static_cast<double>(points)))
-      {
-        isStopped = true;
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < std::min(threadCount(), points); ++t)
-  {
-    others.emplace_back(work, false);
-  }
-  work(true);
-  for (std::thread& other : others)
-  {
-    other.join();
-  }
-  if (isStopped)
+  if (!shareWork(
+        points, [&filler](std::size_t i) { filler.fill(i); }, goOn))
   {
     return made;
   }

@@ -125,8 +125,8 @@ public:
   vtkGetMacro(Solver, int);
   ///@}
 
-  /** Estimated memory of the last factorisation and its solutions, MiB; known also after they were
-   * refused. */
+  /** Estimated memory of what the last run factorised and solved, MiB; known also after that was
+   * refused; 0: all that was needed was there. */
   vtkGetMacro(MemoryEstimate, double);
   /** How many points of the surface were solved for in the last run; 0: all that was needed was
    * there. */

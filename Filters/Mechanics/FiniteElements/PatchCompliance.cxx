@@ -5,14 +5,12 @@
 #include "Mechanics/FiniteElements/MissedEnergy.h"
 #include "Mechanics/FiniteElements/PatchSelfTerm.h"
 #include "Mechanics/FiniteElements/PatchSite.h"
-#include "Mechanics/ThreadCount.h"
+#include "Mechanics/SharedWork.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 #include <queue>
-#include <thread>
 #include <unordered_map>
 
 namespace palpate
@@ -28,29 +26,11 @@ constexpr double SelfTermsDone = 0.3;
 template <class Work>
 bool forAll(std::size_t count, const WorkObserver& observer, double from, double to, Work&& work)
 {
-  const std::size_t threads = threadCount();
   constexpr std::size_t block = 512;
   for (std::size_t first = 0; first < count; first += block)
   {
     const std::size_t last = std::min(first + block, count);
-    std::atomic<std::size_t> next{ first };
-    const auto run = [&]
-    {
-      for (std::size_t i = next++; i < last; i = next++)
-      {
-        work(i);
-      }
-    };
-    std::vector<std::thread> others;
-    for (std::size_t t = 1; t < std::min(threads, last - first); ++t)
-    {
-      others.emplace_back(run);
-    }
-    run();
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
+    shareWork(last - first, [&](std::size_t i) { work(first + i); });
     if (!observer(from + (to - from) * static_cast<double>(last) / static_cast<double>(count)))
     {
       return false;

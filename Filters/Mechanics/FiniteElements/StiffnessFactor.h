@@ -19,6 +19,7 @@
 
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/FiniteElements/StiffnessAssembly.h"
+#include "Mechanics/SharedWork.h"
 
 #include <functional>
 #include <memory>
@@ -28,9 +29,6 @@ namespace palpate
 {
 /// The unknowns a load acts on, and with what force (N).
 using SparseLoad = std::vector<std::pair<int, double>>;
-
-/// Told the fraction that is done; returns false to stop.
-using WorkObserver = std::function<bool(double)>;
 
 /// A factorised stiffness matrix K, asked for bᵀK⁻¹b and K⁻¹b.
 class PALPATE_EXPORT StiffnessFactor

@@ -13,14 +13,12 @@ std::unique_ptr<StiffnessFactor> makeSupernodalFactor()
 
 #else
 
-#include "Mechanics/ThreadCount.h"
+#include "Mechanics/SharedWork.h"
 
 #include <cholmod.h>
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
 
 // Of BLAS: B := L⁻¹ B and C := α A B + β C.
 extern "C"
@@ -349,37 +347,14 @@ public:
     const SingleThreadedBlas single;
     std::vector<double> result(loads.size(), 0.0);
     const std::size_t blocks = (order.size() + SupernodalBlock - 1) / SupernodalBlock;
-    std::atomic<std::size_t> next{ 0 };
-    std::atomic<std::size_t> done{ 0 };
-    std::atomic<bool> stopped{ false };
     // The blocks are the same for any number of threads, and so are the results.
-    const auto work = [&](bool reports)
+    const auto solveBlock = [&, solver = PathSolver(supernodes)](std::size_t block) mutable
     {
-      PathSolver solver(supernodes);
-      for (std::size_t block = next++; block < blocks && !stopped; block = next++)
-      {
-        const std::size_t first = block * SupernodalBlock;
-        const std::size_t count = std::min(SupernodalBlock, order.size() - first);
-        solver.run(loads, position, order.data() + first, count, result);
-        const std::size_t finished = ++done;
-        if (reports && finished < blocks &&
-          !observer(static_cast<double>(finished) / static_cast<double>(blocks)))
-        {
-          stopped = true;
-        }
-      }
+      const std::size_t first = block * SupernodalBlock;
+      const std::size_t count = std::min(SupernodalBlock, order.size() - first);
+      solver.run(loads, position, order.data() + first, count, result);
     };
-    std::vector<std::thread> others;
-    for (std::size_t t = 1; t < std::min(threadCount(), blocks); ++t)
-    {
-      others.emplace_back(work, false);
-    }
-    work(true);
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
-    if (stopped || !observer(1.0))
+    if (!shareWork(blocks, solveBlock, observer))
     {
       return {};
     }

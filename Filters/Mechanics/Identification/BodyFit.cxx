@@ -165,13 +165,20 @@ JacobianVerdict judgeJacobian(const MatrixXd& jacobian)
 }
 } // namespace
 
+IndentationPoint localContact(const BodyParameters& body, const AxisymmetricTool& tool,
+  const std::shared_ptr<const LayerKernel>& kernel, double deflection)
+{
+  return body.model == BodyModel::Layer
+    ? LayerContact(tool, kernel, body.thickness).evaluate(deflection, body.reducedModulus)
+    : tool.evaluate(deflection, body.reducedModulus);
+}
+
 SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection)
 {
   if (body.model == BodyModel::Layer)
   {
-    const IndentationPoint point =
-      LayerContact(tool, kernel, body.thickness).evaluate(deflection, body.reducedModulus);
+    const IndentationPoint point = localContact(body, tool, kernel, deflection);
     return { point.force, point.stiffness, deflection, true };
   }
   return seriesResponse(tool, body.reducedModulus, body.compliance, deflection);

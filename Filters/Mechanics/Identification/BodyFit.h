@@ -44,6 +44,11 @@ struct IndentationCurve
 PALPATE_EXPORT SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 
+/// The contact alone, without a compliance in series; `kernel` is needed for a layer only.
+PALPATE_EXPORT IndentationPoint localContact(const BodyParameters& body,
+  const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
+  double deflection);
+
 /// A body fitted to curves, and how sharply.
 struct PALPATE_EXPORT BodyFit
 {

@@ -2,14 +2,13 @@
 #include "Mechanics/Identification/BodyIdentification.h"
 
 #include "Mechanics/Identification/StrainWindow.h"
-#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 
 namespace palpate
@@ -17,7 +16,6 @@ namespace palpate
 namespace
 {
 constexpr std::size_t LargestGroupCount = 200;
-constexpr double Normal95 = 1.959963984540054;
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
 constexpr double LeastNoise = 0.003;      // of the largest force: no law is truer, nor instrument
 constexpr int LargestPassCount = 6;
@@ -125,15 +123,6 @@ bool isFlatOnly(const std::vector<IndentationCurve>& curves)
   return std::all_of(curves.begin(), curves.end(),
     [](const IndentationCurve& curve)
     { return !(curve.tool->largestContactRadius() > curve.tool->smallestContactRadius()); });
-}
-
-/// The contact itself, without a compliance in series.
-IndentationPoint localContact(const BodyParameters& body, const AxisymmetricTool& tool,
-  const std::shared_ptr<const LayerKernel>& kernel, double deflection)
-{
-  return body.model == BodyModel::Layer
-    ? LayerContact(tool, kernel, body.thickness).evaluate(deflection, body.reducedModulus)
-    : tool.evaluate(deflection, body.reducedModulus);
 }
 
 Estimate logarithmic(double value, double error)
@@ -370,37 +359,5 @@ void BodyIdentification::report(const std::vector<IndentationCurve>& curves, boo
       result.endDepth = end.localDeflection;
     }
   }
-}
-
-double predictedForceError(const IdentifiedBody& body, const AxisymmetricTool& tool,
-  const std::shared_ptr<const LayerKernel>& kernel, double deflection)
-{
-  constexpr double step = 1e-3;
-  const auto forceOf = [&](double modulus, double second)
-  {
-    BodyParameters moved = body.body;
-    moved.reducedModulus *= modulus;
-    (moved.model == BodyModel::Layer ? moved.thickness : moved.compliance) = second;
-    const SeriesPoint point = bodyResponse(moved, tool, kernel, deflection);
-    return point.stable ? point.force : std::numeric_limits<double>::quiet_NaN();
-  };
-  const bool isLayer = body.body.model == BodyModel::Layer;
-  const double second = isLayer ? body.body.thickness : body.body.compliance;
-  const double force = forceOf(1.0, second);
-  if (!(force > 0.0) || body.spread.size() == 0)
-  {
-    return 1.0;
-  }
-  Eigen::VectorXd gradient(body.spread.rows()); // of ln F
-  gradient[0] = (forceOf(1.0 + step, second) - forceOf(1.0 - step, second)) / (2.0 * step * force);
-  if (gradient.size() > 1)
-  {
-    const double width = step * (isLayer ? second : deflection / force);
-    gradient[1] = (forceOf(1.0, second + width) - forceOf(1.0, second - width)) /
-      (2.0 * force * (isLayer ? step : width));
-  }
-  const double open = (gradient.transpose() * body.spread).norm();
-  const double unfitted = body.withinNoise ? 0.0 : Normal95 * body.misfit / body.largestForce;
-  return std::isfinite(open) ? open + unfitted : 1.0;
 }
 } // namespace palpate

@@ -118,13 +118,6 @@ private:
   std::shared_ptr<const LayerKernel> Kernel;
 };
 
-/// Half the 95 % interval of the force another tool meets on the identified body at a depth (mm),
-/// relative: what noise leaves open, by the linearised problem, and what the model does not fit of
-/// the readings where that is more than noise. At least 1 where the body has no answer. `kernel` is
-/// needed for a layer only. Cost: four evaluations of the body.
-PALPATE_EXPORT double predictedForceError(const IdentifiedBody& body, const AxisymmetricTool& tool,
-  const std::shared_ptr<const LayerKernel>& kernel, double deflection);
-
 /// "half-space", "half-space in series with global compliance", "layer on a rigid base".
 PALPATE_EXPORT const char* nameOf(BodyModel model);
 } // namespace palpate

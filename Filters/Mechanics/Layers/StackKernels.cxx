@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Layers/StackKernels.h"
 
-#include "Mechanics/ThreadCount.h"
+#include "Mechanics/SharedWork.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <thread>
 #include <utility>
 
 namespace palpate
@@ -60,10 +58,8 @@ StackKernels::StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan 
   const Eigen::Index rows = this->Axes[0].Points.points().size();
   const Eigen::Index columns = this->Axes[1].Points.points().size();
   this->Nodes.resize(static_cast<std::size_t>(rows * columns));
-  std::atomic<std::size_t> next{ 0 };
-  const auto work = [&]
-  {
-    for (std::size_t i = next++; i < this->Nodes.size(); i = next++)
+  shareWork(this->Nodes.size(),
+    [&](std::size_t i)
     {
       LayerStack own = this->Stack;
       const auto node = static_cast<Eigen::Index>(i);
@@ -73,18 +69,7 @@ StackKernels::StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan 
         own.layers[1].thickness = this->Axes[1].thickness(node % columns);
       }
       this->Nodes[i] = { own.layers[0].thickness, std::make_shared<const LayerKernel>(own) };
-    }
-  };
-  std::vector<std::thread> others;
-  for (std::size_t k = 1; k < std::min(threadCount(), this->Nodes.size()); ++k)
-  {
-    others.emplace_back(work);
-  }
-  work();
-  for (std::thread& other : others)
-  {
-    other.join();
-  }
+    });
 }
 
 Eigen::VectorXd StackKernels::factorsAt(double first, double second) const

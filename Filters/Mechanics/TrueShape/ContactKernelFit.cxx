@@ -104,6 +104,7 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
   const Eigen::MatrixXd thin = qr.householderQ() * Eigen::MatrixXd::Identity(count, terms);
   return rows.transpose() * thin.transpose() * weights.asDiagonal();
 }
+
 /// The fit of one disc.
 struct DiscFit
 {

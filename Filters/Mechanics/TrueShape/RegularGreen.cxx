@@ -3,14 +3,13 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"
+#include "Mechanics/SharedWork.h"
 #include "Mechanics/ThreadCount.h"
 #include "Mechanics/TrueShape/SourceThinning.h"
 #include "Mechanics/TrueShape/SubtractedLoad.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 #include <unordered_map>
 
 namespace palpate
@@ -19,6 +18,9 @@ namespace
 {
 /// Right-hand sides per solution, which goes over the factor once for all of them.
 constexpr std::size_t GreenBlock = 32;
+
+/// Spacings within which there are sources enough for the smallest fit.
+constexpr double RingOfSources = 2.9;
 
 /// Mean curvature at the middle of a disc, 1/mm, > 0 where convex: of the nearest points.
 double meanCurvature(const ElasticBody& body, std::int32_t point)
@@ -119,9 +121,8 @@ double RegularGreen::asymmetry(std::int32_t x, std::int32_t source) const
 /// How far around a point sources are wanted: enough of them for the smallest fit.
 double RegularGreen::discRadius(std::int32_t point) const
 {
-  constexpr double ring = 2.9;
-  return std::max(
-    { DiscRatio * this->Radius, ring * this->Body.surface().spacing(point), ring * this->Spacing });
+  return std::max({ DiscRatio * this->Radius, RingOfSources * this->Body.surface().spacing(point),
+    RingOfSources * this->Spacing });
 }
 
 double RegularGreen::memoryForecast(
@@ -135,7 +136,7 @@ double RegularGreen::memoryForecast(
   for (std::size_t i = 0; i < points.size(); i += std::max<std::size_t>(1, points.size() / samples))
   {
     inDisc += static_cast<double>(
-      surfaceDisc(this->Body, points[i], std::max(DiscRatio * radius, 2.9 * spacing))
+      surfaceDisc(this->Body, points[i], std::max(DiscRatio * radius, RingOfSources * spacing))
         .points.size());
     apart += this->Body.surface().spacing(points[i]);
     taken += 1.0;
@@ -301,35 +302,13 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
 
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
-  std::atomic<std::size_t> next{ 0 };
-  std::atomic<std::size_t> done{ 0 };
-  std::atomic<bool> stopped{ false };
   // The blocks are the same for any number of threads, and so are the results.
-  const auto work = [&](bool reports)
+  const auto solveNext = [&](std::size_t block)
   {
-    for (std::size_t block = next++; block < blocks && !stopped; block = next++)
-    {
-      this->solveBlock(
-        loads, block * GreenBlock, std::min(this->Sources.size(), (block + 1) * GreenBlock));
-      const std::size_t finished = ++done;
-      if (reports && finished < blocks &&
-        !observer(static_cast<double>(finished) / static_cast<double>(blocks)))
-      {
-        stopped = true;
-      }
-    }
+    this->solveBlock(
+      loads, block * GreenBlock, std::min(this->Sources.size(), (block + 1) * GreenBlock));
   };
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < std::min(threadCount(), blocks); ++t)
-  {
-    others.emplace_back(work, false);
-  }
-  work(true);
-  for (std::thread& other : others)
-  {
-    other.join();
-  }
-  if (stopped || !observer(1.0))
+  if (!shareWork(blocks, solveNext, observer))
   {
     this->Rows.clear();
     this->Sources.clear();

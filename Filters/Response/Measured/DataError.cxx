@@ -2,6 +2,7 @@
 #include "Response/Measured/DataError.h"
 
 #include "Contact/ResponseSampling.h"
+#include "Mechanics/Identification/PredictedForceError.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <cmath>

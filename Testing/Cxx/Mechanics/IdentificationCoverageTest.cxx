@@ -2,7 +2,7 @@
 // Do 95 % confidence intervals hold the truth 95 times in 100? Repeated experiments with noise of 1
 // % of the largest force and an unknown contact point, fixed seeds. Also: how often the right model
 // is chosen, and whether the interval of what another tool will feel holds.
-#include "Mechanics/Identification/BodyIdentification.h"
+#include "Mechanics/Identification/PredictedForceError.h"
 
 #include "Mechanics/Layers/LayerContact.h"
 

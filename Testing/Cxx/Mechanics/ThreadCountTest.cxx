@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How many threads loops take: what the environment says, and a limit in the thread that set it.
 // Run once more with PALPATE_THREADS=3.
+#include "Mechanics/SharedWork.h"
 #include "Mechanics/ThreadCount.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
+#include <vector>
 
 using palpate::threadCount;
 using palpate::ThreadLimit;
@@ -42,4 +44,27 @@ TEST(ThreadCount, InnermostHoldsInItsThreadAlone)
     EXPECT_EQ(elsewhere, before);
   }
   EXPECT_EQ(threadCount(), before);
+}
+
+TEST(SharedWork, EachItemOnceAndNoMoreWhenStopped)
+{
+  for (const std::size_t threads : { 1, 3 })
+  {
+    const ThreadLimit limit(threads);
+    std::vector<int> taken(100, 0);
+    std::vector<double> told;
+    const auto take = [&](std::size_t i) { ++taken[i]; };
+    EXPECT_TRUE(palpate::shareWork(taken.size(), take,
+      [&](double done)
+      {
+        told.push_back(done);
+        return true;
+      }));
+    EXPECT_EQ(std::count(taken.begin(), taken.end(), 1), 100);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 1.0);
+    EXPECT_FALSE(palpate::shareWork(taken.size(), take, [](double) { return false; }));
+    EXPECT_LE(*std::max_element(taken.begin(), taken.end()), 2);
+    EXPECT_TRUE(palpate::shareWork(0, take));
+  }
 }

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SharedWork_h
+#define palpate_SharedWork_h
+
+#include "Mechanics/ThreadCount.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace palpate
+{
+/// Told the fraction that is done; returns false to stop.
+using WorkObserver = std::function<bool(double)>;
+
+/**
+ * Calls work(i) once for each i < count, on threadCount() threads, each index by whichever is free:
+ * for items that take long, unlike those of forRanges(). What an item makes must not depend on the
+ * thread; each has its own copy of `work`, with what it keeps for itself.
+ *
+ * `observer` (empty: nobody) is asked by the calling thread alone, between its items and at the
+ * end. False when it stopped the work; items that had begun are finished. `work` must not throw.
+ */
+template <class Work>
+bool shareWork(std::size_t count, const Work& work, const WorkObserver& observer = {})
+{
+  std::atomic<std::size_t> next{ 0 };
+  std::atomic<std::size_t> done{ 0 };
+  std::atomic<bool> isStopped{ false };
+  const auto run = [&](bool reports)
+  {
+    Work own = work;
+    for (std::size_t i = next++; i < count && !isStopped; i = next++)
+    {
+      own(i);
+      const std::size_t finished = ++done;
+      if (reports && observer && finished < count &&
+        !observer(static_cast<double>(finished) / static_cast<double>(count)))
+      {
+        isStopped = true;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < std::min(threadCount(), count); ++t)
+  {
+    others.emplace_back(run, false);
+  }
+  run(true);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  return !isStopped && (!observer || observer(1.0));
+}
+} // namespace palpate
+
+#endif
