@@ -92,6 +92,12 @@ std::string BodyMaterial::take(Values values, std::size_t points)
     wrong = checkEach(values.compliance, "global compliance", "be finite (mm/N)",
       [](double value) { return std::isfinite(value); });
   }
+  if (wrong.empty())
+  {
+    wrong = checkEach(values.complianceError, "error of the global compliance",
+      "be finite and not negative (mm/N)",
+      [](double value) { return value >= 0.0 && std::isfinite(value); });
+  }
   if (!wrong.empty())
   {
     return wrong;
@@ -100,6 +106,7 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   this->Thickness = std::move(values.thickness.values);
   this->Compliance = std::move(values.compliance.values);
   this->Second = std::move(values.second.values);
+  this->ComplianceError = std::move(values.complianceError.values);
 
   const std::size_t distinct = std::max({ this->PoissonsRatio.size(), this->Thickness.size(),
     this->Compliance.size(), this->Second.size() });
@@ -205,7 +212,7 @@ ContactSpots BodyMaterial::spots() const
   ContactSpots spots{ { reducedModulus(this->Given.youngsModulus, this->Given.poissonsRatio),
                         this->Given.poissonsRatio, 0.0, this->Given.thickness },
     data(this->ReducedModulus), data(this->PoissonsRatio), data(this->Compliance),
-    data(this->Thickness), data(this->Second) };
+    data(this->Thickness), data(this->Second), 0.0, data(this->ComplianceError) };
   if (this->Given.isStack())
   {
     const std::vector<StackLayer>& deeper = this->Given.deeper;

@@ -66,7 +66,8 @@ public:
     PointValues thickness;     ///< mm, 0 for a half-space
     PointValues compliance;    ///< in series, mm/N
     PointValues poissonsRatio;
-    PointValues second; ///< thickness of the second layer of a stack, mm
+    PointValues second;               ///< thickness of the second layer of a stack, mm
+    PointValues complianceError = {}; ///< how far the compliance may be off, mm/N
   };
   explicit BodyMaterial(const Constants& constants);
 
@@ -104,6 +105,7 @@ private:
   std::vector<double> Compliance;
   std::vector<double> Thickness;
   std::vector<double> Second;
+  std::vector<double> ComplianceError;
   MaterialRange Range;
 };
 } // namespace palpate

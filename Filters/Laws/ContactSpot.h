@@ -31,6 +31,7 @@ struct ContactSpot
   SpotCurvature curvature = {}; ///< that the law is to take into account
   double second = 0.0;          ///< of a stack: the thickness of the layer below that one, mm
   double thinnest = 0.0;        ///< of a stack: that of its thinnest layer, mm
+  double complianceError = 0.0; ///< how far the compliance may be off, mm/N
 
   LayerPlace place() const noexcept
   {
@@ -48,6 +49,7 @@ struct ContactSpots
   const double* thickness = nullptr;
   const double* second = nullptr;
   double deeperThinnest = 0.0; ///< of the layers below those two, mm; 0: no stack
+  const double* complianceError = nullptr;
 
   ContactSpot at(std::size_t i) const
   {
@@ -57,6 +59,7 @@ struct ContactSpots
       pick(this->poissonsRatio, this->constant.poissonsRatio),
       pick(this->compliance, this->constant.compliance),
       pick(this->thickness, this->constant.thickness) };
+    spot.complianceError = pick(this->complianceError, this->constant.complianceError);
     if (this->deeperThinnest > 0.0)
     {
       spot.second = pick(this->second, this->constant.second);

@@ -95,6 +95,8 @@ ErrorParts ErrorRule::at(
   {
     part *= std::abs(local);
   }
+  parts[ResponseLimit::Elements] =
+    std::abs(local) * spot.complianceError * spot.reducedModulus * state.stiffness;
   parts[ResponseLimit::None] = this->Scope.storage;
   return parts;
 }

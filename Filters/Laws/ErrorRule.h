@@ -62,6 +62,7 @@ struct LawScope
  *   e^(-d/h), as its base holds it. Not where the body's own compliance is known, which contains
  *   it. At an open border the body is taken to go on unseen: as much as at a right-angled edge,
  * less and less to 2 a away. All of the force where the contact is wider than the whole body.
+ * - Elements: how far the compliance may be off, times dF/dδ.
  * - None: storage.
  *
  * A material that was measured has in it what shape and strain did to the contact it was measured

@@ -6,6 +6,7 @@
 #include "Response/FilterThreads.h"
 #include "Mechanics/FiniteElements/GlobalModes.h"
 #include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Mechanics/TrueShape/ComplianceError.h"
 #include "Response/Bodies/FactorisedBody.h"
 #include "Response/Bodies/VolumeConversion.h"
 
@@ -22,6 +23,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -45,6 +47,26 @@ void attachCompliances(
   }
   output->GetPointData()->AddArray(values);
   output->GetPointData()->AddArray(status);
+}
+
+/// Where a compliance was carried to from around, it may be off by all of itself.
+void attachErrors(const palpate::PatchCompliances& compliances, const std::vector<double>& errors,
+  vtkPolyData* output)
+{
+  if (errors.empty() || std::isnan(errors.front()))
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("GlobalComplianceError");
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    const double guessed = compliances.status[i] == palpate::PatchStatus::Valid
+      ? 0.0
+      : std::abs(compliances.compliance[i]);
+    values->InsertNextValue(std::max(errors[i], guessed));
+  }
+  output->GetPointData()->AddArray(values);
 }
 
 void attachModes(const palpate::GlobalModes& modes, vtkPolyData* output)
@@ -139,8 +161,14 @@ int vtkElasticCompliance::RequestData(
   std::vector<std::int32_t> points(static_cast<std::size_t>(surface.pointTotal()));
   std::iota(points.begin(), points.end(), 0);
   palpate::PatchCompliances compliances = palpate::patchCompliances(
-    body, points, this->PatchRadius, palpate::FilterStage{ this, 0.4, 0.8 });
+    body, points, this->PatchRadius, palpate::FilterStage{ this, 0.4, 0.7 });
   if (compliances.compliance.empty())
+  {
+    return 1; // aborted
+  }
+  const std::vector<double> errors =
+    palpate::complianceErrors(body, compliances, palpate::FilterStage{ this, 0.7, 0.8 });
+  if (errors.empty())
   {
     return 1; // aborted
   }
@@ -171,6 +199,7 @@ int vtkElasticCompliance::RequestData(
 
   palpate::convertSurface(surface, grid, output);
   attachCompliances(compliances, output, surface.pointTotal());
+  attachErrors(compliances, errors, output);
   if (this->NumberOfModes > 0)
   {
     attachModes(modes, output);

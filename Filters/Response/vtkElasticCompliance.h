@@ -18,6 +18,10 @@
  * patch; 4 OutOfReach: the patch lies on fixed points; 1 Degenerate. Where it is not 0 the
  * compliance is interpolated from the six nearest valid points along the surface, weighted by
  * 1/distance², NaN in a part of the surface that has none;
+ * - `GlobalComplianceError` (double, mm/N, >= 0): how far C_g may be off by the elements
+ * (palpate::complianceErrors, from some ten points); where it was interpolated, at least |C_g|.
+ * vtkToolContactResponse finds it by its name, beside that of the compliance, and counts it in the
+ * error of the force. Not there if none of those points can be pressed;
  * - `OriginalPointIds` (vtkIdType): the points of the input;
  * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
  * s_k (int, 1 or -1), NumberOfModes of them: how the body moves as a whole, see below;
@@ -64,7 +68,8 @@
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
  * points and both radii, half as much again on two cores, where cells form a regular
  * grid; the half-space terms of irregular meshes, where no two points are alike, take about 8 ms
- * per point and core (`./run bench filters --benchmark_filter=ElasticCompliance`).
+ * per point and core (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes
+ * some ten solutions of the whole body, and 100 µs per cell for each.
  * CHOLMOD with OpenBLAS if Palpate was built with it, Eigen otherwise, some hundred times slower.
  * A body that does not fit MemoryLimit is refused before it is solved: by its numbers of points
  * (palpate::MemoryForecast) before anything is assembled, if that is certain, otherwise by the

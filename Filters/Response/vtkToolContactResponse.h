@@ -21,9 +21,10 @@
  * See palpate/contract.py for how they are evaluated.
  *
  * **Error** (point data, float n) is the estimated relative error of the force at each sample: what
- * strain, curvature, thickness, edge and storage may add up to (palpate/ErrorRule.h). **Validity**
- * is the largest depth at which it is within ErrorTolerance, at most Range, and **Limit** the
- * largest part just beyond: 0 none within Range, 1 strain, 2 curvature, 3 thickness, 5 edge.
+ * strain, curvature, thickness, edge, storage and the elements behind a compliance may add up to
+ * (palpate/ErrorRule.h). **Validity** is the largest depth at which it is within ErrorTolerance, at
+ * most Range, and **Limit** the largest part just beyond: 0 none within Range, 1 strain, 2
+ * curvature, 3 thickness, 5 edge, 7 elements.
  *
  * With an ErrorTolerance of 0 there is no `Error`, and validity is the depth at which the first
  * assumption of the law breaks. Strain: a/R exceeds 0.4, the contact radius over the tip radius
@@ -37,9 +38,10 @@
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
  * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
- * array counts by its index, not by its name). An index that was never set, or set to an empty
- * name, means the constant property, whatever arrays the body has; one that was set but is not
- * there is an error. So is a value out of range, naming array, index and value.
+ * array counts by its index, not by its name). Beside a global compliance the array of its name and
+ * `Error`, if it is there, says by how many mm/N it may be off. An index that was never set, or set
+ * to an empty name, means the constant property, whatever arrays the body has; one that was set but
+ * is not there is an error. So is a value out of range, naming array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
  * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global

@@ -116,9 +116,13 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
     [&](vtkIdType id)
     { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });
   const BodyMesh mesh = makeBodyMesh(body);
+  vtkDataArray* errors = solid->GetPointData()->GetArray("GlobalComplianceError");
   vtkNew<vtkDoubleArray> carried;
   carried->SetName("GlobalCompliance");
   carried->SetNumberOfTuples(body->GetNumberOfPoints());
+  vtkNew<vtkDoubleArray> carriedErrors;
+  carriedErrors->SetName("GlobalComplianceError");
+  carriedErrors->SetNumberOfTuples(body->GetNumberOfPoints());
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
     std::array<double, 3> place{};
@@ -135,13 +139,20 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
         " of the body: no point of its solid faces the same way; is --voxel too coarse?";
     }
     double value = 0.0;
+    double error = 0.0;
     for (const auto& [id, weight] : sum)
     {
       value += weight * values->GetTuple1(id);
+      error += errors ? weight * errors->GetTuple1(id) : 0.0;
     }
     carried->SetValue(i, value);
+    carriedErrors->SetValue(i, error);
   }
   body->GetPointData()->AddArray(carried);
+  if (errors)
+  {
+    body->GetPointData()->AddArray(carriedErrors);
+  }
   carryModes(solid, body);
   return {};
 }

@@ -72,42 +72,52 @@ MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 5
   return arrays;
 }
 
+namespace
+{
+/// Fetches one value per point. Returns what is wrong with the array, or "".
+std::string readValues(
+  const std::string& name, vtkDataArray* array, vtkIdType points, PointValues& given)
+{
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
+  {
+    return joined("Array '", array->GetName(), "' must have 1 component and ", points,
+      " tuples, but has ", array->GetNumberOfComponents(), " and ", array->GetNumberOfTuples());
+  }
+  given.name = array->GetName() ? array->GetName() : name;
+  given.values.resize(static_cast<std::size_t>(points));
+  for (std::size_t i = 0; i < given.values.size(); ++i)
+  {
+    given.values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return {};
+}
+} // namespace
+
 std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material)
 {
-  const std::string wrong = material.checkConstants();
-  if (!wrong.empty())
-  {
-    return wrong;
-  }
+  std::string wrong = material.checkConstants();
   BodyMaterial::Values values;
   const std::array<PointValues*, 5> wanted = { &values.youngsModulus, &values.thickness,
     &values.compliance, &values.poissonsRatio, &values.second };
   const vtkIdType points = body->GetNumberOfPoints();
-  for (std::size_t index = 0; index < wanted.size(); ++index)
+  for (std::size_t index = 0; index < wanted.size() && wrong.empty(); ++index)
   {
     const auto& [name, array] = arrays[index];
-    PointValues& given = *wanted[index];
-    if (name.empty())
+    if (!name.empty())
     {
-      continue;
-    }
-    if (!array)
-    {
-      return joined("Array to process ", index, " ('", name, "') is not on the input's points");
-    }
-    if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
-    {
-      return joined("Array '", array->GetName(), "' must have 1 component and ", points,
-        " tuples, but has ", array->GetNumberOfComponents(), " and ", array->GetNumberOfTuples());
-    }
-    given.name = array->GetName() ? array->GetName() : name;
-    given.values.resize(static_cast<std::size_t>(points));
-    for (std::size_t i = 0; i < given.values.size(); ++i)
-    {
-      given.values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+      wrong = array
+        ? readValues(name, array, points, *wanted[index])
+        : joined("Array to process ", index, " ('", name, "') is not on the input's points");
     }
   }
-  return material.take(std::move(values), static_cast<std::size_t>(points));
+  const std::string errorName = values.compliance.name + "Error";
+  vtkDataArray* error =
+    values.compliance.values.empty() ? nullptr : body->GetPointData()->GetArray(errorName.c_str());
+  if (wrong.empty() && error)
+  {
+    wrong = readValues(errorName, error, points, values.complianceError);
+  }
+  return wrong.empty() ? material.take(std::move(values), static_cast<std::size_t>(points)) : wrong;
 }
 
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)

@@ -21,7 +21,8 @@ class Ranks;
 
 /// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness,
 /// 2 global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. One that is not
-/// wanted has no name; one that is wanted and not there has no array.
+/// wanted has no name; one that is wanted and not there has no array. Beside a compliance an array
+/// named <its name>Error says, if it is there, how far it may be off.
 struct MaterialArray
 {
   std::string name;

@@ -177,6 +177,7 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
         else:
             values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
+            body.GetPointData().RemoveArray(array + "Error")  # would be that of another
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
 

@@ -2,6 +2,7 @@
 // vtkElasticCompliance: its output, its arrays to process, both solvers, its errors, abort.
 // Accuracy: TestElasticComplianceLayer, TestElasticCompliancePlate.
 #include "FilterChecks.h"
+#include "TestBodies.h"
 #include "VolumeBlock.h"
 
 #include "vtkCallbackCommand.h"
@@ -170,6 +171,56 @@ void checkLoadedDisplacement()
   PALPATE_CHECK_NEAR(moved(b, a, 1.0), there, 0.1 * std::abs(there));
 }
 
+/// What the elements leave open counts in the force by dF/dδ, and nothing else changes.
+void checkErrorOfForce()
+{
+  const auto filter = makeFilter(block(12, 5));
+  filter->SetYoungsModulus(0.1);
+  filter->Update();
+  const auto body = vtkSmartPointer<vtkPolyData>::New();
+  body->ShallowCopy(filter->GetOutput());
+  const std::vector<double> errors = values(filter, "GlobalComplianceError");
+  PALPATE_CHECK(errors.size() == static_cast<std::size_t>(body->GetNumberOfPoints()));
+  const auto felt = [&](vtkPolyData* on)
+  {
+    auto response = filterOf(on, "sphere:2", 0.5);
+    response->SetInputArrayToProcess(
+      2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
+    return response;
+  };
+  const auto with = felt(body);
+  with->Update();
+  const auto bare = vtkSmartPointer<vtkPolyData>::New();
+  bare->ShallowCopy(body);
+  bare->GetPointData()->RemoveArray("GlobalComplianceError");
+  const auto without = felt(bare);
+  without->Update();
+  const vtkIdType top = body->vtkDataSet::FindPoint(6.0, 6.0, 5.0);
+  const auto last = [top](vtkToolContactResponse* response, const char* array)
+  { return response->GetOutput()->GetPointData()->GetArray(array)->GetComponent(top, 7); };
+  PALPATE_CHECK(errors[static_cast<std::size_t>(top)] > 0.0);
+  PALPATE_CHECK(last(with, "ResponseForce") == last(without, "ResponseForce"));
+  const double part = errors[static_cast<std::size_t>(top)] * last(with, "ResponseStiffness");
+  // Errors are floats, as the stiffness is; the law of a sphere is stored to 1e-3.
+  PALPATE_CHECK_NEAR(
+    last(with, "ResponseError") - last(without, "ResponseError"), part, 2e-3 * part);
+
+  // An error that is far larger than all else limits; a wrong one is refused.
+  vtkNew<vtkDoubleArray> stated;
+  stated->SetName("GlobalComplianceError");
+  stated->SetNumberOfTuples(body->GetNumberOfPoints());
+  stated->Fill(100.0);
+  body->GetPointData()->AddArray(stated);
+  with->Modified();
+  with->Update();
+  PALPATE_CHECK(with->GetOutput()->GetPointData()->GetArray("ResponseLimit")->GetTuple1(top) == 7);
+  stated->SetValue(3, -1.0);
+  Messages messages(with.Get());
+  with->Modified();
+  with->Update();
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "GlobalComplianceError", "point 3", "-1");
+}
+
 void checkErrors()
 {
   const auto fails =
@@ -257,7 +308,7 @@ void checkProgressAndAbort()
   PALPATE_CHECK(seen.back() == 1.0);
   PALPATE_CHECK(filter->GetMemoryEstimate() > 0.0);
 
-  for (const double at : { 0.04, 0.09, 0.39, 0.41, 0.6 })
+  for (const double at : { 0.04, 0.09, 0.39, 0.41, 0.6, 0.71 })
   {
     const auto aborted = makeFilter(block(5, 3));
     Messages messages(aborted.Get());
@@ -274,6 +325,7 @@ int TestElasticCompliance(int, char*[])
   checkKindsAndSolvers();
   checkMaterialArrays();
   checkLoadedDisplacement();
+  checkErrorOfForce();
   checkErrors();
   checkProgressAndAbort();
   return palpate::testing::result();
