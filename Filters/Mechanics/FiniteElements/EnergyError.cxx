@@ -191,6 +191,7 @@ std::vector<double> energyErrors(
     const ElementStress element(body, e);
     const Places places = nodePlaces(element.kind());
     std::vector<ElementStress::Motion> motions;
+    motions.reserve(count);
     for (const Eigen::Matrix3Xd& displacement : displacements)
     {
       motions.push_back(element.motion(displacement));
