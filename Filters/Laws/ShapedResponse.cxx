@@ -2,6 +2,7 @@
 #include "Laws/ShapedResponse.h"
 
 #include "Contact/ResponseSampling.h"
+#include "Laws/CurvesOnEdges.h"
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -165,9 +166,14 @@ MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& gr
   {
     return made;
   }
+  fillEdges(green.body(), ResponseSampling(spans.samples, Exponent), spans);
   made.complete = true;
-  made.without =
-    points - static_cast<std::size_t>(std::count(spans.status, spans.status + points, ValidPoint));
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    const auto status = static_cast<ResponseStatus>(spans.status[i]);
+    const bool isUsable = status == ResponseStatus::Valid || status == ResponseStatus::Edge;
+    made.without += isUsable && spans.range[i] > 0.0F ? 0 : 1;
+  }
   return made;
 }
 } // namespace palpate

@@ -24,7 +24,8 @@ struct ShapedTerms
  * fills the spans, one value per point of the surface, whose status must be set.
  *
  * A point that cannot be pressed has its PatchStatus for a status, one with an edge, a held point
- * or another material inside the smallest contact Edge. The exponent of storage is 1.
+ * or another material inside the smallest contact Edge; these have curves from those around them
+ * (fillEdges). The exponent of storage is 1.
  *
  * The error of a sample: small strain (Strain, as on a half-space of the material at the point), a
  * fifth of what the tilt next to an edge does (Edge; that fifth is what finite elements find left),

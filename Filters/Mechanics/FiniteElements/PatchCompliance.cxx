@@ -3,6 +3,7 @@
 
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/FiniteElements/MissedEnergy.h"
+#include "Mechanics/FiniteElements/NearestAlong.h"
 #include "Mechanics/FiniteElements/PatchSelfTerm.h"
 #include "Mechanics/FiniteElements/PatchSite.h"
 #include "Mechanics/SharedWork.h"
@@ -10,8 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <queue>
-#include <unordered_map>
 
 namespace palpate
 {
@@ -227,9 +226,7 @@ Eigen::Matrix3Xd patchForces(const ElasticBody& body, std::int32_t point, double
 
 void spreadValidCompliances(const BodySurface& surface, PatchCompliances& compliances)
 {
-  constexpr int wanted = 6;
-  using Entry = std::pair<double, std::int32_t>;
-  const std::vector<double> given = compliances.compliance;
+  constexpr std::size_t wanted = 6;
   const auto isValid = [&compliances](std::int32_t point)
   { return compliances.status[static_cast<std::size_t>(point)] == PatchStatus::Valid; };
   for (std::int32_t point = 0; point < surface.pointTotal(); ++point)
@@ -238,43 +235,14 @@ void spreadValidCompliances(const BodySurface& surface, PatchCompliances& compli
     {
       continue;
     }
-    std::unordered_map<std::int32_t, double> distance = { { point, 0.0 } };
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-    front.emplace(0.0, point);
-    double sum = 0.0;
-    double weights = 0.0;
-    for (int found = 0; found < wanted && !front.empty();)
+    const std::vector<AlongSurface> around = nearestAlong(surface, point, wanted, isValid);
+    const std::vector<double> weights = weightsAlong(around);
+    double sum = around.empty() ? NotANumber : 0.0;
+    for (std::size_t i = 0; i < around.size(); ++i)
     {
-      const auto [away, at] = front.top();
-      front.pop();
-      if (away > distance.at(at))
-      {
-        continue;
-      }
-      if (isValid(at))
-      {
-        const double weight = 1.0 / std::max(away * away, 1e-300);
-        sum += weight * given[static_cast<std::size_t>(at)];
-        weights += weight;
-        ++found;
-        continue; // what lies behind it is told by it
-      }
-      for (const std::int32_t* t = surface.trianglesBegin(at); t != surface.trianglesEnd(at); ++t)
-      {
-        for (const std::int32_t next : surface.triangle(*t))
-        {
-          const double length = away + (surface.position(next) - surface.position(at)).norm();
-          const auto [known, isNew] = distance.emplace(next, length);
-          if (isNew || length < known->second)
-          {
-            known->second = length;
-            front.emplace(length, next);
-          }
-        }
-      }
+      sum += weights[i] * compliances.compliance[static_cast<std::size_t>(around[i].point)];
     }
-    compliances.compliance[static_cast<std::size_t>(point)] =
-      weights > 0.0 ? sum / weights : NotANumber;
+    compliances.compliance[static_cast<std::size_t>(point)] = sum;
   }
 }
 } // namespace palpate

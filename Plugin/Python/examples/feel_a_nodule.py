@@ -54,7 +54,7 @@ def response(body, moduli, tools):
     felt.SetPoissonRatio(POISSON)
     felt.SetMaximumDeflection(0.4)
     felt.SetLargestContactRadius(2.5)
-    felt.AddObserver("WarningEvent", lambda *_: None)       # edges and what is held have no response
+    felt.AddObserver("WarningEvent", lambda *_: None)       # what is held has no response
     for name in tools:
         tool = palpate.vtkContactTool()
         tool.SetSpecification(name)

@@ -2,6 +2,7 @@
 // vtkElasticContactResponse: against the exact layer, over an inclusion, from one tool to the next,
 // its status, its errors, abort, threads. The kernels: Mechanics, Shaped…Test.
 #include "FilterChecks.h"
+#include "ReferenceTable.h"
 #include "TestBodies.h"
 #include "VolumeBlock.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <vector>
 
 namespace
@@ -91,10 +93,12 @@ void checkStatus()
   PALPATE_CHECK(statusAt(0.5 * Side, 0.5 * Side, 0) == 4.0); // held
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    const bool isValid = component(filter, "ResponseStatus", i) == 0.0;
+    const double status = component(filter, "ResponseStatus", i);
     const double force = component(filter, "ResponseForce", i, 7);
-    PALPATE_CHECK(isValid ? force > 0.0 : force == 0.0);
-    PALPATE_CHECK(isValid || std::isnan(component(filter, "ResponseError", i, 3)));
+    const double error = component(filter, "ResponseError", i, 3);
+    PALPATE_CHECK(status == 4.0 ? force == 0.0 && std::isnan(error) : force > 0.0);
+    PALPATE_CHECK(status != 5.0 || (error == 1.0 && component(filter, "ResponseLimit", i) == 5.0));
+    PALPATE_CHECK(status == 0.0 || component(filter, "ResponseValidity", i) == 0.0);
     PALPATE_CHECK(component(filter, "ResponseRange", i) > 0.0);
   }
   // Two cells from the edge a contact ends where it reaches that.
@@ -102,6 +106,39 @@ void checkStatus()
   PALPATE_CHECK(component(filter, "ResponseStatus", beside) == 0.0);
   PALPATE_CHECK(component(filter, "ResponseForce", beside, 7) <
     component(filter, "ResponseForce", topMiddle(filter), 7)); // it gives way more
+}
+
+/// On an edge itself, against Φ(0) of a quarter space; by another edge, another tool and depth.
+void checkOnEdge()
+{
+  constexpr int wide = 14;
+  constexpr int high = 10;
+  const ElasticFilter filter = press(block(wide, high), "paraboloid:3");
+  for (const char* tool : { "paraboloid:3", "flat:1.5", "cone:75" })
+  {
+    const double power = tool[0] == 'f' ? 1.0 : tool[0] == 'p' ? 1.5 : 2.0;
+    const ReferenceTable table("edges/edge_law.csv");
+    double factor = 0.0;
+    for (std::size_t row = 0; row < table.size(); ++row)
+    {
+      factor = table.number(row, "nu") == 0.45 && table.number(row, "m") == power &&
+          table.number(row, "u=d/a0") == 0.0
+        ? table.number(row, "Phi=F/F0")
+        : factor;
+    }
+    filter->SetTool(makeTool(tool));
+    filter->Update();
+    const vtkIdType edge = filter->GetOutput()->vtkDataSet::FindPoint(0.0, 0.5 * wide, high);
+    PALPATE_CHECK(component(filter, "ResponseStatus", edge) == 5.0);
+    for (const int k : { 2, 4 })
+    {
+      const double depth = component(filter, "ResponseRange", edge) * (k + 1) * (k + 1) / 64.0;
+      const double far = makeTool(tool)->GetForce(depth, 0.1 / (1.0 - 0.45 * 0.45));
+      const double found = component(filter, "ResponseForce", edge, k) / far;
+      std::cout << tool << " " << depth << ": " << found << ", quarter space " << factor << "\n";
+      PALPATE_CHECK_NEAR(found, factor, 0.15 * factor);
+    }
+  }
 }
 
 /// A hard cell under the surface is felt above it, and not far away.
@@ -279,6 +316,7 @@ int TestElasticContactResponse(int, char*[])
 {
   checkLayer();
   checkStatus();
+  checkOnEdge();
   checkInclusion();
   checkSourceSpacing();
   checkNextTool();
