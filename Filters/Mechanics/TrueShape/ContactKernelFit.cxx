@@ -179,13 +179,7 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   this->LargestRadius = std::min(green.radius(), disc->limit);
   this->LimitedBy = disc->limit < green.radius() ? disc->limitedBy : PatchStatus::Valid;
   this->Spacing = body.surface().spacing(point);
-  const std::int32_t node = body.surface().node(point);
-  for (const std::int32_t* e = body.topology().elementsBegin(node);
-       e != body.topology().elementsEnd(node); ++e)
-  {
-    this->Stiffened = this->Stiffened ||
-      body.mesh().elements[static_cast<std::size_t>(*e)].kind == ElementKind::Tetrahedron;
-  }
+  this->ElementPart = green.elementError(point);
   for (const DiscPoint& at : disc->points)
   {
     if (green.isSource(at.point))

@@ -45,8 +45,7 @@ public:
   PatchStatus limitedBy() const { return this->LimitedBy; }
   /// Distance of neighbouring nodes, mm.
   double spacing() const { return this->Spacing; }
-  /// Linear tetrahedra around the point: they are too stiff.
-  bool isStiffened() const { return this->Stiffened; }
+  const ExpectedError& elementError() const { return this->ElementPart; }
 
   /// The kernel of the largest order that the points carry, but not above `largestOrder` >= 1. Of
   /// order 0 where the status is not valid, or for a radius that is none.
@@ -65,7 +64,7 @@ private:
   double LargestRadius = 0.0;
   PatchStatus LimitedBy = PatchStatus::Valid;
   double Spacing = 0.0;
-  bool Stiffened = false;
+  ExpectedError ElementPart;
   double Asymmetry = 0.0;
   std::vector<DiscPoint> Points;  ///< sources
   std::vector<DiscPoint> Surface; ///< all; empty: the same

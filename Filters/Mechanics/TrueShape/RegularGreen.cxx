@@ -5,6 +5,7 @@
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/ThreadCount.h"
+#include "Mechanics/TrueShape/ElementError.h"
 #include "Mechanics/TrueShape/SourceThinning.h"
 #include "Mechanics/TrueShape/SubtractedLoad.h"
 
@@ -80,6 +81,14 @@ const SurfaceDisc* RegularGreen::disc(std::int32_t point) const
   return at != this->Points.end() && *at == point
     ? &this->Discs[static_cast<std::size_t>(at - this->Points.begin())]
     : nullptr;
+}
+
+ExpectedError RegularGreen::elementError(std::int32_t point) const
+{
+  const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
+  return at != this->Points.end() && *at == point
+    ? this->Errors[static_cast<std::size_t>(at - this->Points.begin())]
+    : ExpectedError{};
 }
 
 const double* RegularGreen::find(std::int32_t x, std::int32_t source) const
@@ -299,6 +308,11 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   }
   this->chooseSources();
   this->layOut();
+  const ElementError errors(this->Body);
+  this->Errors.assign(this->Points.size(), {});
+  shareWork(this->Points.size(),
+    [&](std::size_t i)
+    { this->Errors[i] = errors.at(SingularSource(this->Body, this->Points[i])); });
 
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;

@@ -23,6 +23,13 @@
 
 namespace palpate
 {
+/// What elements let expect of the error of H at a source, mm/N, >= 0 (ElementError).
+struct ExpectedError
+{
+  double error = NotANumber;
+  double direct = NotANumber; ///< of H what is beyond this is bending
+};
+
 /// H between surface points that share a contact, and the surface around each.
 class PALPATE_EXPORT RegularGreen
 {
@@ -63,6 +70,9 @@ public:
   double at(std::int32_t x, std::int32_t source) const;
   /// |H(x, X) - H(X, x)|; 0 where not both were solved.
   double asymmetry(std::int32_t x, std::int32_t source) const;
+  /// What the elements let expect of the error of H at one of the points asked for (ElementError),
+  /// mm/N; NaN for any other.
+  ExpectedError elementError(std::int32_t point) const;
   /// How many sources were solved.
   std::size_t sources() const { return this->Sources.size(); }
 
@@ -85,6 +95,7 @@ private:
   double Spacing = 0.0;
   std::vector<std::int32_t> Points;  ///< asked for, ascending
   std::vector<SurfaceDisc> Discs;    ///< beside Points
+  std::vector<ExpectedError> Errors; ///< beside Points
   std::vector<std::int32_t> Sources; ///< ascending
   std::vector<Row> Rows;             ///< beside Sources
 };

@@ -23,24 +23,20 @@ Eigen::Vector4d reducedPowers(double t)
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
 }
 
-/// What the elements let expect of the error of a contact's compliance, mm/N. Measured on layers of
-/// two to eight elements (ContactOnLayer): H errs as the square of spacing over its own length, and
-/// mostly within a spacing from coincidence, so that wide contacts feel less of it; linear
-/// tetrahedra are five times worse at ν = 0.45. Facets on a curved surface add an error that is the
-/// same everywhere (measured on a ball). What the moduli of mixed cells do is not in it.
+constexpr double OfBending = 0.1; ///< of what bends
+constexpr double OfFacets = 0.8;  ///< of H, times the square of the turn from facet to facet
+
+/// What the elements let expect of the error of a contact's compliance, mm/N: by its place
+/// (ElementError), less of a contact wider than they are, as they err most next to the source; of
+/// what bends; and of facets on a curved surface, which is the same everywhere (measured on a
+/// ball). What the moduli of mixed cells do is not in it.
 double meshError(const ContactKernel& kernel, const ContactKernelFit& fit, double radius)
 {
   const double self = std::abs(kernel.coefficients(0, 0));
-  double length = 1.0 / (Pi * fit.reducedModulus() * std::max(self, 1e-300));
-  if (kernel.order > 1 && kernel.coefficients(0, 1) != 0.0)
-  {
-    length = std::min(length, radius * std::sqrt(self / std::abs(kernel.coefficients(0, 1))));
-  }
-  const double ratio = fit.spacing() / length;
   const double turn = 2.0 * kernel.drop[1] / (radius * radius) * fit.spacing();
-  const double resolved = (fit.isStiffened() ? 0.5 : 0.1) * std::min(1.0, ratio * ratio) *
-    fit.spacing() / (fit.spacing() + radius);
-  return self * (resolved + 0.8 * std::min(1.0, turn * turn));
+  return fit.elementError().error * fit.spacing() / (fit.spacing() + radius) +
+    OfBending * std::max(0.0, self - fit.elementError().direct) +
+    self * OfFacets * std::min(1.0, turn * turn);
 }
 
 std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, int count)
