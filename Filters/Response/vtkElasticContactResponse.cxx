@@ -1,60 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticContactResponse.h"
 
-#include "Laws/ShapedResponse.h"
 #include "Mechanics/JoinedText.h"
-#include "Mechanics/Numerics/AvailableMemory.h"
-#include "Mechanics/TrueShape/RegularGreen.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
-#include "Response/Bodies/FactorisedBody.h"
-#include "Response/Bodies/VolumeConversion.h"
+#include "Response/Bodies/SolvedBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
-#include "Response/Curves/PointNormals.h"
-#include "Response/Curves/ResponseStorage.h"
-#include "Response/FilterStage.h"
 #include "Response/FilterThreads.h"
 #include "vtkContactTool.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <vector>
 
 namespace
 {
-constexpr double FactorisedShare = 0.15; // of the work, as progress tells it
-constexpr double SolvedShare = 0.9;
-constexpr double WiderThanHalfSpace = 1.42; // on a layer that gives way sideways √2
+constexpr double SolvedShare = 0.9; // of the work, as progress tells it
 } // namespace
-
-/// A body and its H, and what they were made of.
-struct vtkElasticContactResponse::Solved
-{
-  palpate::ElasticBody Body;
-  palpate::RegularGreen Green{ Body };
-  double Spacing = 0.0; ///< of sources, mm
-  double Radius = 0.0;  ///< mm; 0: nothing solved yet
-  vtkSmartPointer<vtkUnstructuredGrid>
-    Grid; ///< its arrays, so that none can be freed and made anew
-  vtkMTimeType GridTime = 0;
-  vtkDataArray* Young = nullptr;
-  vtkDataArray* Poisson = nullptr;
-  palpate::ElasticMaterial Material;
-  int Solver = 0;
-};
 
 vtkStandardNewMacro(vtkElasticContactResponse);
 
-vtkElasticContactResponse::vtkElasticContactResponse() = default;
+vtkElasticContactResponse::vtkElasticContactResponse()
+  : Kept(std::make_unique<palpate::SolvedBody>())
+{
+}
 vtkElasticContactResponse::~vtkElasticContactResponse() = default;
 
 void vtkElasticContactResponse::SetTool(vtkContactTool* tool)
@@ -121,111 +95,51 @@ std::string vtkElasticContactResponse::CheckProperties()
     fault = this->Tool->GetKernel()->checkDepth(this->MaximumDeflection);
     fault = fault.empty() ? fault : "MaximumDeflection: " + fault;
   }
-  const double radius = this->LargestContactRadius;
-  if (fault.empty() && !(radius >= 0.0 && std::isfinite(radius)))
-  {
-    fault = palpate::joined("LargestContactRadius must be 0 or positive (mm), but is ", radius);
-  }
-  if (fault.empty() && !(this->SourceSpacing >= 0.0 && std::isfinite(this->SourceSpacing)))
-  {
-    fault =
-      palpate::joined("SourceSpacing must be 0 or positive (mm), but is ", this->SourceSpacing);
-  }
-  return fault;
+  fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
+                        : fault;
+  return fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
 }
 
 /// Sees to it that what the tool needs is in Kept.
 std::string vtkElasticContactResponse::Solve(vtkUnstructuredGrid* grid, bool& ended)
 {
-  palpate::FactorRequest request;
-  request.material = { this->YoungsModulus, this->PoissonRatio };
-  request.solver = this->Solver;
-  request.memoryLimit = this->MemoryLimit;
-  std::string fault = palpate::checkFactorRequest(request);
+  palpate::SolveRequest request;
+  request.factor.material = { this->YoungsModulus, this->PoissonRatio };
+  request.factor.solver = this->Solver;
+  request.factor.memoryLimit = this->MemoryLimit;
+  std::string fault = palpate::checkFactorRequest(request.factor);
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.young) : fault;
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.poisson) : fault;
+  fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.factor.young) : fault;
+  fault =
+    fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.factor.poisson) : fault;
   if (!fault.empty())
   {
     return fault;
   }
-  const double own =
-    WiderThanHalfSpace * this->Tool->GetKernel()->contactRadius(this->MaximumDeflection);
-  const double radius = std::max(own, this->LargestContactRadius);
-  const Solved* kept = this->Kept.get();
-  const bool isSame = kept && kept->GridTime == grid->GetMTime() && kept->Young == request.young &&
-    kept->Poisson == request.poisson && kept->Solver == this->Solver &&
-    kept->Material.youngsModulus == this->YoungsModulus &&
-    kept->Material.poissonRatio == this->PoissonRatio;
-  if (isSame && kept->Radius >= radius && kept->Spacing == this->SourceSpacing)
-  {
-    return {};
-  }
-  if (!isSame)
-  {
-    this->Kept = std::make_unique<Solved>(); // the factor before is given back first
-    fault =
-      palpate::factoriseBody(grid, request, palpate::FilterStage{ this, 0.0, FactorisedShare },
-        this->Kept->Body, this->MemoryEstimate, ended);
-    if (!fault.empty() || ended)
-    {
-      this->Kept.reset();
-      return fault;
-    }
-    this->Kept->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    this->Kept->Grid->ShallowCopy(grid);
-    this->Kept->GridTime = grid->GetMTime();
-    this->Kept->Young = request.young;
-    this->Kept->Poisson = request.poisson;
-    this->Kept->Material = request.material;
-    this->Kept->Solver = this->Solver;
-  }
-  Solved& solved = *this->Kept;
-  std::vector<std::int32_t> points(static_cast<std::size_t>(solved.Body.surface().pointTotal()));
-  std::iota(points.begin(), points.end(), 0);
-  const double bytes = solved.Green.memoryForecast(points, radius, this->SourceSpacing);
-  this->MemoryEstimate += bytes / palpate::Mebibyte;
-  if (bytes > palpate::allowedMemory(this->MemoryLimit))
-  {
-    return palpate::joined("The solutions at ", points.size(), " points for contacts of ", radius,
-      " mm need about ", bytes / palpate::Mebibyte, " MiB, more than ",
-      palpate::allowedMemory(this->MemoryLimit) / palpate::Mebibyte,
-      " MiB: give a smaller MaximumDeflection, a smaller tool or a coarser mesh");
-  }
-  solved.Radius = 0.0;
-  fault = solved.Green.solve(points, radius,
-    palpate::FilterStage{ this, FactorisedShare, SolvedShare }, this->SourceSpacing);
-  ended = palpate::isAborted(this);
-  if (ended)
-  {
-    return {};
-  }
-  if (fault.empty())
-  {
-    solved.Radius = radius;
-    solved.Spacing = this->SourceSpacing;
-    this->NumberOfSolutions = static_cast<vtkIdType>(solved.Green.sources());
-  }
-  return fault.empty() ? fault : "Wrong input: " + fault;
+  request.radius = std::max(
+    palpate::neededRadius(this->Tool, this->MaximumDeflection), this->LargestContactRadius);
+  request.spacing = this->SourceSpacing;
+  palpate::SolveCost cost;
+  fault = this->Kept->solve(grid, request, palpate::FilterStage{ this, 0.0, SolvedShare }, cost);
+  this->MemoryEstimate = cost.memory;
+  this->NumberOfSolutions = cost.solutions;
+  ended = cost.ended;
+  return fault;
 }
 
 std::string vtkElasticContactResponse::Respond(vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
-  const Solved& solved = *this->Kept;
-  vtkNew<vtkPolyData> surface;
-  palpate::convertSurface(solved.Body.surface(), grid, surface);
+  const vtkSmartPointer<vtkPolyData> surface = this->Kept->surface(grid);
   const vtkIdType count = surface->GetNumberOfPoints();
   const bool keepsError = this->StoreError && this->ErrorTolerance > 0.0;
   palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples, keepsError);
-  std::string fault = palpate::fillPointNormals(surface, storage.Normal, storage.Status);
+  palpate::MadeResponse made;
+  const std::string fault = this->Kept->respond(surface, this->Tool, this->MaximumDeflection,
+    this->ErrorTolerance, palpate::FilterStage{ this, SolvedShare, 1.0 }, storage, made);
   if (!fault.empty())
   {
-    return "Wrong input: " + fault;
+    return fault;
   }
-  const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
-  const palpate::MadeResponse made =
-    palpate::shapedResponse(tool, solved.Green, { this->MaximumDeflection, this->ErrorTolerance },
-      storage.spans(), palpate::FilterStage{ this, SolvedShare, 1.0 });
   if (!made.complete)
   {
     return {}; // aborted
@@ -238,7 +152,7 @@ std::string vtkElasticContactResponse::Respond(vtkUnstructuredGrid* grid, vtkPol
   output->ShallowCopy(surface);
   storage.attach(output);
   palpate::describeResponse(output, this->ResponseName,
-    { made.exponent, this->NumberOfSamples, tool.specification(),
+    { made.exponent, this->NumberOfSamples, this->Tool->GetKernel()->specification(),
       palpate::joined("finite elements of true shape, ", grid->GetNumberOfCells(), " cells"),
       palpate::TrueShapePart });
   this->UpdateProgress(1.0);

@@ -53,6 +53,11 @@
 class vtkContactTool;
 class vtkUnstructuredGrid;
 
+namespace palpate
+{
+class SolvedBody;
+}
+
 class PALPATERESPONSE_EXPORT vtkElasticContactResponse : public vtkPolyDataAlgorithm
 {
 public:
@@ -146,13 +151,11 @@ private:
   vtkElasticContactResponse(const vtkElasticContactResponse&) = delete;
   void operator=(const vtkElasticContactResponse&) = delete;
 
-  struct Solved;
-
   std::string CheckProperties();
   std::string Solve(vtkUnstructuredGrid* grid, bool& ended);
   std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* output);
 
-  std::unique_ptr<Solved> Kept;
+  std::unique_ptr<palpate::SolvedBody> Kept;
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FilledCells_h
+#define FilledCells_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+class vtkCell;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+/// A ball in a body, mm.
+struct BodyBall
+{
+  std::array<double, 3> middle{};
+  double radius = 0.0;
+};
+
+/**
+ * How much of a cell's volume each of several balls fills: counted on n³ places in the cell, each
+ * with the volume around it. Hexahedra and voxels as they are, tetrahedra, also quadratic ones,
+ * with straight sides. A place in several balls is the last one's.
+ */
+class FilledCells
+{
+public:
+  FilledCells(std::vector<BodyBall> balls, int subdivisions);
+
+  /// Of cell `id`: a fraction for each ball; null where none reaches into it.
+  const std::vector<double>* fractions(vtkUnstructuredGrid* grid, vtkIdType id);
+
+private:
+  /// The numbers of those that reach into a box.
+  void findNear(const double* bounds);
+  bool hasWithin(const double* bounds, std::size_t ball) const;
+  void count(vtkCell* cell);
+
+  std::vector<BodyBall> Balls;
+  int Subdivisions;
+  std::vector<std::size_t> Near;
+  std::vector<double> Fractions;
+  std::vector<double> Weights; ///< of a cell's points
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Bodies/SolvedBody.h"
+
+#include "Laws/ShapedResponse.h"
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/VolumeConversion.h"
+#include "Response/Curves/PointNormals.h"
+#include "vtkContactTool.h"
+
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr double FactorisedShare = 0.17;    // of the work, as progress tells it
+constexpr double WiderThanHalfSpace = 1.42; // on a layer that gives way sideways √2
+} // namespace
+
+/// A body and its H, and what they were made of.
+struct SolvedBody::Kept
+{
+  ElasticBody Body;
+  RegularGreen Green{ Body };
+  double Spacing = 0.0; ///< of sources, mm
+  double Radius = 0.0;  ///< mm; 0: nothing solved yet
+  vtkSmartPointer<vtkUnstructuredGrid>
+    Grid; ///< its arrays, so that none can be freed and made anew
+  vtkMTimeType GridTime = 0;
+  FactorRequest Factor;
+
+  bool isOf(vtkUnstructuredGrid* grid, const FactorRequest& other) const
+  {
+    return this->GridTime == grid->GetMTime() && this->Factor.young == other.young &&
+      this->Factor.poisson == other.poisson && this->Factor.solver == other.solver &&
+      this->Factor.material.youngsModulus == other.material.youngsModulus &&
+      this->Factor.material.poissonRatio == other.material.poissonRatio;
+  }
+};
+
+SolvedBody::SolvedBody() = default;
+SolvedBody::~SolvedBody() = default;
+
+double neededRadius(vtkContactTool* tool, double deflection)
+{
+  return WiderThanHalfSpace * tool->GetKernel()->contactRadius(deflection);
+}
+
+std::string checkLength(const char* property, double length)
+{
+  return length >= 0.0 && std::isfinite(length)
+    ? std::string()
+    : joined(property, " must be 0 or positive (mm), but is ", length);
+}
+
+std::string SolvedBody::solve(
+  vtkUnstructuredGrid* grid, const SolveRequest& request, const FilterStage& stage, SolveCost& cost)
+{
+  const bool isSame = this->Now && this->Now->isOf(grid, request.factor);
+  if (isSame && this->Now->Radius >= request.radius && this->Now->Spacing == request.spacing)
+  {
+    return {};
+  }
+  const double middle = stage.from + FactorisedShare * (stage.to - stage.from);
+  std::string fault;
+  if (!isSame)
+  {
+    this->Now = std::make_unique<Kept>(); // the factor before is given back first
+    fault = factoriseBody(grid, request.factor, FilterStage{ stage.filter, stage.from, middle },
+      this->Now->Body, cost.memory, cost.ended);
+    if (!fault.empty() || cost.ended)
+    {
+      this->Now.reset();
+      return fault;
+    }
+    this->Now->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Now->Grid->ShallowCopy(grid);
+    this->Now->GridTime = grid->GetMTime();
+    this->Now->Factor = request.factor;
+  }
+  Kept& kept = *this->Now;
+  std::vector<std::int32_t> points(static_cast<std::size_t>(kept.Body.surface().pointTotal()));
+  std::iota(points.begin(), points.end(), 0);
+  const double bytes = kept.Green.memoryForecast(points, request.radius, request.spacing);
+  cost.memory += bytes / Mebibyte;
+  const double allowed = allowedMemory(request.factor.memoryLimit);
+  if (bytes > allowed)
+  {
+    return joined("The solutions at ", points.size(), " points for contacts of ", request.radius,
+      " mm need about ", bytes / Mebibyte, " MiB, more than ", allowed / Mebibyte,
+      " MiB: give a smaller MaximumDeflection, a smaller tool or a coarser mesh");
+  }
+  kept.Radius = 0.0;
+  fault = kept.Green.solve(
+    points, request.radius, FilterStage{ stage.filter, middle, stage.to }, request.spacing);
+  cost.ended = isAborted(stage.filter);
+  if (cost.ended)
+  {
+    return {};
+  }
+  if (fault.empty())
+  {
+    kept.Radius = request.radius;
+    kept.Spacing = request.spacing;
+    cost.solutions = static_cast<vtkIdType>(kept.Green.sources());
+  }
+  return fault.empty() ? fault : "Wrong input: " + fault;
+}
+
+const RegularGreen& SolvedBody::green() const
+{
+  return this->Now->Green;
+}
+
+vtkSmartPointer<vtkPolyData> SolvedBody::surface(vtkUnstructuredGrid* grid) const
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  convertSurface(this->Now->Body.surface(), grid, surface);
+  return surface;
+}
+
+std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool, double deflection,
+  double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
+  MadeResponse& made) const
+{
+  const std::string fault = fillPointNormals(surface, storage.Normal, storage.Status);
+  if (!fault.empty())
+  {
+    return "Wrong input: " + fault;
+  }
+  made = shapedResponse(
+    *tool->GetKernel(), this->Now->Green, { deflection, errorTolerance }, storage.spans(), stage);
+  return {};
+}
+} // namespace palpate

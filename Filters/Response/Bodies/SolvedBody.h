@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SolvedBody_h
+#define SolvedBody_h
+
+#include "Laws/ResponseFiller.h"
+#include "Mechanics/TrueShape/RegularGreen.h"
+#include "Response/Bodies/FactorisedBody.h"
+#include "Response/Curves/ResponseStorage.h"
+#include "Response/FilterStage.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <memory>
+#include <string>
+
+class vtkContactTool;
+class vtkPolyData;
+
+namespace palpate
+{
+/// What is to be solved for on the whole surface of a body.
+struct SolveRequest
+{
+  FactorRequest factor;
+  double radius = 0.0;  ///< of the widest contact, mm
+  double spacing = 0.0; ///< of the points that are solved for, mm; 0: all
+};
+
+/// What it took.
+struct SolveCost
+{
+  double memory = 0.0;     ///< MiB, known also where that was refused
+  vtkIdType solutions = 0; ///< 0: all that was needed was there
+  bool ended = false;      ///< by an abort
+};
+
+/// The radius of contact that a tool needs at a depth (mm) on any body.
+double neededRadius(vtkContactTool* tool, double deflection);
+
+/// What is wrong with a length (mm) that may be 0, by the name of its property, or "".
+std::string checkLength(const char* property, double length);
+
+/**
+ * A body and its H (RegularGreen), as filters keep them from one tool to the next: factorised and
+ * solved anew only when the grid, its material or the solver changes, or a contact gets wider.
+ */
+class SolvedBody
+{
+public:
+  SolvedBody();
+  ~SolvedBody();
+
+  /// Sees to it that what the request needs is there. Returns what is wrong, or "".
+  std::string solve(vtkUnstructuredGrid* grid, const SolveRequest& request,
+    const FilterStage& stage, SolveCost& cost);
+
+  const RegularGreen& green() const;
+
+  /// The surface, with the grid's point arrays and `OriginalPointIds`.
+  vtkSmartPointer<vtkPolyData> surface(vtkUnstructuredGrid* grid) const;
+
+  /// Fills `storage`, of as many points as `surface` has, with what the tool feels. Returns what is
+  /// wrong, or ""; not complete where it was aborted.
+  std::string respond(vtkPolyData* surface, vtkContactTool* tool, double deflection,
+    double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
+    MadeResponse& made) const;
+
+private:
+  struct Kept;
+  std::unique_ptr<Kept> Now;
+};
+} // namespace palpate
+
+#endif
