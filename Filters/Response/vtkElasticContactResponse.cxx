@@ -3,20 +3,27 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/SimplerLaw.h"
 #include "Response/Bodies/SolvedBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
+#include "Response/Curves/AutomaticTerms.h"
 #include "Response/FilterThreads.h"
+#include "Response/ReplacedCurves.h"
 #include "vtkContactTool.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -63,6 +70,7 @@ int vtkElasticContactResponse::RequestData(
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(inputVector[0]);
   this->MemoryEstimate = 0.0;
   this->NumberOfSolutions = 0;
+  this->TermReason.clear();
   if (!grid || grid->GetNumberOfCells() == 0)
   {
     return 1;
@@ -94,6 +102,11 @@ std::string vtkElasticContactResponse::CheckProperties()
   {
     fault = this->Tool->GetKernel()->checkDepth(this->MaximumDeflection);
     fault = fault.empty() ? fault : "MaximumDeflection: " + fault;
+  }
+  fault = fault.empty() ? palpate::checkLength("LayerThickness", this->LayerThickness) : fault;
+  if (fault.empty() && !(this->TermTolerance >= 0.0 && std::isfinite(this->TermTolerance)))
+  {
+    fault = palpate::joined("TermTolerance must be 0 or positive, but is ", this->TermTolerance);
   }
   fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
                         : fault;
@@ -149,14 +162,37 @@ std::string vtkElasticContactResponse::Respond(vtkUnstructuredGrid* grid, vtkPol
     vtkWarningMacro(<< made.without << " of " << count << " points have no response: see array '"
                     << this->ResponseName << "Status'.");
   }
+  const std::string choiceFault =
+    this->AutomaticTerms ? this->KeepSimplerLaw(surface, storage) : std::string();
+  if (!choiceFault.empty())
+  {
+    return choiceFault;
+  }
   output->ShallowCopy(surface);
   storage.attach(output);
   palpate::describeResponse(output, this->ResponseName,
     { made.exponent, this->NumberOfSamples, this->Tool->GetKernel()->specification(),
       palpate::joined("finite elements of true shape, ", grid->GetNumberOfCells(), " cells"),
       palpate::TrueShapePart });
+  if (this->AutomaticTerms)
+  {
+    palpate::addText(output, palpate::termsName(this->ResponseName), this->TermReason);
+  }
   this->UpdateProgress(1.0);
   return {};
+}
+
+std::string vtkElasticContactResponse::KeepSimplerLaw(
+  vtkPolyData* surface, palpate::ResponseStorage& storage)
+{
+  const palpate::SimplerLaw law{ this->Tool, this->MaximumDeflection, this->LayerThickness,
+    this->TermTolerance };
+  vtkNew<vtkFloatArray> change;
+  change->SetName((this->ResponseName + "ShapeChange").c_str());
+  const std::string fault = palpate::keepSimplerLaw(
+    this->Kept->green().body(), surface, law, storage, change, this->TermReason);
+  surface->GetPointData()->AddArray(change);
+  return fault;
 }
 
 void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
@@ -172,6 +208,10 @@ void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StoreError: " << this->StoreError << "\n";
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
+  os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
+  os << indent << "TermTolerance: " << this->TermTolerance << "\n";
+  os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
+  os << indent << "TermReason: " << this->TermReason << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "Solver: " << this->Solver << "\n";
   os << indent << "MemoryEstimate: " << this->MemoryEstimate << " MiB\n";

@@ -51,12 +51,14 @@
 #include <string> // For std::string
 
 class vtkContactTool;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace palpate
 {
 class SolvedBody;
-}
+struct ResponseStorage;
+} // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkElasticContactResponse : public vtkPolyDataAlgorithm
 {
@@ -120,6 +122,34 @@ public:
   ///@}
 
   ///@{
+  /** Whether a simpler law's curve is kept where true shape changes the force by no more than
+   * TermTolerance, point by point: that of a half-space of the material at the point, curved as the
+   * surface is, or of a layer of LayerThickness on a rigid base. The point array
+   * `<name>ShapeChange` (float) then tells by how much true shape changes the force, relative,
+   * where it changes most (NaN: not known), and GetTermReason and the field array `<name>Terms` how
+   * many points keep what. Default off. */
+  vtkSetMacro(AutomaticTerms, bool);
+  vtkGetMacro(AutomaticTerms, bool);
+  vtkBooleanMacro(AutomaticTerms, bool);
+  ///@}
+
+  ///@{
+  /** Change of the force, relative, that AutomaticTerms may leave out, >= 0. Default 0.01. */
+  vtkSetMacro(TermTolerance, double);
+  vtkGetMacro(TermTolerance, double);
+  ///@}
+
+  ///@{
+  /** Thickness, mm, >= 0, of the layer that AutomaticTerms compares with; 0 (default): a
+   * half-space. */
+  vtkSetMacro(LayerThickness, double);
+  vtkGetMacro(LayerThickness, double);
+  ///@}
+
+  /// Of the last run, what AutomaticTerms kept, in words; "" without it.
+  vtkGetMacro(TermReason, std::string);
+
+  ///@{
   /** As of vtkElasticCompliance: MiB, 0 (default): nine tenths of what is available. */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
@@ -153,6 +183,7 @@ private:
 
   std::string CheckProperties();
   std::string Solve(vtkUnstructuredGrid* grid, bool& ended);
+  std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
   std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
@@ -166,6 +197,10 @@ private:
   bool StoreError = true;
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
+  bool AutomaticTerms = false;
+  double TermTolerance = 0.01;
+  double LayerThickness = 0.0;
+  std::string TermReason;
   double MemoryLimit = 0.0;
   int Solver = 0;
   double MemoryEstimate = 0.0;

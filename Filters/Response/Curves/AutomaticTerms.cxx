@@ -20,17 +20,6 @@ namespace palpate
 {
 namespace
 {
-std::string percentOf(double change)
-{
-  if (!std::isfinite(change))
-  {
-    return "all of it";
-  }
-  char words[32];
-  std::snprintf(words, sizeof words, "%.2g %%", 100.0 * change);
-  return words;
-}
-
 /// A simpler body, and what it is called.
 struct SimplerBody
 {
@@ -240,6 +229,17 @@ std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest&
   }
   chosen.reason = chooser.reason();
   return fault;
+}
+
+std::string percentOf(double change)
+{
+  if (!std::isfinite(change))
+  {
+    return "all of it";
+  }
+  char words[32];
+  std::snprintf(words, sizeof words, "%.2g %%", 100.0 * change);
+  return words;
 }
 
 std::string termsName(const std::string& responseName)

@@ -37,6 +37,9 @@ using StrainMaker = std::function<std::string(
 std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
   const SurfaceShape& shape, const StrainMaker& makeStrain, AutomaticTerms& chosen);
 
+/// A change of the force in words: "0.8 %".
+std::string percentOf(double change);
+
 /// The field array that keeps the reason, `<name>Terms`, and what it says on a body; "" without it.
 std::string termsName(const std::string& responseName);
 std::string termsReason(vtkPolyData* body, const std::string& responseName);

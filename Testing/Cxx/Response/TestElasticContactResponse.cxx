@@ -141,6 +141,55 @@ void checkOnEdge()
   }
 }
 
+/// In the middle of a layer its law does, next to an edge it does not, and that of a half-space
+/// does nowhere; where a law is kept, the curve is the law's.
+void checkSimplerLaw()
+{
+  const Grid grid = block(Side, Height);
+  const ElasticFilter plain = press(grid, "sphere:3");
+  plain->Update();
+  const ElasticFilter chosen = press(grid, "sphere:3");
+  chosen->AutomaticTermsOn();
+  chosen->SetLayerThickness(Height);
+  chosen->Update();
+  PALPATE_CHECK_TEXT(chosen->GetTermReason(), "a layer's law is kept", "1 %", "points");
+  vtkNew<vtkToolContactResponse> exact;
+  exact->SetInputData(planeBody(30.0, 8));
+  exact->SetTool(makeTool("sphere:3"));
+  exact->SetYoungsModulus(0.1);
+  exact->SetPoissonRatio(0.45);
+  exact->SetLayerThickness(Height);
+  exact->SetMaximumDeflection(0.6);
+  exact->Update();
+  const vtkIdType middle = topMiddle(chosen);
+  const double law =
+    exact->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(40, 7);
+  // Another exponent of storage: curves agree where both have samples, at the end of the range.
+  PALPATE_CHECK_NEAR(component(chosen, "ResponseForce", middle, 7), law, 1e-5 * law);
+  PALPATE_CHECK(std::abs(component(chosen, "ResponseShapeChange", middle)) < 0.01);
+  const double change = component(plain, "ResponseForce", middle, 7) / law - 1.0;
+  PALPATE_CHECK(
+    std::abs(component(chosen, "ResponseShapeChange", middle)) >= std::abs(change) - 1e-4);
+
+  const vtkIdType beside = plain->GetOutput()->vtkDataSet::FindPoint(2.0, 0.5 * Side, Height);
+  PALPATE_CHECK(component(chosen, "ResponseShapeChange", beside) < -0.02); // softer
+  PALPATE_CHECK(
+    component(chosen, "ResponseForce", beside, 5) == component(plain, "ResponseForce", beside, 5));
+  PALPATE_CHECK(std::isnan(component(
+    chosen, "ResponseShapeChange", plain->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, Height))));
+
+  chosen->SetLayerThickness(0.0);
+  chosen->Update();
+  PALPATE_CHECK_TEXT(chosen->GetTermReason(), "a half-space's law is kept");
+  PALPATE_CHECK(component(chosen, "ResponseShapeChange", middle) > 0.1);
+  PALPATE_CHECK(chosen->GetNumberOfSolutions() == 0);
+  chosen->AutomaticTermsOff();
+  chosen->Update();
+  PALPATE_CHECK(chosen->GetTermReason().empty());
+  PALPATE_CHECK(
+    component(chosen, "ResponseForce", middle, 7) == component(plain, "ResponseForce", middle, 7));
+}
+
 /// A hard cell under the surface is felt above it, and not far away.
 void checkInclusion()
 {
@@ -264,6 +313,8 @@ void checkErrors()
   fails(grid, [](auto* f) { f->SetTool(nullptr); }, { "Tool", "SetTool" });
   fails(grid, [](auto* f) { f->SetPoissonRatio(0.5); }, { "PoissonRatio", "0.5" });
   fails(grid, [](auto* f) { f->SetYoungsModulus(-1.0); }, { "YoungsModulus", "-1" });
+  fails(grid, [](auto* f) { f->SetLayerThickness(-1.0); }, { "LayerThickness", "-1" });
+  fails(grid, [](auto* f) { f->SetTermTolerance(-0.1); }, { "TermTolerance", "-0.1" });
   fails(grid, [](auto* f) { f->SetMaximumDeflection(0.0); }, { "MaximumDeflection", "0" });
   fails(
     grid, [](auto* f) { f->SetMaximumDeflection(std::nan("")); }, { "MaximumDeflection", "nan" });
@@ -317,6 +368,7 @@ int TestElasticContactResponse(int, char*[])
   checkLayer();
   checkStatus();
   checkOnEdge();
+  checkSimplerLaw();
   checkInclusion();
   checkSourceSpacing();
   checkNextTool();

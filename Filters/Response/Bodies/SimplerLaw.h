@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SimplerLaw_h
+#define SimplerLaw_h
+
+#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Response/Curves/ResponseStorage.h"
+
+#include <string>
+
+class vtkContactTool;
+class vtkFloatArray;
+class vtkPolyData;
+
+namespace palpate
+{
+/// The law that finite elements of true shape are to be judged by: a half-space of the material at
+/// each point, curved as the surface is, or a layer on a rigid base.
+struct SimplerLaw
+{
+  vtkContactTool* tool = nullptr;
+  double deflection = 0.0; ///< mm, of the last sample
+  double thickness = 0.0;  ///< mm, 0: a half-space
+  double tolerance = 0.01; ///< of the force, relative
+};
+
+/**
+ * Puts the curves of a simpler law in place of those of true shape at each point where the force
+ * changes by no more than the tolerance, down to the point's range. `change` (one component per
+ * point) becomes how much true shape changes the force, relative to the law, where it changes most;
+ * NaN where one of the two has no curve. `reason` says how many points keep which, and how much it
+ * matters. Returns what is wrong, or "".
+ */
+std::string keepSimplerLaw(const ElasticBody& body, vtkPolyData* surface, const SimplerLaw& law,
+  ResponseStorage& storage, vtkFloatArray* change, std::string& reason);
+} // namespace palpate
+
+#endif
