@@ -6,8 +6,9 @@
  * Input: a vtkUnstructuredGrid as of vtkElasticCompliance: VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and
  * VTK_QUADRATIC_TETRA cells in mm with the point array `Fixed` (bits 1, 2, 4 hold a point along x,
  * y, z), E and ν per cell by arrays to process 0 and 1 (cell data, one component), else the
- * constants. What is wrong with it is an error that names cell and value. Empty input gives empty
- * output.
+ * constants. With a point array `Pressed` there are responses only where that is not 0, and no
+ * solutions for others. What is wrong with it is an error that names cell and value. Empty input
+ * gives empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays,
  * `OriginalPointIds`, and the response arrays of vtkToolContactResponse, as they are for Tool
@@ -16,8 +17,9 @@
  * edge (the surface turns by more than 30°), a held point or another material at the surface.
  * `Status` 5 Edge where there is no contact before: the curve is taken from the points around, as
  * much softer as the edge is, within some 15 %, its validity 0; 4 OutOfReach where the point is
- * held, 1 Degenerate: no curve. `Validity` and `Limit` by the estimated error: 1 small strain, 5
- * what an edge nearby does beyond its tilt, 7 the elements and the order of the kernel.
+ * held or not `Pressed`, 1 Degenerate: no curve. `Validity` and `Limit` by the estimated error: 1
+ * small strain, 5 what an edge nearby does beyond its tilt, 7 the elements and the order of the
+ * kernel.
  *
  * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, the elements
  * solve for what is left, which is smooth (palpate::RegularGreen). H, averaged over angles on a

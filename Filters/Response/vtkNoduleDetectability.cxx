@@ -218,7 +218,9 @@ std::string vtkNoduleDetectability::CheckTools()
   {
     return palpate::joined("Threshold must be positive and finite, but is ", this->Threshold);
   }
-  std::string fault = palpate::checkLength("LargestContactRadius", this->LargestContactRadius);
+  std::string fault = palpate::checkLength("PressDepth", this->PressDepth);
+  fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
+                        : fault;
   fault = fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
   return fault.empty() ? palpate::checkLength("SourceSpacingWithout", this->SourceSpacingWithout)
                        : fault;
@@ -275,6 +277,9 @@ std::string vtkNoduleDetectability::Compare(vtkUnstructuredGrid* grid, vtkPolyDa
   vtkNew<vtkPolyData> made;
   made->ShallowCopy(surface);
   ChangeArrays changes(points, this->Tools);
+  const double deepest = this->PressDepth > 0.0
+    ? std::min(this->PressDepth, this->MaximumDeflection)
+    : this->MaximumDeflection;
   vtkIdType lost = 0;
   const double step = (1.0 - BothShare) / (2.0 * static_cast<double>(this->Tools.size()));
   double from = BothShare;
@@ -314,8 +319,8 @@ std::string vtkNoduleDetectability::Compare(vtkUnstructuredGrid* grid, vtkPolyDa
     for (vtkIdType p = 0; p < points; ++p)
     {
       changes.set(p, static_cast<int>(i),
-        palpate::largestChange(changed, usual, static_cast<std::size_t>(p), this->MaximumDeflection,
-          this->WithinValidity),
+        palpate::largestChange(
+          changed, usual, static_cast<std::size_t>(p), deepest, this->WithinValidity),
         this->Threshold);
     }
   }
@@ -339,6 +344,7 @@ void vtkNoduleDetectability::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << "MoreTool: " << tool << "\n";
   }
   os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "PressDepth: " << this->PressDepth << " mm\n";
   os << indent << "WithinValidity: " << this->WithinValidity << "\n";
   os << indent << "StoreWithout: " << this->StoreWithout << "\n";
   os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";

@@ -20,9 +20,8 @@
  * - `StrongestTool`: the number of the tool that feels most of it, 0 being Tool; -1 where none is
  *   known to. The tool whose force a nodule changes most is the one that feels the deepest ones.
  *
- * Depths: from the first sample to MaximumDeflection, or where the response of either body ends
- * (Range, with WithinValidity also Validity). Where one has no response the changes are NaN and
- * Felt is 0.
+ * Depths: from the first sample to PressDepth, or where the response of either body ends (Range,
+ * with WithinValidity also Validity). Where one has no response the changes are NaN and Felt is 0.
  *
  * **Threshold.** The least change of a force that a hand can tell is about 7 % of it (Pang, Tan
  * and Durlach 1991, from 2.5 to 10 N, one interval at a time, with feedback); between 0.07 and 0.1
@@ -84,6 +83,12 @@ public:
   /** What counts as felt: a change of the force by this fraction, positive. Default 0.1. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /** How deep a hand presses at most, mm. Default 0: MaximumDeflection. */
+  vtkSetMacro(PressDepth, double);
+  vtkGetMacro(PressDepth, double);
   ///@}
 
   ///@{
@@ -177,6 +182,7 @@ private:
   std::vector<std::string> MoreTools;
   std::vector<vtkSmartPointer<vtkContactTool>> Tools; ///< of the present run
   double Threshold = 0.1;
+  double PressDepth = 0.0;
   bool WithinValidity = false;
   bool StoreWithout = false;
   double MaximumDeflection = 2.0;

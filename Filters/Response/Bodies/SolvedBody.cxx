@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/SolvedBody.h"
 
+#include "Contact/ResponseContract.h"
 #include "Laws/ShapedResponse.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
@@ -10,11 +11,11 @@
 #include "vtkContactTool.h"
 
 #include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace palpate
@@ -23,6 +24,32 @@ namespace
 {
 constexpr double FactorisedShare = 0.17;    // of the work, as progress tells it
 constexpr double WiderThanHalfSpace = 1.42; // on a layer that gives way sideways √2
+
+/// The points of the surface that are to be pressed: all, or where the grid's point array `Pressed`
+/// is not 0. Returns what is wrong with that, or "".
+std::string findPressed(
+  vtkUnstructuredGrid* grid, const BodySurface& surface, std::vector<std::int32_t>& points)
+{
+  points.clear();
+  vtkDataArray* pressed = grid->GetPointData()->GetArray("Pressed");
+  if (pressed &&
+    (pressed->GetNumberOfComponents() != 1 ||
+      pressed->GetNumberOfTuples() != grid->GetNumberOfPoints()))
+  {
+    return joined("Wrong input: point array 'Pressed' must have 1 component and ",
+      grid->GetNumberOfPoints(), " tuples, but has ", pressed->GetNumberOfComponents(), " and ",
+      pressed->GetNumberOfTuples());
+  }
+  for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
+  {
+    if (!pressed || pressed->GetComponent(surface.node(i), 0) != 0.0)
+    {
+      points.push_back(i);
+    }
+  }
+  return points.empty() ? "Wrong input: point array 'Pressed' is 0 on the whole surface"
+                        : std::string();
+}
 } // namespace
 
 /// A body and its H, and what they were made of.
@@ -87,8 +114,12 @@ std::string SolvedBody::solve(
     this->Now->Factor = request.factor;
   }
   Kept& kept = *this->Now;
-  std::vector<std::int32_t> points(static_cast<std::size_t>(kept.Body.surface().pointTotal()));
-  std::iota(points.begin(), points.end(), 0);
+  std::vector<std::int32_t> points;
+  fault = findPressed(grid, kept.Body.surface(), points);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   const double bytes = kept.Green.memoryForecast(points, request.radius, request.spacing);
   cost.memory += bytes / Mebibyte;
   const double allowed = allowedMemory(request.factor.memoryLimit);
@@ -135,6 +166,13 @@ std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool, doub
   if (!fault.empty())
   {
     return "Wrong input: " + fault;
+  }
+  for (vtkIdType i = 0; i < storage.Status->GetNumberOfValues(); ++i)
+  {
+    if (!this->Now->Green.disc(static_cast<std::int32_t>(i)))
+    {
+      storage.Status->SetValue(i, static_cast<unsigned char>(ResponseStatus::OutOfReach));
+    }
   }
   made = shapedResponse(
     *tool->GetKernel(), this->Now->Green, { deflection, errorTolerance }, storage.spans(), stage);

@@ -19,7 +19,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// What is to be solved for on the whole surface of a body.
+/// What is to be solved for on the surface of a body.
 struct SolveRequest
 {
   FactorRequest factor;
@@ -43,7 +43,8 @@ std::string checkLength(const char* property, double length);
 
 /**
  * A body and its H (RegularGreen), as filters keep them from one tool to the next: factorised and
- * solved anew only when the grid, its material or the solver changes, or a contact gets wider.
+ * solved anew only when the grid, its material or the solver changes, or a contact gets wider. With
+ * a point array `Pressed` of the grid only for contacts where that is not 0.
  */
 class SolvedBody
 {

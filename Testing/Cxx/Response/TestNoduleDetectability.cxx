@@ -143,6 +143,11 @@ void checkChanges()
             arrayOf(filter, "ResponseWithoutValidity")->GetTuple1(i)));
   }
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
+  filter->WithinValidityOff();
+  filter->SetPressDepth(0.2);
+  filter->Update();
+  PALPATE_CHECK_NEAR(arrayOf(filter, "ChangeDepth")->GetRange()[1], 0.2, 1e-6);
+  PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
 }
 
 /// Without nodules nothing is felt.
@@ -204,6 +209,7 @@ void checkErrors()
   fails(grid, [](auto* f) { f->SetThreshold(0.0); }, { "Threshold", "0" });
   fails(grid, [](auto* f) { f->SetThreshold(std::nan("")); }, { "Threshold", "nan" });
   fails(grid, [](auto* f) { f->SetMaximumDeflection(-1.0); }, { "MaximumDeflection", "-1" });
+  fails(grid, [](auto* f) { f->SetPressDepth(-0.1); }, { "PressDepth", "-0.1" });
   fails(grid, [](auto* f) { f->SetNumberOfSamples(1); }, { "NumberOfSamples", "1" });
   fails(grid, [](auto* f) { f->SetSourceSpacing(-1.0); }, { "SourceSpacing", "-1" });
   fails(grid, [](auto* f) { f->SetSourceSpacingWithout(-1.0); }, { "SourceSpacingWithout", "-1" });
