@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 #include "vtkToolContactProbe.h"
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <iomanip>
@@ -22,6 +23,7 @@ namespace palpate
 namespace
 {
 const char* const Question = "Which one pushes back more?";
+const char* const LumpQuestion = "Under which one is the lump?";
 
 /// The force at a tip that rests without friction, N.
 double forceAt(vtkPolyData* body, const std::string& response, const ContactSettings& contact,
@@ -61,13 +63,18 @@ std::string BlindTrial::chooseResponse(const TouchScene& scene, const TrialChoic
   const ContactLaw law = { choice.youngsModulus.value_or(own.youngsModulus),
     choice.poissonsRatio.value_or(own.poissonsRatio), choice.layer.value_or(own.layer) };
   const std::string& tool = choice.tool.empty() ? scene.tools.front() : choice.tool;
+  if (choice.hasLump && !scene.nodules)
+  {
+    return "alternative '" + choice.name + "': this body has no lumps; give --scene phantom";
+  }
+  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without"; // its nodules
   if (law == own)
   {
     for (std::size_t i = 0; i < scene.tools.size(); ++i)
     {
       if (scene.tools[i] == tool)
       {
-        this->ResponseNames.push_back(responses.names[i]);
+        this->ResponseNames.push_back(responses.names[i] + behind);
         return {};
       }
     }
@@ -116,7 +123,13 @@ std::string BlindTrial::open(const ViewerOptions& options, const TouchScene& sce
     this->Head.alternatives.push_back(
       { choice.name, forceAt(responses.body, this->ResponseNames[i], choice.contact, pressed) });
   }
-  this->Head.question = options.question.empty() ? Question : options.question;
+  // Lumps are hard: of one tool what pushes back more has one.
+  const bool asksForLump = std::all_of(this->Choices.begin(), this->Choices.end(),
+    [this](const TrialChoice& choice)
+    { return choice.hasLump && choice.tool == this->Choices.front().tool; });
+  this->Head.question = !options.question.empty() ? options.question
+    : asksForLump                                 ? LumpQuestion
+                                                  : Question;
   this->Head.hasRightAnswer = options.question.empty();
   this->Head.forceFactor = session->GetForceFactor();
   this->Head.device = options.device;

@@ -26,12 +26,6 @@ const char* const Thickness = "LayerThickness";
 /// The file that holds this scan, or "" where there is no place for one.
 std::string cacheFile(const std::string& path, const BodyFileOptions& options)
 {
-  const char* folder = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  if ((!folder || !*folder) && (!home || !*home))
-  {
-    return {};
-  }
   std::error_code failed;
   const auto time = std::filesystem::last_write_time(path, failed);
   const auto size = std::filesystem::file_size(path, failed);
@@ -43,16 +37,12 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   key.precision(17);
   key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
       << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
-      << '|' << options.contourValue << '|' << options.closingRadius << '|' << PALPATE_VERSION;
+      << '|' << options.contourValue << '|' << options.closingRadius;
   if (options.baseValue)
   {
     key << "|bone below " << *options.baseValue;
   }
-  std::ostringstream name;
-  name << "skin-" << std::hex << std::hash<std::string>()(key.str()) << ".palpate";
-  const std::filesystem::path base =
-    folder && *folder ? std::filesystem::path(folder) : std::filesystem::path(home) / ".cache";
-  return (base / "palpate" / name.str()).string();
+  return cachePlace("skin", key.str(), ".palpate");
 }
 
 /// Makes the response normals the active ones, its validity the thickness if there is to be one,
@@ -79,12 +69,10 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
 /// validity, a length per point, can carry the thickness of the layer.
 std::string store(vtkPolyData* body, const std::string& file)
 {
-  std::error_code failed;
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  std::filesystem::create_directories(folder, failed);
-  if (failed)
+  const std::string unmade = makeCacheFolder(file);
+  if (!unmade.empty())
   {
-    return "cannot make folder '" + folder.string() + "': " + failed.message();
+    return unmade;
   }
   vtkNew<vtkContactTool> tool;
   LawRequest request;
@@ -106,6 +94,31 @@ std::string store(vtkPolyData* body, const std::string& file)
   return error.empty() ? writeFlatBody(made, CacheResponse, file) : error;
 }
 } // namespace
+
+std::string cachePlace(const std::string& kind, const std::string& key, const std::string& ending)
+{
+  const char* folder = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if ((!folder || !*folder) && (!home || !*home))
+  {
+    return {};
+  }
+  std::ostringstream name;
+  name << kind << '-' << std::hex << std::hash<std::string>()(key + "|" + PALPATE_VERSION)
+       << ending;
+  const std::filesystem::path base =
+    folder && *folder ? std::filesystem::path(folder) : std::filesystem::path(home) / ".cache";
+  return (base / "palpate" / name.str()).string();
+}
+
+std::string makeCacheFolder(const std::string& file)
+{
+  std::error_code failed;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::filesystem::create_directories(folder, failed);
+  return failed ? "cannot make folder '" + folder.string() + "': " + failed.message()
+                : std::string();
+}
 
 BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options)
 {

@@ -8,6 +8,13 @@
 
 namespace palpate
 {
+/// The file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate) that holds what `key` tells apart, or
+/// "" where there is no place for one: named `kind`-HASH`ending`. The version belongs to the key.
+std::string cachePlace(const std::string& kind, const std::string& key, const std::string& ending);
+
+/// Makes the folder of such a file. Returns an error, or "".
+std::string makeCacheFolder(const std::string& file);
+
 /**
  * readBodyFile for scans, whose skin takes seconds, with a cache: the body as a flat body file in
  * $XDG_CACHE_HOME/palpate (or ~/.cache/palpate), named by path, size and time of the scan and by

@@ -2,6 +2,7 @@
 #include "MapStage.h"
 
 #include "PictureSize.h"
+#include "Pictures.h"
 #include "ResponseSet.h"
 #include "Interaction/Display/SceneView.h"
 #include "Response/BodyLaws.h"
@@ -10,9 +11,14 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkContactTool.h"
+#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkPointData.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+
+#include <cstdio>
+#include <filesystem>
 
 namespace palpate
 {
@@ -33,6 +39,19 @@ vtkSmartPointer<vtkTextActor> makeText(const std::string& words, double x, doubl
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->GetPositionCoordinate()->SetValue(x, y);
   return text;
+}
+
+void turn(vtkRenderWindow* window)
+{
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetRenderWindow(window);
+  interactor->SetInteractorStyle(style);
+  interactor->Initialize();
+  window->Render();
+  std::printf("window open\n");
+  std::fflush(stdout);
+  interactor->Start();
 }
 } // namespace
 
@@ -57,7 +76,7 @@ MapStage::MapStage(const std::string& name, bool onScreen)
   this->Window->SetWindowName(name.c_str());
 }
 
-vtkRenderer* MapStage::addMap(vtkPolyData* judged, int quantity, const Viewport& viewport)
+vtkRenderer* MapStage::addRenderer(const Viewport& viewport)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(viewport.data());
@@ -73,12 +92,18 @@ vtkRenderer* MapStage::addMap(vtkPolyData* judged, int quantity, const Viewport&
   fit->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkRenderer*>(caller)->ResetCameraClippingRange(); });
   renderer->AddObserver(vtkCommand::StartEvent, fit);
+  this->Renderers.push_back(renderer);
+  return renderer;
+}
+
+vtkRenderer* MapStage::addMap(vtkPolyData* judged, int quantity, const Viewport& viewport)
+{
+  vtkRenderer* renderer = this->addRenderer(viewport);
   auto map = vtkSmartPointer<vtkRegimeMap>::New();
   map->SetRenderer(renderer);
   map->SetBody(judged);
   map->SetQuantity(quantity);
   this->Maps.push_back(map);
-  this->Renderers.push_back(renderer);
   return renderer;
 }
 
@@ -108,5 +133,19 @@ void MapStage::lookFrom(vtkPolyData* body, const Direction& from, const Directio
   this->Renderers.front()->ResetCamera(body->GetBounds());
   camera->Zoom(Zoom);
   camera->SetWindowCenter(LegendShare, 0.0); // the middle of what the legend leaves free
+}
+
+std::string MapStage::show(const ViewerOptions& options)
+{
+  if (options.window)
+  {
+    turn(this->Window);
+    return options.screenshot.empty() ? std::string()
+                                      : writePicture(this->Window, options.screenshot);
+  }
+  std::error_code failed;
+  std::filesystem::create_directories(options.output, failed);
+  return failed ? "cannot make folder '" + options.output + "': " + failed.message()
+                : writePicture(this->Window, options.output + "/map.png");
 }
 } // namespace palpate

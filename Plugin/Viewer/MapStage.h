@@ -22,7 +22,7 @@ namespace palpate
 vtkSmartPointer<vtkPolyData> judgeBody(
   const TouchScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
 
-/// A window of regime maps, all seen by one camera.
+/// A window of maps, all seen by one camera.
 class MapStage
 {
 public:
@@ -30,6 +30,8 @@ public:
 
   using Viewport = std::array<double, 4>; ///< left, bottom, right, top
 
+  /// Adds an empty view.
+  vtkRenderer* addRenderer(const Viewport& viewport);
   /// Adds a body by a vtkRegimeMap::MapQuantity; its renderer, to add to.
   vtkRenderer* addMap(vtkPolyData* judged, int quantity, const Viewport& viewport);
   /// A line in the upper left corner of the last map.
@@ -40,6 +42,10 @@ public:
   void lookFrom(vtkPolyData* body, const Direction& from, const Direction& up);
 
   vtkRenderWindow* window() { return this->Window; }
+
+  /// As the options say: map.png in the output folder, or the window until it is closed, then its
+  /// --screenshot. Returns an error, or "".
+  std::string show(const ViewerOptions& options);
 
 private:
   vtkNew<vtkRenderWindow> Window;

@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegimeMap.h"
 
+#include "DetectabilityMap.h"
 #include "LayerModel.h"
 #include "MapStage.h"
-#include "Pictures.h"
 #include "ResponseSet.h"
 
 #include "vtkContactTool.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRegimeMap.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkTriangle.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace palpate
 {
@@ -96,22 +92,14 @@ std::string describe(const TouchScene& scene, vtkContactTool* tool, vtkPolyData*
   return text.data();
 }
 
-void turn(vtkRenderWindow* window)
-{
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(style);
-  interactor->Initialize();
-  window->Render();
-  std::printf("window open\n");
-  std::fflush(stdout);
-  interactor->Start();
-}
 } // namespace
 
 std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene)
 {
+  if (scene.nodules)
+  {
+    return runDetectabilityMap(options, scene);
+  }
   if (scene.stored)
   {
     return options.body +
@@ -138,15 +126,6 @@ std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene)
   stage.lookFrom(judged, scene.viewFrom, scene.up);
   std::printf("%s\n  material    %s\n  model       %s%s\n", words.c_str(),
     describeMaterial(scene).c_str(), describeLaw(scene).c_str(), scene.modelReason.c_str());
-  if (options.window)
-  {
-    turn(stage.window());
-    return options.screenshot.empty() ? std::string()
-                                      : writePicture(stage.window(), options.screenshot);
-  }
-  std::error_code failed;
-  std::filesystem::create_directories(options.output, failed);
-  return failed ? "cannot make folder '" + options.output + "': " + failed.message()
-                : writePicture(stage.window(), options.output + "/map.png");
+  return stage.show(options);
 }
 } // namespace palpate

@@ -133,6 +133,7 @@ std::string attachResponses(
   responses.bytesPerTool = responseBytes(responses.body, responses.names.back());
   return {};
 }
+} // namespace
 
 std::string saveBody(vtkPolyData* body, const std::string& path)
 {
@@ -155,7 +156,6 @@ std::string saveBody(vtkPolyData* body, const std::string& path)
   }
   return error;
 }
-} // namespace
 
 std::string prepareResponses(
   const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses)

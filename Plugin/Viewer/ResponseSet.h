@@ -54,6 +54,10 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
 std::string prepareResponses(
   const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
 
+/// Writes a body with all its arrays, a .vtp; replaced whole or not at all. Returns an error, or
+/// "".
+std::string saveBody(vtkPolyData* body, const std::string& path);
+
 /// Writes what --save and --export ask for. Returns an error, or "".
 std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses);
 

@@ -37,6 +37,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   else
   {
     error = options.scene == "cylinder" ? makeCylinderScene(options, scene)
+      : options.scene == "phantom"      ? makePhantomScene(options, scene)
                                         : makeHeadScene(options, scene);
   }
   if (!error.empty())
@@ -60,7 +61,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   scene.depth = options.depth.value_or(scene.depth);
   scene.terms = options.terms;
   scene.terms.changeTolerance = options.tolerance;
-  const bool isHead = options.body.empty() && options.scene != "cylinder";
+  const bool isHead = options.body.empty() && options.scene == "head";
   if (isHead && !options.strainGiven && options.automatic && !scene.layer.isStack())
   {
     scene.terms.automatic = true;

@@ -24,8 +24,9 @@ struct TouchScene
   std::vector<std::string> notes; ///< what was done to get the body, a sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
-  LawTerms terms;      ///< of the law: strain, curvature, error
-  bool stored = false; ///< the body brings the response "Response", to be used as it is
+  LawTerms terms;       ///< of the law: strain, curvature, error
+  bool stored = false;  ///< the body brings the response "Response", to be used as it is
+  bool nodules = false; ///< stored; also the responses without its nodules, and how they are felt
   std::string materialSource;
   LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1
   std::string modelReason; ///< why this law, and how far to trust it
@@ -48,6 +49,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene);
 // One maker per kind of scene; makeTouchScene chooses.
 std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene);
 std::string makeCylinderScene(const ViewerOptions& options, TouchScene& scene);
+std::string makePhantomScene(const ViewerOptions& options, TouchScene& scene);
 std::string makeUserScene(const ViewerOptions& options, TouchScene& scene);
 } // namespace palpate
 

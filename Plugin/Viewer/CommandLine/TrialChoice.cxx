@@ -133,6 +133,15 @@ std::string readChoice(const std::string& text, TrialChoice& choice)
       }
       continue;
     }
+    if (part == "lump" || part == "none")
+    {
+      if (choice.hasLump)
+      {
+        return "'" + text.substr(0, 40) + "' says twice whether there is a lump";
+      }
+      choice.hasLump = part == "lump";
+      continue;
+    }
     ToolSpecification tool;
     std::string error;
     if (!choice.tool.empty() || !parseTool(part, tool, error))

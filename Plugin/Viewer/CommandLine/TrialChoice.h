@@ -19,7 +19,8 @@ struct TrialChoice
   std::optional<double> youngsModulus;
   std::optional<double> poissonsRatio;
   std::optional<LayerChoice> layer;
-  ContactSettings contact; ///< those of the session, and what the alternative changes in them
+  std::optional<bool> hasLump; ///< with the nodules of the body, or without
+  ContactSettings contact;     ///< those of the session, and what the alternative changes in them
 };
 
 /**
@@ -27,7 +28,8 @@ struct TrialChoice
  * "sphere:6.35+layer=7,sphere:6.35+layer=none": alternatives with commas between them, each made of
  * a tool, settings, or both with a plus between them. Settings: young, poisson, layer (MM or none),
  * layers (as --layers, without scan),
- * and those of SettingTable that are options, with the values of the options of these names. A
+ * the words lump and none (of a body with nodules: as it is, or without them), and those of
+ * SettingTable that are options, with the values of the options of these names. A
  * piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
  *
  * `usual` is what the alternatives do not change. Returns an error that names the alternative and

@@ -25,6 +25,8 @@ Environment: PALPATE_THREADS, the most threads that pre-computing takes (default
 Examples:
   palpate                                    the head of Debian's mricron-data, three tools
   palpate --scene cylinder                   the scene of Mahvash and Hayward 2002, Figure 9
+  palpate --scene phantom --window           nine hard nodules in soft tissue, to be found
+  palpate --scene phantom --map              where the tool feels them, and by how much
   palpate liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45
   palpate liver.stl --measured press.csv --tool sphere:1.6   felt with another tool than measured
   palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
@@ -36,6 +38,7 @@ Examples:
   palpate --window                           the head in a window, under the mouse
   palpate --window --device hid:/dev/hidraw0 under a device of --list-devices
   palpate --scene cylinder --window --trial sphere:6.35,flat:1.6   which is which, by feel
+  palpate --scene phantom --window --trial lump,none   under which one is the lump?
   palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
 
 constexpr double LargestDepth = 1000.0; // mm: minutes, at the speed of the path that presses
@@ -102,7 +105,9 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
   app
     .add_option("--trial", alternatives,
       "compare blindly: A,B or more alternatives, each a tool, settings, or both, as "
-      "sphere:6.35+layer=7; settings: young, poisson, layer, layers, and what the options of "
+      "sphere:6.35+layer=7; settings: young, poisson, layer, layers, with --scene phantom the "
+      "words "
+      "lump and none, and what the options of "
       "friction, "
       "force and surface "
       "set, as friction=0.3. In the window: space switches between X and Y, 1 or 2 answers; "
@@ -128,7 +133,9 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
     ->needs("--trial");
   app
     .add_option("--question", options.question,
-      "what a trial asks (default: which one pushes back more; only that has a right answer)")
+      "what a trial asks (default: which one pushes back more, of lump and none under which one "
+      "the "
+      "lump is; only these have a right answer)")
     ->needs("--trial");
   app
     .add_option("--log", options.trialLog,
@@ -197,7 +204,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
 
   app.add_option("BODY", options.body, "the body to touch; without one, the --scene");
   app.add_option("--scene", options.scene, "a scene of its own")
-    ->check(CLI::IsMember({ "head", "cylinder" }))
+    ->check(CLI::IsMember({ "head", "cylinder", "phantom" }))
     ->capture_default_str();
   app.add_option("--scan", options.scan, "scan of the head scene (default: mricron-data's ch2)");
   app

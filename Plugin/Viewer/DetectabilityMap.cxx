@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DetectabilityMap.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Interaction/Display/SceneView.h"
+#include "MapStage.h"
+#include "PhantomBody.h"
+
+#include "vtkActor.h"
+#include "vtkContourFilter.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr double FeltFrom = 10.0;  // %, as vtkNoduleDetectability's default
+constexpr double ViewMargin = 5.0; // mm
+constexpr int MapColors = 256;
+constexpr int BarTextSize = 15;
+constexpr std::size_t MostMaps = 3;
+constexpr Color PaleTissue = { 0.93, 0.89, 0.84 };
+constexpr Color DeepRed = { 0.55, 0.02, 0.10 };
+constexpr Color NoResponse = { 0.62, 0.62, 0.64 };
+
+/// One tool's change, in per cent, as scalars of the points.
+vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
+{
+  vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
+  auto shown = vtkSmartPointer<vtkPolyData>::New();
+  shown->CopyStructure(body);
+  vtkNew<vtkFloatArray> percent;
+  percent->SetName("Change");
+  percent->SetNumberOfTuples(change->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < change->GetNumberOfTuples(); ++i)
+  {
+    percent->SetValue(i, static_cast<float>(100.0 * change->GetComponent(i, tool)));
+  }
+  shown->GetPointData()->SetScalars(percent);
+  return shown;
+}
+
+/// The largest change of all tools, to the next ten per cent.
+double largestOf(vtkPolyData* body)
+{
+  vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
+  double largest = FeltFrom;
+  for (int tool = 0; tool < change->GetNumberOfComponents(); ++tool)
+  {
+    std::array<double, 2> range{};
+    change->GetFiniteRange(range.data(), tool);
+    largest = std::max(largest, 100.0 * range[1]);
+  }
+  return 10.0 * std::ceil(largest / 10.0);
+}
+
+vtkSmartPointer<vtkLookupTable> makeChangeColors(double largest)
+{
+  auto colors = vtkSmartPointer<vtkLookupTable>::New();
+  colors->SetNumberOfTableValues(MapColors);
+  colors->SetTableRange(0.0, largest);
+  for (int i = 0; i < MapColors; ++i)
+  {
+    const double share = std::sqrt(static_cast<double>(i) / (MapColors - 1)); // small ones count
+    Color color{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      color[k] = (1.0 - share) * PaleTissue[k] + share * DeepRed[k];
+    }
+    colors->SetTableValue(i, color[0], color[1], color[2]);
+  }
+  colors->SetNanColor(NoResponse[0], NoResponse[1], NoResponse[2], 1.0);
+  return colors;
+}
+
+vtkSmartPointer<vtkScalarBarActor> makeBar(vtkLookupTable* colors)
+{
+  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
+  bar->SetLookupTable(colors);
+  bar->SetTitle("Change of force\n(%)\n ");
+  bar->SetLabelFormat("%.0f");
+  bar->SetNumberOfLabels(5);
+  bar->SetBarRatio(0.25);
+  bar->UnconstrainedFontSizeOn();
+  for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
+  {
+    text->SetColor(TextColor[0], TextColor[1], TextColor[2]);
+    text->SetFontSize(BarTextSize);
+    text->SetBold(0);
+    text->SetItalic(0);
+    text->SetShadow(0);
+  }
+  bar->GetPositionCoordinate()->SetValue(0.77, 0.2);
+  bar->SetWidth(0.22);
+  bar->SetHeight(0.6);
+  return bar;
+}
+
+void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
+  const MapStage::Viewport& viewport, const std::string& title)
+{
+  vtkRenderer* renderer = stage.addRenderer(viewport);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shown);
+  mapper->SetLookupTable(colors);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.55); // little shade: colours are compared with the legend
+  actor->GetProperty()->SetDiffuse(0.45);
+  actor->GetProperty()->SetSpecular(0.0);
+  renderer->AddActor(actor);
+  vtkNew<vtkContourFilter> lines;
+  lines->SetInputData(shown);
+  lines->SetValue(0, FeltFrom);
+  vtkNew<vtkPolyDataMapper> lineMapper;
+  lineMapper->SetInputConnection(lines->GetOutputPort());
+  lineMapper->ScalarVisibilityOff();
+  lineMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  lineMapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -4.0);
+  vtkNew<vtkActor> line;
+  line->SetMapper(lineMapper);
+  line->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  line->GetProperty()->SetLineWidth(2.0F);
+  line->GetProperty()->LightingOff();
+  renderer->AddActor(line);
+  renderer->AddViewProp(makeBar(colors));
+  stage.addTitle(title);
+}
+
+/// What is felt over each nodule: a line each.
+std::string describeNodules(const TouchScene& scene)
+{
+  vtkPointData* data = scene.body->GetPointData();
+  vtkDataArray* change = data->GetArray("ForceChange");
+  vtkDataArray* depth = data->GetArray("ChangeDepth");
+  std::string text = "Over each nodule, by how much the force changes\n"
+                     "(and how deep it does so most):\n \n"
+                     "radius  top    ";
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+  {
+    text += (i > 0 ? ", " : "") + scene.tools[i];
+  }
+  for (const PhantomNodule& nodule : PhantomNodules)
+  {
+    const vtkIdType point = scene.body->vtkDataSet::FindPoint(nodule.x, nodule.y, 0.0);
+    std::array<char, 80> words{};
+    std::snprintf(
+      words.data(), words.size(), "\n%3.1f mm, %.0f mm deep:", nodule.radius, nodule.top);
+    text += words.data();
+    for (int tool = 0; tool < change->GetNumberOfComponents(); ++tool)
+    {
+      const double percent = 100.0 * change->GetComponent(point, tool);
+      std::snprintf(words.data(), words.size(), "%s%+.1f %% (%.2f mm)%s", tool > 0 ? ", " : " ",
+        percent, depth->GetComponent(point, tool),
+        std::abs(percent) >= FeltFrom ? "" : ", not felt");
+      text += words.data();
+    }
+    const double strongest = data->GetArray("StrongestTool")->GetTuple1(point);
+    if (change->GetNumberOfComponents() > 1 && strongest >= 0.0)
+    {
+      text += "; most " + scene.tools[static_cast<std::size_t>(strongest)];
+    }
+  }
+  return text;
+}
+} // namespace
+
+std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& scene)
+{
+  const std::size_t maps = std::min(scene.tools.size(), MostMaps);
+  MapStage stage("Palpate: " + scene.title, options.window);
+  const vtkSmartPointer<vtkLookupTable> colors = makeChangeColors(largestOf(scene.body));
+  const std::array<MapStage::Viewport, 4> places = { { { 0.0, 0.5, 0.5, 1.0 },
+    { 0.5, 0.5, 1.0, 1.0 }, { 0.0, 0.0, 0.5, 0.5 }, { 0.5, 0.0, 1.0, 0.5 } } };
+  const std::array<MapStage::Viewport, 2> alone = { { { 0.0, 0.0, 0.62, 1.0 },
+    { 0.62, 0.0, 1.0, 1.0 } } };
+  for (std::size_t i = 0; i < maps; ++i)
+  {
+    addChange(stage, changeOf(scene.body, static_cast<int>(i)), colors,
+      maps == 1 ? alone[0] : places[i], scene.tools[i]);
+  }
+  const std::string words = describeNodules(scene);
+  const std::string all = joined(scene.title, "\npressed up to ", scene.depth,
+    " mm deep\nlined: from ", FeltFrom, " %, the least that a hand tells\n \n", words);
+  stage.addWords(all, maps == 1 ? alone[1] : places[maps]);
+  vtkNew<vtkPoints> corners;
+  corners->InsertNextPoint(PhantomField[0] - ViewMargin, PhantomField[2] - ViewMargin, 0.0);
+  corners->InsertNextPoint(PhantomField[1] + ViewMargin, PhantomField[3] + ViewMargin, 0.0);
+  vtkNew<vtkPolyData> field;
+  field->SetPoints(corners);
+  stage.lookFrom(field, scene.viewFrom, scene.up);
+  std::printf("%s\n%s\n", scene.title.c_str(), words.c_str());
+  return stage.show(options);
+}
+} // namespace palpate

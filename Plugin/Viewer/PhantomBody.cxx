@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhantomBody.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkNoduleMaterial.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+// mm. What decides is how cells near a nodule's axis mix: 0.75 there is as good as all over.
+constexpr double Finest = 0.75;     // of cells up to FinestHalf beside a nodule's axis
+constexpr double FinestHalf = 3.75; // five of them
+constexpr double Fine = 1.0;        // of cells where nodules are
+constexpr double Between = 2.0;     // of those between them
+constexpr double Margin = 30.0;     // from there to the walls: more than ten contact radii
+constexpr double Grading = 2.0;     // of neighbouring cells there
+constexpr double FineDepth = 9.0;   // what lies deeper is felt little of
+constexpr double BlockHeight = 40.0;
+constexpr double AroundNodule = 0.75; // fine cells beyond its sides
+
+/// Adds coordinates up to `end`, the distances growing.
+void growTo(std::vector<double>& line, double end)
+{
+  double step = Fine;
+  while (line.back() < end - 1e-9)
+  {
+    step *= Grading;
+    const double next = line.back() + step;
+    line.push_back(next > end - 0.5 * Grading * step ? end : next);
+  }
+}
+
+/// Adds coordinates up to `end`, none farther from the next than `most`.
+void fillTo(std::vector<double>& line, double end, double most)
+{
+  const double begin = line.back();
+  if (end <= begin)
+  {
+    return;
+  }
+  const int cells = std::max(1, static_cast<int>(std::ceil((end - begin) / most - 1e-9)));
+  for (int i = 1; i <= cells; ++i)
+  {
+    line.push_back(begin + (end - begin) * i / cells);
+  }
+}
+
+/// Where nodules are along one axis: their middle, and how far fine cells reach beside it.
+struct Row
+{
+  double middle = 0.0;
+  double half = 0.0;
+};
+
+std::vector<Row> rowsOf(double PhantomNodule::*place)
+{
+  std::vector<Row> rows;
+  for (const PhantomNodule& nodule : PhantomNodules)
+  {
+    const double middle = nodule.*place;
+    const double half = nodule.radius + AroundNodule;
+    const auto same = std::find_if(
+      rows.begin(), rows.end(), [middle](const Row& row) { return row.middle == middle; });
+    if (same == rows.end())
+    {
+      rows.push_back({ middle, half });
+    }
+    else
+    {
+      same->half = std::max(same->half, half);
+    }
+  }
+  std::sort(
+    rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.middle < b.middle; });
+  return rows;
+}
+
+/// Planes across the block: finest at the middle of each row, wide beyond them.
+std::vector<double> planes(const std::vector<Row>& rows)
+{
+  std::vector<double> outward = { rows.front().half - rows.front().middle };
+  growTo(outward, outward.back() + Margin);
+  std::vector<double> line;
+  for (std::size_t i = outward.size(); i-- > 0;)
+  {
+    line.push_back(-outward[i]);
+  }
+  for (const Row& row : rows)
+  {
+    const double core = std::min(row.half, FinestHalf);
+    if (row.middle - row.half > line.back())
+    {
+      fillTo(line, row.middle - row.half, Between);
+    }
+    fillTo(line, row.middle - core, Fine);
+    fillTo(line, row.middle, Finest);
+    fillTo(line, row.middle + core, Finest);
+    fillTo(line, row.middle + row.half, Fine);
+  }
+  growTo(line, line.back() + Margin);
+  return line;
+}
+
+std::vector<double> heights()
+{
+  std::vector<double> depths = { 0.0 };
+  fillTo(depths, FineDepth, Fine);
+  growTo(depths, BlockHeight);
+  std::vector<double> line;
+  for (std::size_t i = depths.size(); i-- > 0;)
+  {
+    line.push_back(-depths[i]);
+  }
+  return line;
+}
+
+vtkSmartPointer<vtkDoubleArray> arrayOf(const std::vector<double>& line)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  for (const double value : line)
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+/// An array of the grid's points, `isSo(x)` each.
+template <class Question>
+vtkSmartPointer<vtkUnsignedCharArray> marked(
+  vtkUnstructuredGrid* grid, const char* name, unsigned char value, const Question& isSo)
+{
+  auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  marks->SetName(name);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> x{};
+    grid->GetPoint(i, x.data());
+    marks->InsertNextValue(isSo(x) ? value : 0);
+  }
+  return marks;
+}
+
+/// Where it is bonded to the box, and where it is searched.
+void markPoints(vtkUnstructuredGrid* grid)
+{
+  std::array<double, 6> box{};
+  grid->GetBounds(box.data());
+  grid->GetPointData()->AddArray(marked(grid, "Fixed", 7,
+    [&box](const std::array<double, 3>& x)
+    {
+      return x[0] <= box[0] || x[0] >= box[1] || x[1] <= box[2] || x[1] >= box[3] || x[2] <= box[4];
+    }));
+  const std::array<double, 4>& field = PhantomField;
+  grid->GetPointData()->AddArray(marked(grid, "Pressed", 1,
+    [&field](const std::array<double, 3>& x)
+    {
+      return x[2] == 0.0 && x[0] >= field[0] && x[0] <= field[1] && x[1] >= field[2] &&
+        x[1] <= field[3];
+    }));
+}
+} // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio)
+{
+  const std::vector<double> x = planes(rowsOf(&PhantomNodule::x));
+  const std::vector<double> y = planes(rowsOf(&PhantomNodule::y));
+  const std::vector<double> z = heights();
+  vtkNew<vtkRectilinearGrid> block;
+  block->SetDimensions(
+    static_cast<int>(x.size()), static_cast<int>(y.size()), static_cast<int>(z.size()));
+  block->SetXCoordinates(arrayOf(x));
+  block->SetYCoordinates(arrayOf(y));
+  block->SetZCoordinates(arrayOf(z));
+  vtkNew<vtkAppendFilter> cells;
+  cells->AddInputData(block);
+  cells->Update();
+  markPoints(cells->GetOutput());
+  vtkNew<vtkNoduleMaterial> material;
+  material->SetInputData(cells->GetOutput());
+  material->SetYoungsModulus(youngsModulus);
+  material->SetPoissonRatio(poissonRatio);
+  for (const PhantomNodule& nodule : PhantomNodules)
+  {
+    material->AddNodule(nodule.x, nodule.y, -nodule.top - nodule.radius, nodule.radius,
+      NoduleHardness * youngsModulus);
+  }
+  material->Update();
+  return material->GetOutput();
+}
+} // namespace palpate

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PhantomBody_h
+#define palpate_PhantomBody_h
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+
+namespace palpate
+{
+/// A hard ball in the phantom, mm; the skin is the plane z = 0.
+struct PhantomNodule
+{
+  double x = 0.0;
+  double y = 0.0;
+  double top = 0.0; ///< how deep it begins
+  double radius = 0.0;
+};
+
+/// Three radii, a column each, at three depths, a row each, six millimetres and more apart.
+constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0, 1.5 },
+  { -2.0, -16.0, 1.0, 3.0 }, { 13.0, -16.0, 1.0, 5.0 }, { -14.0, 0.0, 2.0, 1.5 },
+  { -2.0, 0.0, 2.0, 3.0 }, { 13.0, 0.0, 2.0, 5.0 }, { -14.0, 16.0, 3.0, 1.5 },
+  { -2.0, 16.0, 3.0, 3.0 }, { 13.0, 16.0, 3.0, 5.0 } } };
+
+/// Of a nodule over what is around it.
+constexpr double NoduleHardness = 10.0;
+
+/// What is searched, mm: x from, to, y from, to; plain tissue all around the nodules.
+constexpr std::array<double, 4> PhantomField = { -24.0, 27.0, -30.0, 30.0 };
+
+/**
+ * A block of 95 x 104 x 40 mm in a rigid box, bonded to its bottom and sides (`Fixed`), with the
+ * nodules in it (vtkNoduleMaterial), `Pressed` in the field: cells of 0.75 to 1 mm where they are,
+ * 9 mm deep, coarser elsewhere.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);
+} // namespace palpate
+
+#endif

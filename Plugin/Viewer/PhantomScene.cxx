@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A block of soft tissue with nine hard nodules under its skin, to be found by feel: finite
+// elements of the whole, with the nodules and without, solved once and kept in the cache.
+#include "TouchScene.h"
+
+#include "BodyCache.h"
+#include "Mechanics/JoinedText.h"
+#include "PhantomBody.h"
+#include "ResponseSet.h"
+
+#include "vtkContactTool.h"
+#include "vtkNew.h"
+#include "vtkNoduleDetectability.h"
+#include "vtkPointData.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+namespace palpate
+{
+namespace
+{
+constexpr double PressedTo = 0.8;             // mm
+constexpr double SourceSpacing = 1.0;         // mm: half the distance to most nodules
+constexpr double SourceSpacingWithout = 15.0; // mm: half the distance to a wall
+
+/// Everything that the solved phantom depends on.
+std::string keyOf(const ViewerOptions& options, const TouchScene& scene)
+{
+  std::ostringstream key;
+  key.precision(17);
+  key << scene.youngsModulus << '|' << scene.poissonsRatio << '|' << options.maximumDeflection
+      << '|' << options.terms.errorTolerance << '|' << options.depth.value_or(PressedTo);
+  for (const std::string& tool : scene.tools)
+  {
+    key << '|' << tool;
+  }
+  return key.str();
+}
+
+/// Of the cache; null: there is none, or it is none.
+vtkSmartPointer<vtkPolyData> readSolved(const std::string& file, const TouchScene& scene)
+{
+  std::error_code ignored;
+  if (file.empty() || !std::filesystem::exists(file, ignored))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  if (!updateQuietly(reader).empty())
+  {
+    return nullptr;
+  }
+  vtkPolyData* body = reader->GetOutput();
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+  {
+    const std::string name = "Response" + (i > 0 ? std::to_string(i + 1) : std::string());
+    for (const std::string& array : { name + "Force", name + "WithoutForce" })
+    {
+      if (!body->GetPointData()->HasArray(array.c_str()))
+      {
+        return nullptr;
+      }
+    }
+  }
+  return body->GetPointData()->HasArray("ForceChange") ? body : nullptr;
+}
+
+std::string solvePhantom(const ViewerOptions& options, TouchScene& scene)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  std::fprintf(stderr, "palpate: solving the phantom: once, up to a minute\n");
+  vtkNew<vtkNoduleDetectability> detectability;
+  detectability->SetInputData(makePhantomGrid(scene.youngsModulus, scene.poissonsRatio));
+  vtkNew<vtkContactTool> tool;
+  if (!tool->SetSpecification(scene.tools.front()))
+  {
+    return "tool '" + scene.tools.front() + "' is not known";
+  }
+  detectability->SetTool(tool);
+  for (std::size_t i = 1; i < scene.tools.size(); ++i)
+  {
+    detectability->AddMoreTool(scene.tools[i]);
+  }
+  detectability->SetMaximumDeflection(options.maximumDeflection);
+  detectability->SetPressDepth(options.depth.value_or(PressedTo));
+  detectability->SetErrorTolerance(options.terms.errorTolerance);
+  detectability->SetSourceSpacing(SourceSpacing);
+  detectability->SetSourceSpacingWithout(SourceSpacingWithout);
+  detectability->StoreWithoutOn();
+  const std::string error = updateQuietly(detectability);
+  if (!error.empty())
+  {
+    return error;
+  }
+  scene.body = detectability->GetOutput();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  scene.notes.push_back(joined("phantom solved for ", detectability->GetNumberOfSolutions(),
+    " points of ", scene.body->GetNumberOfPoints(), ", about ",
+    static_cast<int>(detectability->GetMemoryEstimate()), " MiB, in ",
+    static_cast<int>(taken.count() + 0.5), " s"));
+  return {};
+}
+
+/// What a body of its own cannot take.
+std::string refused(const ViewerOptions& options)
+{
+  const char* option = options.voxel > 0.0 ? "--voxel"
+    : !options.measured.empty()            ? "--measured"
+    : options.layer                        ? "--layer and --layers"
+    : options.strainGiven                  ? "--strain"
+                                           : nullptr;
+  return option ? joined("--scene phantom is solved by finite elements at small strain: ", option,
+                    " cannot change it")
+                : std::string();
+}
+} // namespace
+
+std::string makePhantomScene(const ViewerOptions& options, TouchScene& scene)
+{
+  std::string error = refused(options);
+  if (!error.empty())
+  {
+    return error;
+  }
+  scene.title = "Phantom with nine nodules";
+  scene.youngsModulus = options.youngsModulus.value_or(0.1);
+  scene.poissonsRatio = options.poissonsRatio.value_or(0.45);
+  scene.materialSource = "assumed: a soft silicone rubber";
+  scene.tools = options.tools.empty() ? std::vector<std::string>{ "sphere:1.6" } : options.tools;
+  scene.stored = true;
+  scene.nodules = true;
+  const std::string file = cachePlace("phantom", keyOf(options, scene), ".vtp");
+  scene.body = readSolved(file, scene);
+  if (scene.body)
+  {
+    scene.notes.push_back("phantom taken from the cache " + file);
+  }
+  else
+  {
+    error = solvePhantom(options, scene);
+    if (!error.empty())
+    {
+      return error;
+    }
+    std::string fault = file.empty() ? "" : makeCacheFolder(file);
+    fault = file.empty() || !fault.empty() ? fault : saveBody(scene.body, file);
+    if (!fault.empty())
+    {
+      scene.notes.push_back("cache not used: " + fault);
+    }
+  }
+  scene.modelReason = joined("finite elements of the whole; hard nodules, ", NoduleHardness,
+    " times as stiff, of 1.5, 3 and 5 mm, which begin 1, 2 and 3 mm under the skin, in a bonded "
+    "box");
+  scene.depth = PressedTo;
+  // From over the nodule of 3 mm that begins 2 mm deep to that which begins 1 mm deep.
+  scene.center = { 0.0, 0.0, -20.0 };
+  scene.directions = { { -2.0, 0.0, 20.0 }, { -2.0, -16.0, 20.0 } };
+  scene.pictureAt = 0.0;
+  scene.viewFrom = { 0.1, -0.6, 1.0 };
+  return {};
+}
+} // namespace palpate
