@@ -2,14 +2,13 @@
 #include "vtkVoxelBody.h"
 
 #include "Mechanics/Numerics/AvailableMemory.h"
-#include "Response/BodyConversion.h"
+#include "Response/Bodies/ClosedSurface.h"
 #include "Response/FilterStage.h"
 #include "Response/Bodies/VoxelGrid.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
-#include "vtkCleanPolyData.h"
 #include "vtkFeatureEdges.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
@@ -25,9 +24,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace
 {
@@ -48,25 +47,6 @@ constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0
 /// Of the spacing. With none at all vtkStaticCellLocator misses faces in the walls between its
 /// bins.
 constexpr double PickTolerance = 1e-6;
-
-/// Sides of the box, -x, +x, -y ..., that a text names; false if it names something else.
-bool readFaces(const std::string& text, std::array<bool, 6>& faces, std::string& wrong)
-{
-  std::string words = text;
-  std::replace(words.begin(), words.end(), ',', ' ');
-  std::istringstream stream(words);
-  faces.fill(false);
-  while (stream >> wrong)
-  {
-    const std::size_t axis = wrong.size() == 2 ? std::string("xyz").find(wrong[0]) : 3;
-    if (axis > 2 || (wrong[1] != '-' && wrong[1] != '+'))
-    {
-      return false;
-    }
-    faces[2 * axis + (wrong[1] == '+' ? 1 : 0)] = true;
-  }
-  return true;
-}
 
 /// Voxels along each side of a box; as numbers, since they may be beyond what the grid counts in.
 Eigen::Array3d voxelsAlong(const vtkBoundingBox& box, double spacing)
@@ -91,20 +71,6 @@ palpate::VoxelGrid gridOver(const vtkBoundingBox& box, const Eigen::Array3d& vox
   return grid;
 }
 
-/// Points at the same place as one, without arrays.
-vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
-{
-  vtkNew<vtkPolyData> bare;
-  bare->CopyStructure(body);
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(bare);
-  clean->ToleranceIsAbsoluteOn();
-  clean->SetAbsoluteTolerance(0.0);
-  clean->ConvertPolysToLinesOff();
-  clean->Update();
-  return clean->GetOutput();
-}
-
 Eigen::Vector3d closestPoint(vtkStaticCellLocator* locator, const Eigen::Vector3d& x)
 {
   vtkNew<vtkGenericCell> cell;
@@ -115,24 +81,6 @@ Eigen::Vector3d closestPoint(vtkStaticCellLocator* locator, const Eigen::Vector3
   double square = 0.0;
   locator->FindClosestPoint(from.data(), at.data(), cell, id, part, square);
   return at;
-}
-
-void fixFaces(const palpate::VolumeMesh& mesh, const std::array<bool, 6>& faces, double margin,
-  vtkUnsignedCharArray* fixed)
-{
-  const Eigen::Vector3d lowest = mesh.nodes.rowwise().minCoeff();
-  const Eigen::Vector3d highest = mesh.nodes.rowwise().maxCoeff();
-  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
-  {
-    bool held = false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto a = static_cast<Eigen::Index>(axis);
-      held = held || (faces[2 * axis] && mesh.nodes(a, i) < lowest[a] + margin) ||
-        (faces[2 * axis + 1] && mesh.nodes(a, i) > highest[a] - margin);
-    }
-    fixed->SetValue(i, held ? 7 : 0);
-  }
 }
 } // namespace
 
@@ -153,37 +101,21 @@ int vtkVoxelBody::RequestData(
   {
     return 1;
   }
-  std::array<bool, 6> faces{};
-  std::string wrong;
   if (!(this->Spacing > 0.0 && std::isfinite(this->Spacing)))
   {
     vtkErrorMacro(<< "Spacing must be positive and finite (mm), but is " << this->Spacing << ".");
     return 0;
   }
-  if (!readFaces(this->FixedFaces, faces, wrong))
-  {
-    vtkErrorMacro(<< "FixedFaces knows x-, x+, y-, y+, z- and z+, but not '" << wrong << "'.");
-    return 0;
-  }
-  const std::string fault = palpate::checkTriangles(body);
+  palpate::HeldFaces faces{};
+  palpate::ClosedSurface closed;
+  std::string fault = palpate::readHeldFaces(this->FixedFaces, faces);
+  fault = fault.empty() ? palpate::takeClosedSurface(body, closed) : fault;
   if (!fault.empty())
   {
-    vtkErrorMacro(<< "Wrong input: " << fault << ".");
+    vtkErrorMacro(<< fault << ".");
     return 0;
   }
-  const vtkSmartPointer<vtkPolyData> surface = mergePoints(body);
-  double volume = 0.0;
-  {
-    const palpate::BodyMesh mesh = palpate::makeBodyMesh(surface);
-    volume = mesh.enclosedVolume();
-    if (!mesh.isClosed() || volume <= 0.0)
-    {
-      vtkErrorMacro(<< "Wrong input: the surface "
-                    << (mesh.isClosed() ? "is inside out" : "is not closed")
-                    << ": it cannot be filled.");
-      return 0;
-    }
-  }
+  vtkPolyData* surface = closed.surface;
   const vtkBoundingBox box(surface->GetBounds());
   const Eigen::Array3d voxels = voxelsAlong(box, this->Spacing);
   const double total = (voxels + 1.0).prod();
@@ -193,7 +125,7 @@ int vtkVoxelBody::RequestData(
                   << " points of the bounding box: too many.");
     return 0;
   }
-  const double voxelTotal = volume / std::pow(this->Spacing, 3);
+  const double voxelTotal = closed.volume / std::pow(this->Spacing, 3);
   const double needed = BytesPerGridPoint * total + BytesPerVoxel * voxelTotal;
   const double available = palpate::availableMemory();
   if (needed > available)
@@ -320,13 +252,9 @@ int vtkVoxelBody::RequestData(
     std::copy_n(element.nodes.begin(), 8, ids.begin());
     cells->InsertNextCell(8, ids.data());
   }
-  vtkNew<vtkUnsignedCharArray> fixed;
-  fixed->SetName("Fixed");
-  fixed->SetNumberOfTuples(mesh.nodeTotal());
-  fixFaces(mesh, faces, 0.5 * this->Spacing, fixed);
   output->SetPoints(points);
   output->SetCells(VTK_HEXAHEDRON, cells);
-  output->GetPointData()->AddArray(fixed);
+  output->GetPointData()->AddArray(palpate::holdFaces(mesh.nodes, faces, 0.5 * this->Spacing));
   this->UpdateProgress(1.0);
   return 1;
 }

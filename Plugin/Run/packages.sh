@@ -7,7 +7,7 @@
 # viewer and Python, plugin what the rest of it wants (tried out on bare systems).
 declare -rA packages=(
   [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache
-    libsuitesparse-dev libopenblas0-pthread libhidapi-dev'
+    libsuitesparse-dev libopenblas0-pthread libhidapi-dev libcgal-dev'
   [vtk]='paraview-dev python3-paraview libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl-dev
     libglew-dev libjpeg-dev liblz4-dev liblzma-dev libopenmpi-dev libpng-dev libtiff-dev libutfcpp-dev
     libx11-dev zlib1g-dev'
@@ -20,7 +20,7 @@ declare -rA packages=(
   [head]='mricron-data'
   [gtest]='libgtest-dev libgmock-dev'
   [tests]='libgtest-dev libgmock-dev umockdev libumockdev-dev pkgconf xdotool git python3-matplotlib'
-  [benchmarks]='libbenchmark-dev libcgal-dev libembree-dev'
+  [benchmarks]='libbenchmark-dev libembree-dev'
   [pictures]='python3-matplotlib'
   [calculix]='calculix-ccx'
   [style]='clang-format clang-tidy'
@@ -58,7 +58,7 @@ declare -rA optional_packages=(
   [libsuitesparse-dev]="finite elements are some hundred times slower (no CHOLMOD)"
   [libopenblas0-pthread]="finite elements are some ten times slower (BLAS is the reference one)"
   [libbenchmark-dev]="the filters are not timed (./run bench filters)"
-  [libcgal-dev]="a tick is not timed beside CGAL (./run bench tick)"
+  [libcgal-dev]="no graded solids: neither --solid nor vtkGradedBody (no CGAL)"
   [libembree-dev]="a tick is not timed beside Embree (./run bench tick)"
   [python3-matplotlib]="studies and benchmarks draw no pictures, only tables (./run study, ./run bench)"
   [calculix-ccx]="no new finite-element curves (./run study calculix); those in Data are there"

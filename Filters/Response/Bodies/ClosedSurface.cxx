@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClosedSurface.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Response/BodyConversion.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace palpate
+{
+namespace
+{
+/// Points at the same place as one, without arrays.
+vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(body);
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(bare);
+  clean->ToleranceIsAbsoluteOn();
+  clean->SetAbsoluteTolerance(0.0);
+  clean->ConvertPolysToLinesOff();
+  clean->Update();
+  return clean->GetOutput();
+}
+} // namespace
+
+std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed)
+{
+  const std::string fault = checkTriangles(body);
+  if (!fault.empty())
+  {
+    return "Wrong input: " + fault;
+  }
+  closed.surface = mergePoints(body);
+  const BodyMesh mesh = makeBodyMesh(closed.surface);
+  closed.volume = mesh.enclosedVolume();
+  if (!mesh.isClosed() || closed.volume <= 0.0)
+  {
+    return joined("Wrong input: the surface ", mesh.isClosed() ? "is inside out" : "is not closed",
+      ": it cannot be filled");
+  }
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)
+  {
+    const TriangleCorners& corners = mesh.corners(t);
+    const Vector3 from = mesh.point(corners[0]);
+    const Vector3 side = mesh.point(corners[1]) - from;
+    closed.area += 0.5 * side.cross(mesh.point(corners[2]) - from).norm();
+  }
+  return {};
+}
+
+std::string readHeldFaces(const std::string& text, HeldFaces& faces)
+{
+  std::string words = text;
+  std::replace(words.begin(), words.end(), ',', ' ');
+  std::istringstream stream(words);
+  faces.fill(false);
+  std::string word;
+  while (stream >> word)
+  {
+    const std::size_t axis = word.size() == 2 ? std::string("xyz").find(word[0]) : 3;
+    if (axis > 2 || (word[1] != '-' && word[1] != '+'))
+    {
+      return "FixedFaces knows x-, x+, y-, y+, z- and z+, but not '" + word + "'";
+    }
+    faces[2 * axis + (word[1] == '+' ? 1 : 0)] = true;
+  }
+  return {};
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
+  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces, double margin)
+{
+  const auto fixed = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  fixed->SetName("Fixed");
+  fixed->SetNumberOfTuples(nodes.cols());
+  const Eigen::Vector3d lowest = nodes.rowwise().minCoeff();
+  const Eigen::Vector3d highest = nodes.rowwise().maxCoeff();
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i)
+  {
+    bool held = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto a = static_cast<Eigen::Index>(axis);
+      held = held || (faces[2 * axis] && nodes(a, i) < lowest[a] + margin) ||
+        (faces[2 * axis + 1] && nodes(a, i) > highest[a] - margin);
+    }
+    fixed->SetValue(i, held ? 7 : 0);
+  }
+  return fixed;
+}
+} // namespace palpate

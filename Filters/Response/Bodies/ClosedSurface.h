@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ClosedSurface_h
+#define palpate_ClosedSurface_h
+
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+namespace palpate
+{
+/// A surface that can be filled: its points merged, and what it encloses.
+struct ClosedSurface
+{
+  vtkSmartPointer<vtkPolyData> surface; ///< without arrays, points at the same place as one
+  double volume = 0.0;                  ///< mm³
+  double area = 0.0;                    ///< mm²
+};
+
+/// Returns what is wrong - no triangles, open, inside out - or "".
+std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed);
+
+/// Sides of a box that hold the body: -x, +x, -y, +y, -z, +z.
+using HeldFaces = std::array<bool, 6>;
+
+/// Reads "z-, x+"; returns what is wrong, or "".
+std::string readHeldFaces(const std::string& text, HeldFaces& faces);
+
+/// The array `Fixed`: 7 within a margin of the outermost node on each of the faces, 0 elsewhere.
+vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
+  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces, double margin);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one source that includes CGAL: half a minute of compiling, and a licence of its own (GPL).
+#include "Response/Mesher/SurfaceMesher.h"
+
+#ifndef PALPATE_WITH_CGAL
+namespace palpate
+{
+bool hasSurfaceMesher()
+{
+  return false;
+}
+
+std::string fillSurface(const MeshedSurface&, double, const WorkObserver&, TetrahedralMesh&)
+{
+  return "this build has no CGAL, which makes tetrahedra: install it (Debian: libcgal-dev) and "
+         "configure with PALPATE_USE_CGAL=ON";
+}
+} // namespace palpate
+#else
+
+#include "Mechanics/JoinedText.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/make_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Surface = CGAL::Surface_mesh<Point>;
+using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, Surface>;
+using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
+using Complex =
+  CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
+using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+
+// What the criteria bound are radii; the lengths of edges that come of it were measured on balls:
+// 0.95 to 1.05 of the spacing in the mean, on the surface and inside.
+constexpr double FacetRadius = 0.72; ///< of the circle around a facet, in spacings
+constexpr double CellRadius = 0.80;  ///< of the ball around a cell, in spacings
+constexpr double FacetAngle = 25.0;  ///< least of a facet, degrees: at most 30 (CGAL)
+constexpr double RadiusEdge = 2.0;   ///< of a cell: its ball over its shortest edge
+constexpr double SliverAngle = 10.0; ///< least between two faces that is sought, degrees
+constexpr double LookupsPerCell = 6.0;
+constexpr std::size_t LookupsPerReport = 4096;
+constexpr std::size_t SeedsPerPart = 12;
+constexpr double RefinedShare = 0.9; ///< of the work; what is left are the slivers
+
+struct Stopped
+{
+};
+
+/// Looks the spacing up, and tells the observer from time to time.
+class SpacingField
+{
+public:
+  SpacingField(const MeshedSurface& surface, double cells, const WorkObserver& observer)
+    : Grid(surface)
+    , Expected(LookupsPerCell * std::max(cells, 1.0))
+    , Observer(observer)
+  {
+  }
+
+  double at(const Point& place)
+  {
+    if (++this->Lookups % LookupsPerReport == 0 && this->Observer)
+    {
+      const double done = static_cast<double>(this->Lookups) / this->Expected;
+      if (!this->Observer(RefinedShare * (1.0 - std::exp(-done))))
+      {
+        throw Stopped();
+      }
+    }
+    return this->Grid.at({ place.x(), place.y(), place.z() });
+  }
+
+private:
+  SpacingGrid Grid;
+  double Expected;
+  const WorkObserver& Observer;
+  std::size_t Lookups = 0;
+};
+
+/// A field as the criteria take it: some multiple of the spacing.
+struct RadiusField
+{
+  using FT = Kernel::FT;
+  using Point_3 = Point;
+  using Index = Domain::Index;
+
+  SpacingField* spacing;
+  double factor;
+
+  FT operator()(const Point_3& place, int, const Index&) const
+  {
+    return this->factor * this->spacing->at(place);
+  }
+};
+
+/// A domain whose first points lie on all of its parts: rays from the middle miss small ones.
+class SeededDomain : public Domain
+{
+public:
+  SeededDomain(const Surface& surface, std::vector<Point> seeds)
+    : Domain(surface)
+    , Seeds(std::move(seeds))
+  {
+  }
+
+  struct Construct_initial_points
+  {
+    const SeededDomain& domain;
+
+    template <class Output>
+    Output operator()(Output points, int = 0) const
+    {
+      for (const Point& seed : this->domain.Seeds)
+      {
+        const auto [at, face] = this->domain.aabb_tree().closest_point_and_primitive(seed);
+        *points++ = std::make_pair(
+          at, this->domain.index_from_surface_patch_index(this->domain.make_surface_index(face)));
+      }
+      return points;
+    }
+  };
+
+  Construct_initial_points construct_initial_points_object() const { return { *this }; }
+
+private:
+  std::vector<Point> Seeds;
+};
+
+std::string convert(const MeshedSurface& from, Surface& surface)
+{
+  surface.reserve(static_cast<Surface::size_type>(from.points.cols()),
+    static_cast<Surface::size_type>(3 * from.triangles.size() / 2),
+    static_cast<Surface::size_type>(from.triangles.size()));
+  for (Eigen::Index i = 0; i < from.points.cols(); ++i)
+  {
+    surface.add_vertex(Point(from.points(0, i), from.points(1, i), from.points(2, i)));
+  }
+  for (std::size_t t = 0; t < from.triangles.size(); ++t)
+  {
+    std::array<Surface::Vertex_index, 3> ids;
+    std::transform(from.triangles[t].begin(), from.triangles[t].end(), ids.begin(),
+      [](std::int32_t i) { return Surface::Vertex_index(static_cast<Surface::size_type>(i)); });
+    if (surface.add_face(ids[0], ids[1], ids[2]) == Surface::null_face())
+    {
+      return joined("triangle ", t,
+        " meets others at an edge or a point where the surface touches "
+        "itself, or is turned against them");
+    }
+  }
+  std::vector<std::pair<Surface::Face_index, Surface::Face_index>> crossing;
+  CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(crossing));
+  if (!crossing.empty())
+  {
+    return joined("the surface cuts itself: triangles ", crossing.front().first.idx(), " and ",
+      crossing.front().second.idx(), " cross, the first of ", crossing.size(), " pairs");
+  }
+  return {};
+}
+
+/// Middles of triangles spread over each part of the surface.
+std::vector<Point> spreadSeeds(Surface& surface)
+{
+  auto part = surface.add_property_map<Surface::Face_index, std::size_t>("f:part", 0).first;
+  const std::size_t count = CGAL::Polygon_mesh_processing::connected_components(surface, part);
+  std::vector<std::vector<Point>> middles(count);
+  for (const Surface::Face_index face : surface.faces())
+  {
+    Kernel::Vector_3 sum(0.0, 0.0, 0.0);
+    for (const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(face)))
+    {
+      sum += surface.point(v) - CGAL::ORIGIN;
+    }
+    middles[part[face]].push_back(CGAL::ORIGIN + sum / 3.0);
+  }
+  std::vector<Point> seeds;
+  for (const auto& own : middles)
+  {
+    const std::size_t wanted = std::min(SeedsPerPart, own.size());
+    for (std::size_t i = 0; i < wanted; ++i)
+    {
+      seeds.push_back(own[i * own.size() / wanted]);
+    }
+  }
+  return seeds;
+}
+
+void extract(const Complex& complex, TetrahedralMesh& mesh)
+{
+  std::map<Complex::Vertex_handle, std::int32_t> number;
+  std::vector<Point> places;
+  for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell)
+  {
+    std::array<std::int32_t, 4> ids{};
+    for (int i = 0; i < 4; ++i)
+    {
+      const auto [at, isNew] =
+        number.try_emplace(cell->vertex(i), static_cast<std::int32_t>(places.size()));
+      if (isNew)
+      {
+        places.push_back(cell->vertex(i)->point().point());
+      }
+      ids[static_cast<std::size_t>(i)] = at->second;
+    }
+    mesh.cells.push_back(ids);
+  }
+  mesh.nodes.resize(3, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    mesh.nodes.col(static_cast<Eigen::Index>(i)) << places[i].x(), places[i].y(), places[i].z();
+  }
+  for (auto edge = complex.edges_in_complex_begin(); edge != complex.edges_in_complex_end(); ++edge)
+  {
+    const auto from = number.find(edge->first->vertex(edge->second));
+    const auto to = number.find(edge->first->vertex(edge->third));
+    if (from != number.end() && to != number.end())
+    {
+      const auto [low, high] = std::minmax(from->second, to->second);
+      mesh.sharpEdges.push_back({ low, high });
+    }
+  }
+  std::sort(mesh.sharpEdges.begin(), mesh.sharpEdges.end());
+}
+} // namespace
+
+bool hasSurfaceMesher()
+{
+  return true;
+}
+
+std::string fillSurface(
+  const MeshedSurface& wanted, double cells, const WorkObserver& observer, TetrahedralMesh& mesh)
+{
+  mesh = {};
+  Surface surface;
+  const std::string fault = convert(wanted, surface);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  try
+  {
+    SeededDomain domain(surface, spreadSeeds(surface));
+    domain.detect_features(wanted.sharpAngle);
+    SpacingField spacing(wanted, cells, observer);
+    const Criteria criteria(Criteria::Edge_criteria(RadiusField{ &spacing, 1.0 }),
+      Criteria::Facet_criteria(FacetAngle, RadiusField{ &spacing, FacetRadius }, wanted.deviation),
+      Criteria::Cell_criteria(RadiusEdge, RadiusField{ &spacing, CellRadius }));
+    auto complex = CGAL::make_mesh_3<Complex>(domain, criteria, CGAL::parameters::manifold(),
+      CGAL::parameters::no_perturb(), CGAL::parameters::no_exude());
+    if (observer && !observer(RefinedShare))
+    {
+      return {};
+    }
+#if CGAL_VERSION_NR >= 1050600000
+    CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound(SliverAngle));
+#else
+    CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound = SliverAngle);
+#endif
+    extract(complex, mesh);
+  }
+  catch (const Stopped&)
+  {
+    mesh = {};
+  }
+  catch (const std::exception& failed)
+  {
+    mesh = {};
+    return joined("CGAL cannot fill it: ", failed.what());
+  }
+  return {};
+}
+} // namespace palpate
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SurfaceMesher_h
+#define palpate_SurfaceMesher_h
+
+#include "Mechanics/SharedWork.h"
+#include "Response/Mesher/SpacingGrid.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Linear tetrahedra (corners as of VTK_TETRA), and edges of them on sharp edges of the surface.
+struct TetrahedralMesh
+{
+  Eigen::Matrix3Xd nodes;
+  std::vector<std::array<std::int32_t, 4>> cells;
+  std::vector<std::array<std::int32_t, 2>> sharpEdges; ///< the lower node first, ascending
+};
+
+/// Whether this build has a mesher (CGAL).
+bool hasSurfaceMesher();
+
+/**
+ * Delaunay refinement, then slivers below 10° are moved apart as far as that goes (CGAL Mesh_3:
+ * Rineau and Yvinec 2007; sharp edges: Cheng, Dey and Ramos 2007; perturbation: Tournois et al.
+ * 2009). On one thread; the same bits on every run. The observer is told how far the work has come
+ * by estimate, `cells` being expected; false ends the refinement, whose result is then empty,
+ * within milliseconds, and is not asked while slivers are moved. Returns what is wrong with the
+ * surface, by its triangles, or "".
+ */
+std::string fillSurface(
+  const MeshedSurface& surface, double cells, const WorkObserver& observer, TetrahedralMesh& mesh);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGradedBody.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/AvailableMemory.h"
+#include "Response/Bodies/ClosedSurface.h"
+#include "Response/FilterStage.h"
+#include "Response/Mesher/CurvedTetrahedra.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkFeatureEdges.h"
+#include "vtkGenericCell.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr double GradedSharpAngle = 45.0; // degrees
+constexpr double InteriorRatio = 4.0;
+constexpr double DeviationRatio = 0.05;
+constexpr double LargestGrowth = 2.0;
+
+/// Cells per cube of the spacing, and what one takes at its peak; measured on balls.
+constexpr double CellsPerCube = 8.7;
+constexpr double BytesPerCell = 2000.0;
+/// Ten nodes each, which 32 bits count.
+constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
+
+/// The facets' chords leave out a hundredth or so; more is a part of the body.
+constexpr double LostVolume = 0.1;
+constexpr double MeshedShare = 0.9; // of the work
+
+/// Of a body of a volume and an area whose spacing grows from s to l inwards.
+double expectedCells(const palpate::ClosedSurface& closed, double s, double l, double growth)
+{
+  const double graded =
+    closed.area * (1.0 / (s * s) - 1.0 / (l * l)) / (2.0 * growth) + closed.volume / std::pow(l, 3);
+  return CellsPerCube * std::min(graded, closed.volume / std::pow(s, 3));
+}
+
+/// The closest place of lines or triangles.
+class ClosestPlace
+{
+public:
+  explicit ClosestPlace(vtkPolyData* data)
+    : IsEmpty(data->GetNumberOfCells() == 0)
+  {
+    if (!this->IsEmpty)
+    {
+      this->Locator->SetDataSet(data);
+      this->Locator->BuildLocator();
+    }
+  }
+
+  Eigen::Vector3d operator()(const Eigen::Vector3d& place) const
+  {
+    Eigen::Vector3d at = place;
+    if (!this->IsEmpty)
+    {
+      Eigen::Vector3d from = place;
+      vtkIdType id = -1;
+      int part = 0;
+      double square = 0.0;
+      this->Locator->FindClosestPoint(from.data(), at.data(), this->Cell, id, part, square);
+    }
+    return at;
+  }
+
+private:
+  bool IsEmpty;
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+};
+
+palpate::MeshedSurface convertSurfaceToMesh(vtkPolyData* surface)
+{
+  palpate::MeshedSurface made;
+  made.points.resize(3, surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    surface->GetPoint(i, made.points.col(i).data());
+  }
+  vtkNew<vtkIdList> ids;
+  vtkCellArray* cells = surface->GetPolys();
+  for (cells->InitTraversal(); cells->GetNextCell(ids);)
+  {
+    made.triangles.push_back({ static_cast<std::int32_t>(ids->GetId(0)),
+      static_cast<std::int32_t>(ids->GetId(1)), static_cast<std::int32_t>(ids->GetId(2)) });
+  }
+  return made;
+}
+
+double volumeOf(const palpate::TetrahedralMesh& mesh)
+{
+  double volume = 0.0;
+  for (const auto& cell : mesh.cells)
+  {
+    Eigen::Matrix3d sides;
+    for (int i = 0; i < 3; ++i)
+    {
+      sides.col(i) =
+        mesh.nodes.col(cell[static_cast<std::size_t>(i) + 1]) - mesh.nodes.col(cell[0]);
+    }
+    volume += sides.determinant() / 6.0;
+  }
+  return volume;
+}
+
+void convertTetrahedra(const palpate::CurvedTetrahedra& curved, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  points->SetNumberOfPoints(curved.nodes.cols());
+  for (vtkIdType i = 0; i < curved.nodes.cols(); ++i)
+  {
+    points->SetPoint(i, curved.nodes.col(i).data());
+  }
+  vtkNew<vtkCellArray> cells;
+  const auto count = static_cast<vtkIdType>(curved.cells.size());
+  cells->AllocateExact(count, 10 * count);
+  for (const auto& cell : curved.cells)
+  {
+    std::array<vtkIdType, 10> ids{};
+    std::copy(cell.begin(), cell.end(), ids.begin());
+    cells->InsertNextCell(10, ids.data());
+  }
+  output->SetPoints(points);
+  output->SetCells(VTK_QUADRATIC_TETRA, cells);
+}
+} // namespace
+
+vtkStandardNewMacro(vtkGradedBody);
+
+bool vtkGradedBody::IsAvailable()
+{
+  return palpate::hasSurfaceMesher();
+}
+
+int vtkGradedBody::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkGradedBody::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  this->CellEstimate = 0.0;
+  if (!body || body->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  std::string fault = this->CheckProperties();
+  fault = fault.empty() ? this->Fill(body, vtkUnstructuredGrid::GetData(outputVector)) : fault;
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  return 1;
+}
+
+std::string vtkGradedBody::CheckProperties() const
+{
+  if (!(this->SurfaceSpacing > 0.0 && std::isfinite(this->SurfaceSpacing)))
+  {
+    return palpate::joined(
+      "SurfaceSpacing must be positive and finite (mm), but is ", this->SurfaceSpacing);
+  }
+  const double inside = this->InteriorSpacing;
+  if (!(inside == 0.0 || (inside >= this->SurfaceSpacing && std::isfinite(inside))))
+  {
+    return palpate::joined("InteriorSpacing must be 0 or at least SurfaceSpacing, ",
+      this->SurfaceSpacing, " mm, but is ", inside);
+  }
+  if (!(this->Growth > 0.0 && this->Growth <= LargestGrowth))
+  {
+    return palpate::joined(
+      "Growth must be positive and at most ", LargestGrowth, ", but is ", this->Growth);
+  }
+  if (!(this->Deviation >= 0.0 && std::isfinite(this->Deviation)))
+  {
+    return palpate::joined("Deviation must be 0 or positive (mm), but is ", this->Deviation);
+  }
+  return {};
+}
+
+std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
+{
+  palpate::HeldFaces faces{};
+  palpate::ClosedSurface closed;
+  std::string fault = palpate::readHeldFaces(this->FixedFaces, faces);
+  fault = fault.empty() ? palpate::takeClosedSurface(body, closed) : fault;
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const double inside =
+    this->InteriorSpacing > 0.0 ? this->InteriorSpacing : InteriorRatio * this->SurfaceSpacing;
+  this->CellEstimate = expectedCells(closed, this->SurfaceSpacing, inside, this->Growth);
+  const double needed = BytesPerCell * this->CellEstimate;
+  const double available = palpate::availableMemory();
+  if (!(this->CellEstimate < MostCells) || needed > available)
+  {
+    return palpate::joined("SurfaceSpacing ", this->SurfaceSpacing, " mm makes about ",
+      this->CellEstimate, " tetrahedra, which need about ", needed / palpate::Mebibyte,
+      " MiB, but ", available / palpate::Mebibyte, " MiB are available, and more than ", MostCells,
+      " are too many");
+  }
+  palpate::MeshedSurface wanted = convertSurfaceToMesh(closed.surface);
+  wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), this->SurfaceSpacing);
+  wanted.interiorSpacing = inside;
+  wanted.growth = this->Growth;
+  wanted.deviation =
+    this->Deviation > 0.0 ? this->Deviation : DeviationRatio * this->SurfaceSpacing;
+  wanted.sharpAngle = GradedSharpAngle;
+  palpate::TetrahedralMesh mesh;
+  fault = palpate::fillSurface(
+    wanted, this->CellEstimate, palpate::FilterStage{ this, 0.0, MeshedShare }, mesh);
+  if (!fault.empty() || palpate::isAborted(this))
+  {
+    return fault.empty() ? fault : "Wrong input: " + fault;
+  }
+  const double volume = volumeOf(mesh);
+  if (!(std::abs(volume / closed.volume - 1.0) < LostVolume))
+  {
+    return palpate::joined("The tetrahedra fill ", volume, " of the ", closed.volume,
+      " mm³ inside the surface: SurfaceSpacing ", this->SurfaceSpacing,
+      " mm is too coarse for some part of it");
+  }
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(closed.surface);
+  edges->SetFeatureAngle(GradedSharpAngle);
+  edges->BoundaryEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  const ClosestPlace onSurface(closed.surface);
+  const ClosestPlace onEdge(edges->GetOutput());
+  const palpate::CurvedTetrahedra curved = palpate::curveTetrahedra(mesh,
+    [&](const Eigen::Vector3d& middle, bool isSharp)
+    { return isSharp ? onEdge(middle) : onSurface(middle); });
+  convertTetrahedra(curved, output);
+  output->GetPointData()->AddArray(
+    palpate::holdFaces(curved.nodes, faces, 0.5 * this->SurfaceSpacing));
+  this->UpdateProgress(1.0);
+  return {};
+}
+
+void vtkGradedBody::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceSpacing: " << this->SurfaceSpacing << " mm\n";
+  os << indent << "InteriorSpacing: " << this->InteriorSpacing << " mm\n";
+  os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "Deviation: " << this->Deviation << " mm\n";
+  os << indent << "FixedFaces: " << this->FixedFaces << "\n";
+  os << indent << "CellEstimate: " << this->CellEstimate << "\n";
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkGradedBody
+ * @brief fills a closed surface with tetrahedra, fine at the surface and coarse inside, as a body
+ * for vtkElasticContactResponse
+ *
+ * Input: a closed vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm;
+ * points at the same place count as one. A surface that is open, inside out, that cuts or touches
+ * itself (the first triangles are named), and one of which a part is lost since SurfaceSpacing is
+ * too coarse for it, are errors. Parts and cavities may be several.
+ *
+ * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
+ * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)
+ * where it is curved by 1/R. Inside they grow by Growth per distance from the surface, to
+ * InteriorSpacing. Edges by which the surface turns more than 45° are kept. Mid-edge nodes of the
+ * outside lie on the true surface, or its sharp edges, but where that would spoil a tetrahedron:
+ * all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points within half a
+ * SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0 elsewhere.
+ *
+ * The mesher is CGAL's Mesh_3, under the GPL: a build without CGAL (PALPATE_USE_CGAL) refuses in
+ * words. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell, of which there
+ * are about 8.7 per SurfaceSpacing³ beside the surface; if that needs more memory than is
+ * available, it is an error beforehand. Progress is an estimate; an abort is seen within
+ * milliseconds while cells are refined, nine tenths of the work, and only at the end while slivers
+ * are moved apart.
+ *
+ * @sa vtkElasticContactResponse vtkVoxelBody
+ */
+#ifndef vtkGradedBody_h
+#define vtkGradedBody_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string> // For std::string
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+class PALPATERESPONSE_EXPORT vtkGradedBody : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkGradedBody* New();
+  vtkTypeMacro(vtkGradedBody, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Whether this build has CGAL, without which nothing is filled. */
+  static bool IsAvailable();
+
+  ///@{
+  /** Length of the cells' edges at the surface, mm, > 0. Default 2. */
+  vtkSetMacro(SurfaceSpacing, double);
+  vtkGetMacro(SurfaceSpacing, double);
+  ///@}
+
+  ///@{
+  /** The longest edges inside, mm: at least SurfaceSpacing, or 0 (default): four times that. */
+  vtkSetMacro(InteriorSpacing, double);
+  vtkGetMacro(InteriorSpacing, double);
+  ///@}
+
+  ///@{
+  /** How much longer edges get per length from the surface inwards: > 0, at most 2. Default 0.5. */
+  vtkSetMacro(Growth, double);
+  vtkGetMacro(Growth, double);
+  ///@}
+
+  ///@{
+  /** How far facets may lie off the surface, mm, or 0 (default): a twentieth of SurfaceSpacing,
+   * which shortens edges where the surface's radius is below two and a half SurfaceSpacings. */
+  vtkSetMacro(Deviation, double);
+  vtkGetMacro(Deviation, double);
+  ///@}
+
+  ///@{
+  /** Which sides of the bounding box hold the body, as of vtkVoxelBody. Default "z-". */
+  vtkSetMacro(FixedFaces, std::string);
+  vtkGetMacro(FixedFaces, std::string);
+  ///@}
+
+  /** How many cells the last run expected, known also after it was refused. */
+  vtkGetMacro(CellEstimate, double);
+
+protected:
+  vtkGradedBody() = default;
+  ~vtkGradedBody() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkGradedBody(const vtkGradedBody&) = delete;
+  void operator=(const vtkGradedBody&) = delete;
+
+  std::string CheckProperties() const;
+  std::string Fill(vtkPolyData* body, vtkUnstructuredGrid* output);
+
+  double SurfaceSpacing = 2.0;
+  double InteriorSpacing = 0.0;
+  double Growth = 0.5;
+  double Deviation = 0.0;
+  std::string FixedFaces = "z-";
+  double CellEstimate = 0.0;
+};
+
+#endif
