@@ -2,6 +2,7 @@
 #include "Laws/CurvesOnEdges.h"
 
 #include "Contact/ResponseContract.h"
+#include "Contact/SampledCurve.h"
 #include "Laws/EdgeDistance.h"
 #include "Mechanics/FiniteElements/NearestAlong.h"
 #include "Mechanics/ReducedModulus.h"
@@ -16,15 +17,6 @@ namespace
 {
 constexpr std::size_t CurvesAround = 6;
 constexpr double SlopeStep = 1e-3; ///< of the depth, for dF/dδ
-
-/// The stored curve of one point.
-struct StoredSamples
-{
-  const float* forces;
-  const float* stiffnesses;
-  double force(int k) const { return static_cast<double>(this->forces[k]); }
-  double stiffness(int k) const { return static_cast<double>(this->stiffnesses[k]); }
-};
 
 /// The largest angle between triangles at a point where the surface turns away there, rad; 0 in a
 /// hollow.
@@ -120,7 +112,7 @@ private:
       const std::int32_t other = around.found[k].point;
       const auto j = static_cast<std::size_t>(other);
       const ResponseValue value = this->Sampling.evaluate(
-        StoredSamples{ this->Spans.force + n * j, this->Spans.stiffness + n * j },
+        SampledCurve{ this->Spans.force + n * j, this->Spans.stiffness + n * j },
         static_cast<double>(this->Spans.range[j]), depth);
       const ElasticMaterial material = this->Body.materialAt(this->Body.surface().node(other));
       const double modulus = reducedModulus(material.youngsModulus, material.poissonRatio);

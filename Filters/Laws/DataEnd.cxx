@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/DataEnd.h"
 
+#include "Contact/SampledCurve.h"
+
 #include <limits>
 
 namespace palpate
@@ -9,20 +11,12 @@ namespace
 {
 constexpr double Storage = 1e-3;
 constexpr int Halvings = 24; // of the interval between two samples: beyond float
-
-struct StoredCurve
-{
-  const float* forces;
-  const float* stiffnesses;
-  double force(int i) const { return static_cast<double>(this->forces[i]); }
-  double stiffness(int i) const { return static_cast<double>(this->stiffnesses[i]); }
-};
 } // namespace
 
 double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,
   const float* stiffness, const DataEnd& end)
 {
-  const StoredCurve curve{ force, stiffness };
+  const SampledCurve curve{ force, stiffness };
   const double largestForce = end.force * (1.0 + Storage);
   const double largestStiffness = end.stiffness * (1.0 + Storage);
   const auto beyond = [&](double f, double k) { return f > largestForce || k > largestStiffness; };

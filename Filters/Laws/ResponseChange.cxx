@@ -3,6 +3,7 @@
 
 #include "Contact/ResponseContract.h"
 #include "Contact/ResponseSampling.h"
+#include "Contact/SampledCurve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +17,7 @@ constexpr double StorageExponent = 1.0;
 constexpr int BetweenSamples = 8;
 constexpr double NoticeablyMore = 1e-4; // forces are floats
 
-struct CurveOfPoint
-{
-  const float* forces;
-  const float* stiffnesses;
-  double force(int k) const { return static_cast<double>(this->forces[k]); }
-  double stiffness(int k) const { return static_cast<double>(this->stiffnesses[k]); }
-};
-
-CurveOfPoint curveOf(const ResponseSpans& spans, std::size_t i)
+SampledCurve curveOf(const ResponseSpans& spans, std::size_t i)
 {
   const auto first = static_cast<std::size_t>(spans.samples) * i;
   return { spans.force + first, spans.stiffness + first };

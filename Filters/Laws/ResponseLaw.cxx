@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/ResponseLaw.h"
 
+#include "Contact/SampledCurve.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SeriesCompliance.h"
 
@@ -17,17 +18,6 @@ constexpr int ErrorProbes = 200;
 // (8/64)⁴ of theirs. A negative compliance drives the local part beyond the range.
 constexpr int LocalSamples = 64;
 constexpr double LocalDepths = 3.0;
-
-struct FloatCurve
-{
-  const std::vector<float>& forces;
-  const std::vector<float>& stiffnesses;
-  double force(int i) const { return static_cast<double>(forces[static_cast<std::size_t>(i)]); }
-  double stiffness(int i) const
-  {
-    return static_cast<double>(stiffnesses[static_cast<std::size_t>(i)]);
-  }
-};
 
 /// Whether a float holds a number to its full precision.
 bool fitsFloat(double value)
@@ -302,7 +292,7 @@ double ResponseLaw::storageError(double exponent, const ContactSpot& spot) const
     return Infinity;
   }
   const ResponseSampling sampling(this->Samples, exponent);
-  const FloatCurve curve{ forces, stiffnesses };
+  const SampledCurve curve{ forces.data(), stiffnesses.data() };
   double largest = 0.0;
   for (int i = 2; i <= ErrorProbes; ++i)
   {

@@ -2,6 +2,7 @@
 #include "Laws/ShapedResponse.h"
 
 #include "Contact/ResponseSampling.h"
+#include "Contact/SampledCurve.h"
 #include "Laws/CurvesOnEdges.h"
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
@@ -23,15 +24,6 @@ constexpr double Exponent = 1.0; // a body may harden or soften any tool's law
 constexpr double LeftOfTilt = 0.2;
 constexpr double LeastRange = 1e-3; // of what was asked for: a curve that ends before is none
 constexpr double FromTouch = 1e-3;  // of the first sample's depth
-
-/// The samples of one point.
-struct SampledCurve
-{
-  const float* forces;
-  const float* stiffnesses;
-  double force(int k) const { return static_cast<double>(this->forces[k]); }
-  double stiffness(int k) const { return static_cast<double>(this->stiffnesses[k]); }
-};
 
 /// What one point needs, shared by all.
 class ShapedFiller

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyLaws.h"
 
-#include "Contact/Reduction/ChoiceReason.h"
-#include "Laws/RegimeLaw.h"
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
@@ -19,13 +17,10 @@
 #include "Response/ResponseTool.h"
 #include "vtkContactTool.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -69,142 +64,6 @@ ResponseModel termsOf(const LawTerms& terms)
   return model;
 }
 
-struct RegimeStorage
-{
-  vtkNew<vtkFloatArray> index;
-  vtkNew<vtkFloatArray> sensitivity;
-  vtkNew<vtkUnsignedCharArray> verdict;
-
-  explicit RegimeStorage(vtkIdType points)
-  {
-    const auto allocate = [points](vtkDataArray* array, const char* name)
-    {
-      array->SetName(name);
-      array->SetNumberOfTuples(points);
-    };
-    allocate(this->index, "RegimeIndex");
-    allocate(this->sensitivity, "ToolSensitivity");
-    allocate(this->verdict, "RegimeVerdict");
-  }
-};
-
-/// What is wrong with the deflection, or with the Range of the body, or "".
-std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector<double>& depths)
-{
-  if (!(std::isfinite(request.deflection) && request.deflection >= 0.0))
-  {
-    return joined("Deflection must be finite and not negative (mm, 0 for half of Range), but is ",
-      request.deflection);
-  }
-  depths.assign(static_cast<std::size_t>(body->GetNumberOfPoints()), request.deflection);
-  if (request.deflection > 0.0 || depths.empty())
-  {
-    return {};
-  }
-  vtkDataArray* range =
-    body->GetPointData()->GetArray(arrayName(request.responseName, ResponseArray::Range).c_str());
-  if (!range || range->GetNumberOfComponents() != 1 ||
-    range->GetNumberOfTuples() != body->GetNumberOfPoints())
-  {
-    return joined("Deflection is 0, which means half of the point array '", request.responseName,
-      "Range', but the input has none with a value per point: attach a response, or set "
-      "Deflection");
-  }
-  for (std::size_t i = 0; i < depths.size(); ++i)
-  {
-    depths[i] = 0.5 * range->GetTuple1(static_cast<vtkIdType>(i));
-    if (!(depths[i] > 0.0 && std::isfinite(depths[i])))
-    {
-      return joined("Array '", request.responseName, "Range': value of point ", i,
-        " must be positive and finite (mm), but is ", 2.0 * depths[i]);
-    }
-  }
-  return {};
-}
-
-/// The laws in place of the curves there were.
-void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseChoice& choice)
-{
-  removeCurves(body, name);
-  const int columns = static_cast<int>(choice.basis.size()) / choice.laws;
-  addFloats(body, name, ResponseArray::Basis, columns, choice.basis);
-  addFloats(body, name, ResponseArray::Coefficient, choice.laws, choice.coefficient);
-  if (choice.need == ResponseNeed::PointForce)
-  {
-    vtkNew<vtkDoubleArray> exponent;
-    exponent->SetName(arrayName(name, ResponseArray::Exponent).c_str());
-    exponent->InsertNextValue(choice.exponent);
-    body->GetFieldData()->AddArray(exponent);
-    const ResponseModel model = responseModel(body, name);
-    describeModel(body, name, { model.text + "; as a spring per point", model.parts | SpringPart });
-  }
-}
-
-/// Verdicts of the regime, and validities, where they are on the body; "" or what is wrong with
-/// them.
-std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvidence& evidence)
-{
-  vtkPointData* points = body->GetPointData();
-  if (vtkAbstractArray* found = points->GetAbstractArray("RegimeVerdict"))
-  {
-    auto* verdict = vtkUnsignedCharArray::SafeDownCast(found);
-    if (!verdict || verdict->GetNumberOfComponents() != 1)
-    {
-      return joined("Array 'RegimeVerdict' must be unsigned char with 1 component, but is ",
-        found->GetDataTypeAsString(), " with ", found->GetNumberOfComponents());
-    }
-    evidence.verdict = verdict->GetPointer(0);
-  }
-  std::string error;
-  if (points->HasArray(arrayName(name, ResponseArray::Validity).c_str()))
-  {
-    viewValidity(body, name, evidence.validity, evidence.limit, error);
-  }
-  return error;
-}
-
-/// The depth (mm) that regime and validity are looked at; 0 for half of Range. "" or what is wrong.
-std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double& depth)
-{
-  vtkDataArray* at = body->GetFieldData()->GetArray("RegimeDeflection");
-  if (!at || at->GetNumberOfValues() != 1 || !body->GetPointData()->HasArray("RegimeVerdict"))
-  {
-    return {};
-  }
-  const double found = at->GetTuple1(0);
-  if (depth == 0.0)
-  {
-    // The largest, where the regime followed Range; as it is done here without it.
-    const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
-    depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
-    return {};
-  }
-  return std::abs(found - depth) <= 1e-6 * depth
-    ? std::string()
-    : joined("RegimeVerdict is that of ", found, " mm (RegimeDeflection), but Deflection is ",
-        depth, " mm");
-}
-
-std::string checkSettings(const ChoiceSettings& settings)
-{
-  if (!(settings.tolerance > 0.0))
-  {
-    return joined("Tolerance must be above 0, but is ", settings.tolerance);
-  }
-  if (!(settings.share > 0.0 && settings.share <= 1.0))
-  {
-    return joined("Share must be above 0 and at most 1, but is ", settings.share);
-  }
-  if (!(settings.depth >= 0.0 && std::isfinite(settings.depth)))
-  {
-    return joined("Deflection must be finite and not negative (mm), but is ", settings.depth);
-  }
-  if (settings.mostLaws < 1 || settings.mostLaws > 16)
-  {
-    return joined("MaximumNumberOfLaws must lie between 1 and 16, but is ", settings.mostLaws);
-  }
-  return {};
-}
 } // namespace
 
 std::string checkRequest(const LawRequest& request)
@@ -348,127 +207,6 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   {
     addText(output, termsName(name), reason);
   }
-  return {};
-}
-
-std::string attachRegime(
-  const Ranks& ranks, vtkPolyData* body, const LawRequest& request, vtkPolyData* output)
-{
-  const bool hasPiece = body->GetNumberOfPoints() > 0;
-  if (!ranks.any(hasPiece))
-  {
-    return {};
-  }
-  // Once all agree that nothing is wrong, a rank without a piece has nothing to do but to agree.
-  const std::string& name = request.responseName;
-  std::string fault;
-  vtkSmartPointer<vtkContactTool> tool;
-  std::vector<double> depths;
-  BodyMaterial material(request.material);
-  if (hasPiece)
-  {
-    tool = findTool(request.tool, body, name, fault);
-    fault = fault.empty() && !tool->GetKernel() ? "The Tool is invalid" : fault;
-    fault = fault.empty() ? findDepths(body, request, depths) : fault;
-    fault = fault.empty() ? readMaterial(body, request.arrays, material) : fault;
-  }
-  double deepest = depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
-  deepest = ranks.largest(deepest);
-  if (hasPiece && fault.empty())
-  {
-    fault = tool->GetKernel()->checkDepth(deepest);
-  }
-  fault = ranks.firstFault(fault);
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  agreeOnRange(ranks, hasPiece, material);
-  RegimeStorage storage(body->GetNumberOfPoints());
-  const int parts = hasPiece ? responseModel(body, name).parts : 0;
-  std::shared_ptr<const BodyShape> shape;
-  if (ranks.any((parts & CurvaturePart) != 0))
-  {
-    // As the response was made: on the scale of its deepest contact.
-    double radius = 0.0;
-    auto* normals = vtkFloatArray::SafeDownCast(
-      body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));
-    if (vtkDataArray* range =
-          body->GetPointData()->GetArray(arrayName(name, ResponseArray::Range).c_str());
-        range && normals && tool)
-    {
-      radius = tool->GetKernel()->contactRadius(range->GetRange(0)[1]);
-    }
-    radius = ranks.largest(radius);
-    if (radius > 0.0)
-    {
-      shape = findShape(body, BodySeam(ranks, body), normals ? normals->GetPointer(0) : nullptr,
-        radius, { true, {}, 0.0, false });
-    }
-  }
-  if (hasPiece)
-  {
-    ComparedResponse stored{ {}, name };
-    if (shape && shape->curvature)
-    {
-      stored.curvature = [&shape](std::size_t i) { return shape->curvatureAt(i); };
-    }
-    std::string noResponse;
-    // The regime is that of small strain.
-    const bool isStored = (parts & FiniteStrainPart) == 0 &&
-      responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
-      viewResponse(body, name, stored.arrays, noResponse);
-    const FilterThreads threads;
-    fault = regime(*tool->GetKernel(), material, depths, deepest, isStored ? &stored : nullptr,
-      { storage.index->GetPointer(0), storage.sensitivity->GetPointer(0),
-        storage.verdict->GetPointer(0) });
-  }
-  fault = ranks.firstFault(fault);
-  if (!fault.empty() || !hasPiece)
-  {
-    return fault;
-  }
-  copyWithOwnFields(body, output);
-  output->GetPointData()->AddArray(storage.index);
-  output->GetPointData()->AddArray(storage.sensitivity);
-  output->GetPointData()->AddArray(storage.verdict);
-  vtkNew<vtkDoubleArray> at;
-  at->SetName("RegimeDeflection");
-  at->InsertNextValue(deepest);
-  output->GetFieldData()->AddArray(at);
-  return {};
-}
-
-std::string attachChoice(vtkPolyData* body, const std::string& responseName,
-  const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached)
-{
-  std::string fault = checkSettings(settings);
-  ResponseArrays arrays;
-  std::string missing;
-  if (fault.empty() && !viewResponse(body, responseName, arrays, missing))
-  {
-    fault = "No response '" + responseName + "' on the body: " + missing;
-  }
-  ChoiceEvidence evidence;
-  fault = fault.empty() ? readEvidence(body, responseName, evidence) : fault;
-  ChoiceSettings used = settings;
-  fault = fault.empty() ? chooseDepth(body, arrays, used.depth) : fault;
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  const FilterThreads threads;
-  attached.choice = chooseResponse(arrays, evidence, used);
-  attached.numbersPerPointBefore = arrays.basis ? arrays.laws : 2 * arrays.samples;
-  attached.reason = choiceReason(attached.choice, used, attached.numbersPerPointBefore);
-  const std::string terms = termsReason(body, responseName);
-  attached.reason += terms.empty() ? terms : ". Of its law: " + terms;
-  copyWithOwnFields(body, output);
-  if (attached.choice.need != ResponseNeed::PerVertex)
-  {
-    replaceCurves(output, responseName, attached.choice);
-  }
-  addText(output, responseName + "Choice", attached.reason);
   return {};
 }
 } // namespace palpate

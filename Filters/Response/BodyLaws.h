@@ -9,11 +9,10 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Contact/Reduction/ResponseChoice.h" // For palpate::ResponseChoice
-#include "Laws/BodyMaterial.h"                // For palpate::BodyMaterial
-#include "Laws/LawTerms.h"                    // For palpate::LawTerms
-#include "Response/Curves/MaterialArrays.h"   // For palpate::MaterialArrays
-#include "Response/Pieces/Ranks.h"            // For palpate::Ranks
+#include "Laws/BodyMaterial.h"              // For palpate::BodyMaterial
+#include "Laws/LawTerms.h"                  // For palpate::LawTerms
+#include "Response/Curves/MaterialArrays.h" // For palpate::MaterialArrays
+#include "Response/Pieces/Ranks.h"          // For palpate::Ranks
 
 #include <functional> // For std::function
 #include <string>     // For std::string
@@ -48,23 +47,6 @@ PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* body,
   const LawRequest& request, const std::function<bool(double)>& goOn, vtkPolyData* output,
   std::string& warning);
-
-/// The body with its regime, see vtkContactRegime; without a tool that of the response. Collective;
-/// `body` is the own piece.
-PALPATERESPONSE_EXPORT std::string attachRegime(
-  const Ranks& ranks, vtkPolyData* body, const LawRequest& request, vtkPolyData* output);
-
-/// A choice, in numbers and words.
-struct AttachedChoice
-{
-  ResponseChoice choice;
-  std::string reason;
-  int numbersPerPointBefore = 0;
-};
-
-/// The body with the least form of its response, see vtkResponseChoice.
-PALPATERESPONSE_EXPORT std::string attachChoice(vtkPolyData* body, const std::string& responseName,
-  const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached);
 } // namespace palpate
 
 #endif

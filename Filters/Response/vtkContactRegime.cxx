@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactRegime.h"
 
-#include "Response/BodyLaws.h"
+#include "Response/BodyRegime.h"
 #include "Response/Pieces/OwnPiece.h"
 #include "vtkContactTool.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkResponseChoice.h"
 
-#include "Response/BodyLaws.h"
+#include "Response/BodyChoice.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -5,7 +5,7 @@
 #include "Pictures.h"
 #include "ResponseSet.h"
 #include "Interaction/Display/SceneView.h"
-#include "Response/BodyLaws.h"
+#include "Response/BodyRegime.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/SimplerLaw.h"
 
+#include "Contact/SampledCurve.h"
 #include "Laws/ResponseChange.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
@@ -87,7 +88,7 @@ public:
     const auto n = static_cast<std::size_t>(this->Law.samples);
     const ResponseSampling own(this->Law.samples, this->Law.exponent);
     const ResponseSampling stored(this->Law.samples, StoredExponent);
-    const Samples samples{ this->Law.force + n * i, this->Law.stiffness + n * i };
+    const SampledCurve samples{ this->Law.force + n * i, this->Law.stiffness + n * i };
     for (std::size_t k = 0; k < n; ++k)
     {
       const double depth =
@@ -100,14 +101,6 @@ public:
   }
 
 private:
-  struct Samples
-  {
-    const float* forces;
-    const float* stiffnesses;
-    double force(int k) const { return static_cast<double>(this->forces[k]); }
-    double stiffness(int k) const { return static_cast<double>(this->stiffnesses[k]); }
-  };
-
   ResponseArrays Law;
   ResponseSpans Shaped;
   std::vector<float> Force;

@@ -2,7 +2,7 @@
 #include "Interaction/Comparison/ComparisonColumn.h"
 
 #include "Interaction/Display/DisplayColors.h"
-#include "Response/BodyLaws.h"
+#include "Response/BodyRegime.h"
 #include "vtkContactScene.h"
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"

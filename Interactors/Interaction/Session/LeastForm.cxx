@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Session/LeastForm.h"
 
-#include "Response/BodyLaws.h"
+#include "Response/BodyChoice.h"
+#include "Response/BodyRegime.h"
 
 #include "vtkNew.h"
 

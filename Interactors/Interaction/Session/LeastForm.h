@@ -36,7 +36,7 @@ struct LeastForm
   std::string error;
 };
 
-/// By attachRegime and attachChoice (BodyLaws.h). On any thread.
+/// By attachRegime and attachChoice. On any thread.
 PALPATEINTERACTION_EXPORT LeastForm findLeastForm(const LeastFormRequest& request);
 } // namespace palpate
 

@@ -2,7 +2,6 @@
 // Whether the error that is stated of a contact on finite elements holds: against elements of half
 // the side, at points, tools and depths drawn at random, on bodies that the estimate was not fitted
 // to. What a finer mesh does not change (small strain) is not in it.
-#include "Sanitized.h"
 #include "ShapedBodies.h"
 
 #include "Mechanics/TrueShape/InclusionMixing.h"
@@ -192,9 +191,6 @@ ElasticBodyInput overANodule(int finer)
 // of points between two edges.
 TEST(ShapedError, HoldsAtRandom)
 {
-#ifdef PALPATE_SANITIZED
-  GTEST_SKIP() << "a matter of numbers: what runs here, the tests beside run too";
-#endif
   Compared all;
   for (const auto& [bodyOf, radius] : { std::pair(&blockWithEdges, 2.5),
          std::pair(&barThatBends, 1.8), std::pair(&thinPlate, 2.5), std::pair(&overAStiffBase, 2.5),

@@ -7,7 +7,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 TOOLS = ("sphere:6.35", "sphere:1.6", "flat:1.6", "cone:60")
-LIMITS = ("storage", "strain", "curvature", "thickness", "opposite wall", "edge", "data")
+LIMITS = ("storage", "strain", "curvature", "thickness", "opposite wall", "edge", "data", "elements")
 
 
 def poly(points, triangles):

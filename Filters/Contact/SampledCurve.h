@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SampledCurve_h
+#define palpate_SampledCurve_h
+
+namespace palpate
+{
+/// The samples of one point's curve as arrays hold them, for ResponseSampling::evaluate(). A view.
+struct SampledCurve
+{
+  const float* forces;      ///< N
+  const float* stiffnesses; ///< N/mm
+  double force(int i) const noexcept { return static_cast<double>(this->forces[i]); }
+  double stiffness(int i) const noexcept { return static_cast<double>(this->stiffnesses[i]); }
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/BodyChoice.h"
+
+#include "Contact/Reduction/ChoiceReason.h"
+#include "Mechanics/JoinedText.h"
+#include "Response/BodyConversion.h"
+#include "Response/ReplacedCurves.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// The laws in place of the curves there were.
+void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseChoice& choice)
+{
+  removeCurves(body, name);
+  const int columns = static_cast<int>(choice.basis.size()) / choice.laws;
+  addFloats(body, name, ResponseArray::Basis, columns, choice.basis);
+  addFloats(body, name, ResponseArray::Coefficient, choice.laws, choice.coefficient);
+  if (choice.need == ResponseNeed::PointForce)
+  {
+    vtkNew<vtkDoubleArray> exponent;
+    exponent->SetName(arrayName(name, ResponseArray::Exponent).c_str());
+    exponent->InsertNextValue(choice.exponent);
+    body->GetFieldData()->AddArray(exponent);
+    const ResponseModel model = responseModel(body, name);
+    describeModel(body, name, { model.text + "; as a spring per point", model.parts | SpringPart });
+  }
+}
+
+/// Verdicts of the regime, and validities, where they are on the body; "" or what is wrong with
+/// them.
+std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvidence& evidence)
+{
+  vtkPointData* points = body->GetPointData();
+  if (vtkAbstractArray* found = points->GetAbstractArray("RegimeVerdict"))
+  {
+    auto* verdict = vtkUnsignedCharArray::SafeDownCast(found);
+    if (!verdict || verdict->GetNumberOfComponents() != 1)
+    {
+      return joined("Array 'RegimeVerdict' must be unsigned char with 1 component, but is ",
+        found->GetDataTypeAsString(), " with ", found->GetNumberOfComponents());
+    }
+    evidence.verdict = verdict->GetPointer(0);
+  }
+  std::string error;
+  if (points->HasArray(arrayName(name, ResponseArray::Validity).c_str()))
+  {
+    viewValidity(body, name, evidence.validity, evidence.limit, error);
+  }
+  return error;
+}
+
+/// The depth (mm) that regime and validity are looked at; 0 for half of Range. "" or what is wrong.
+std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double& depth)
+{
+  vtkDataArray* at = body->GetFieldData()->GetArray("RegimeDeflection");
+  if (!at || at->GetNumberOfValues() != 1 || !body->GetPointData()->HasArray("RegimeVerdict"))
+  {
+    return {};
+  }
+  const double found = at->GetTuple1(0);
+  if (depth == 0.0)
+  {
+    // The largest, where the regime followed Range; as it is done here without it.
+    const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
+    depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
+    return {};
+  }
+  return std::abs(found - depth) <= 1e-6 * depth
+    ? std::string()
+    : joined("RegimeVerdict is that of ", found, " mm (RegimeDeflection), but Deflection is ",
+        depth, " mm");
+}
+
+std::string checkSettings(const ChoiceSettings& settings)
+{
+  if (!(settings.tolerance > 0.0))
+  {
+    return joined("Tolerance must be above 0, but is ", settings.tolerance);
+  }
+  if (!(settings.share > 0.0 && settings.share <= 1.0))
+  {
+    return joined("Share must be above 0 and at most 1, but is ", settings.share);
+  }
+  if (!(settings.depth >= 0.0 && std::isfinite(settings.depth)))
+  {
+    return joined("Deflection must be finite and not negative (mm), but is ", settings.depth);
+  }
+  if (settings.mostLaws < 1 || settings.mostLaws > 16)
+  {
+    return joined("MaximumNumberOfLaws must lie between 1 and 16, but is ", settings.mostLaws);
+  }
+  return {};
+}
+} // namespace
+
+std::string attachChoice(vtkPolyData* body, const std::string& responseName,
+  const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached)
+{
+  std::string fault = checkSettings(settings);
+  ResponseArrays arrays;
+  std::string missing;
+  if (fault.empty() && !viewResponse(body, responseName, arrays, missing))
+  {
+    fault = "No response '" + responseName + "' on the body: " + missing;
+  }
+  ChoiceEvidence evidence;
+  fault = fault.empty() ? readEvidence(body, responseName, evidence) : fault;
+  ChoiceSettings used = settings;
+  fault = fault.empty() ? chooseDepth(body, arrays, used.depth) : fault;
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const FilterThreads threads;
+  attached.choice = chooseResponse(arrays, evidence, used);
+  attached.numbersPerPointBefore = arrays.basis ? arrays.laws : 2 * arrays.samples;
+  attached.reason = choiceReason(attached.choice, used, attached.numbersPerPointBefore);
+  const std::string terms = termsReason(body, responseName);
+  attached.reason += terms.empty() ? terms : ". Of its law: " + terms;
+  copyWithOwnFields(body, output);
+  if (attached.choice.need != ResponseNeed::PerVertex)
+  {
+    replaceCurves(output, responseName, attached.choice);
+  }
+  addText(output, responseName + "Choice", attached.reason);
+  return {};
+}
+} // namespace palpate
