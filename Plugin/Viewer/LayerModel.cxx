@@ -153,14 +153,15 @@ double thicknessAt(const TouchScene& scene, vtkIdType point)
 
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene)
 {
-  const bool other = options.voxel > 0.0 || !options.measured.empty(); // decides on what lies below
+  const bool other =
+    options.voxel > 0.0 || options.solid || !options.measured.empty(); // decides on what lies below
   const bool wanted = options.layer.value_or(other ? LayerChoice{} : ofScene).scanned;
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;
 }
 
 std::string chooseLayer(const ViewerOptions& options, TouchScene& scene)
 {
-  if (scene.stored || options.voxel > 0.0 || !options.measured.empty())
+  if (scene.stored || options.voxel > 0.0 || options.solid || !options.measured.empty())
   {
     scene.layer = {};
     return {};

@@ -5,20 +5,24 @@
 #include "BodyFile.h"
 #include "LayerModel.h"
 #include "MeasuredBody.h"
+#include "SolidBody.h"
 #include "VoxelCompliance.h"
 
 namespace palpate
 {
 namespace
 {
-/// --voxel: the scene's surface as a solid.
+/// --voxel, --solid: the scene's surface as a solid.
 std::string fillBody(const ViewerOptions& options, TouchScene& scene)
 {
   if (scene.stored)
   {
-    return options.body +
-      ": brings its response, which --voxel cannot change; give --tool for a new "
-      "one";
+    return options.body + ": brings its response, which " +
+      (options.solid ? "--solid" : "--voxel") + " cannot change; give --tool for a new one";
+  }
+  if (options.solid)
+  {
+    return attachSolidResponses(options, scene);
   }
   scene.solid = true;
   scene.modelReason = "in series with the compliance of the solid, by finite elements";
@@ -85,7 +89,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   {
     return error;
   }
-  if (options.voxel > 0.0)
+  if (options.voxel > 0.0 || options.solid)
   {
     return fillBody(options, scene);
   }

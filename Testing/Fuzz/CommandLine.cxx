@@ -92,7 +92,9 @@ void checkBody(const ViewerOptions& options)
     "a thickness");
   require(!options.layer || !options.layer->isStack() || checkStack(options.layer->stack).empty(),
     "a stack of layers");
-  require(isPositive(options.reach) && isNotNegative(options.voxel), "lengths of the body");
+  require(isPositive(options.reach) && isNotNegative(options.voxel) &&
+      isNotNegative(options.solidSpacing),
+    "lengths of the body");
   require(
     options.lengthScale == 1.0 || options.lengthScale == 10.0 || options.lengthScale == 1000.0,
     "a unit of length is mm, cm or m");

@@ -38,6 +38,14 @@ CLI::Validator notNegative(const char* what)
   return within(NumberRange::notNegative(what), "NONNEGATIVE");
 }
 
+std::string readSolid(const std::string& text, double& spacing)
+{
+  spacing = 0.0;
+  return text.empty() ? std::string()
+                      : NumberRange::positive("the size of a tetrahedron in mm, e.g. 2", Kilometre)
+                          .read(text, spacing);
+}
+
 std::string readLayer(const std::string& text, LayerChoice& layer)
 {
   layer = {};

@@ -27,6 +27,8 @@ std::string readLayer(const std::string& text, LayerChoice& layer);
 /// below;
 /// ":slip" after a layer: without friction on the one above, ",slip" at the end: on the rigid base.
 std::string readLayers(const std::string& text, LayerChoice& layer);
+/// --solid: "" (0, chosen) or the size of a tetrahedron.
+std::string readSolid(const std::string& text, double& spacing);
 /// --strain: "small", "auto", "neo-hooke", "ogden:ALPHA", "demiray:B".
 std::string readStrain(const std::string& text, LawTerms& terms);
 /// --length-unit: mm per unit, in CLI11's text.

@@ -30,6 +30,7 @@ Examples:
   palpate liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45
   palpate liver.stl --measured press.csv --tool sphere:1.6   felt with another tool than measured
   palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
+  palpate liver.stl --tool sphere:6.35 --solid               its true shape, by finite elements
   palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
   palpate --layers scan                      the head as skin over fat over bone
   palpate liver.stl --layers 1.5:0.2:0.48,6:0.03:0.49   two layers, outermost first, on a rigid base
@@ -174,9 +175,9 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
   CLI::Option* compare = app.add_flag("--compare", options.compare,
     "two bodies of rubber side by side under the same tools and motion: a strip on rollers, which "
     "bends, and a block on a plate, which only dents; curves and verdict under each");
-  for (const char* option : { "BODY", "--scene", "--scan", "--measured", "--voxel", "--layer",
-         "--layers", "--site", "--slide-to", "--length-unit", "--resolution", "--save", "--export",
-         "--device", "--record", "--trial", "--pictures" })
+  for (const char* option : { "BODY", "--scene", "--scan", "--measured", "--voxel", "--solid",
+         "--layer", "--layers", "--site", "--slide-to", "--length-unit", "--resolution", "--save",
+         "--export", "--device", "--record", "--trial", "--pictures" })
   {
     compare->excludes(app.get_option(option));
   }
@@ -240,10 +241,29 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->check(positive("the side of a voxel in mm, e.g. 2", Kilometre))
     ->excludes("--measured");
   app
+    .add_option_function<std::string>(
+      "--solid",
+      [&options](const std::string& text)
+      {
+        options.solid = true;
+        readSolid(text, options.solidSpacing);
+      },
+      "fill the closed surface with tetrahedra of this size at the surface, mm, larger inside "
+      "(without a number: chosen from body and tools): each point then feels the body's true shape")
+    ->expected(0, 1)
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        double ignored = 0.0;
+        return readSolid(text, ignored);
+      },
+      "MM"))
+    ->excludes("--voxel")
+    ->excludes("--measured");
+  app
     .add_option("--fixed", options.fixedFaces,
       "sides of the bounding box that hold the filled body: x-,x+,y-,y+,z-,z+")
     ->check(CLI::Validator(checkFaces, "SIDES"))
-    ->needs("--voxel")
     ->capture_default_str();
   app
     .add_option("--layer", layer,
@@ -257,6 +277,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       },
       "scan|none|MM"))
     ->excludes("--measured")
+    ->excludes("--solid")
     ->excludes("--voxel");
   app
     .add_option("--layers", layers,
@@ -276,6 +297,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "scan|MM:MPA:NU,..."))
     ->excludes("--layer")
     ->excludes("--measured")
+    ->excludes("--solid")
     ->excludes("--voxel")
     ->excludes("--young")
     ->excludes("--poisson");
@@ -294,6 +316,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       },
       "LAW"))
     ->excludes("--measured")
+    ->excludes("--solid")
     ->default_str("small");
   app
     .add_option("--error-tolerance", options.terms.errorTolerance,
@@ -368,6 +391,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   try
   {
     app.parse(argc, argv);
+    if (app.count("--fixed") > 0 && options.voxel == 0.0 && !options.solid)
+    {
+      throw CLI::RequiresError("--fixed", "--voxel or --solid");
+    }
     if (!alternatives.empty())
     {
       readTrialChoices(alternatives, options.contact, options.trial);

@@ -34,7 +34,9 @@ struct ViewerOptions
   std::vector<std::string> measured; ///< files of curves
   std::string registration;          ///< of their frame with the body's; empty: one frame
   double reach = 20.0;               ///< of a measured site, mm
-  double voxel = 0.0; ///< side of the hexahedra a surface is filled with, mm; 0: it is not
+  double voxel = 0.0;        ///< side of the hexahedra a surface is filled with, mm; 0: it is not
+  bool solid = false;        ///< --solid: filled with graded tetrahedra
+  double solidSpacing = 0.0; ///< of these at the surface, mm; 0: chosen
   std::string fixedFaces = "z-"; ///< sides of the bounding box that hold it then
   double lengthScale = 1.0;
   double resolution = 0.0;
