@@ -74,6 +74,14 @@ PROPERTIES = {                                              # of each proxy: lab
         "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1, "Response Name": "Response",
         "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Least Law That Keeps Forces": 0,
         "Term Tolerance": 0.01, "Layer Thickness (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0},
+    ("filters", "NoduleMaterial"): {
+        "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
+        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Nodules (mm, MPa)": None, "Subdivisions": 8},
+    ("filters", "NoduleDetectability"): {
+        "Input": None, "Length Unit": 0, "Tool": None, "More Tools": None, "Threshold": 0.1, "Press Depth (mm)": 0.0,
+        "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Within Validity": 0,
+        "Store Without": 0, "Response Name": "Response", "Largest Contact Radius (mm)": 0.0,
+        "Source Spacing (mm)": 0.0, "Source Spacing Without (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0},
     ("filters", "ElasticCompliance"): {
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45,
@@ -93,6 +101,10 @@ PROPERTIES = {                                              # of each proxy: lab
 def fetched(proxy, name, point_data=True):
     data = servermanager.Fetch(proxy)
     return vtk_to_numpy((data.GetPointData() if point_data else data).GetArray(name))
+
+
+def fetched_cells(proxy, name):
+    return vtk_to_numpy(servermanager.Fetch(proxy).GetCellData().GetArray(name))
 
 
 def definitions():
@@ -354,6 +366,31 @@ def check_true_shape():
     np.testing.assert_allclose(fetched(shaped, "ResponseForce")[top], 2 * smaller[top], rtol=1e-4)
 
 
+def check_nodules():
+    """A hard ball in a ball is felt above it, not beside it, and most by the tool that is nearer its size."""
+    ball = simple.Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
+    solid = simple.VoxelBody(Input=ball, Spacingmm=1.5)
+    material = simple.NoduleMaterial(Input=solid, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
+    material.NodulesmmMPa = [0, 0, 6, 2.5, 10 * YOUNG]
+    moduli = fetched_cells(material, "YoungsModulus")
+    assert np.isclose(moduli.max(), 10 * YOUNG) and np.isclose(moduli.min(), YOUNG), moduli
+    np.testing.assert_allclose(fetched_cells(material, "YoungsModulusWithout"), YOUNG, rtol=1e-12)
+    felt = simple.NoduleDetectability(Input=material, MaximumDeflectionmm=0.5)
+    felt.Tool.Shape = "Sphere"
+    felt.Tool.Radiusmm = 2
+    felt.MoreTools = ["sphere:6"]
+    change = fetched(felt, "ForceChange")
+    made = felt.GetClientSideObject()
+    assert type(made) is palpate.vtkNoduleDetectability and made.GetNumberOfTools() == 2
+    points = vtk_to_numpy(servermanager.Fetch(felt).GetPoints().GetData())
+    top, side = points[:, 2].argmax(), points[:, 0].argmax()
+    assert (change[top] > 0.1).all() and (abs(change[side]) < 0.05).all(), (change[top], change[side])
+    assert fetched(felt, "StrongestTool")[top] == change[top].argmax()
+    assert fetched(felt, "Felt")[top].all() and not fetched(felt, "Felt")[side].any()
+    felt.Threshold = 0.9
+    assert not fetched(felt, "Felt")[top].any()
+
+
 def check_skin():
     """Wavelet's values grow towards its centre: the skin is a closed surface around it."""
     scan = simple.Wavelet()
@@ -410,6 +447,7 @@ check_tool()
 check_layer()
 check_compliance()
 check_true_shape()
+check_nodules()
 check_skin()
 check_thickness()
 check_trajectory()

@@ -12,19 +12,11 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa, of the ball over that, -
 SIZE, HEIGHT, CELL = 20, 18, 1.0                            # mm, bonded below
 RADIUS, TOP = 3.0, 2.0                                      # mm: the ball, and how deep it begins
-
-
-def share_of_ball(corners):
-    """How much of each cell the ball fills, from 6 x 6 x 6 points in it."""
-    inside = numpy.zeros(len(corners))
-    steps = (numpy.arange(6) + 0.5) * CELL / 6
-    for step in numpy.stack(numpy.meshgrid(steps, steps, steps), -1).reshape(-1, 3):
-        inside += numpy.linalg.norm(corners + step - (0, 0, HEIGHT - TOP - RADIUS), axis=1) < RADIUS
-    return inside / len(steps) ** 3
+TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
 
 
 def block():
-    """Voxels with their moduli: of a cell that the harder ball fills in part the harmonic mean."""
+    """Voxels, the lowest points held."""
     n, m = int(SIZE / CELL), int(HEIGHT / CELL)
     image = vtkImageData()
     image.SetDimensions(n + 1, n + 1, m + 1)
@@ -33,11 +25,6 @@ def block():
     cells = vtkAppendFilter()
     cells.AddInputData(image)
     cells.Update()
-    k, j, i = numpy.indices((m, n, n)).reshape(3, -1)       # the order of an image's cells
-    filled = share_of_ball(numpy.stack([i, j, k], 1) * CELL - (SIZE / 2, SIZE / 2, 0))
-    mixed = numpy_to_vtk(YOUNG / (1 - filled + filled / RATIO), deep=True)
-    mixed.SetName("E")
-    cells.GetOutput().GetCellData().AddArray(mixed)
     held = numpy.zeros((m + 1, n + 1, n + 1), numpy.uint8)
     held[0] = 7
     fixed = numpy_to_vtk(held.ravel(), deep=True)
@@ -46,30 +33,25 @@ def block():
     return cells.GetOutput()
 
 
-def response(body, moduli, tools):
-    felt = palpate.vtkElasticContactResponse()              # solves once for all tools
-    felt.SetInputData(body)
-    felt.SetInputArrayToProcess(0, 0, 0, 1, moduli)         # "" is the constant
-    felt.SetYoungsModulus(YOUNG)
-    felt.SetPoissonRatio(POISSON)
-    felt.SetMaximumDeflection(0.4)
-    felt.SetLargestContactRadius(2.5)
-    felt.AddObserver("WarningEvent", lambda *_: None)       # what is held has no response
-    for name in tools:
-        tool = palpate.vtkContactTool()
-        tool.SetSpecification(name)
-        felt.SetTool(tool)
-        felt.Update()
-        yield felt.GetOutput()
-
-
-TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
-body = block()
-forces = {}
-for moduli in ("", "E"):
-    for name, surface in zip(TOOLS, response(body, moduli, TOOLS)):
-        for x in (0, 3, 6):
-            point = surface.FindPoint((x, 0, HEIGHT))
-            forces[moduli, name, x] = surface.GetPointData().GetArray("ResponseForce").GetTuple(point)[-1]
-for name in TOOLS:
-    print(name, *("%+.0f %% at %d mm" % (100 * (forces["E", name, x] / forces["", name, x] - 1), x) for x in (0, 3, 6)))
+material = palpate.vtkNoduleMaterial()                      # E and Poisson's ratio per cell
+material.SetInputData(block())
+material.SetYoungsModulus(YOUNG)
+material.SetPoissonRatio(POISSON)
+material.AddNodule(0, 0, HEIGHT - TOP - RADIUS, RADIUS, RATIO * YOUNG)
+felt = palpate.vtkNoduleDetectability()                     # with the ball and without, solved once for all tools
+felt.SetInputConnection(material.GetOutputPort())
+first = palpate.vtkContactTool()
+first.SetSpecification(TOOLS[0])
+felt.SetTool(first)
+for tool in TOOLS[1:]:
+    felt.AddMoreTool(tool)
+felt.SetMaximumDeflection(0.4)
+felt.AddObserver("WarningEvent", lambda *_: None)           # what is held has no response
+felt.Update()
+surface = felt.GetOutput()
+change = surface.GetPointData().GetArray("ForceChange")     # of each tool, where that is most
+for number, tool in enumerate(TOOLS):
+    print(tool, *("%+.0f %% at %d mm" % (100 * change.GetComponent(surface.FindPoint((x, 0, HEIGHT)), number), x)
+                  for x in (0, 3, 6)))
+strongest = surface.GetPointData().GetArray("StrongestTool").GetValue(surface.FindPoint((0, 0, HEIGHT)))
+print("feels most of it:", TOOLS[strongest])

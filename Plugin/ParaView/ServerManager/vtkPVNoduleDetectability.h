@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVNoduleDetectability
+ * @brief where nodules are felt, on any volume
+ *
+ * The filter as ParaView's menu offers it: its body may be any volume mesh, as that of
+ * vtkPVElasticCompliance. Settings and results are those of the superclass; all lengths but the
+ * input's coordinates are in mm.
+ */
+#ifndef vtkPVNoduleDetectability_h
+#define vtkPVNoduleDetectability_h
+
+#include "BodyInput.h"                  // For palpate::BodyInput
+#include "VolumeInput.h"                // For its macro
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkNoduleDetectability.h"
+
+class PALPATESERVERMANAGER_EXPORT vtkPVNoduleDetectability : public vtkNoduleDetectability
+{
+public:
+  static vtkPVNoduleDetectability* New();
+  vtkTypeMacro(vtkPVNoduleDetectability, vtkNoduleDetectability);
+
+protected:
+  vtkPVNoduleDetectability() = default;
+  ~vtkPVNoduleDetectability() override = default;
+
+private:
+  vtkPVNoduleDetectability(const vtkPVNoduleDetectability&) = delete;
+  void operator=(const vtkPVNoduleDetectability&) = delete;
+
+  palpateVolumeInputMacro();
+};
+
+#endif
