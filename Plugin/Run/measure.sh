@@ -78,7 +78,7 @@ bench_program()
   fi
 }
 
-readonly studies=(paper calculix measured continuity geometry accuracy-speed stability reduction scale
+readonly studies=(paper calculix measured continuity geometry accuracy-speed stability reduction nodule scale
   error)
 
 # run_study NAME [ARGS]: the arguments go to the study's own run.py.
