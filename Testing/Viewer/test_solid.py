@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--solid: a surface is filled with tetrahedra, and each of its points feels the body's true shape."""
+import re
+import unittest
+
+import bodies
+import numpy
+from session import SessionCase, peak_force
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+RADIUS = 25.0
+BOTTOM = -15.0
+SPACING = 5.0  # a fifth of the radius
+
+
+def dome():
+    """A ball with a flat bottom, to stand on: what a round one stands on depends on the cells."""
+    body = bodies.sphere(RADIUS)
+    places = vtk_to_numpy(body.GetPoints().GetData())
+    places[:, 2] = numpy.maximum(places[:, 2], BOTTOM)
+    return body
+
+
+class Solid(SessionCase):
+    def responses(self, *arguments):
+        saved = self.folder / "saved.vtp"
+        self.result = self.press(dome(), "dome.vtp", "--solid", SPACING, "--save", saved,
+                                 *arguments)
+        if "PALPATE_USE_CGAL" in self.result.stderr:
+            self.skipTest("built without CGAL")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(saved))
+        reader.Update()
+        self.body = reader.GetOutput()
+        return {name: vtk_to_numpy(self.body.GetPointData().GetArray(f"Response{name}"))
+                for name in ("Force", "Stiffness", "Range", "Status", "Normal")}
+
+    def test_the_surface_feels_its_solid(self):
+        found = self.responses()
+        self.assertRegex(self.result.stderr,
+                         r"filled with \d+ tetrahedra of \d+ nodes, 5 mm at the surface, held at z-")
+        places = vtk_to_numpy(self.body.GetPoints().GetData()).astype(float)
+        above = places[:, 2] > BOTTOM + 2.0
+        radial = places[above] / numpy.linalg.norm(places[above], axis=1)[:, None]
+        self.assertGreater((radial * found["Normal"][above]).sum(axis=1).min(), 0.99)
+        held = places[:, 2] < BOTTOM + 0.01
+        self.assertTrue((found["Status"][held] != 0).all())
+        self.assertTrue((found["Force"][held] == 0.0).all())
+        away = places[:, 2] > 0.0
+        self.assertTrue((found["Status"][away] == 0).all())
+        self.assertTrue((found["Range"][away] == 2.0).all())
+        # The ball is one of revolution, its cells are not: 0.3 % of theirs, as much of carrying.
+        deepest = found["Force"][:, -1]
+        for latitude in {round(z, 3) for z in places[away, 2] if z < 24.9}:
+            ring = deepest[numpy.abs(places[:, 2] - latitude) < 2e-3]
+            self.assertEqual(len(ring), 64)
+            self.assertLess(numpy.ptp(ring) / ring.mean(), 0.03)
+        self.assertTrue((numpy.diff(found["Force"][away], axis=1) > 0.0).all())
+        self.assertTrue((found["Stiffness"][away][:, 1:] > 0.0).all())
+
+    def test_it_agrees_with_local_law_and_compliance_in_series(self):
+        """Another method on other elements: a half-space's law, curved, in series with voxels' compliance."""
+        self.responses("--depth", "0.5")
+        series = self.press(dome(), "dome.vtp", "--voxel", "2.5", "--depth", "0.5")
+        # Series takes the compliance of a point for that of the contact: some per cent.
+        self.assertLess(abs(peak_force(self.result) / peak_force(series) - 1.0), 0.06)
+
+    def test_several_tools_share_the_solid(self):
+        found = self.responses("--tool", "sphere:6.35", "--tool", "flat:1.6")
+        second = vtk_to_numpy(self.body.GetPointData().GetArray("Response2Force"))
+        top = found["Normal"][:, 2].argmax()
+        self.assertNotEqual(second[top, 1], found["Force"][top, 1])
+        self.assertRegex(self.result.stderr, r"\d tools in")
+
+    def test_the_size_is_chosen_from_body_and_tool(self):
+        result = self.press(bodies.sphere(6.0), "small.vtp", "--solid", "--tool", "sphere:3", "--depth", "0.2")
+        if "PALPATE_USE_CGAL" not in result.stderr:
+            chosen = float(re.search(r"nodes, (\S+) mm at the surface \(chosen", result.stderr).group(1))
+            self.assertLess(chosen, 6.0 / 3.0)
+
+    def test_what_cannot_be_filled_is_refused(self):
+        half = vtkSphereSource()
+        half.SetRadius(25)
+        half.SetEndTheta(200)
+        half.Update()
+        path = bodies.write(half.GetOutput(), self.folder / "half.vtp")
+        self.refuse(path, "--solid", "2", words=("closed",))
+        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+        self.refuse(path, "--solid", "0.001", words=("SurfaceSpacing", "MiB"))
+        self.refuse(path, "--solid", "5", "--poisson", "0.5", words=("0.499",))
+
+
+if __name__ == "__main__":
+    unittest.main()
