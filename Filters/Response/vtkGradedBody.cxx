@@ -6,6 +6,8 @@
 #include "Response/Bodies/ClosedSurface.h"
 #include "Response/FilterStage.h"
 #include "Response/Mesher/CurvedTetrahedra.h"
+#include "Response/Mesher/SurfaceMesher.h"
+#include "Response/Mesher/SurfaceRepair.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -224,6 +226,17 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
       " are too many");
   }
   palpate::MeshedSurface wanted = convertSurfaceToMesh(closed.surface);
+  std::size_t mended = 0;
+  fault = palpate::mendSurface(wanted, mended);
+  if (!fault.empty())
+  {
+    return "Wrong input: " + fault;
+  }
+  if (mended > 0)
+  {
+    vtkWarningMacro(<< "The surface cut itself at " << mended
+                    << " pairs of triangles; it was mended there before it was filled.");
+  }
   wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), this->SurfaceSpacing);
   wanted.interiorSpacing = inside;
   wanted.growth = this->Growth;

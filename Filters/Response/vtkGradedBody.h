@@ -5,9 +5,10 @@
  * for vtkElasticContactResponse
  *
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm;
- * points at the same place count as one. A surface that is open, inside out, that cuts or touches
- * itself (the first triangles are named), and one of which a part is lost since SurfaceSpacing is
- * too coarse for it, are errors. Parts and cavities may be several.
+ * points at the same place count as one. A surface that is open, inside out, that touches itself or
+ * cuts itself at more than a hundredth of its triangles (the first are named), and one of which a
+ * part is lost since SurfaceSpacing is too coarse for it, are errors; where fewer cross, as in many
+ * scans, it is mended, with a warning. Parts and cavities may be several.
  *
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
  * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one source that includes CGAL: half a minute of compiling, and a licence of its own (GPL).
+// CGAL takes a minute of compiling, and has a licence of its own (GPL).
 #include "Response/Mesher/SurfaceMesher.h"
 
 #ifndef PALPATE_WITH_CGAL
@@ -25,7 +25,6 @@ std::string fillSurface(const MeshedSurface&, double, const WorkObserver&, Tetra
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_mesh_3.h>
@@ -167,13 +166,6 @@ std::string convert(const MeshedSurface& from, Surface& surface)
         " meets others at an edge or a point where the surface touches "
         "itself, or is turned against them");
     }
-  }
-  std::vector<std::pair<Surface::Face_index, Surface::Face_index>> crossing;
-  CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(crossing));
-  if (!crossing.empty())
-  {
-    return joined("the surface cuts itself: triangles ", crossing.front().first.idx(), " and ",
-      crossing.front().second.idx(), " cross, the first of ", crossing.size(), " pairs");
   }
   return {};
 }

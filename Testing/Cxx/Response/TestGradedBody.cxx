@@ -464,6 +464,35 @@ void checkErrors()
   fails(both->GetOutput(), nothing, { "cuts itself", "triangles" });
 }
 
+/// A ball of which one point has slipped across its neighbours, as a scan's may: mended, and of the
+/// ball's volume all the same.
+void checkMended()
+{
+  const Body ball = sphereBody(10.0, 4);
+  double slipped[3];
+  ball->GetPoint(100, slipped);
+  double beside[3];
+  vtkNew<vtkIdList> cells;
+  ball->BuildLinks();
+  ball->GetPointCells(100, cells);
+  ball->GetPoint(ball->GetCell(cells->GetId(0))->GetPointId(0) != 100
+      ? ball->GetCell(cells->GetId(0))->GetPointId(0)
+      : ball->GetCell(cells->GetId(0))->GetPointId(1),
+    beside);
+  for (int k = 0; k < 3; ++k)
+  {
+    slipped[k] += 2.5 * (beside[k] - slipped[k]);
+  }
+  ball->GetPoints()->SetPoint(100, slipped);
+  const auto filter = makeFilter(ball, 2.0);
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.errors().empty());
+  PALPATE_CHECK_TEXT(messages.warnings(), "cut itself", "mended");
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
+  PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact, 0.01 * exact); // facets, the slip
+}
+
 void checkAbort()
 {
   const auto filter = makeFilter(sphereBody(10.0, 5), 0.7);
@@ -489,6 +518,7 @@ int TestGradedBody(int, char* argv[])
   checkHeldSides();
   checkSameBits();
   checkErrors();
+  checkMended();
   checkAbort();
   checkBallContact(argv[1], 2.0, 0.01);
   checkLayerContact();
