@@ -26,7 +26,7 @@ namespace palpate
 namespace
 {
 // A minute or two on two cores: a factor of a hundred thousand unknowns, two thousand solutions.
-constexpr double UsualCells = 30000.0;
+constexpr double UsualCells = 20000.0;
 constexpr double UsualSources = 2000.0;
 /// Of vtkGradedBody: cells on mm² of the surface, in spacings.
 constexpr double CellsPerSquare = 8.7;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ClosedSurface.h"
+#include "Response/Bodies/ClosedSurface.h"
 
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvedTetrahedra.h"
+#include "Response/Mesher/CurvedTetrahedra.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SpacingGrid.h"
+#include "Response/Mesher/SpacingGrid.h"
 
 #include <algorithm>
 #include <cmath>
