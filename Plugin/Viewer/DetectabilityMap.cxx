@@ -29,7 +29,7 @@ namespace palpate
 namespace
 {
 constexpr double FeltFrom = 10.0;  // %, as vtkNoduleDetectability's default
-constexpr double ViewMargin = 5.0; // mm
+constexpr double ViewMargin = 7.0; // mm
 constexpr int MapColors = 256;
 constexpr int BarTextSize = 15;
 constexpr std::size_t MostMaps = 3;
@@ -143,18 +143,19 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   stage.addTitle(title);
 }
 
-/// What is felt over each nodule: a line each.
-std::string describeNodules(const TouchScene& scene)
+/// What is felt over each nodule: a line each; in short, as a picture has room for, or at length.
+std::string describeNodules(const TouchScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();
   vtkDataArray* change = data->GetArray("ForceChange");
   vtkDataArray* depth = data->GetArray("ChangeDepth");
-  std::string text = "Over each nodule, by how much the force changes\n"
-                     "(and how deep it does so most):\n \n"
-                     "radius  top    ";
+  std::string text = inShort
+    ? "By how much each nodule changes the force;\nin brackets: not felt\n \n"
+    : "Over each nodule, by how much the force changes "
+      "(and how deep it does so most):\n";
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
   {
-    text += (i > 0 ? ", " : "") + scene.tools[i];
+    text += (i > 0 ? ", " : "radius, depth of the top: ") + scene.tools[i];
   }
   for (const PhantomNodule& nodule : PhantomNodules)
   {
@@ -166,13 +167,22 @@ std::string describeNodules(const TouchScene& scene)
     for (int tool = 0; tool < change->GetNumberOfComponents(); ++tool)
     {
       const double percent = 100.0 * change->GetComponent(point, tool);
-      std::snprintf(words.data(), words.size(), "%s%+.1f %% (%.2f mm)%s", tool > 0 ? ", " : " ",
-        percent, depth->GetComponent(point, tool),
-        std::abs(percent) >= FeltFrom ? "" : ", not felt");
+      const bool isFelt = std::abs(percent) >= FeltFrom;
+      const char* comma = tool > 0 ? ", " : " ";
+      if (inShort)
+      {
+        std::snprintf(words.data(), words.size(), "%s%s%+.0f %%%s", comma, isFelt ? "" : "(",
+          percent, isFelt ? "" : ")");
+      }
+      else
+      {
+        std::snprintf(words.data(), words.size(), "%s%+.1f %% (%.2f mm)%s", comma, percent,
+          depth->GetComponent(point, tool), isFelt ? "" : ", not felt");
+      }
       text += words.data();
     }
     const double strongest = data->GetArray("StrongestTool")->GetTuple1(point);
-    if (change->GetNumberOfComponents() > 1 && strongest >= 0.0)
+    if (!inShort && change->GetNumberOfComponents() > 1 && strongest >= 0.0)
     {
       text += "; most " + scene.tools[static_cast<std::size_t>(strongest)];
     }
@@ -195,9 +205,9 @@ std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& 
     addChange(stage, changeOf(scene.body, static_cast<int>(i)), colors,
       maps == 1 ? alone[0] : places[i], scene.tools[i]);
   }
-  const std::string words = describeNodules(scene);
-  const std::string all = joined(scene.title, "\npressed up to ", scene.depth,
-    " mm deep\nlined: from ", FeltFrom, " %, the least that a hand tells\n \n", words);
+  const std::string all =
+    joined(scene.title, "\npressed up to ", scene.depth, " mm deep\nlined: from ", FeltFrom,
+      " %, the least that a hand tells\n \n", describeNodules(scene, true));
   stage.addWords(all, maps == 1 ? alone[1] : places[maps]);
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(PhantomField[0] - ViewMargin, PhantomField[2] - ViewMargin, 0.0);
@@ -205,7 +215,7 @@ std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& 
   vtkNew<vtkPolyData> field;
   field->SetPoints(corners);
   stage.lookFrom(field, scene.viewFrom, scene.up);
-  std::printf("%s\n%s\n", scene.title.c_str(), words.c_str());
+  std::printf("%s\n%s\n", scene.title.c_str(), describeNodules(scene, false).c_str());
   return stage.show(options);
 }
 } // namespace palpate

@@ -9,6 +9,9 @@
 
 namespace palpate
 {
+/// To be raised where the body or how it is solved changes, so that no cache has the one before.
+constexpr int PhantomRevision = 1;
+
 /// A hard ball in the phantom, mm; the skin is the plane z = 0.
 struct PhantomNodule
 {
@@ -28,7 +31,7 @@ constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0,
 constexpr double NoduleHardness = 10.0;
 
 /// What is searched, mm: x from, to, y from, to; plain tissue all around the nodules.
-constexpr std::array<double, 4> PhantomField = { -24.0, 27.0, -30.0, 30.0 };
+constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
 
 /**
  * A block of 95 x 104 x 40 mm in a rigid box, bonded to its bottom and sides (`Fixed`), with the

@@ -32,8 +32,9 @@ std::string keyOf(const ViewerOptions& options, const TouchScene& scene)
 {
   std::ostringstream key;
   key.precision(17);
-  key << scene.youngsModulus << '|' << scene.poissonsRatio << '|' << options.maximumDeflection
-      << '|' << options.terms.errorTolerance << '|' << options.depth.value_or(PressedTo);
+  key << PhantomRevision << '|' << scene.youngsModulus << '|' << scene.poissonsRatio << '|'
+      << options.maximumDeflection << '|' << options.terms.errorTolerance << '|'
+      << options.depth.value_or(PressedTo);
   for (const std::string& tool : scene.tools)
   {
     key << '|' << tool;
@@ -73,7 +74,7 @@ vtkSmartPointer<vtkPolyData> readSolved(const std::string& file, const TouchScen
 std::string solvePhantom(const ViewerOptions& options, TouchScene& scene)
 {
   const auto begin = std::chrono::steady_clock::now();
-  std::fprintf(stderr, "palpate: solving the phantom: once, up to a minute\n");
+  std::fprintf(stderr, "palpate: solving the phantom: once, a minute or two\n");
   vtkNew<vtkNoduleDetectability> detectability;
   detectability->SetInputData(makePhantomGrid(scene.youngsModulus, scene.poissonsRatio));
   vtkNew<vtkContactTool> tool;
