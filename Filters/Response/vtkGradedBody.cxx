@@ -46,6 +46,7 @@ constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 /// The facets' chords leave out a hundredth or so; more is a part of the body.
 constexpr double LostVolume = 0.1;
 constexpr double MeshedShare = 0.9; // of the work
+constexpr double RoughStep = 3.0;   // of the deviation, where a surface is too rough for it
 
 /// Of a body of a volume and an area whose spacing grows from s to l inwards.
 double expectedCells(const palpate::ClosedSurface& closed, double s, double l, double growth)
@@ -244,8 +245,17 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
     this->Deviation > 0.0 ? this->Deviation : DeviationRatio * this->SurfaceSpacing;
   wanted.sharpAngle = GradedSharpAngle;
   palpate::TetrahedralMesh mesh;
-  fault = palpate::fillSurface(
-    wanted, this->CellEstimate, palpate::FilterStage{ this, 0.0, MeshedShare }, mesh);
+  do
+  {
+    fault = palpate::fillSurface(
+      wanted, this->CellEstimate, palpate::FilterStage{ this, 0.0, MeshedShare }, mesh);
+    wanted.deviation *= mesh.isTooRough ? RoughStep : 1.0;
+  } while (mesh.isTooRough && wanted.deviation < this->SurfaceSpacing);
+  if (mesh.isTooRough)
+  {
+    return palpate::joined("The surface is rougher than SurfaceSpacing ", this->SurfaceSpacing,
+      " mm can follow: smooth it, or give a larger one");
+  }
   if (!fault.empty() || palpate::isAborted(this))
   {
     return fault.empty() ? fault : "Wrong input: " + fault;

@@ -13,10 +13,11 @@
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
  * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)
  * where it is curved by 1/R. Inside they grow by Growth per distance from the surface, to
- * InteriorSpacing. Edges by which the surface turns more than 45° are kept. Mid-edge nodes of the
- * outside lie on the true surface, or its sharp edges, but where that would spoil a tetrahedron:
- * all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points within half a
- * SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0 elsewhere.
+ * InteriorSpacing. Edges by which the surface turns more than 45° are kept, unless
+ * most of them are shorter than three SurfaceSpacings, as the noise of a scan is. Mid-edge nodes of
+ * the outside lie on the true surface, or its sharp edges, but where that would spoil a
+ * tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points within
+ * half a SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0 elsewhere.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: a build without CGAL (PALPATE_USE_CGAL) refuses in
  * words. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell, of which there
@@ -68,7 +69,8 @@ public:
 
   ///@{
   /** How far facets may lie off the surface, mm, or 0 (default): a twentieth of SurfaceSpacing,
-   * which shortens edges where the surface's radius is below two and a half SurfaceSpacings. */
+   * which shortens edges where the surface's radius is below two and a half SurfaceSpacings; up to
+   * nine times that on a surface whose roughness would take several times the cells. */
   vtkSetMacro(Deviation, double);
   vtkGetMacro(Deviation, double);
   ///@}

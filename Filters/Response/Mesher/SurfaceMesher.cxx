@@ -57,12 +57,18 @@ constexpr double CellRadius = 0.80;  ///< of the ball around a cell, in spacings
 constexpr double FacetAngle = 25.0;  ///< least of a facet, degrees: at most 30 (CGAL)
 constexpr double RadiusEdge = 2.0;   ///< of a cell: its ball over its shortest edge
 constexpr double SliverAngle = 10.0; ///< least between two faces that is sought, degrees
+constexpr double OwnEdge = 3.0;      ///< spacings that an edge of the body goes on for
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
 constexpr double RefinedShare = 0.9; ///< of the work; what is left are the slivers
 
+constexpr double RunAway = 5.0; ///< times what was expected: the deviation asks for it
+
 struct Stopped
+{
+};
+struct TooRough
 {
 };
 
@@ -79,10 +85,14 @@ public:
 
   double at(const Point& place)
   {
-    if (++this->Lookups % LookupsPerReport == 0 && this->Observer)
+    if (++this->Lookups % LookupsPerReport == 0)
     {
       const double done = static_cast<double>(this->Lookups) / this->Expected;
-      if (!this->Observer(RefinedShare * (1.0 - std::exp(-done))))
+      if (done > RunAway)
+      {
+        throw TooRough();
+      }
+      if (this->Observer && !this->Observer(RefinedShare * (1.0 - std::exp(-done))))
       {
         throw Stopped();
       }
@@ -170,6 +180,48 @@ std::string convert(const MeshedSurface& from, Surface& surface)
   return {};
 }
 
+/// Whether the sharp edges of a surface are a body's own: lines that go on for some spacings. A
+/// scan has many short ones, its noise, which are no edges to mesh along.
+bool hasOwnEdges(const Surface& surface, const MeshedSurface& wanted)
+{
+  const double least = std::cos(wanted.sharpAngle * CGAL_PI / 180.0);
+  std::vector<Surface::Vertex_index> root(surface.vertices().begin(), surface.vertices().end());
+  const auto rootOf = [&root](Surface::Vertex_index v)
+  {
+    while (root[v.idx()] != v)
+    {
+      v = root[v.idx()] = root[root[v.idx()].idx()];
+    }
+    return v;
+  };
+  const auto normalOf = [&surface](Surface::Halfedge_index h)
+  {
+    return CGAL::unit_normal(surface.point(surface.source(h)), surface.point(surface.target(h)),
+      surface.point(surface.target(surface.next(h))));
+  };
+  std::vector<std::pair<Surface::Vertex_index, double>> sharp; // one end, length
+  for (const Surface::Edge_index edge : surface.edges())
+  {
+    const Surface::Halfedge_index h = surface.halfedge(edge);
+    if (normalOf(h) * normalOf(surface.opposite(h)) < least)
+    {
+      root[rootOf(surface.source(h)).idx()] = rootOf(surface.target(h));
+      sharp.emplace_back(surface.source(h),
+        std::sqrt(CGAL::squared_distance(
+          surface.point(surface.source(h)), surface.point(surface.target(h)))));
+    }
+  }
+  std::map<Surface::Vertex_index, double> lengths;
+  for (const auto& [end, length] : sharp)
+  {
+    lengths[rootOf(end)] += length;
+  }
+  const double enough = OwnEdge * (wanted.spacing.empty() ? 0.0 : wanted.spacing.front());
+  const auto own = std::count_if(
+    lengths.begin(), lengths.end(), [enough](const auto& line) { return line.second >= enough; });
+  return 2 * static_cast<std::size_t>(own) > lengths.size();
+}
+
 /// Middles of triangles spread over each part of the surface.
 std::vector<Point> spreadSeeds(Surface& surface)
 {
@@ -253,7 +305,10 @@ std::string fillSurface(
   try
   {
     SeededDomain domain(surface, spreadSeeds(surface));
-    domain.detect_features(wanted.sharpAngle);
+    if (hasOwnEdges(surface, wanted))
+    {
+      domain.detect_features(wanted.sharpAngle);
+    }
     SpacingField spacing(wanted, cells, observer);
     const Criteria criteria(Criteria::Edge_criteria(RadiusField{ &spacing, 1.0 }),
       Criteria::Facet_criteria(FacetAngle, RadiusField{ &spacing, FacetRadius }, wanted.deviation),
@@ -270,6 +325,11 @@ std::string fillSurface(
     CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound = SliverAngle);
 #endif
     extract(complex, mesh);
+  }
+  catch (const TooRough&)
+  {
+    mesh = {};
+    mesh.isTooRough = true;
   }
   catch (const Stopped&)
   {

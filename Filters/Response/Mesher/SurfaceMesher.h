@@ -20,6 +20,9 @@ struct TetrahedralMesh
   Eigen::Matrix3Xd nodes;
   std::vector<std::array<std::int32_t, 4>> cells;
   std::vector<std::array<std::int32_t, 2>> sharpEdges; ///< the lower node first, ascending
+  /// Empty, as the surface is so rough that the deviation asks for several times the cells
+  /// expected.
+  bool isTooRough = false;
 };
 
 /// Whether this build has a mesher (CGAL).
