@@ -208,15 +208,24 @@ void RegularGreen::layOut()
     }
   }
   this->Rows.assign(this->Sources.size(), {});
+  // Discs overlap: each point is in a row once, though many of its discs know it.
+  std::vector<std::size_t> takenBy(static_cast<std::size_t>(this->Body.surface().pointTotal()), 0);
   for (std::size_t s = 0; s < this->Sources.size(); ++s)
   {
     std::vector<std::int32_t>& row = this->Rows[s].points;
     for (const std::size_t i : discsOf.at(this->Sources[s]))
     {
-      row.insert(row.end(), known[i].begin(), known[i].end());
+      for (const std::int32_t point : known[i])
+      {
+        std::size_t& taken = takenBy[static_cast<std::size_t>(point)];
+        if (taken != s + 1)
+        {
+          taken = s + 1;
+          row.push_back(point);
+        }
+      }
     }
     std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
     row.shrink_to_fit();
   }
 }
