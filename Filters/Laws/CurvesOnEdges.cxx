@@ -2,7 +2,7 @@
 #include "Laws/CurvesOnEdges.h"
 
 #include "Contact/ResponseContract.h"
-#include "Contact/SampledCurve.h"
+#include "Contact/FloatCurve.h"
 #include "Laws/EdgeDistance.h"
 #include "Mechanics/FiniteElements/NearestAlong.h"
 #include "Mechanics/ReducedModulus.h"
@@ -112,7 +112,7 @@ private:
       const std::int32_t other = around.found[k].point;
       const auto j = static_cast<std::size_t>(other);
       const ResponseValue value = this->Sampling.evaluate(
-        SampledCurve{ this->Spans.force + n * j, this->Spans.stiffness + n * j },
+        FloatCurve{ this->Spans.force + n * j, this->Spans.stiffness + n * j },
         static_cast<double>(this->Spans.range[j]), depth);
       const ElasticMaterial material = this->Body.materialAt(this->Body.surface().node(other));
       const double modulus = reducedModulus(material.youngsModulus, material.poissonRatio);

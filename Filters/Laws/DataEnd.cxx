@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/DataEnd.h"
 
-#include "Contact/SampledCurve.h"
+#include "Contact/FloatCurve.h"
 
 #include <limits>
 
@@ -16,7 +16,7 @@ constexpr int Halvings = 24; // of the interval between two samples: beyond floa
 double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,
   const float* stiffness, const DataEnd& end)
 {
-  const SampledCurve curve{ force, stiffness };
+  const FloatCurve curve{ force, stiffness };
   const double largestForce = end.force * (1.0 + Storage);
   const double largestStiffness = end.stiffness * (1.0 + Storage);
   const auto beyond = [&](double f, double k) { return f > largestForce || k > largestStiffness; };

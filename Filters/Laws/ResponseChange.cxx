@@ -3,7 +3,7 @@
 
 #include "Contact/ResponseContract.h"
 #include "Contact/ResponseSampling.h"
-#include "Contact/SampledCurve.h"
+#include "Contact/FloatCurve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double StorageExponent = 1.0;
 constexpr int BetweenSamples = 8;
 constexpr double NoticeablyMore = 1e-4; // forces are floats
 
-SampledCurve curveOf(const ResponseSpans& spans, std::size_t i)
+FloatCurve curveOf(const ResponseSpans& spans, std::size_t i)
 {
   const auto first = static_cast<std::size_t>(spans.samples) * i;
   return { spans.force + first, spans.stiffness + first };

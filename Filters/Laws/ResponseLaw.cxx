@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/ResponseLaw.h"
 
-#include "Contact/SampledCurve.h"
+#include "Contact/FloatCurve.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SeriesCompliance.h"
 
@@ -292,7 +292,7 @@ double ResponseLaw::storageError(double exponent, const ContactSpot& spot) const
     return Infinity;
   }
   const ResponseSampling sampling(this->Samples, exponent);
-  const SampledCurve curve{ forces.data(), stiffnesses.data() };
+  const FloatCurve curve{ forces.data(), stiffnesses.data() };
   double largest = 0.0;
   for (int i = 2; i <= ErrorProbes; ++i)
   {

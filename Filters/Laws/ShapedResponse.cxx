@@ -2,7 +2,7 @@
 #include "Laws/ShapedResponse.h"
 
 #include "Contact/ResponseSampling.h"
-#include "Contact/SampledCurve.h"
+#include "Contact/FloatCurve.h"
 #include "Laws/CurvesOnEdges.h"
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
@@ -133,7 +133,7 @@ private:
     const auto range = static_cast<double>(this->Spans.range[i]);
     const double root = (static_cast<double>(k) + 0.5) / static_cast<double>(n);
     const double depth = range * root * root;
-    const SampledCurve samples{ this->Spans.force + n * i, this->Spans.stiffness + n * i };
+    const FloatCurve samples{ this->Spans.force + n * i, this->Spans.stiffness + n * i };
     const double stored = this->Sampling.evaluate(samples, range, depth).force;
     return std::abs(stored / curve.evaluate(depth).force - 1.0);
   }

@@ -46,7 +46,7 @@ class Described(unittest.TestCase):
         self.assertEqual(offered("palpate --scr"), ["--screenshot"])
 
     def test_values_are_completed(self):
-        self.assertEqual(sorted(offered("palpate --scene ")), ["cylinder", "head"])
+        self.assertEqual(sorted(offered("palpate --scene ")), ["cylinder", "head", "phantom"])
         self.assertEqual(offered("palpate --tool sph"), ["sphere:"])
         self.assertEqual(sorted(offered("palpate --layer ")), ["none", "scan"])
 

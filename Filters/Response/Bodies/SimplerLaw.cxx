@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/SimplerLaw.h"
 
-#include "Contact/SampledCurve.h"
+#include "Contact/FloatCurve.h"
 #include "Laws/ResponseChange.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
@@ -88,7 +88,7 @@ public:
     const auto n = static_cast<std::size_t>(this->Law.samples);
     const ResponseSampling own(this->Law.samples, this->Law.exponent);
     const ResponseSampling stored(this->Law.samples, StoredExponent);
-    const SampledCurve samples{ this->Law.force + n * i, this->Law.stiffness + n * i };
+    const FloatCurve samples{ this->Law.force + n * i, this->Law.stiffness + n * i };
     for (std::size_t k = 0; k < n; ++k)
     {
       const double depth =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_SampledCurve_h
-#define palpate_SampledCurve_h
+#ifndef palpate_FloatCurve_h
+#define palpate_FloatCurve_h
 
 namespace palpate
 {
 /// The samples of one point's curve as arrays hold them, for ResponseSampling::evaluate(). A view.
-struct SampledCurve
+struct FloatCurve
 {
   const float* forces;      ///< N
   const float* stiffnesses; ///< N/mm
