@@ -4,6 +4,7 @@
 #include "Mechanics/FiniteElements/EnergyError.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SharedWork.h"
+#include "Mechanics/TrueShape/ElementError.h"
 #include "Mechanics/TrueShape/SourceThinning.h"
 #include "Mechanics/TrueShape/SubtractedLoad.h"
 #include "Mechanics/TrueShape/SurfaceDisc.h"
@@ -104,20 +105,30 @@ std::vector<double> complianceErrors(
   {
     return {};
   }
-  std::vector<double> errors;
-  for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
+  // Between the samples as the elements let expect it, by place.
+  const ElementError expected(body);
+  const auto expectedAt = [&](std::int32_t point)
+  { return expected.at(SingularSource(body, point)).error; };
+  for (std::size_t s = 0; s < samples.size(); ++s)
   {
+    atSamples[s] /= expectedAt(samples[s]);
+  }
+  std::vector<double> errors(static_cast<std::size_t>(surface.pointTotal()));
+  const auto carry = [&](std::size_t i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
     double sum = 0.0;
     double weights = 0.0;
     for (std::size_t s = 0; s < samples.size(); ++s)
     {
-      const double square = (surface.position(samples[s]) - surface.position(i)).squaredNorm();
-      const double weight = 1.0 / std::max(square * square, 1e-300);
+      const double square = (surface.position(samples[s]) - surface.position(point)).squaredNorm();
+      const double weight = 1.0 / std::max(square, 1e-300);
       sum += weight * atSamples[s];
       weights += weight;
     }
-    errors.push_back(weights > 0.0 ? sum / weights : NotANumber);
-  }
+    errors[i] = weights > 0.0 ? expectedAt(point) * sum / weights : NotANumber;
+  };
+  shareWork(errors.size(), carry);
   return errors;
 }
 } // namespace palpate

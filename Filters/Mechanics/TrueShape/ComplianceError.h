@@ -9,8 +9,9 @@ namespace palpate
 {
 /**
  * How far the compliances of a body's surface may be off by its elements, mm/N, >= 0, one per
- * surface point. Estimated at some ten points, well apart, and carried to the others by the inverse
- * fourth power of the distance; NaN everywhere if none of them can be pressed.
+ * surface point. Estimated at some ten points, well apart; at the others in the proportion in which
+ * the elements let expect it by their place (ElementError), the proportion carried by the inverse
+ * square of the distance. NaN everywhere if none of those points can be pressed.
  *
  * There 2 |C - C'| + 4 e: C' is found another way on the same elements, with the singular field
  * subtracted (SubtractedLoad), which shows what the patches do; e, the energy that the elements'
