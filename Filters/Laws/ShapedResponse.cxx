@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/ShapedResponse.h"
 
+#include "Contact/ResponseField.h"
 #include "Contact/ResponseSampling.h"
 #include "Contact/FloatCurve.h"
 #include "Laws/CurvesOnEdges.h"
@@ -160,11 +161,12 @@ MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& gr
   }
   fillEdges(green.body(), ResponseSampling(spans.samples, Exponent), spans);
   made.complete = true;
+  ResponseArrays filled;
+  filled.range = spans.range;
+  filled.status = spans.status;
   for (std::size_t i = 0; i < points; ++i)
   {
-    const auto status = static_cast<ResponseStatus>(spans.status[i]);
-    const bool isUsable = status == ResponseStatus::Valid || status == ResponseStatus::Edge;
-    made.without += isUsable && spans.range[i] > 0.0F ? 0 : 1;
+    made.without += filled.isUsable(i) ? 0 : 1;
   }
   return made;
 }

@@ -97,12 +97,7 @@ std::string vtkElasticContactResponse::CheckProperties()
   request.deflection = this->MaximumDeflection;
   request.samples = this->NumberOfSamples;
   request.terms.errorTolerance = this->ErrorTolerance;
-  std::string fault = palpate::checkRequest(request);
-  if (fault.empty())
-  {
-    fault = this->Tool->GetKernel()->checkDepth(this->MaximumDeflection);
-    fault = fault.empty() ? fault : "MaximumDeflection: " + fault;
-  }
+  std::string fault = palpate::checkShapedRequest(request);
   fault = fault.empty() ? palpate::checkLength("LayerThickness", this->LayerThickness) : fault;
   if (fault.empty() && !(this->TermTolerance >= 0.0 && std::isfinite(this->TermTolerance)))
   {

@@ -203,12 +203,7 @@ std::string vtkNoduleDetectability::CheckTools()
     request.deflection = this->MaximumDeflection;
     request.samples = this->NumberOfSamples;
     request.terms.errorTolerance = this->ErrorTolerance;
-    std::string fault = palpate::checkRequest(request);
-    if (fault.empty())
-    {
-      fault = tool->GetKernel()->checkDepth(this->MaximumDeflection);
-      fault = fault.empty() ? fault : "MaximumDeflection: " + fault;
-    }
+    const std::string fault = palpate::checkShapedRequest(request);
     if (!fault.empty())
     {
       return fault;

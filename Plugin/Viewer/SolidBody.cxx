@@ -20,6 +20,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace palpate
 {
@@ -33,8 +34,6 @@ constexpr double CellsPerSquare = 8.7;
 /// No finer than what a tool feels needs, no coarser than what the body's shape does.
 constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
-/// As vtkElasticContactResponse has it: on a layer that gives way sideways.
-constexpr double WiderThanHalfSpaces = 1.42;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
 {
@@ -200,7 +199,7 @@ void carryResponse(vtkPolyData* solid, const std::string& name, vtkPolyData* bod
 std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
-  double radius = 0.0;
+  std::vector<double> radii;
   for (const std::string& text : scene.tools)
   {
     tools.push_back(vtkSmartPointer<vtkContactTool>::New());
@@ -208,9 +207,14 @@ std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene
     {
       return "tool '" + text + "' is not known";
     }
-    radius = std::max(radius, tools.back()->GetKernel()->contactRadius(options.maximumDeflection));
+    radii.push_back(tools.back()->GetKernel()->contactRadius(options.maximumDeflection));
   }
-  const SolidSizes sizes = chooseSizes(scene.body, options.solidSpacing, radius);
+  // The widest first: the others share its solutions.
+  std::vector<std::size_t> order(tools.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&radii](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  const SolidSizes sizes = chooseSizes(scene.body, options.solidSpacing, radii[order.front()]);
   auto begin = std::chrono::steady_clock::now();
   vtkNew<vtkGradedBody> filled;
   filled->SetInputData(scene.body);
@@ -229,12 +233,11 @@ std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene
   pressed->SetPoissonRatio(scene.poissonsRatio);
   pressed->SetMaximumDeflection(options.maximumDeflection);
   pressed->SetErrorTolerance(scene.terms.errorTolerance);
-  pressed->SetLargestContactRadius(WiderThanHalfSpaces * radius);
   pressed->SetSourceSpacing(sizes.sources);
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   body->ShallowCopy(scene.body);
   vtkIdType solutions = 0;
-  for (std::size_t t = 0; t < tools.size(); ++t)
+  for (const std::size_t t : order)
   {
     const std::string name = t == 0 ? "Response" : "Response" + std::to_string(t + 1);
     pressed->SetTool(tools[t]);

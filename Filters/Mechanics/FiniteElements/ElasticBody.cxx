@@ -3,6 +3,7 @@
 
 #include "Mechanics/ReducedModulus.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -104,6 +105,13 @@ std::string ElasticBody::factorise()
     ? std::string()
     : "the stiffness matrix is not positive definite, or does not fit the memory: do parts of the "
       "body hang together at a point or an edge only, so that they can turn?";
+}
+
+bool ElasticBody::isUniform() const
+{
+  const std::vector<ElasticMaterial>& all = this->Input.materials;
+  return std::all_of(all.begin(), all.end(),
+    [&all](const ElasticMaterial& material) { return isAlike(material, all.front()); });
 }
 
 ElasticMaterial ElasticBody::materialAt(std::int32_t node) const

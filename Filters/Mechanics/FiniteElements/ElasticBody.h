@@ -51,6 +51,14 @@ public:
     return this->Stiffness.dof[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis)];
   }
 
+  /// Whether a node is fixed in all directions.
+  bool isHeld(std::int32_t node) const
+  {
+    return this->unknown(node, 0) < 0 && this->unknown(node, 1) < 0 && this->unknown(node, 2) < 0;
+  }
+
+  /// Whether all of it is of one material.
+  bool isUniform() const;
   const ElasticMaterial& material(std::int32_t element) const
   {
     const std::vector<ElasticMaterial>& all = this->Input.materials;

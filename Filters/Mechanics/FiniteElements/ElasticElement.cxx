@@ -310,6 +310,13 @@ Eigen::Matrix<double, 9, 24> modesOfNodes(
   return -modes.llt().solve(all.bottomLeftCorner<9, 24>());
 }
 
+double leastVolume(ElementKind kind, const ElementNodes& nodes)
+{
+  // The Jacobian is 1/8 of a hexahedron's volume, 6 times that of a tetrahedron.
+  const double jacobian = std::max(smallestJacobian(kind, nodes), 0.0);
+  return kind == ElementKind::Hexahedron ? 8.0 * jacobian : jacobian / 6.0;
+}
+
 double smallestJacobian(ElementKind kind, const ElementNodes& nodes)
 {
   double smallest = std::numeric_limits<double>::infinity();

@@ -24,6 +24,12 @@ struct ElasticMaterial
   double poissonRatio = 0.3;
 };
 
+/// Whether there is no border between them.
+inline bool isAlike(const ElasticMaterial& a, const ElasticMaterial& b)
+{
+  return a.youngsModulus == b.youngsModulus && a.poissonRatio == b.poissonRatio;
+}
+
 /// Displacement elements need a compressible material.
 constexpr double LargestPoissonRatio = 0.499;
 
@@ -59,6 +65,9 @@ PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
 /// transpose of this times f. The element must not be inverted.
 PALPATE_EXPORT Eigen::Matrix<double, 9, 24> modesOfNodes(
   const ElementNodes& nodes, const ElasticMaterial& material);
+
+/// A hexahedron's or a tetrahedron's volume by its smallest Jacobian, mm³; 0: inverted.
+PALPATE_EXPORT double leastVolume(ElementKind kind, const ElementNodes& nodes);
 
 /// The smallest Jacobian determinant over the integration points; not positive: inverted.
 PALPATE_EXPORT double smallestJacobian(ElementKind kind, const ElementNodes& nodes);

@@ -18,11 +18,7 @@ MissedEnergy::MissedEnergy(const VolumeMesh& mesh)
     this->Middles.col(static_cast<Eigen::Index>(e)) = elementMiddle(mesh, element);
     if (element.kind != ElementKind::QuadraticTetrahedron)
     {
-      // The Jacobian is 1/8 of a hexahedron's volume, 6 times that of a tetrahedron.
-      const double jacobian =
-        std::max(smallestJacobian(element.kind, elementNodes(mesh, element)), 0.0);
-      const double volume =
-        element.kind == ElementKind::Hexahedron ? 8.0 * jacobian : jacobian / 6.0;
+      const double volume = leastVolume(element.kind, elementNodes(mesh, element));
       this->Weights[e] = volume * std::pow(volume, 2.0 / 3.0);
     }
   }

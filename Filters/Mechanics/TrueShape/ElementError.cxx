@@ -32,8 +32,6 @@ ElementError::ElementError(const ElasticBody& body)
   const bool locks = std::any_of(mesh.elements.begin(), mesh.elements.end(),
     [](const VolumeElement& element) { return element.kind == ElementKind::Tetrahedron; });
   this->Part = locks ? MissedByLinear : Missed;
-  const auto isHeld = [&body](std::int32_t node)
-  { return body.unknown(node, 0) < 0 && body.unknown(node, 1) < 0 && body.unknown(node, 2) < 0; };
   for (const BoundaryFace& boundary : body.topology().boundary())
   {
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(boundary.element)];
@@ -44,7 +42,7 @@ ElementError::ElementError(const ElasticBody& body)
     for (int i = 0; i < face.corners; ++i)
     {
       side.middle += mesh.nodes.col(corner(i)) / face.corners;
-      side.isHeld = side.isHeld && isHeld(corner(i));
+      side.isHeld = side.isHeld && body.isHeld(corner(i));
     }
     for (int i = 0; i < face.corners; ++i)
     {
@@ -56,20 +54,12 @@ ElementError::ElementError(const ElasticBody& body)
     side.spacing = std::sqrt(square) / gainOf(element.kind);
     this->Sides.push_back(side);
   }
-  bool isUniform = true;
-  for (std::int32_t e = 1; e < mesh.elementTotal(); ++e)
-  {
-    isUniform = isUniform && body.material(e).youngsModulus == body.material(0).youngsModulus &&
-      body.material(e).poissonRatio == body.material(0).poissonRatio;
-  }
+  const bool isUniform = body.isUniform();
   for (std::int32_t e = 0; e < mesh.elementTotal() && !isUniform; ++e)
   {
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
-    // The Jacobian is 1/8 of a hexahedron's volume, 6 times that of a tetrahedron.
-    const double jacobian =
-      std::max(smallestJacobian(element.kind, elementNodes(mesh, element)), 0.0);
+    const double volume = leastVolume(element.kind, elementNodes(mesh, element));
     const bool isHexahedron = element.kind == ElementKind::Hexahedron;
-    const double volume = isHexahedron ? 8.0 * jacobian : jacobian / 6.0;
     this->Cells.push_back({ elementMiddle(mesh, element), volume,
       std::cbrt(isHexahedron ? volume : 6.0 * volume) / gainOf(element.kind), body.material(e) });
   }
@@ -107,12 +97,12 @@ ExpectedError ElementError::at(const SingularSource& source) const
   }
   for (const Cell& cell : this->Cells)
   {
-    const double here = cell.material.youngsModulus;
-    const double there = source.material.youngsModulus;
-    if (here == there && cell.material.poissonRatio == source.material.poissonRatio)
+    if (isAlike(cell.material, source.material))
     {
       continue;
     }
+    const double here = cell.material.youngsModulus;
+    const double there = source.material.youngsModulus;
     const Eigen::Vector3d at = place(cell.middle, cell.spacing);
     const double distance = std::max(at.norm(), 0.5 * cell.spacing);
     const double contrast = std::max(std::abs(here - there) / std::max(here, there),

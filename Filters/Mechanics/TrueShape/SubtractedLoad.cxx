@@ -13,16 +13,6 @@ namespace
 {
 /// The singular field is used where z > -LargestOverhang |x|: up to 41° from its singular line.
 constexpr double LargestOverhang = 0.75;
-
-bool isAlike(const ElasticMaterial& a, const ElasticMaterial& b)
-{
-  return a.youngsModulus == b.youngsModulus && a.poissonRatio == b.poissonRatio;
-}
-
-bool isHeld(const ElasticBody& body, std::int32_t node)
-{
-  return body.unknown(node, 0) < 0 && body.unknown(node, 1) < 0 && body.unknown(node, 2) < 0;
-}
 } // namespace
 
 SingularSource::SingularSource(const ElasticBody& body, std::int32_t surfacePoint)
@@ -85,6 +75,7 @@ struct SubtractedLoad::Work
 
 SubtractedLoad::SubtractedLoad(const ElasticBody& body)
   : Body(body)
+  , Uniform(body.isUniform())
 {
   const VolumeMesh& mesh = body.mesh();
   const std::vector<BoundaryFace>& boundary = body.topology().boundary();
@@ -95,7 +86,7 @@ SubtractedLoad::SubtractedLoad(const ElasticBody& body)
     bool held = true;
     for (std::size_t i = 0; i < static_cast<std::size_t>(face.nodes); ++i)
     {
-      held = held && isHeld(body, element.nodes[static_cast<std::size_t>(face.node[i])]);
+      held = held && body.isHeld(element.nodes[static_cast<std::size_t>(face.node[i])]);
     }
     if (!held)
     {
@@ -127,7 +118,6 @@ void SubtractedLoad::couple()
   ElementMatrix k;
   for (std::int32_t e = 0; e < mesh.elementTotal(); ++e)
   {
-    this->Uniform = this->Uniform && isAlike(this->Body.material(e), this->Body.material(0));
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
     const auto node = [&element](int i) { return element.nodes[static_cast<std::size_t>(i / 3)]; };
     const int size = 3 * nodeCount(element.kind);

@@ -60,10 +60,10 @@ private:
   void addFace(std::int32_t element, int face, Work& work) const;
 
   const ElasticBody& Body;
+  bool Uniform;                          ///< one material
   std::vector<std::int32_t> LoadedFaces; ///< of the boundary; the others are held as a whole
   std::vector<std::pair<std::int32_t, int>> Held; ///< node and axis of the columns of Coupling
   Eigen::SparseMatrix<double> Coupling;           ///< unknowns × held directions
-  bool Uniform = true;                            ///< one material
 };
 } // namespace palpate
 

@@ -81,6 +81,14 @@ double neededRadius(vtkContactTool* tool, double deflection)
   return WiderThanHalfSpace * tool->GetKernel()->contactRadius(deflection);
 }
 
+std::string checkShapedRequest(const LawRequest& request)
+{
+  const std::string fault = checkRequest(request);
+  const std::string tooDeep =
+    fault.empty() ? request.tool->GetKernel()->checkDepth(request.deflection) : std::string();
+  return tooDeep.empty() ? fault : "MaximumDeflection: " + tooDeep;
+}
+
 std::string checkLength(const char* property, double length)
 {
   return length >= 0.0 && std::isfinite(length)

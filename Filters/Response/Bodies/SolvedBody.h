@@ -5,6 +5,7 @@
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/TrueShape/RegularGreen.h"
 #include "Response/Bodies/FactorisedBody.h"
+#include "Response/BodyLaws.h"
 #include "Response/Curves/ResponseStorage.h"
 #include "Response/FilterStage.h"
 
@@ -37,6 +38,9 @@ struct SolveCost
 
 /// The radius of contact that a tool needs at a depth (mm) on any body.
 double neededRadius(vtkContactTool* tool, double deflection);
+
+/// What is wrong with the settings of a response of true shape, tool and depth among them, or "".
+std::string checkShapedRequest(const LawRequest& request);
 
 /// What is wrong with a length (mm) that may be 0, by the name of its property, or "".
 std::string checkLength(const char* property, double length);

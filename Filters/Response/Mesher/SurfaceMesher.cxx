@@ -19,14 +19,13 @@ std::string fillSurface(const MeshedSurface&, double, const WorkObserver&, Tetra
 #else
 
 #include "Mechanics/JoinedText.h"
+#include "Response/Mesher/CgalSurface.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 
@@ -41,9 +40,9 @@ namespace palpate
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
+using Kernel = CgalKernel;
+using Point = CgalPoint;
+using Surface = CgalSurface;
 using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, Surface>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
 using Complex =
@@ -155,30 +154,6 @@ public:
 private:
   std::vector<Point> Seeds;
 };
-
-std::string convert(const MeshedSurface& from, Surface& surface)
-{
-  surface.reserve(static_cast<Surface::size_type>(from.points.cols()),
-    static_cast<Surface::size_type>(3 * from.triangles.size() / 2),
-    static_cast<Surface::size_type>(from.triangles.size()));
-  for (Eigen::Index i = 0; i < from.points.cols(); ++i)
-  {
-    surface.add_vertex(Point(from.points(0, i), from.points(1, i), from.points(2, i)));
-  }
-  for (std::size_t t = 0; t < from.triangles.size(); ++t)
-  {
-    std::array<Surface::Vertex_index, 3> ids;
-    std::transform(from.triangles[t].begin(), from.triangles[t].end(), ids.begin(),
-      [](std::int32_t i) { return Surface::Vertex_index(static_cast<Surface::size_type>(i)); });
-    if (surface.add_face(ids[0], ids[1], ids[2]) == Surface::null_face())
-    {
-      return joined("triangle ", t,
-        " meets others at an edge or a point where the surface touches "
-        "itself, or is turned against them");
-    }
-  }
-  return {};
-}
 
 /// Whether the sharp edges of a surface are a body's own: lines that go on for some spacings. A
 /// scan has many short ones, its noise, which are no edges to mesh along.
@@ -297,7 +272,7 @@ std::string fillSurface(
 {
   mesh = {};
   Surface surface;
-  const std::string fault = convert(wanted, surface);
+  const std::string fault = toCgal(wanted, surface);
   if (!fault.empty())
   {
     return fault;

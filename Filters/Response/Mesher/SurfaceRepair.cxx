@@ -14,11 +14,10 @@ std::string mendSurface(MeshedSurface&, std::size_t& mended)
 #else
 
 #include "Mechanics/JoinedText.h"
+#include "Response/Mesher/CgalSurface.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <exception>
@@ -31,47 +30,23 @@ namespace palpate
 namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
-using RepairPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using RepairSurface = CGAL::Surface_mesh<RepairPoint>;
 
 constexpr double MostCrossing = 0.01; ///< of the triangles: beyond, it is no slip of a scanner
 
-std::string toCgal(const MeshedSurface& from, RepairSurface& surface)
-{
-  for (Eigen::Index i = 0; i < from.points.cols(); ++i)
-  {
-    surface.add_vertex(RepairPoint(from.points(0, i), from.points(1, i), from.points(2, i)));
-  }
-  for (std::size_t t = 0; t < from.triangles.size(); ++t)
-  {
-    std::array<RepairSurface::Vertex_index, 3> ids;
-    std::transform(from.triangles[t].begin(), from.triangles[t].end(), ids.begin(),
-      [](std::int32_t i)
-      { return RepairSurface::Vertex_index(static_cast<RepairSurface::size_type>(i)); });
-    if (surface.add_face(ids[0], ids[1], ids[2]) == RepairSurface::null_face())
-    {
-      return joined("triangle ", t,
-        " meets others at an edge or a point where the surface touches "
-        "itself, or is turned against them");
-    }
-  }
-  return {};
-}
-
-void fromCgal(const RepairSurface& surface, MeshedSurface& to)
+void fromCgal(const CgalSurface& surface, MeshedSurface& to)
 {
   to.points.resize(3, static_cast<Eigen::Index>(surface.number_of_vertices()));
-  for (const RepairSurface::Vertex_index v : surface.vertices())
+  for (const CgalSurface::Vertex_index v : surface.vertices())
   {
-    const RepairPoint& at = surface.point(v);
+    const CgalPoint& at = surface.point(v);
     to.points.col(static_cast<Eigen::Index>(v.idx())) << at.x(), at.y(), at.z();
   }
   to.triangles.clear();
-  for (const RepairSurface::Face_index face : surface.faces())
+  for (const CgalSurface::Face_index face : surface.faces())
   {
     std::array<std::int32_t, 3> corners{};
     std::size_t i = 0;
-    for (const RepairSurface::Vertex_index v : surface.vertices_around_face(surface.halfedge(face)))
+    for (const CgalSurface::Vertex_index v : surface.vertices_around_face(surface.halfedge(face)))
     {
       corners[i++ % 3] = static_cast<std::int32_t>(v.idx());
     }
@@ -79,9 +54,9 @@ void fromCgal(const RepairSurface& surface, MeshedSurface& to)
   }
 }
 
-using Crossings = std::vector<std::pair<RepairSurface::Face_index, RepairSurface::Face_index>>;
+using Crossings = std::vector<std::pair<CgalSurface::Face_index, CgalSurface::Face_index>>;
 
-Crossings crossingsOf(const RepairSurface& surface)
+Crossings crossingsOf(const CgalSurface& surface)
 {
   Crossings crossing;
   meshes::self_intersections(surface, std::back_inserter(crossing));
@@ -92,7 +67,7 @@ Crossings crossingsOf(const RepairSurface& surface)
 std::string mendSurface(MeshedSurface& surface, std::size_t& mended)
 {
   mended = 0;
-  RepairSurface mesh;
+  CgalSurface mesh;
   std::string fault = toCgal(surface, mesh);
   if (!fault.empty())
   {
