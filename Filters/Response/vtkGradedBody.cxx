@@ -208,7 +208,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
 {
   palpate::HeldFaces faces{};
   palpate::ClosedSurface closed;
-  std::string fault = palpate::readHeldFaces(this->FixedFaces, faces);
+  std::string fault = palpate::readHeldFaces(this->FixedFaces, 0.5 * this->SurfaceSpacing, faces);
   fault = fault.empty() ? palpate::takeClosedSurface(body, closed) : fault;
   if (!fault.empty())
   {
@@ -280,8 +280,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
     [&](const Eigen::Vector3d& middle, bool isSharp)
     { return isSharp ? onEdge(middle) : onSurface(middle); });
   convertTetrahedra(curved, output);
-  output->GetPointData()->AddArray(
-    palpate::holdFaces(curved.nodes, faces, 0.5 * this->SurfaceSpacing));
+  output->GetPointData()->AddArray(palpate::holdFaces(curved.nodes, faces));
   this->UpdateProgress(1.0);
   return {};
 }

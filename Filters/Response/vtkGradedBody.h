@@ -17,7 +17,8 @@
  * most of them are shorter than three SurfaceSpacings, as the noise of a scan is. Mid-edge nodes of
  * the outside lie on the true surface, or its sharp edges, but where that would spoil a
  * tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points within
- * half a SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0 elsewhere.
+ * half a SurfaceSpacing, or as far as is said, of the output's outermost point on each of the
+ * FixedFaces, 0 elsewhere.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: a build without CGAL (PALPATE_USE_CGAL) refuses in
  * words. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell, of which there

@@ -108,7 +108,7 @@ int vtkVoxelBody::RequestData(
   }
   palpate::HeldFaces faces{};
   palpate::ClosedSurface closed;
-  std::string fault = palpate::readHeldFaces(this->FixedFaces, faces);
+  std::string fault = palpate::readHeldFaces(this->FixedFaces, 0.5 * this->Spacing, faces);
   fault = fault.empty() ? palpate::takeClosedSurface(body, closed) : fault;
   if (!fault.empty())
   {
@@ -254,7 +254,7 @@ int vtkVoxelBody::RequestData(
   }
   output->SetPoints(points);
   output->SetCells(VTK_HEXAHEDRON, cells);
-  output->GetPointData()->AddArray(palpate::holdFaces(mesh.nodes, faces, 0.5 * this->Spacing));
+  output->GetPointData()->AddArray(palpate::holdFaces(mesh.nodes, faces));
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -15,8 +15,8 @@
  * hexahedron it stays a little below. The outside is then as smooth as the surface, while a
  * staircase of voxels has an edge at every step; sharp edges across the grid are chamfered by up to
  * a Spacing. With Conform off the output is the voxels whose corners lie inside. Point array
- * `Fixed` (uint8): 7 for the points within half a Spacing of the output's outermost point on each
- * of the FixedFaces, 0 elsewhere.
+ * `Fixed` (uint8): 7 for the points within half a Spacing, or as far as is said, of the output's
+ * outermost point on each of the FixedFaces, 0 elsewhere.
  *
  * Walls thinner than three Spacings are lost. Cost: about 20 µs per voxel of the bounding box, 40
  * bytes per point of it and 310 per voxel inside; a Spacing for which the machine has not as much
@@ -47,7 +47,8 @@ public:
 
   ///@{
   /** Which sides of the bounding box hold the body: any of "x-", "x+", "y-", "y+", "z-", "z+",
-   * separated by commas or blanks. Default "z-"; empty: none. */
+   * separated by commas or blanks, each with how deep in mm where that is not half a Spacing, as
+   * in "z-:5,x+" (a round bottom stands on little else). Default "z-"; empty: none. */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}

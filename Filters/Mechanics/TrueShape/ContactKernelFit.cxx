@@ -177,6 +177,7 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   this->Status = disc->status;
   this->Modulus = palpate::reducedModulus(material.youngsModulus, material.poissonRatio);
   this->LargestRadius = std::min(green.radius(), disc->limit);
+  this->Limit = disc->limit;
   this->LimitedBy = disc->limit < green.radius() ? disc->limitedBy : PatchStatus::Valid;
   this->Spacing = body.surface().spacing(point);
   this->ElementPart = green.elementError(point);

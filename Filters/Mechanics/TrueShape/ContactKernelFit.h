@@ -43,6 +43,12 @@ public:
   /// The largest contact radius: what was solved for, or up to the edge; and which of them it is.
   double largestRadius() const { return this->LargestRadius; }
   PatchStatus limitedBy() const { return this->LimitedBy; }
+  /// How far the nearest edge, held point or other material is, and the nearest source, mm.
+  double limit() const { return this->Limit; }
+  double nearestSource() const
+  {
+    return this->Points.empty() ? 0.0 : this->Points.front().distance;
+  }
   /// Distance of neighbouring nodes, mm.
   double spacing() const { return this->Spacing; }
   const ExpectedError& elementError() const { return this->ElementPart; }
@@ -63,6 +69,7 @@ private:
   double Modulus = 0.0;
   double LargestRadius = 0.0;
   PatchStatus LimitedBy = PatchStatus::Valid;
+  double Limit = Infinity;
   double Spacing = 0.0;
   ExpectedError ElementPart;
   double Asymmetry = 0.0;

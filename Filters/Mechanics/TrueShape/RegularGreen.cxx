@@ -23,6 +23,13 @@ constexpr std::size_t GreenBlock = 32;
 /// Spacings within which there are sources enough for the smallest fit.
 constexpr double RingOfSources = 2.9;
 
+/// Sources are no closer than this part of the widest contact: a surface full of edges would have
+/// one everywhere.
+constexpr double ClosestSources = 2.0 / 3.0;
+
+/// Sources around a point that is none, whose expected error it takes.
+constexpr std::size_t ErrorSources = 3;
+
 /// Mean curvature at the middle of a disc, 1/mm, > 0 where convex: of the nearest points.
 double meanCurvature(const ElasticBody& body, std::int32_t point)
 {
@@ -184,7 +191,8 @@ void RegularGreen::chooseSources()
     for (const std::int32_t point : this->Sources)
     {
       const SurfaceDisc around = surfaceDisc(this->Body, point, 2.0 * this->Spacing);
-      spacings.push_back(std::min(this->Spacing, 0.5 * around.limit));
+      spacings.push_back(
+        std::min(this->Spacing, std::max(ClosestSources * this->Radius, 0.5 * around.limit)));
     }
     this->Sources = thinnedSources(this->Body.surface(), this->Sources, spacings);
     std::sort(this->Sources.begin(), this->Sources.end());
@@ -228,6 +236,62 @@ void RegularGreen::layOut()
     std::sort(row.begin(), row.end());
     row.shrink_to_fit();
   }
+}
+
+/// Calls visit(place in Points, weight) of the sources that tell what to expect of one of Points:
+/// itself if it is one, or the nearest of its disc.
+template <class Visit>
+void RegularGreen::visitSources(std::size_t i, const Visit& visit) const
+{
+  std::size_t seen = 0;
+  for (const DiscPoint& at : this->Discs[i].points)
+  {
+    const auto place = std::lower_bound(this->Points.begin(), this->Points.end(), at.point);
+    if (!this->isSource(at.point) || place == this->Points.end() || *place != at.point)
+    {
+      continue;
+    }
+    visit(static_cast<std::size_t>(place - this->Points.begin()),
+      1.0 / std::max(at.distance * at.distance, 1e-300));
+    if (at.distance == 0.0 || ++seen == ErrorSources)
+    {
+      return;
+    }
+  }
+}
+
+void RegularGreen::expectErrors()
+{
+  const ElementError elements(this->Body);
+  std::vector<ExpectedError> own(this->Points.size());
+  shareWork(own.size(),
+    [&](std::size_t i)
+    {
+      bool isToldByOthers = false;
+      this->visitSources(i, [&](std::size_t place, double) { isToldByOthers = place != i; });
+      if (!isToldByOthers && this->Discs[i].status == PatchStatus::Valid)
+      {
+        own[i] = elements.at(SingularSource(this->Body, this->Points[i]));
+      }
+    });
+  this->Errors = own;
+  shareWork(own.size(),
+    [&](std::size_t i)
+    {
+      ExpectedError sum{ 0.0, 0.0 };
+      double weights = 0.0;
+      this->visitSources(i,
+        [&](std::size_t place, double weight)
+        {
+          sum.error += weight * own[place].error;
+          sum.direct += weight * own[place].direct;
+          weights += weight;
+        });
+      if (std::isnan(own[i].error) && weights > 0.0)
+      {
+        this->Errors[i] = { sum.error / weights, sum.direct / weights };
+      }
+    });
 }
 
 void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t first, std::size_t last)
@@ -317,12 +381,7 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   }
   this->chooseSources();
   this->layOut();
-  const ElementError errors(this->Body);
-  this->Errors.assign(this->Points.size(), {});
-  shareWork(this->Points.size(),
-    [&](std::size_t i)
-    { this->Errors[i] = errors.at(SingularSource(this->Body, this->Points[i])); });
-
+  this->expectErrors();
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
   // The blocks are the same for any number of threads, and so are the results.

@@ -50,9 +50,9 @@ public:
    * so, or "".
    *
    * `spacing` (mm) > 0: not every surface point is a source, but some that are so far apart, or
-   * half as far as from the next edge where that is less. Contacts at the others take H from those
-   * around: kernels are fits, whose middle need not be a source. Half the distance to what makes H
-   * (a base, an inclusion) is enough.
+   * half as far as from the next edge where that is less, down to two thirds of `radius`. Contacts
+   * at the others take H from those around: kernels are fits, whose middle need not be a source.
+   * Half the distance to what makes H (a base, an inclusion) is enough.
    */
   std::string solve(const std::vector<std::int32_t>& points, double radius,
     const WorkObserver& observer, double spacing = 0.0);
@@ -70,8 +70,8 @@ public:
   double at(std::int32_t x, std::int32_t source) const;
   /// |H(x, X) - H(X, x)|; 0 where not both were solved.
   double asymmetry(std::int32_t x, std::int32_t source) const;
-  /// What the elements let expect of the error of H at one of the points asked for (ElementError),
-  /// mm/N; NaN for any other.
+  /// What the elements let expect of the error of H at one of the points asked for (ElementError;
+  /// at those that are no source as at the nearest ones), mm/N; NaN for any other.
   ExpectedError elementError(std::int32_t point) const;
   /// How many sources were solved.
   std::size_t sources() const { return this->Sources.size(); }
@@ -88,6 +88,9 @@ private:
   double discRadius(std::int32_t point) const;
   void chooseSources();
   void layOut();
+  template <class Visit>
+  void visitSources(std::size_t i, const Visit& visit) const;
+  void expectErrors();
   void solveBlock(const class SubtractedLoad& loads, std::size_t first, std::size_t last);
 
   const ElasticBody& Body;

@@ -39,6 +39,15 @@ double meshError(const ContactKernel& kernel, const ContactKernelFit& fit, doubl
     self * OfFacets * std::min(1.0, turn * turn);
 }
 
+/// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for
+/// more: H varies by its distance, between the source and the point, and under the contact.
+double missedByOne(const ContactKernel& kernel, const ContactKernelFit& fit, double radius)
+{
+  const double under = radius / fit.limit();
+  return std::abs(kernel.coefficients(0, 0)) *
+    std::min(1.0, fit.nearestSource() / fit.limit() + under * under);
+}
+
 std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, int count)
 {
   const double smallest = tool.smallestContactRadius();
@@ -183,6 +192,10 @@ bool ShapedContact::takeSample(
     sample.truncation =
       (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
       1.0;
+  }
+  if (kernel.order == 1 && !begins)
+  {
+    sample.truncation = contact.stiffness * missedByOne(kernel, fit, radius);
   }
   sample.mesh = contact.stiffness * meshError(kernel, fit, radius);
   course.firstStiffness = course.samples.empty() ? contact.stiffness : course.firstStiffness;

@@ -32,21 +32,25 @@ struct SubtractedLoad::Work
     , nodes(from.frame.transpose() * (body.mesh().nodes.colwise() - from.origin))
     , forces(Eigen::Matrix3Xd::Zero(3, this->nodes.cols()))
     , own(body.surface().node(from.point))
+    , under(static_cast<std::size_t>(this->nodes.cols()))
   {
+    for (std::int32_t node = 0; node < body.mesh().nodeTotal(); ++node)
+    {
+      const auto at = this->nodes.col(node);
+      const bool isUnder = node == this->own || at[2] > -LargestOverhang * at.norm();
+      this->under[static_cast<std::size_t>(node)] = isUnder ? 1 : 0;
+      this->overhangs = this->overhangs || !isUnder;
+    }
   }
 
-  bool isUnder(std::int32_t node) const
-  {
-    const Eigen::Vector3d& at = this->nodes.col(node);
-    return node == this->own || at[2] > -LargestOverhang * at.norm();
-  }
+  bool isUnder(std::int32_t node) const { return this->under[static_cast<std::size_t>(node)] != 0; }
   /// Of the elements' kind: how many of its nodes the singular field is used at.
   int nodesUnder(const VolumeElement& element) const
   {
     int count = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(nodeCount(element.kind)); ++i)
     {
-      count += this->isUnder(element.nodes[i]) ? 1 : 0;
+      count += this->under[static_cast<std::size_t>(element.nodes[i])];
     }
     return count;
   }
@@ -68,8 +72,9 @@ struct SubtractedLoad::Work
   BoussinesqField field;
   Eigen::Matrix3Xd nodes;
   Eigen::Matrix3Xd forces;
-  std::int32_t own; ///< the node at X
-  bool overhangs = false;
+  std::int32_t own;                 ///< the node at X
+  std::vector<unsigned char> under; ///< 1: a node where the singular field is used
+  bool overhangs = false;           ///< some are not
   std::vector<FacePoint> points;
 };
 
@@ -259,10 +264,6 @@ void SubtractedLoad::addOverhang(Work& work) const
 Eigen::VectorXd SubtractedLoad::load(const SingularSource& source) const
 {
   Work work(this->Body, source);
-  for (std::int32_t i = 0; i < this->Body.mesh().nodeTotal() && !work.overhangs; ++i)
-  {
-    work.overhangs = !work.isUnder(i);
-  }
   this->addOuterFaces(work);
   if (!this->Uniform)
   {

@@ -10,6 +10,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace palpate
@@ -56,27 +57,38 @@ std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed)
   return {};
 }
 
-std::string readHeldFaces(const std::string& text, HeldFaces& faces)
+std::string readHeldFaces(const std::string& text, double usual, HeldFaces& faces)
 {
   std::string words = text;
   std::replace(words.begin(), words.end(), ',', ' ');
   std::istringstream stream(words);
-  faces.fill(false);
+  faces.fill(0.0);
   std::string word;
   while (stream >> word)
   {
-    const std::size_t axis = word.size() == 2 ? std::string("xyz").find(word[0]) : 3;
-    if (axis > 2 || (word[1] != '-' && word[1] != '+'))
+    const std::string side = word.substr(0, word.find(':'));
+    const std::size_t axis = side.size() == 2 ? std::string("xyz").find(side[0]) : 3;
+    if (axis > 2 || (side[1] != '-' && side[1] != '+'))
     {
-      return "FixedFaces knows x-, x+, y-, y+, z- and z+, but not '" + word + "'";
+      return "FixedFaces knows x-, x+, y-, y+, z- and z+, but not '" + side + "'";
     }
-    faces[2 * axis + (word[1] == '+' ? 1 : 0)] = true;
+    double depth = usual;
+    if (side.size() < word.size())
+    {
+      std::istringstream number(word.substr(side.size() + 1));
+      if (!(number >> depth) || !number.eof() || !(depth > 0.0) || !std::isfinite(depth))
+      {
+        return "FixedFaces: how deep a side holds must be positive (mm), as in 'z-:5', but is '" +
+          word + "'";
+      }
+    }
+    faces[2 * axis + (side[1] == '+' ? 1 : 0)] = depth;
   }
   return {};
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
-  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces, double margin)
+  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces)
 {
   const auto fixed = vtkSmartPointer<vtkUnsignedCharArray>::New();
   fixed->SetName("Fixed");
@@ -89,8 +101,8 @@ vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const auto a = static_cast<Eigen::Index>(axis);
-      held = held || (faces[2 * axis] && nodes(a, i) < lowest[a] + margin) ||
-        (faces[2 * axis + 1] && nodes(a, i) > highest[a] - margin);
+      held = held || nodes(a, i) < lowest[a] + faces[2 * axis] ||
+        nodes(a, i) > highest[a] - faces[2 * axis + 1];
     }
     fixed->SetValue(i, held ? 7 : 0);
   }

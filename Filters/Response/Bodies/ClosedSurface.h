@@ -25,15 +25,17 @@ struct ClosedSurface
 /// Returns what is wrong - no triangles, open, inside out - or "".
 std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed);
 
-/// Sides of a box that hold the body: -x, +x, -y, +y, -z, +z.
-using HeldFaces = std::array<bool, 6>;
+/// Sides of a box that hold the body, -x, +x, -y, +y, -z, +z: how deep each reaches in from the
+/// outermost node, mm; 0: it does not.
+using HeldFaces = std::array<double, 6>;
 
-/// Reads "z-, x+"; returns what is wrong, or "".
-std::string readHeldFaces(const std::string& text, HeldFaces& faces);
+/// Reads "z-, x+:2.5": a side, and how deep it holds where that is not `usual` (mm). Returns what
+/// is wrong, or "".
+std::string readHeldFaces(const std::string& text, double usual, HeldFaces& faces);
 
-/// The array `Fixed`: 7 within a margin of the outermost node on each of the faces, 0 elsewhere.
+/// The array `Fixed`: 7 within the depths of the faces, 0 elsewhere.
 vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
-  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces, double margin);
+  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces);
 } // namespace palpate
 
 #endif

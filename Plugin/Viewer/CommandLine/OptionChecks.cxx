@@ -207,9 +207,16 @@ std::string checkFaces(const std::string& text)
   const std::vector<std::string> known = { "x-", "x+", "y-", "y+", "z-", "z+" };
   for (const std::string& face : CLI::detail::split(text, ','))
   {
-    if (std::find(known.begin(), known.end(), face) == known.end())
+    const std::string side = face.substr(0, face.find(':'));
+    double depth = 1.0;
+    if (side.size() < face.size() &&
+      (!CLI::detail::lexical_cast(face.substr(side.size() + 1), depth) || !(depth > 0.0)))
     {
-      return "'" + face + "' is not one of x-, x+, y-, y+, z-, z+";
+      return "'" + face + "': how deep a side holds must be a positive number of mm, as in z-:5";
+    }
+    if (std::find(known.begin(), known.end(), side) == known.end())
+    {
+      return "'" + side + "' is not one of x-, x+, y-, y+, z-, z+";
     }
   }
   return {};
