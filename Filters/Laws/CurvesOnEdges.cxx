@@ -43,8 +43,9 @@ double turnAt(const BodySurface& surface, std::int32_t point)
 class EdgeFiller
 {
 public:
-  EdgeFiller(const ElasticBody& body, const ResponseSampling& sampling, const ResponseSpans& spans)
-    : Body(body)
+  EdgeFiller(
+    const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans)
+    : Surface(surface)
     , Sampling(sampling)
     , Spans(spans)
   {
@@ -52,16 +53,15 @@ public:
 
   void fill(std::int32_t point) const
   {
-    const BodySurface& surface = this->Body.surface();
     const auto i = static_cast<std::size_t>(point);
     const auto n = static_cast<std::size_t>(this->Spans.samples);
     Around around;
-    around.found = nearestAlong(surface, point, CurvesAround,
-      [this](std::int32_t other) { return this->isValid(static_cast<std::size_t>(other)); });
+    const EdgeSurroundings there = this->Surface.around(
+      point, [this](std::int32_t other) { return this->isValid(static_cast<std::size_t>(other)); });
+    around.found = there.found;
     around.weights = weightsAlong(around.found);
-    const ElasticMaterial material = this->Body.materialAt(surface.node(point));
-    around.poissonRatio = material.poissonRatio;
-    around.sharpness = edgeSharpness(material.poissonRatio, turnAt(surface, point));
+    around.poissonRatio = this->Surface.materialAt(point).poissonRatio;
+    around.sharpness = edgeSharpness(around.poissonRatio, there.turn);
     double range = 0.0;
     for (std::size_t k = 0; k < around.found.size(); ++k)
     {
@@ -114,7 +114,7 @@ private:
       const ResponseValue value = this->Sampling.evaluate(
         FloatCurve{ this->Spans.force + n * j, this->Spans.stiffness + n * j },
         static_cast<double>(this->Spans.range[j]), depth);
-      const ElasticMaterial material = this->Body.materialAt(this->Body.surface().node(other));
+      const ElasticMaterial material = this->Surface.materialAt(other);
       const double modulus = reducedModulus(material.youngsModulus, material.poissonRatio);
       const double radius = std::max(value.stiffness / (2.0 * modulus), 1e-300);
       sum += around.weights[k] * value.force *
@@ -124,18 +124,32 @@ private:
     return sum;
   }
 
-  const ElasticBody& Body;
+  const EdgedSurface& Surface;
   const ResponseSampling& Sampling;
   const ResponseSpans& Spans;
 };
 } // namespace
 
-void fillEdges(
-  const ElasticBody& body, const ResponseSampling& sampling, const ResponseSpans& spans)
+EdgedSurface edgesOf(const ElasticBody& body)
 {
-  const EdgeFiller filler(body, sampling, spans);
+  EdgedSurface made;
+  made.points = static_cast<std::size_t>(body.surface().pointTotal());
+  made.materialAt = [&body](std::int32_t point)
+  { return body.materialAt(body.surface().node(point)); };
+  made.around = [&body](std::int32_t point, const std::function<bool(std::int32_t)>& isValid)
+  {
+    return EdgeSurroundings{ nearestAlong(body.surface(), point, CurvesAround, isValid),
+      turnAt(body.surface(), point) };
+  };
+  return made;
+}
+
+void fillEdges(
+  const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans)
+{
+  const EdgeFiller filler(surface, sampling, spans);
   // Edges take from valid points alone: none needs another.
-  shareWork(static_cast<std::size_t>(body.surface().pointTotal()),
+  shareWork(surface.points,
     [&filler](std::size_t i)
     {
       if (filler.isEdge(i))

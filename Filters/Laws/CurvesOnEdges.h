@@ -5,22 +5,45 @@
 #include "Contact/ResponseSampling.h"
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/FiniteElements/NearestAlong.h"
+
+#include <functional>
+#include <vector>
 
 namespace palpate
 {
+/// Where a point on an edge takes its curve from.
+struct EdgeSurroundings
+{
+  std::vector<AlongSurface> found; ///< points with a curve, and how far they are
+  double turn = 0.0;               ///< by which the surface turns away at the edge, rad
+};
+
+/// A surface whose edges have no curves of their own. Asked from any number of threads.
+struct EdgedSurface
+{
+  std::size_t points = 0;
+  std::function<ElasticMaterial(std::int32_t)> materialAt;
+  /// Of a point, those around it that `isValid`, six or fewer.
+  std::function<EdgeSurroundings(std::int32_t, const std::function<bool(std::int32_t)>& isValid)>
+    around;
+};
+
+/// The outer surface of a body, which must stay: the nearest points along it.
+EdgedSurface edgesOf(const ElasticBody& body);
+
 /**
- * Gives the points of a body's surface whose status is Edge, where a contact has no law, curves
- * from the six nearest valid points along the surface, by 1/distance², so that the force goes on
- * across an edge: each as much softer as the edge makes it there, Φ(0)/Φ(d/a) (edgeFactor), with d
- * its distance and a = K/2E* its contact radius. Their range is the mean of those, their error 1,
- * their validity 0.
+ * Gives the points of a surface whose status is Edge, where a contact has no law, curves from the
+ * valid points around, by 1/distance², so that the force goes on across an edge: each as much
+ * softer as the edge makes it there, Φ(0)/Φ(d/a) (edgeFactor), with d its distance and a = K/2E*
+ * its contact radius. Their range is the mean of those, their error 1, their validity 0.
  *
  * Beside a right-angled edge the curve is that of a tool along the face's normal within some 15 %.
- * Points with no valid one on their part of the surface stay without a curve, their range 0.
- * `sampling` is that of the spans.
+ * Points with no valid one around stay without a curve, their range 0. `sampling` is that of the
+ * spans.
  */
 void fillEdges(
-  const ElasticBody& body, const ResponseSampling& sampling, const ResponseSpans& spans);
+  const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans);
 } // namespace palpate
 
 #endif

@@ -10,11 +10,13 @@
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/TrueShape/ContactKernelFit.h"
 #include "Mechanics/TrueShape/ShapedContact.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace palpate
 {
@@ -26,14 +28,16 @@ constexpr double LeftOfTilt = 0.2;
 constexpr double LeastRange = 1e-3; // of what was asked for: a curve that ends before is none
 constexpr double FromTouch = 1e-3;  // of the first sample's depth
 
+using KernelsAt = std::function<std::unique_ptr<ContactKernels>(std::size_t)>;
+
 /// What one point needs, shared by all.
 class ShapedFiller
 {
 public:
-  ShapedFiller(const AxisymmetricTool& tool, const RegularGreen& green, const ShapedTerms& terms,
+  ShapedFiller(const AxisymmetricTool& tool, const KernelsAt& kernelsAt, const ShapedTerms& terms,
     const ResponseSpans& spans)
     : Contact(tool)
-    , Green(green)
+    , At(kernelsAt)
     , Terms(terms)
     , Spans(spans)
     , Sampling(spans.samples, Exponent)
@@ -59,13 +63,13 @@ public:
     {
       return;
     }
-    const ContactKernelFit fit(this->Green, static_cast<std::int32_t>(i));
-    status = static_cast<unsigned char>(fit.status());
+    const std::unique_ptr<ContactKernels> kernels = this->At(i);
+    status = static_cast<unsigned char>(kernels->site().status);
     if (status != ValidPoint)
     {
       return;
     }
-    const ContactCurve curve = this->Contact.curve(fit);
+    const ContactCurve curve = this->Contact.curve(*kernels);
     // A float below where the curve ends, so that its last sample is on it.
     const double deepest = curve.isEmpty() ? 0.0 : (1.0 - 1e-6) * curve.deepest();
     if (!(deepest > LeastRange * this->Terms.range))
@@ -82,12 +86,12 @@ public:
       force[k] = static_cast<float>(point.force);
       stiffness[k] = static_cast<float>(point.stiffness);
     }
-    this->judge(i, curve, fit.reducedModulus());
+    this->judge(i, curve, kernels->site());
   }
 
 private:
   /// Error and validity of a point whose curve is stored.
-  void judge(std::size_t i, const ContactCurve& curve, double modulus) const
+  void judge(std::size_t i, const ContactCurve& curve, const KernelSite& site) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
     const auto range = static_cast<double>(this->Spans.range[i]);
@@ -96,9 +100,6 @@ private:
       this->Spans.validity[i] = this->Spans.range[i];
       return;
     }
-    const BodySurface& surface = this->Green.body().surface();
-    const double ratio =
-      this->Green.body().materialAt(surface.node(static_cast<std::int32_t>(i))).poissonRatio;
     ResponseLimit limit = ResponseLimit::None;
     TrustedDepth trusted(range, n, this->Terms.errorTolerance);
     for (std::size_t k = n + 1; k-- > 0;)
@@ -109,8 +110,11 @@ private:
       const ContactSample errors = curve.errorsAt(depth);
       const double a = point.contactRadius;
       ErrorParts parts;
-      parts[ResponseLimit::Strain] =
-        smallStrainError(point.force / (Pi * a * a * modulus), ratio, 0.0, 0.0);
+      parts[ResponseLimit::Strain] = smallStrainError(
+        point.force / (Pi * a * a * site.reducedModulus), site.material.poissonRatio, 0.0, 0.0);
+      // The mean of the sag that the force feels is a third of κa².
+      parts[ResponseLimit::Curvature] =
+        site.curvatureError * a * a / 3.0 * point.stiffness / point.force;
       parts[ResponseLimit::Edge] =
         LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = std::abs(errors.mesh) + std::abs(errors.truncation);
@@ -140,33 +144,67 @@ private:
   }
 
   ShapedContact Contact;
-  const RegularGreen& Green;
+  const KernelsAt& At;
   ShapedTerms Terms;
   ResponseSpans Spans;
   ResponseSampling Sampling;
 };
+
+/// All points, but for those on edges; not complete where it was stopped.
+MadeResponse fillAll(const AxisymmetricTool& tool, std::size_t points, const KernelsAt& kernelsAt,
+  const ShapedTerms& terms, const ResponseSpans& spans, const std::function<bool(double)>& goOn)
+{
+  const ShapedFiller filler(tool, kernelsAt, terms, spans);
+  MadeResponse made;
+  made.exponent = Exponent;
+  made.complete = shareWork(
+    points, [&filler](std::size_t i) { filler.fill(i); }, goOn);
+  return made;
+}
+
+std::size_t countWithout(std::size_t points, const ResponseSpans& spans)
+{
+  ResponseArrays filled;
+  filled.range = spans.range;
+  filled.status = spans.status;
+  std::size_t without = 0;
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    without += filled.isUsable(i) ? 0 : 1;
+  }
+  return without;
+}
 } // namespace
 
 MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& green,
   const ShapedTerms& terms, const ResponseSpans& spans, const std::function<bool(double)>& goOn)
 {
   const auto points = static_cast<std::size_t>(green.body().surface().pointTotal());
-  const ShapedFiller filler(tool, green, terms, spans);
-  MadeResponse made;
-  made.exponent = Exponent;
-  if (!shareWork(
-        points, [&filler](std::size_t i) { filler.fill(i); }, goOn))
+  const auto fitAt = [&green](std::size_t i)
+  { return std::make_unique<ContactKernelFit>(green, static_cast<std::int32_t>(i)); };
+  MadeResponse made = fillAll(tool, points, fitAt, terms, spans, goOn);
+  if (made.complete)
   {
-    return made;
+    fillEdges(edgesOf(green.body()), ResponseSampling(spans.samples, Exponent), spans);
+    made.without = countWithout(points, spans);
   }
-  fillEdges(green.body(), ResponseSampling(spans.samples, Exponent), spans);
-  made.complete = true;
-  ResponseArrays filled;
-  filled.range = spans.range;
-  filled.status = spans.status;
-  for (std::size_t i = 0; i < points; ++i)
+  return made;
+}
+
+MadeResponse shapedResponse(const AxisymmetricTool& tool, const LandmarkKernels& landmarks,
+  const LandmarkSurface& surface, const ShapedTerms& terms, const ResponseSpans& spans,
+  const std::function<bool(double)>& goOn)
+{
+  const auto blendAt = [&](std::size_t i)
   {
-    made.without += filled.isUsable(i) ? 0 : 1;
+    const LandmarkSpot spot = surface.spotAt(i);
+    return std::make_unique<BlendedKernels>(landmarks, spot.surface, spot.around);
+  };
+  MadeResponse made = fillAll(tool, surface.edges.points, blendAt, terms, spans, goOn);
+  if (made.complete)
+  {
+    fillEdges(surface.edges, ResponseSampling(spans.samples, Exponent), spans);
+    made.without = countWithout(surface.edges.points, spans);
   }
   return made;
 }

@@ -2,11 +2,14 @@
 #ifndef palpate_ShapedResponse_h
 #define palpate_ShapedResponse_h
 
+#include "Laws/CurvesOnEdges.h"
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/TrueShape/RegularGreen.h"
+#include "Mechanics/TrueShape/LandmarkKernels.h"
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace palpate
 {
@@ -37,6 +40,30 @@ struct ShapedTerms
 PALPATE_EXPORT MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& green,
   const ShapedTerms& terms, const ResponseSpans& spans,
   const std::function<bool(double)>& goOn = {});
+
+/// A point of a surface that is finer than a body's elements, and the landmarks it is felt from,
+/// places in LandmarkKernels::points(), nearest first.
+struct LandmarkSpot
+{
+  SurfaceSpot surface;
+  std::vector<std::size_t> around;
+};
+
+/// A surface on a body whose elements are coarser. Asked from any number of threads.
+struct LandmarkSurface
+{
+  std::function<LandmarkSpot(std::size_t)> spotAt;
+  EdgedSurface edges; ///< and how many points it has
+};
+
+/**
+ * The same at the points of another surface of that body, between landmarks. The shape under the
+ * contact is that surface's own, by its mean curvature, whose error is the part Curvature; what H
+ * does between landmarks is in Elements. Cost: some 0.1 ms a point.
+ */
+PALPATE_EXPORT MadeResponse shapedResponse(const AxisymmetricTool& tool,
+  const LandmarkKernels& landmarks, const LandmarkSurface& surface, const ShapedTerms& terms,
+  const ResponseSpans& spans, const std::function<bool(double)>& goOn = {});
 } // namespace palpate
 
 #endif

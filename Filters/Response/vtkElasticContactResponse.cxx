@@ -35,6 +35,7 @@ vtkStandardNewMacro(vtkElasticContactResponse);
 vtkElasticContactResponse::vtkElasticContactResponse()
   : Kept(std::make_unique<palpate::SolvedBody>())
 {
+  this->SetNumberOfInputPorts(2);
 }
 vtkElasticContactResponse::~vtkElasticContactResponse() = default;
 
@@ -58,10 +59,23 @@ vtkMTimeType vtkElasticContactResponse::GetMTime()
   return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
 }
 
-int vtkElasticContactResponse::FillInputPortInformation(int, vtkInformation* info)
+int vtkElasticContactResponse::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  const bool isSurface = port == 1;
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isSurface ? "vtkPolyData" : "vtkUnstructuredGrid");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), isSurface ? 1 : 0);
   return 1;
+}
+
+void vtkElasticContactResponse::SetSurfaceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkElasticContactResponse::SetSurfaceData(vtkPolyData* surface)
+{
+  this->SetInputData(1, surface);
 }
 
 int vtkElasticContactResponse::RequestData(
@@ -77,10 +91,12 @@ int vtkElasticContactResponse::RequestData(
   }
   const palpate::FilterThreads threads;
   bool isEnded = false;
+  vtkPolyData* finer = vtkPolyData::GetData(inputVector[1]);
   std::string fault = this->CheckProperties();
+  fault = fault.empty() && finer ? this->CheckSurface(finer) : fault;
   fault = fault.empty() ? this->Solve(grid, isEnded) : fault;
-  fault =
-    fault.empty() && !isEnded ? this->Respond(grid, vtkPolyData::GetData(outputVector)) : fault;
+  fault = fault.empty() && !isEnded ? this->Respond(grid, finer, vtkPolyData::GetData(outputVector))
+                                    : fault;
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
@@ -106,6 +122,16 @@ std::string vtkElasticContactResponse::CheckProperties()
   fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
                         : fault;
   return fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
+}
+
+std::string vtkElasticContactResponse::CheckSurface(vtkPolyData* finer) const
+{
+  if (this->AutomaticTerms)
+  {
+    return "AutomaticTerms compares at the points of the solid: not with a Surface";
+  }
+  const std::string fault = palpate::checkTriangles(finer);
+  return fault.empty() ? fault : "Wrong input: Surface: " + fault;
 }
 
 /// Sees to it that what the tool needs is in Kept.
@@ -135,15 +161,21 @@ std::string vtkElasticContactResponse::Solve(vtkUnstructuredGrid* grid, bool& en
   return fault;
 }
 
-std::string vtkElasticContactResponse::Respond(vtkUnstructuredGrid* grid, vtkPolyData* output)
+std::string vtkElasticContactResponse::Respond(
+  vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output)
 {
-  const vtkSmartPointer<vtkPolyData> surface = this->Kept->surface(grid);
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->ShallowCopy(finer ? finer : this->Kept->surface(grid).Get());
   const vtkIdType count = surface->GetNumberOfPoints();
   const bool keepsError = this->StoreError && this->ErrorTolerance > 0.0;
   palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples, keepsError);
   palpate::MadeResponse made;
-  const std::string fault = this->Kept->respond(surface, this->Tool, this->MaximumDeflection,
-    this->ErrorTolerance, palpate::FilterStage{ this, SolvedShare, 1.0 }, storage, made);
+  const palpate::FilterStage stage{ this, SolvedShare, 1.0 };
+  const std::string fault = finer
+    ? this->Kept->respondOn(surface, grid, this->Tool, this->MaximumDeflection,
+        this->ErrorTolerance, stage, storage, made)
+    : this->Kept->respond(
+        surface, this->Tool, this->MaximumDeflection, this->ErrorTolerance, stage, storage, made);
   if (!fault.empty())
   {
     return fault;

@@ -52,6 +52,7 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkAlgorithmOutput;
 class vtkContactTool;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -68,6 +69,16 @@ public:
   static vtkElasticContactResponse* New();
   vtkTypeMacro(vtkElasticContactResponse, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The surface that is to be touched, where that is finer than the solid's own, as a scan is: a
+   * vtkPolyData of triangles, mm, beside the solid's. The output is then that surface with its
+   * arrays: at each of its points H is that of the six solved ones around that face the same way
+   * (a plane through their values), and the gap under the tool is that of its own mean curvature,
+   * whose error is part 2 of `Limit`. Optional; not with AutomaticTerms. */
+  void SetSurfaceConnection(vtkAlgorithmOutput* output);
+  void SetSurfaceData(vtkPolyData* surface);
+  ///@}
 
   ///@{
   /** The tool; required. Its changes count in this filter's modification time. */
@@ -186,7 +197,8 @@ private:
   std::string CheckProperties();
   std::string Solve(vtkUnstructuredGrid* grid, bool& ended);
   std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
-  std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* output);
+  std::string CheckSurface(vtkPolyData* finer) const;
+  std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
   vtkSmartPointer<vtkContactTool> Tool;

@@ -3,7 +3,7 @@
 
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Response/BodyConversion.h"
-#include "FacingPoints.h"
+#include "Response/Bodies/FacingPoints.h"
 #include "Mechanics/FiniteElements/MemoryForecast.h"
 #include "ResponseSet.h"
 

@@ -174,13 +174,14 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   }
   const ElasticBody& body = green.body();
   const ElasticMaterial material = body.materialAt(body.surface().node(point));
-  this->Status = disc->status;
-  this->Modulus = palpate::reducedModulus(material.youngsModulus, material.poissonRatio);
-  this->LargestRadius = std::min(green.radius(), disc->limit);
-  this->Limit = disc->limit;
-  this->LimitedBy = disc->limit < green.radius() ? disc->limitedBy : PatchStatus::Valid;
-  this->Spacing = body.surface().spacing(point);
-  this->ElementPart = green.elementError(point);
+  this->Site.status = disc->status;
+  this->Site.material = material;
+  this->Site.reducedModulus = reducedModulus(material.youngsModulus, material.poissonRatio);
+  this->Site.limit = disc->limit;
+  this->Site.limitedBy = disc->limit < green.radius() ? disc->limitedBy : PatchStatus::Valid;
+  this->Site.largestRadius = std::min(green.radius(), disc->limit);
+  this->Site.spacing = body.surface().spacing(point);
+  this->Site.elements = green.elementError(point);
   for (const DiscPoint& at : disc->points)
   {
     if (green.isSource(at.point))
@@ -193,9 +194,13 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   {
     this->Surface = disc->points;
   }
-  if (this->Points.empty() && this->Status == PatchStatus::Valid)
+  if (!this->Points.empty())
   {
-    this->Status = PatchStatus::Degenerate;
+    this->Site.nearestSource = this->Points.front().distance;
+  }
+  else if (this->Site.status == PatchStatus::Valid)
+  {
+    this->Site.status = PatchStatus::Degenerate;
   }
   const auto count = static_cast<Eigen::Index>(this->Points.size());
   this->Values.resize(count, count);
@@ -222,7 +227,7 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
   ContactKernel kernel;
   kernel.coefficients.setZero();
   kernel.drop.setZero();
-  if (this->Status != PatchStatus::Valid || !(radius > 0.0) || !std::isfinite(radius))
+  if (this->Site.status != PatchStatus::Valid || !(radius > 0.0) || !std::isfinite(radius))
   {
     return kernel;
   }

@@ -29,23 +29,24 @@ constexpr double OfFacets = 0.8;  ///< of H, times the square of the turn from f
 /// What the elements let expect of the error of a contact's compliance, mm/N: by its place
 /// (ElementError), less of a contact wider than they are, as they err most next to the source; of
 /// what bends; and of facets on a curved surface, which is the same everywhere (measured on a
-/// ball). What the moduli of mixed cells do is not in it.
-double meshError(const ContactKernel& kernel, const ContactKernelFit& fit, double radius)
+/// ball); and of what lies between the places where H is known. What the moduli of mixed cells do
+/// is not in it.
+double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
   const double self = std::abs(kernel.coefficients(0, 0));
-  const double turn = 2.0 * kernel.drop[1] / (radius * radius) * fit.spacing();
-  return fit.elementError().error * fit.spacing() / (fit.spacing() + radius) +
-    OfBending * std::max(0.0, self - fit.elementError().direct) +
-    self * OfFacets * std::min(1.0, turn * turn);
+  const double turn = 2.0 * kernel.drop[1] / (radius * radius) * site.spacing;
+  return site.elements.error * site.spacing / (site.spacing + radius) +
+    OfBending * std::max(0.0, self - site.elements.direct) +
+    self * OfFacets * std::min(1.0, turn * turn) + kernel.spread;
 }
 
 /// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for
 /// more: H varies by its distance, between the source and the point, and under the contact.
-double missedByOne(const ContactKernel& kernel, const ContactKernelFit& fit, double radius)
+double missedByOne(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
-  const double under = radius / fit.limit();
+  const double under = radius / site.limit;
   return std::abs(kernel.coefficients(0, 0)) *
-    std::min(1.0, fit.nearestSource() / fit.limit() + under * under);
+    std::min(1.0, site.nearestSource / site.limit + under * under);
 }
 
 std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, int count)
@@ -62,13 +63,13 @@ std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, i
 }
 
 /// What ends a curve that meets nothing else.
-CurveEnd endOf(const ContactKernelFit& fit, bool reachesWall)
+CurveEnd endOf(const KernelSite& site, bool reachesWall)
 {
   if (reachesWall)
   {
     return CurveEnd::None;
   }
-  const PatchStatus by = fit.limitedBy();
+  const PatchStatus by = site.limitedBy;
   return by == PatchStatus::OutOfReach ? CurveEnd::Held
     : by == PatchStatus::Edge          ? CurveEnd::Edge
                                        : CurveEnd::Patch;
@@ -162,10 +163,10 @@ struct ShapedContact::Course
 
 /// Adds the contact of a radius; false when the contact does not grow to it.
 bool ShapedContact::takeSample(
-  double radius, const ContactKernelFit& fit, int largestOrder, Course& course) const
+  double radius, const ContactKernels& kernels, int largestOrder, Course& course) const
 {
-  const double modulus = fit.reducedModulus();
-  const ContactKernel kernel = fit.at(radius, largestOrder);
+  const double modulus = kernels.site().reducedModulus;
+  const ContactKernel kernel = kernels.at(radius, largestOrder);
   const double given = this->isFlat() ? 1.0 : 0.0; // a flat's curve is a straight line
   const Contact contact = this->at(radius, kernel, modulus, given);
   ContactSample sample;
@@ -186,7 +187,7 @@ bool ShapedContact::takeSample(
   }
   if (kernel.order > 1 && !begins)
   {
-    ContactKernel coarser = fit.at(radius, kernel.order - 1);
+    ContactKernel coarser = kernels.at(radius, kernel.order - 1);
     coarser.drop = kernel.drop; // the shape is not what is expanded
     const Contact lower = this->at(radius, coarser, modulus, given);
     sample.truncation =
@@ -195,9 +196,9 @@ bool ShapedContact::takeSample(
   }
   if (kernel.order == 1 && !begins)
   {
-    sample.truncation = contact.stiffness * missedByOne(kernel, fit, radius);
+    sample.truncation = contact.stiffness * missedByOne(kernel, kernels.site(), radius);
   }
-  sample.mesh = contact.stiffness * meshError(kernel, fit, radius);
+  sample.mesh = contact.stiffness * meshError(kernel, kernels.site(), radius);
   course.firstStiffness = course.samples.empty() ? contact.stiffness : course.firstStiffness;
   course.lastStiffness = contact.stiffness;
   course.samples.push_back(sample);
@@ -205,25 +206,25 @@ bool ShapedContact::takeSample(
   return true;
 }
 
-ContactCurve ShapedContact::curve(const ContactKernelFit& fit, int largestOrder) const
+ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrder) const
 {
   const double smallest = this->Tool.smallestContactRadius();
   const double wall = this->Tool.largestContactRadius();
-  CurveEnd end = endOf(fit, wall <= fit.largestRadius());
-  if (fit.status() != PatchStatus::Valid || smallest > fit.largestRadius())
+  CurveEnd end = endOf(kernels.site(), wall <= kernels.site().largestRadius);
+  if (kernels.site().status != PatchStatus::Valid || smallest > kernels.site().largestRadius)
   {
     return ContactCurve({}, 1.0, false, 0.0, end, 0.0);
   }
-  const double largest = std::min(std::nextafter(wall, 0.0), fit.largestRadius());
+  const double largest = std::min(std::nextafter(wall, 0.0), kernels.site().largestRadius);
   const std::vector<double> radii =
     this->isFlat() ? std::vector<double>{ wall } : contactRadii(this->Tool, largest, this->Count);
   Course course;
   for (std::size_t i = 0; i < radii.size() && end != CurveEnd::Unstable; ++i)
   {
-    end = this->takeSample(radii[i], fit, largestOrder, course) ? end : CurveEnd::Unstable;
+    end = this->takeSample(radii[i], kernels, largestOrder, course) ? end : CurveEnd::Unstable;
   }
   std::vector<ContactSample>& samples = course.samples;
-  addTilts(samples, course.tilts, fit.reducedModulus());
+  addTilts(samples, course.tilts, kernels.site().reducedModulus);
   std::size_t rising = std::min<std::size_t>(samples.size(), 1);
   while (rising < samples.size() && samples[rising].deflection > samples[rising - 1].deflection)
   {

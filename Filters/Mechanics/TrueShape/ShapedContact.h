@@ -18,7 +18,7 @@
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/TrueShape/ContactCurve.h"
-#include "Mechanics/TrueShape/ContactKernelFit.h"
+#include "Mechanics/TrueShape/ContactKernels.h"
 
 namespace palpate
 {
@@ -29,10 +29,10 @@ public:
   /// `tool` must outlive it. `samples`: contact radii of a curve.
   explicit ShapedContact(const AxisymmetricTool& tool, int samples = 24);
 
-  /// The curve at a point. Empty where the fit's status is not valid, or the tool begins wider than
-  /// the fit reaches: then end() says why. Safe from any number of threads.
+  /// The curve at a point. Empty where the site is not valid, or the tool begins wider than
+  /// the kernels reach: then end() says why. Safe from any number of threads.
   ContactCurve curve(
-    const ContactKernelFit& fit, int largestOrder = ContactKernel::LargestOrder) const;
+    const ContactKernels& kernels, int largestOrder = ContactKernel::LargestOrder) const;
 
   /// One contact: what a kernel makes of a radius, without the tilt.
   struct Contact
@@ -50,7 +50,7 @@ public:
 private:
   struct Course;
   bool takeSample(
-    double radius, const ContactKernelFit& fit, int largestOrder, Course& course) const;
+    double radius, const ContactKernels& kernels, int largestOrder, Course& course) const;
   bool isFlat() const
   {
     return this->Tool.largestContactRadius() <= this->Tool.smallestContactRadius();

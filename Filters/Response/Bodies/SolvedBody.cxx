@@ -6,6 +6,7 @@
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/FinerSurface.h"
 #include "Response/Bodies/VolumeConversion.h"
 #include "Response/Curves/PointNormals.h"
 #include "vtkContactTool.h"
@@ -23,6 +24,7 @@ namespace palpate
 namespace
 {
 constexpr double FactorisedShare = 0.17;    // of the work, as progress tells it
+constexpr double FittedShare = 0.5;         // of a response on a finer surface
 constexpr double WiderThanHalfSpace = 1.42; // on a layer that gives way sideways √2
 
 /// The points of the surface that are to be pressed: all, or where the grid's point array `Pressed`
@@ -57,8 +59,9 @@ struct SolvedBody::Kept
 {
   ElasticBody Body;
   RegularGreen Green{ Body };
-  double Spacing = 0.0; ///< of sources, mm
-  double Radius = 0.0;  ///< mm; 0: nothing solved yet
+  std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not asked for
+  double Spacing = 0.0;                       ///< of sources, mm
+  double Radius = 0.0;                        ///< mm; 0: nothing solved yet
   vtkSmartPointer<vtkUnstructuredGrid>
     Grid; ///< its arrays, so that none can be freed and made anew
   vtkMTimeType GridTime = 0;
@@ -138,6 +141,7 @@ std::string SolvedBody::solve(
       " MiB: give a smaller MaximumDeflection, a smaller tool or a coarser mesh");
   }
   kept.Radius = 0.0;
+  kept.Landmarks.reset();
   fault = kept.Green.solve(
     points, request.radius, FilterStage{ stage.filter, middle, stage.to }, request.spacing);
   cost.ended = isAborted(stage.filter);
@@ -184,6 +188,36 @@ std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool, doub
   }
   made = shapedResponse(
     *tool->GetKernel(), this->Now->Green, { deflection, errorTolerance }, storage.spans(), stage);
+  return {};
+}
+
+std::string SolvedBody::respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid,
+  vtkContactTool* tool, double deflection, double errorTolerance, const FilterStage& stage,
+  ResponseStorage& storage, MadeResponse& made)
+{
+  const std::string fault = fillPointNormals(finer, storage.Normal, storage.Status);
+  if (!fault.empty())
+  {
+    return "Wrong input: Surface: " + fault;
+  }
+  Kept& kept = *this->Now;
+  const double fitted =
+    kept.Landmarks ? stage.from : stage.from + FittedShare * (stage.to - stage.from);
+  if (!kept.Landmarks)
+  {
+    kept.Landmarks = std::make_unique<LandmarkKernels>(
+      kept.Green, FilterStage{ stage.filter, stage.from, fitted });
+    if (!kept.Landmarks->isComplete())
+    {
+      kept.Landmarks.reset();
+      return {};
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> solid = this->surface(grid);
+  const FinerSurface surface(finer, storage.Normal->GetPointer(0), solid, *kept.Landmarks,
+    tool->GetKernel()->contactRadius(deflection));
+  made = shapedResponse(*tool->GetKernel(), *kept.Landmarks, surface.view(),
+    { deflection, errorTolerance }, storage.spans(), FilterStage{ stage.filter, fitted, stage.to });
   return {};
 }
 } // namespace palpate

@@ -71,6 +71,12 @@ public:
     double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made) const;
 
+  /// The same at the points of another surface of the body, which has passed checkTriangles and may
+  /// be finer (FinerSurface). The landmarks are fitted once for all tools.
+  std::string respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid, vtkContactTool* tool,
+    double deflection, double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
+    MadeResponse& made);
+
 private:
   struct Kept;
   std::unique_ptr<Kept> Now;

@@ -45,7 +45,7 @@ public:
       {
         const Eigen::Vector2d away =
           this->Cells[static_cast<std::size_t>(i)] - this->Cells[static_cast<std::size_t>(j)];
-        this->HalfSpace(i, j) = this->love(away) / (Pi * fit.reducedModulus());
+        this->HalfSpace(i, j) = this->love(away) / (Pi * fit.site().reducedModulus);
       }
     }
     const Eigen::MatrixXd carry = this->interpolation(fit, radius);

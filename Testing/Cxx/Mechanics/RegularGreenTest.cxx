@@ -213,18 +213,18 @@ TEST(RegularGreen, SaysWhatIsWrong)
   EXPECT_NE(green.solve({ at(2, 4, 3) }, 1.0, always, -1.0).find("spacing"), std::string::npos);
 
   ASSERT_EQ(green.solve({ at(2, 4, 3), at(4, 4, 3), at(0, 4, 3) }, 3.0, always), "");
-  EXPECT_EQ(ContactKernelFit(green, at(4, 4, 3)).status(), PatchStatus::Edge);
-  EXPECT_EQ(ContactKernelFit(green, at(0, 4, 3)).status(), PatchStatus::Edge);
+  EXPECT_EQ(ContactKernelFit(green, at(4, 4, 3)).site().status, PatchStatus::Edge);
+  EXPECT_EQ(ContactKernelFit(green, at(0, 4, 3)).site().status, PatchStatus::Edge);
   const ContactKernelFit fit(green, at(2, 4, 3));
-  EXPECT_EQ(fit.status(), PatchStatus::Valid);
-  EXPECT_EQ(fit.limitedBy(), PatchStatus::Edge);
-  EXPECT_NEAR(fit.largestRadius(), 2.0, 1e-9); // the edge and the other material are as near
+  EXPECT_EQ(fit.site().status, PatchStatus::Valid);
+  EXPECT_EQ(fit.site().limitedBy, PatchStatus::Edge);
+  EXPECT_NEAR(fit.site().largestRadius, 2.0, 1e-9); // the edge and the other material are as near
   EXPECT_TRUE(std::isnan(green.at(at(2, 4, 3), at(8, 8, 3))));
   EXPECT_EQ(fit.at(std::numeric_limits<double>::quiet_NaN()).order, 0);
   EXPECT_EQ(fit.at(0.0).order, 0);
   EXPECT_GT(fit.at(100.0).order, 0); // all points there are
   const ContactKernelFit unknown(green, at(8, 8, 3));
-  EXPECT_EQ(unknown.status(), PatchStatus::Degenerate);
+  EXPECT_EQ(unknown.site().status, PatchStatus::Degenerate);
   const auto pressed = palpate::testing::tool("sphere:6.35");
   EXPECT_TRUE(ShapedContact(*pressed).curve(unknown).isEmpty());
 }

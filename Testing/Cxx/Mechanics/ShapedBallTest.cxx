@@ -136,7 +136,7 @@ TEST(ShapedBall, HexahedraOfASixthOfTheRadius)
     for (std::size_t j = 1; j < half.fit->points().size(); ++j)
     {
       const double angle = std::asin(half.fit->points()[j].distance / BallRadius);
-      const double found = CircleNumber * half.fit->reducedModulus() * BallRadius *
+      const double found = CircleNumber * half.fit->site().reducedModulus * BallRadius *
         half.fit->values()(0, static_cast<Eigen::Index>(j));
       EXPECT_NEAR(found, seriesAt(series, angle, column), 0.02) << angle << " " << nu;
     }

@@ -3,6 +3,7 @@
 #define palpate_testing_ShapedBodies_h
 
 #include "ElasticBlocks.h"
+#include "Mechanics/TrueShape/ContactKernelFit.h"
 #include "Mechanics/TrueShape/ShapedContact.h"
 
 #include <gtest/gtest.h>

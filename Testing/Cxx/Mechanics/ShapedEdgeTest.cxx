@@ -74,7 +74,7 @@ TEST(ShapedEdge, IsWhatAllHarmonicsGive)
     const bool flat = pressed->smallestContactRadius() > 0.0;
     const double alone = flat ? depth : pressed->depthAtContactRadius(radius);
     const double cells =
-      dense.force(alone, gap, false) / pressed->force(alone, block.fit->reducedModulus());
+      dense.force(alone, gap, false) / pressed->force(alone, block.fit->site().reducedModulus);
     const double expected = dense.force(depth, gap, true) / cells;
     EXPECT_NEAR(curve.evaluate(depth).force / expected, 1.0, tolerance) << name << " " << depth;
   }
@@ -83,8 +83,8 @@ TEST(ShapedEdge, IsWhatAllHarmonicsGive)
 TEST(ShapedEdge, EndsTheCurve)
 {
   const ShapedBody block = edgeBlock(1.5, 1.6);
-  EXPECT_NEAR(block.fit->largestRadius(), EdgeDistance, 1e-9);
-  EXPECT_EQ(block.fit->limitedBy(), PatchStatus::Edge);
+  EXPECT_NEAR(block.fit->site().largestRadius, EdgeDistance, 1e-9);
+  EXPECT_EQ(block.fit->site().limitedBy, PatchStatus::Edge);
   const auto wide = palpate::testing::tool("flat:3.5");
   const ContactCurve none = ShapedContact(*wide).curve(*block.fit);
   EXPECT_TRUE(none.isEmpty());

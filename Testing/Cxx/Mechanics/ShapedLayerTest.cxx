@@ -56,7 +56,7 @@ Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const 
   const auto compare = [&](const AxisymmetricTool& pressed, const ContactCurve& curve, double depth)
   {
     const IndentationPoint exact =
-      LayerContact(pressed, kernel, Thickness).evaluate(depth, fit.reducedModulus());
+      LayerContact(pressed, kernel, Thickness).evaluate(depth, fit.site().reducedModulus);
     const IndentationPoint found = curve.evaluate(depth);
     EXPECT_FALSE(std::isnan(found.force)) << pressed.specification() << " at " << depth;
     errors.force = std::max(errors.force, std::abs(found.force / exact.force - 1.0));
@@ -166,7 +166,7 @@ TEST(ShapedLayer, ScatteredModuliAreNoBorder)
   const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
   const ShapedBody layer(
     { std::move(mesh), materials, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 7.5);
-  EXPECT_EQ(layer.fit->status(), PatchStatus::Valid);
+  EXPECT_EQ(layer.fit->site().status, PatchStatus::Valid);
   EXPECT_LT(errorsOn(*layer.fit, 0.45, Smooth, 0.74).force, 0.02 + 0.0035);
 }
 
@@ -206,7 +206,7 @@ TEST(ShapedLayer, TellsTheErrorOfItsElements)
     {
       const double depth = exact.depthAtContactRadius(ratio * Thickness);
       const double error = std::abs(
-        curve.evaluate(depth).force / exact.evaluate(depth, layer.fit->reducedModulus()).force -
+        curve.evaluate(depth).force / exact.evaluate(depth, layer.fit->site().reducedModulus).force -
         1.0);
       const double told = curve.errorsAt(depth).mesh;
       EXPECT_GT(told, 0.5 * error) << side << " " << ratio;

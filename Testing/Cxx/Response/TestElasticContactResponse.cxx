@@ -317,6 +317,70 @@ void checkPressed()
   PALPATE_CHECK_TEXT(messages.errors(), "Pressed", "0");
 }
 
+/// A plane of half-millimetre triangles on the layer's top, from landmarks half a thickness apart,
+/// against the elements' own points: where they have one, and between.
+void checkFinerSurface()
+{
+  const Grid grid = block(Side, Height);
+  const ElasticFilter own = press(grid, "sphere:3");
+  own->Update();
+  const Body plane = planeBody(0.5 * Side, 48, Height);
+  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> x{};
+    plane->GetPoint(i, x.data());
+    plane->GetPoints()->SetPoint(i, x[0] + 0.5 * Side, x[1] + 0.5 * Side, x[2]);
+  }
+  const ElasticFilter finer = press(grid, "sphere:3");
+  finer->SetSourceSpacing(0.5 * Height);
+  finer->SetSurfaceData(plane);
+  finer->Update();
+  PALPATE_CHECK(finer->GetOutput()->GetNumberOfPoints() == plane->GetNumberOfPoints());
+  const auto forceAt = [](vtkElasticContactResponse* filter, double x)
+  {
+    return component(filter, "ResponseForce",
+      filter->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height), 7);
+  };
+  // Landmarks as far apart as the edge is from the first of them leave a few per cent there.
+  for (const double x : { 4.0, 6.0, 9.0, 12.0, 17.0 })
+  {
+    PALPATE_CHECK_NEAR(
+      forceAt(finer, x), forceAt(own, x), (x < 5.0 ? 0.04 : 0.01) * forceAt(own, x));
+    PALPATE_CHECK(forceAt(finer, x) < 1.02 * forceAt(finer, x + 0.5));
+  }
+  const auto at = [&](const char* name, double x)
+  {
+    return component(finer, name, finer->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height));
+  };
+  // On the edge itself there is no law; the curve comes from those around, softened.
+  PALPATE_CHECK(at("ResponseStatus", 0.0) == 5.0 && at("ResponseValidity", 0.0) == 0.0);
+  PALPATE_CHECK(forceAt(finer, 0.0) > 0.0 && forceAt(finer, 0.0) < forceAt(finer, 12.0));
+  const double error = component(finer, "ResponseError",
+    finer->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height), 7);
+  PALPATE_CHECK(error > 0.0 && error < 0.2);
+
+  finer->SetTool(makeTool("cone:70")); // no new solution
+  finer->Update();
+  PALPATE_CHECK(finer->GetNumberOfSolutions() == 0);
+  own->SetTool(makeTool("cone:70"));
+  own->Update();
+  PALPATE_CHECK_NEAR(forceAt(finer, 12.0), forceAt(own, 12.0), 0.01 * forceAt(own, 12.0));
+
+  // A surface that faces the other way, or lies elsewhere, is not felt from these.
+  const Body below = planeBody(2.0, 4, -1.0);
+  for (vtkIdType i = 0; i < below->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> x{};
+    below->GetPoint(i, x.data());
+    below->GetPoints()->SetPoint(i, x[0] + 0.5 * Side, 0.5 * Side - x[1], x[2]);
+  }
+  finer->SetSurfaceData(below);
+  Messages messages(finer.Get());
+  finer->Update();
+  PALPATE_CHECK_TEXT(messages.warnings(), "25 of 25 points have no response");
+  PALPATE_CHECK(component(finer, "ResponseStatus", 12) == 4.0);
+}
+
 void checkThreads()
 {
   std::vector<vtkSmartPointer<vtkDataArray>> runs;
@@ -371,6 +435,23 @@ void checkErrors()
     [](auto* f)
     { f->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Stiff"); },
     { "Stiff", "cells" });
+  vtkNew<vtkPolyData> noTriangles;
+  noTriangles->SetPoints(planeBody(2.0, 4)->GetPoints());
+  fails(grid, [&](auto* f) { f->SetSurfaceData(noTriangles); }, { "Surface", "triangles" });
+  const Body plane = planeBody(2.0, 4, 2.0);
+  fails(grid,
+    [&](auto* f)
+    {
+      f->SetSurfaceData(plane);
+      f->AutomaticTermsOn();
+    },
+    { "AutomaticTerms", "Surface" });
+  const Body broken = planeBody(2.0, 4, 2.0);
+  broken->GetPoints()->SetPoint(3, std::nan(""), 0.0, 2.0);
+  const ElasticFilter some = press(grid, "sphere:1.6");
+  some->SetSurfaceData(broken);
+  some->Update();
+  PALPATE_CHECK(component(some, "ResponseStatus", 3) == 2.0); // not finite: that point alone
   const Grid free = block(3, 3);
   free->GetPointData()->RemoveArray("Fixed");
   fails(free, nothing, { "no point array 'Fixed'" });
@@ -415,6 +496,7 @@ int TestElasticContactResponse(int, char*[])
   checkSourceSpacing();
   checkNextTool();
   checkPressed();
+  checkFinerSurface();
   checkThreads();
   checkErrors();
   checkAbort();

@@ -380,6 +380,16 @@ void checkBallContact(const std::string& folder, double spacing, double toleranc
               << table.text(i, "tool") << " a/R " << table.number(i, "a/R") << " error "
               << 100.0 * error << " %" << std::endl;
     PALPATE_CHECK_NEAR(error, 0.0, tolerance);
+    // On a surface of its own: the same H, blended; facets of 3 degrees tell the curvature.
+    const Body ball = halfBall(radius);
+    pressed->SetSurfaceData(ball);
+    pressed->Update();
+    PALPATE_CHECK(messages.errors().empty() && pressed->GetNumberOfSolutions() == 0);
+    const vtkIdType top = ball->vtkDataSet::FindPoint(0.0, 0.0, radius);
+    const double felt =
+      pressed->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(top, 1);
+    std::cout << "  on a surface of its own " << 100.0 * (felt / force - 1.0) << " % more\n";
+    PALPATE_CHECK_NEAR(felt / force, 1.0, 0.01);
   }
 }
 

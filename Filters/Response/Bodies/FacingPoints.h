@@ -4,9 +4,11 @@
 
 #include "Contact/TriangleProjection.h" // For palpate::Vector3
 
+#include "palpateResponseModule.h" // For export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -18,7 +20,7 @@ namespace palpate
 {
 /// Points of a surface from which its arrays are interpolated to places nearby, of those alone that
 /// face the same way: nothing crosses a thin lobe.
-class FacingPoints
+class PALPATERESPONSE_EXPORT FacingPoints
 {
 public:
   /// The points with these ids; the surface consists of triangles.
@@ -27,11 +29,21 @@ public:
   bool isEmpty() const { return this->Ids.empty(); }
 
   /// Ids and weights, which sum to 1: the six nearest whose normals lie within 60° of `normal`, by
-  /// 1/distance²; fewer if there are no more, none if none faces that way.
+  /// 1/distance², the nearest first; fewer if there are no more, none if none faces that way. From
+  /// any number of threads.
   std::vector<std::pair<vtkIdType, double>> around(
     const double place[3], const Vector3& normal) const;
 
+  /// The same of those that are wanted (empty: all), three or more of the 24 nearest of all points,
+  /// else what there is among the 192 nearest: it does not look farther.
+  std::vector<std::pair<vtkIdType, double>> nearBy(const double place[3], const Vector3& normal,
+    const std::function<bool(vtkIdType)>& isWanted = {}) const;
+
 private:
+  using Weights = std::vector<std::pair<vtkIdType, double>>;
+  Weights find(int search, const double place[3], const Vector3& normal,
+    const std::function<bool(vtkIdType)>& isWanted) const;
+
   std::vector<vtkIdType> Ids; ///< on the surface
   std::vector<Vector3> Normals;
   vtkSmartPointer<vtkPolyData> Cloud;
