@@ -14,7 +14,8 @@ namespace palpate
  * by its traction where it is free and by the reaction where it is held, and in each element of
  * another material. Elements of size h at a distance r from the source, over which the field
  * changes, miss of that a part of second order, (h/r)². The parts are summed by their amounts:
- * where an edge softens and a base stiffens as much, H is nothing and its error is not. What
+ * where an edge softens and a base stiffens as much, H is nothing and its error is not. Of the
+ * surface that is smooth around the source they miss less, by its turn over an element. What
  * bending does is not in it. How often it holds: ShapedErrorTest.
  *
  * Made once for a body; at() may be called by any number of threads. Cost: 0.1 µs per outer face

@@ -50,38 +50,6 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
 }
 } // namespace
 
-std::string whyNotPressed(const ElasticBody& body, std::int32_t point)
-{
-  if (point < 0 || point >= body.surface().pointTotal())
-  {
-    return joined(
-      "surface point ", point, " does not exist: there are ", body.surface().pointTotal());
-  }
-  const SurfaceDisc disc = surfaceDisc(body, point, 0.0);
-  switch (disc.status)
-  {
-    case PatchStatus::Valid:
-      return {};
-    case PatchStatus::Degenerate:
-      return joined("surface point ", point, " has no normal");
-    case PatchStatus::OutOfReach:
-      return joined("surface point ", point, " is held: it cannot be pressed");
-    case PatchStatus::Edge:
-      break;
-  }
-  if (!isOfOneMaterial(body, point))
-  {
-    const std::int32_t node = body.surface().node(point);
-    const auto stiffer = [&body](std::int32_t a, std::int32_t b)
-    { return body.material(a).youngsModulus < body.material(b).youngsModulus; };
-    const auto ends = std::minmax_element(
-      body.topology().elementsBegin(node), body.topology().elementsEnd(node), stiffer);
-    return joined("surface point ", point, " lies between materials (cells ", *ends.first, " and ",
-      *ends.second, "): there is no modulus at it");
-  }
-  return joined("surface point ", point, " lies on an edge: the surface turns by more than 30°");
-}
-
 const SurfaceDisc* RegularGreen::disc(std::int32_t point) const
 {
   const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
@@ -187,13 +155,14 @@ void RegularGreen::chooseSources()
   this->Sources.erase(std::unique(this->Sources.begin(), this->Sources.end()), this->Sources.end());
   if (this->Spacing > 0.0)
   {
-    std::vector<double> spacings;
-    for (const std::int32_t point : this->Sources)
-    {
-      const SurfaceDisc around = surfaceDisc(this->Body, point, 2.0 * this->Spacing);
-      spacings.push_back(
-        std::min(this->Spacing, std::max(ClosestSources * this->Radius, 0.5 * around.limit)));
-    }
+    std::vector<double> spacings(this->Sources.size());
+    shareWork(spacings.size(),
+      [&](std::size_t i)
+      {
+        const SurfaceDisc around = surfaceDisc(this->Body, this->Sources[i], 2.0 * this->Spacing);
+        spacings[i] =
+          std::min(this->Spacing, std::max(ClosestSources * this->Radius, 0.5 * around.limit));
+      });
     this->Sources = thinnedSources(this->Body.surface(), this->Sources, spacings);
     std::sort(this->Sources.begin(), this->Sources.end());
   }
@@ -362,18 +331,22 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   this->Points = points;
   std::sort(this->Points.begin(), this->Points.end());
   this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
-  this->Discs.clear();
-  bool any = false;
   for (const std::int32_t point : this->Points)
   {
     if (point < 0 || point >= this->Body.surface().pointTotal())
     {
       return whyNotPressed(this->Body, point);
     }
-    this->Discs.push_back(surfaceDisc(this->Body, point, this->discRadius(point)));
-    any = any || this->Discs.back().status == PatchStatus::Valid;
   }
-  if (!any)
+  this->Discs.assign(this->Points.size(), {});
+  shareWork(this->Points.size(),
+    [this](std::size_t i)
+    {
+      this->Discs[i] = surfaceDisc(this->Body, this->Points[i], this->discRadius(this->Points[i]));
+      this->Discs[i].points.shrink_to_fit();
+    });
+  if (std::none_of(this->Discs.begin(), this->Discs.end(),
+        [](const SurfaceDisc& disc) { return disc.status == PatchStatus::Valid; }))
   {
     return this->Points.empty()
       ? "there is no point to press"

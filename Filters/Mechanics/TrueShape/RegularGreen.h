@@ -102,9 +102,6 @@ private:
   std::vector<std::int32_t> Sources; ///< ascending
   std::vector<Row> Rows;             ///< beside Sources
 };
-
-/// Why a point cannot be pressed, in words; "" if it can.
-PALPATE_EXPORT std::string whyNotPressed(const ElasticBody& body, std::int32_t point);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,7 @@
 #include "Mechanics/TrueShape/SurfaceDisc.h"
 
 #include "Mechanics/FiniteElements/PatchLoad.h"
+#include "Mechanics/JoinedText.h"
 #include "Mechanics/TrueShape/SmoothSurface.h"
 
 #include <algorithm>
@@ -205,5 +206,37 @@ SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radi
   }
   DiscWalk(body, point, radius).run(disc);
   return disc;
+}
+
+std::string whyNotPressed(const ElasticBody& body, std::int32_t point)
+{
+  if (point < 0 || point >= body.surface().pointTotal())
+  {
+    return joined(
+      "surface point ", point, " does not exist: there are ", body.surface().pointTotal());
+  }
+  const SurfaceDisc disc = surfaceDisc(body, point, 0.0);
+  switch (disc.status)
+  {
+    case PatchStatus::Valid:
+      return {};
+    case PatchStatus::Degenerate:
+      return joined("surface point ", point, " has no normal");
+    case PatchStatus::OutOfReach:
+      return joined("surface point ", point, " is held: it cannot be pressed");
+    case PatchStatus::Edge:
+      break;
+  }
+  if (!isOfOneMaterial(body, point))
+  {
+    const std::int32_t node = body.surface().node(point);
+    const auto stiffer = [&body](std::int32_t a, std::int32_t b)
+    { return body.material(a).youngsModulus < body.material(b).youngsModulus; };
+    const auto ends = std::minmax_element(
+      body.topology().elementsBegin(node), body.topology().elementsEnd(node), stiffer);
+    return joined("surface point ", point, " lies between materials (cells ", *ends.first, " and ",
+      *ends.second, "): there is no modulus at it");
+  }
+  return joined("surface point ", point, " lies on an edge: the surface turns by more than 30°");
 }
 } // namespace palpate

@@ -5,6 +5,9 @@
 #include "Mechanics/FiniteElements/ElasticBody.h"
 #include "Mechanics/FiniteElements/PatchCompliance.h"
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <string>
 
 namespace palpate
 {
@@ -40,6 +43,9 @@ PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t poi
 
 /// Whether the elements at a surface point are of one material, as nearly as a disc asks for.
 PALPATE_EXPORT bool isOfOneMaterial(const ElasticBody& body, std::int32_t point);
+
+/// Why a point cannot be pressed, in words; "" if it can.
+PALPATE_EXPORT std::string whyNotPressed(const ElasticBody& body, std::int32_t point);
 } // namespace palpate
 
 #endif

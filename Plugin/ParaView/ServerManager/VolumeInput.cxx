@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -35,9 +36,41 @@ std::vector<vtkDataObject*> leavesOf(vtkDataObject* data)
   }
   return leaves;
 }
+
+/// Puts the points of a body, which is a copy, into mm.
+void scalePoints(vtkPointSet* body, int unit)
+{
+  const double millimetres[] = { 1.0, 10.0, 1000.0 };
+  const double scale = millimetres[unit];
+  if (scale == 1.0 || body->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(body->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(body->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    body->GetPoint(i, p);
+    points->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+  }
+  body->SetPoints(points);
+}
+
+vtkSmartPointer<vtkInformationVector> withData(vtkInformation* given, vtkDataObject* data)
+{
+  vtkNew<vtkInformation> replaced;
+  replaced->Copy(given);
+  replaced->Set(vtkDataObject::DATA_OBJECT(), data);
+  auto inputs = vtkSmartPointer<vtkInformationVector>::New();
+  inputs->Append(replaced);
+  return inputs;
+}
 } // namespace
 
-vtkInformationVector** VolumeInput::replace(vtkInformationVector** inputs, std::string& fault)
+vtkInformationVector** VolumeInput::replace(
+  vtkInformationVector** inputs, int ports, std::string& fault)
 {
   vtkInformation* given = inputs[0]->GetInformationObject(0);
   vtkDataObject* data = given->Get(vtkDataObject::DATA_OBJECT());
@@ -49,12 +82,17 @@ vtkInformationVector** VolumeInput::replace(vtkInformationVector** inputs, std::
     this->Kept = nullptr;
     return nullptr;
   }
-  vtkNew<vtkInformation> replaced;
-  replaced->Copy(given);
-  replaced->Set(vtkDataObject::DATA_OBJECT(), this->Kept);
-  this->First = vtkSmartPointer<vtkInformationVector>::New();
-  this->First->Append(replaced);
+  this->First = withData(given, this->Kept);
   this->Inputs[0] = this->First;
+  this->Inputs[1] = ports > 1 ? inputs[1] : nullptr;
+  if (auto* surface = ports > 1 ? vtkPolyData::GetData(inputs[1]) : nullptr)
+  {
+    vtkNew<vtkPolyData> scaled;
+    scaled->ShallowCopy(surface);
+    scalePoints(scaled, this->LengthUnit);
+    this->Second = withData(inputs[1]->GetInformationObject(0), scaled);
+    this->Inputs[1] = this->Second;
+  }
   return this->Inputs;
 }
 
@@ -81,21 +119,7 @@ std::string VolumeInput::makeMesh(vtkDataObject* data)
     all->Update();
     mesh->ShallowCopy(all->GetOutput());
   }
-  const double millimetres[] = { 1.0, 10.0, 1000.0 };
-  const double scale = millimetres[this->LengthUnit];
-  if (scale != 1.0 && mesh->GetNumberOfPoints() > 0)
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataType(mesh->GetPoints()->GetDataType());
-    points->SetNumberOfPoints(mesh->GetNumberOfPoints());
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      mesh->GetPoint(i, p);
-      points->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
-    }
-    mesh->SetPoints(points);
-  }
+  scalePoints(mesh, this->LengthUnit);
   this->Kept = mesh;
   this->KeptFrom = data->GetMTime();
   this->KeptUnit = this->LengthUnit;

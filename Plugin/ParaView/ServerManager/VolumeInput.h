@@ -25,10 +25,11 @@ public:
   /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
   int LengthUnit = 0;
 
-  /// The input of one port with its data as one mesh in mm, in blocks or partitions too, which are
-  /// joined where their points coincide exactly; null after an error, then `fault` says what is
-  /// wrong. The same mesh again for the same data and unit.
-  vtkInformationVector** replace(vtkInformationVector** inputs, std::string& fault);
+  /// The inputs of `ports` ports, the first one's data as one mesh in mm, in blocks or partitions
+  /// too, which are joined where their points coincide exactly, a surface on the second in mm; null
+  /// after an error, then `fault` says what is wrong. The same mesh again for the same data and
+  /// unit.
+  vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:
   std::string makeMesh(vtkDataObject* data);
@@ -38,7 +39,8 @@ private:
   vtkMTimeType KeptFrom = 0;
   int KeptUnit = 0;
   vtkSmartPointer<vtkInformationVector> First;
-  vtkInformationVector* Inputs[1] = { nullptr };
+  vtkSmartPointer<vtkInformationVector> Second;
+  vtkInformationVector* Inputs[2] = { nullptr, nullptr };
 };
 } // namespace palpate
 
@@ -61,8 +63,12 @@ public:                                                                         
   }                                                                                                \
                                                                                                    \
 protected:                                                                                         \
-  int FillInputPortInformation(int, vtkInformation* info) override                                 \
+  int FillInputPortInformation(int port, vtkInformation* info) override                            \
   {                                                                                                \
+    if (port > 0)                                                                                  \
+    {                                                                                              \
+      return this->Superclass::FillInputPortInformation(port, info);                               \
+    }                                                                                              \
     palpate::BodyInput::admit(info);                                                               \
     return 1;                                                                                      \
   }                                                                                                \
@@ -70,7 +76,8 @@ protected:                                                                      
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override  \
   {                                                                                                \
     std::string fault;                                                                             \
-    vtkInformationVector** replaced = this->Volume.replace(input, fault);                          \
+    vtkInformationVector** replaced =                                                              \
+      this->Volume.replace(input, this->GetNumberOfInputPorts(), fault);                           \
     if (!replaced)                                                                                 \
     {                                                                                              \
       vtkErrorMacro(<< fault << ".");                                                              \

@@ -4,6 +4,7 @@
 // to. What a finer mesh does not change (small strain) is not in it.
 #include "ShapedBodies.h"
 
+#include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/TrueShape/InclusionMixing.h"
 #include "TestTools.h"
 
@@ -164,6 +165,20 @@ ElasticBodyInput quadraticTetrahedra(int finer)
     { { 0.1, 0.45 } });
 }
 
+/// Hills and hollows of 8 mm from top to top, curved by up to 0.15/mm, on one element in eight.
+ElasticBodyInput underHills(int finer)
+{
+  VolumeMesh mesh = block(16, 16, 8, finer);
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    const double wave = 2.0 * Pi / 8.0;
+    const double hill =
+      0.125 * (std::sin(wave * mesh.nodes(0, i)) + std::sin(wave * mesh.nodes(1, i)));
+    mesh.nodes(2, i) += hill * mesh.nodes(2, i) / 8.0;
+  }
+  return heldBelow(std::move(mesh), { { 0.1, 0.45 } });
+}
+
 /// A ball of 2 mm, 2 mm below the top, ten times as stiff.
 ElasticBodyInput overANodule(int finer)
 {
@@ -192,9 +207,10 @@ ElasticBodyInput overANodule(int finer)
 TEST(ShapedError, HoldsAtRandom)
 {
   Compared all;
-  for (const auto& [bodyOf, radius] : { std::pair(&blockWithEdges, 2.5),
-         std::pair(&barThatBends, 1.8), std::pair(&thinPlate, 2.5), std::pair(&overAStiffBase, 2.5),
-         std::pair(&quadraticTetrahedra, 2.5), std::pair(&overANodule, 2.5) })
+  for (const auto& [bodyOf, radius] :
+    { std::pair(&blockWithEdges, 2.5), std::pair(&barThatBends, 1.8), std::pair(&thinPlate, 2.5),
+      std::pair(&overAStiffBase, 2.5), std::pair(&quadraticTetrahedra, 2.5),
+      std::pair(&overANodule, 2.5), std::pair(&underHills, 2.5) })
   {
     const Compared compared = compare(bodyOf, radius);
     all.all += compared.all;
