@@ -69,7 +69,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1,
         "Response Name": "Response"},
     ("filters", "ElasticContactResponse"): {
-        "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
+        "Input": None, "Surface": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
         "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1, "Response Name": "Response",
         "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Least Law That Keeps Forces": 0,
@@ -77,6 +77,9 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "NoduleMaterial"): {
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Nodules (mm, MPa)": None, "Subdivisions": 8},
+    ("filters", "ScannedMaterial"): {
+        "Input": None, "Image": None, "Image Array": "", "Length Unit": 0, "Materials (value, MPa)": None, "Labels": 1,
+        "Young's Modulus (MPa)": 0.1, "Poisson's Ratio": 0.45, "Subdivisions": 4},
     ("filters", "NoduleDetectability"): {
         "Input": None, "Length Unit": 0, "Tool": None, "More Tools": None, "Threshold": 0.1, "Press Depth (mm)": 0.0,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Within Validity": 0,
@@ -367,6 +370,13 @@ def check_true_shape():
     assert smaller[top, -1] < force[top, -1] and made.GetNumberOfSolutions() == 0
     shaped.YoungsModulusMPa = 2 * YOUNG
     np.testing.assert_allclose(fetched(shaped, "ResponseForce")[top], 2 * smaller[top], rtol=1e-4)
+    # On a surface of its own, in the body's unit: the ball that was filled, which is smooth where voxels are not.
+    shaped.Surface = ball
+    felt = fetched(shaped, "ResponseForce")
+    points = vtk_to_numpy(servermanager.Fetch(shaped).GetPoints().GetData())
+    assert len(points) == servermanager.Fetch(ball).GetNumberOfPoints() and shaped.GetClientSideObject().GetNumberOfSolutions() == 0
+    above = points[:, 2].argmax()
+    assert 0.7 < felt[above, -1] / (2 * smaller[top, -1]) < 1.4, (felt[above], 2 * smaller[top])
 
 
 def check_nodules():
@@ -392,6 +402,22 @@ def check_nodules():
     assert fetched(felt, "Felt")[top].all() and not fetched(felt, "Felt")[side].any()
     felt.Threshold = 0.9
     assert not fetched(felt, "Felt")[top].any()
+
+
+def check_scanned():
+    """Wavelet as a scan of stiffness: E of each cell between the map's, larger in the middle, the same in any unit."""
+    ball = simple.Sphere(Radius=8, ThetaResolution=40, PhiResolution=40)
+    solid = simple.VoxelBody(Input=ball, Spacingmm=2)
+    scanned = simple.ScannedMaterial(Input=solid, Image=simple.Wavelet(), ImageArray=["POINTS", "RTData"], Labels=0)
+    scanned.MaterialsvalueMPa = [100, YOUNG, 0.45, 250, 10 * YOUNG, 0.48]
+    moduli = fetched_cells(scanned, "YoungsModulus")
+    grid = servermanager.Fetch(scanned)
+    middles = np.array([grid.GetCell(i).GetBounds() for i in range(grid.GetNumberOfCells())]).reshape(-1, 3, 2).mean(axis=2)
+    away = np.linalg.norm(middles, axis=1)
+    assert YOUNG <= moduli.min() < 5 * YOUNG < moduli.max() <= 10 * YOUNG, moduli
+    assert moduli[away < 3].mean() > 1.5 * moduli[away > 7].mean()
+    ratios = fetched_cells(scanned, "PoissonRatio")
+    assert 0.45 <= ratios.min() and ratios.max() <= 0.48
 
 
 def check_skin():
@@ -451,6 +477,7 @@ check_layer()
 check_compliance()
 check_true_shape()
 check_nodules()
+check_scanned()
 check_skin()
 check_thickness()
 check_trajectory()

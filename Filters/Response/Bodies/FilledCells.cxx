@@ -2,43 +2,15 @@
 #include "Response/Bodies/FilledCells.h"
 
 #include "vtkCell.h"
-#include "vtkCellType.h"
-#include "vtkHexahedron.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-bool isTetrahedron(vtkCell* cell)
-{
-  return cell->GetCellType() == VTK_TETRA || cell->GetCellType() == VTK_QUADRATIC_TETRA;
-}
-
-/// The volume that a hexahedron has per volume of its own coordinates.
-double volumeAt(vtkCell* cell, const std::array<double, 3>& at)
-{
-  std::array<double, 24> slopes{};
-  vtkHexahedron::InterpolationDerivs(at.data(), slopes.data());
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 8; ++i)
-  {
-    Eigen::Vector3d corner;
-    cell->GetPoints()->GetPoint(i, corner.data());
-    for (int k = 0; k < 3; ++k)
-    {
-      jacobian.col(k) += slopes[static_cast<std::size_t>(8 * k + i)] * corner;
-    }
-  }
-  return std::abs(jacobian.determinant());
-}
-
 bool isWithin(const BodyBall& ball, const std::array<double, 3>& x)
 {
   double square = 0.0;
@@ -52,7 +24,7 @@ bool isWithin(const BodyBall& ball, const std::array<double, 3>& x)
 
 FilledCells::FilledCells(std::vector<BodyBall> balls, int subdivisions)
   : Balls(std::move(balls))
-  , Subdivisions(subdivisions)
+  , Places(subdivisions)
 {
 }
 
@@ -109,31 +81,18 @@ const std::vector<double>* FilledCells::fractions(vtkUnstructuredGrid* grid, vtk
 
 void FilledCells::count(vtkCell* cell)
 {
-  const bool halves = isTetrahedron(cell);
-  const bool isHexahedron = cell->GetCellType() == VTK_HEXAHEDRON;
-  const int n = this->Subdivisions;
-  this->Weights.resize(static_cast<std::size_t>(cell->GetNumberOfPoints()));
   double all = 0.0;
-  for (int place = 0; place < n * n * n; ++place)
-  {
-    const std::array<double, 3> at = { (place % n + 0.5) / n, (place / n % n + 0.5) / n,
-      (place / (n * n) + 0.5) / n };
-    if (halves && at[0] + at[1] + at[2] > 1.0 + 1e-9)
+  this->Places.visit(cell,
+    [&](const std::array<double, 3>& x, double volume)
     {
-      continue;
-    }
-    std::array<double, 3> x{};
-    int part = 0;
-    cell->EvaluateLocation(part, at.data(), x.data(), this->Weights.data());
-    const double volume = isHexahedron ? volumeAt(cell, at) : 1.0;
-    all += volume;
-    const auto holder = std::find_if(this->Near.rbegin(), this->Near.rend(),
-      [&](std::size_t i) { return isWithin(this->Balls[i], x); });
-    if (holder != this->Near.rend())
-    {
-      this->Fractions[*holder] += volume;
-    }
-  }
+      all += volume;
+      const auto holder = std::find_if(this->Near.rbegin(), this->Near.rend(),
+        [&](std::size_t i) { return isWithin(this->Balls[i], x); });
+      if (holder != this->Near.rend())
+      {
+        this->Fractions[*holder] += volume;
+      }
+    });
   for (double& fraction : this->Fractions)
   {
     fraction /= all > 0.0 ? all : 1.0;

@@ -2,6 +2,8 @@
 #ifndef FilledCells_h
 #define FilledCells_h
 
+#include "Response/Bodies/CellPlaces.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -20,11 +22,8 @@ struct BodyBall
   double radius = 0.0;
 };
 
-/**
- * How much of a cell's volume each of several balls fills: counted on n³ places in the cell, each
- * with the volume around it. Hexahedra and voxels as they are, tetrahedra, also quadratic ones,
- * with straight sides. A place in several balls is the last one's.
- */
+/// How much of a cell's volume each of several balls fills: counted on n³ places in the cell
+/// (CellPlaces). A place in several balls is the last one's.
 class FilledCells
 {
 public:
@@ -40,10 +39,9 @@ private:
   void count(vtkCell* cell);
 
   std::vector<BodyBall> Balls;
-  int Subdivisions;
+  CellPlaces Places;
   std::vector<std::size_t> Near;
   std::vector<double> Fractions;
-  std::vector<double> Weights; ///< of a cell's points
 };
 } // namespace palpate
 

@@ -23,6 +23,7 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
         const std::vector<std::int32_t>& all = landmarks.points();
         return std::binary_search(all.begin(), all.end(), static_cast<std::int32_t>(id));
       })
+  , AllOfSolid(solid, [](vtkIdType) { return true; })
   , OnSurface(surface, [](vtkIdType) { return true; })
   , Around(this->Points.size() / 3)
   , Turns(this->Around.size(), 0.0F)
@@ -68,9 +69,18 @@ void FinerSurface::findTurns(vtkPolyData* surface)
   }
 }
 
+/// None where the solid is held.
 std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
 {
   std::vector<std::size_t> found;
+  const auto solid = this->AllOfSolid.nearBy(this->Points.data() + 3 * i, this->normal(i));
+  const SurfaceDisc* nearest = solid.empty()
+    ? nullptr
+    : this->Landmarks.green().disc(static_cast<std::int32_t>(solid.front().first));
+  if (nearest != nullptr && nearest->status == PatchStatus::OutOfReach)
+  {
+    return found;
+  }
   const std::vector<std::int32_t>& all = this->Landmarks.points();
   // The nearest first.
   for (const auto& part : this->OnSolid.nearBy(this->Points.data() + 3 * i, this->normal(i)))

@@ -38,8 +38,9 @@ private:
   const LandmarkKernels& Landmarks;
   const float* Normals;
   std::vector<double> Points;
-  FacingPoints OnSolid;   ///< landmarks alone
-  FacingPoints OnSurface; ///< all points
+  FacingPoints OnSolid;    ///< landmarks alone
+  FacingPoints AllOfSolid; ///< to tell what is held
+  FacingPoints OnSurface;  ///< all points
   std::shared_ptr<const BodyShape> Shape;
   std::vector<std::vector<std::size_t>> Around; ///< landmarks of each point
   std::vector<float> Turns; ///< at each point by which the surface turns away, rad

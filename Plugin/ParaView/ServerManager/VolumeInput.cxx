@@ -6,6 +6,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -37,11 +38,26 @@ std::vector<vtkDataObject*> leavesOf(vtkDataObject* data)
   return leaves;
 }
 
+double millimetresOf(int unit)
+{
+  return unit == 0 ? 1.0 : unit == 1 ? 10.0 : 1000.0;
+}
+
+void scaleImage(vtkImageData* image, int unit)
+{
+  const double scale = millimetresOf(unit);
+  double origin[3];
+  double spacing[3];
+  image->GetOrigin(origin);
+  image->GetSpacing(spacing);
+  image->SetOrigin(scale * origin[0], scale * origin[1], scale * origin[2]);
+  image->SetSpacing(scale * spacing[0], scale * spacing[1], scale * spacing[2]);
+}
+
 /// Puts the points of a body, which is a copy, into mm.
 void scalePoints(vtkPointSet* body, int unit)
 {
-  const double millimetres[] = { 1.0, 10.0, 1000.0 };
-  const double scale = millimetres[unit];
+  const double scale = millimetresOf(unit);
   if (scale == 1.0 || body->GetNumberOfPoints() == 0)
   {
     return;
@@ -90,6 +106,14 @@ vtkInformationVector** VolumeInput::replace(
     vtkNew<vtkPolyData> scaled;
     scaled->ShallowCopy(surface);
     scalePoints(scaled, this->LengthUnit);
+    this->Second = withData(inputs[1]->GetInformationObject(0), scaled);
+    this->Inputs[1] = this->Second;
+  }
+  else if (auto* image = ports > 1 ? vtkImageData::GetData(inputs[1]) : nullptr)
+  {
+    vtkNew<vtkImageData> scaled;
+    scaled->ShallowCopy(image);
+    scaleImage(scaled, this->LengthUnit);
     this->Second = withData(inputs[1]->GetInformationObject(0), scaled);
     this->Inputs[1] = this->Second;
   }

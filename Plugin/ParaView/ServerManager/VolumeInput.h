@@ -26,9 +26,9 @@ public:
   int LengthUnit = 0;
 
   /// The inputs of `ports` ports, the first one's data as one mesh in mm, in blocks or partitions
-  /// too, which are joined where their points coincide exactly, a surface on the second in mm; null
-  /// after an error, then `fault` says what is wrong. The same mesh again for the same data and
-  /// unit.
+  /// too, which are joined where their points coincide exactly, a surface or image on the second in
+  /// mm; null after an error, then `fault` says what is wrong. The same mesh again for the same
+  /// data and unit.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:

@@ -262,7 +262,8 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->excludes("--measured");
   app
     .add_option("--fixed", options.fixedFaces,
-      "sides of the bounding box that hold the filled body: x-,x+,y-,y+,z-,z+, each with how deep in mm where that is not half a cell, as z-:5")
+      "sides of the bounding box that hold the filled body: x-,x+,y-,y+,z-,z+, each with how deep "
+      "in mm where that is not half a cell, as z-:5")
     ->check(CLI::Validator(checkFaces, "SIDES"))
     ->capture_default_str();
   app

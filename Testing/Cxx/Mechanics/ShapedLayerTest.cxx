@@ -205,8 +205,8 @@ TEST(ShapedLayer, TellsTheErrorOfItsElements)
     for (const double ratio : { 0.25, 0.5 })
     {
       const double depth = exact.depthAtContactRadius(ratio * Thickness);
-      const double error = std::abs(
-        curve.evaluate(depth).force / exact.evaluate(depth, layer.fit->site().reducedModulus).force -
+      const double error = std::abs(curve.evaluate(depth).force /
+          exact.evaluate(depth, layer.fit->site().reducedModulus).force -
         1.0);
       const double told = curve.errorsAt(depth).mesh;
       EXPECT_GT(told, 0.5 * error) << side << " " << ratio;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVScannedMaterial
+ * @brief materials from an image, of any volume
+ *
+ * The filter as ParaView's menu offers it: its body may be any volume mesh, as that of
+ * vtkPVElasticCompliance. Settings and results are those of the superclass; all lengths but the
+ * input's coordinates are in mm.
+ */
+#ifndef vtkPVScannedMaterial_h
+#define vtkPVScannedMaterial_h
+
+#include "BodyInput.h"                  // For palpate::BodyInput
+#include "VolumeInput.h"                // For its macro
+#include "palpateServerManagerModule.h" // For export macro
+#include "vtkScannedMaterial.h"
+
+class PALPATESERVERMANAGER_EXPORT vtkPVScannedMaterial : public vtkScannedMaterial
+{
+public:
+  static vtkPVScannedMaterial* New();
+  vtkTypeMacro(vtkPVScannedMaterial, vtkScannedMaterial);
+
+protected:
+  vtkPVScannedMaterial() = default;
+  ~vtkPVScannedMaterial() override = default;
+
+private:
+  vtkPVScannedMaterial(const vtkPVScannedMaterial&) = delete;
+  void operator=(const vtkPVScannedMaterial&) = delete;
+
+  palpateVolumeInputMacro();
+};
+
+#endif
