@@ -16,7 +16,7 @@ namespace palpate
 namespace
 {
 constexpr std::size_t CurvesAround = 6;
-constexpr double SlopeStep = 1e-3; ///< of the depth, for dF/dδ
+constexpr double RelativeStep = 1e-3; ///< of the depth, for dF/dδ
 
 /// The largest angle between triangles at a point where the surface turns away there, rad; 0 in a
 /// hollow.
@@ -74,7 +74,7 @@ public:
     for (std::size_t k = 0; k < n && range > 0.0; ++k)
     {
       const double depth = this->Sampling.depth(static_cast<int>(k), range);
-      const double step = SlopeStep * depth;
+      const double step = RelativeStep * depth;
       this->Spans.force[n * i + k] = static_cast<float>(this->force(around, depth));
       this->Spans.stiffness[n * i + k] = static_cast<float>(
         (this->force(around, depth + step) - this->force(around, depth - step)) / (2.0 * step));
