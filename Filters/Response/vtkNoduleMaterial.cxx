@@ -28,11 +28,6 @@ namespace
 constexpr vtkIdType CellsBetweenLooks = 4096; // whether to stop
 constexpr int MostSubdivisions = 64;
 
-bool isRatio(double ratio)
-{
-  return ratio >= 0.0 && ratio <= palpate::LargestPoissonRatio;
-}
-
 /// What goes out, an array each.
 struct MixedArrays
 {
@@ -140,7 +135,7 @@ std::string vtkNoduleMaterial::Check()
     {
       return wrong("its Young's modulus must be positive and finite (MPa)", nodule.YoungsModulus);
     }
-    if (nodule.HasPoissonRatio && !isRatio(nodule.PoissonRatio))
+    if (nodule.HasPoissonRatio && !palpate::isElementRatio(nodule.PoissonRatio))
     {
       return wrong("its Poisson's ratio must lie between 0 and 0.499", nodule.PoissonRatio);
     }
@@ -201,7 +196,8 @@ std::string vtkNoduleMaterial::Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGri
   {
     const palpate::ElasticMaterial& base =
       without.size() == 1 ? without.front() : without[static_cast<std::size_t>(cell)];
-    if (!palpate::isYoungsModulus(base.youngsModulus) || !isRatio(base.poissonRatio))
+    if (!palpate::isYoungsModulus(base.youngsModulus) ||
+      !palpate::isElementRatio(base.poissonRatio))
     {
       return palpate::joined("Wrong input: cell ", cell, " has Young's modulus ",
         base.youngsModulus, " MPa and Poisson's ratio ", base.poissonRatio);

@@ -295,7 +295,7 @@ std::string vtkScannedMaterial::CheckMap()
     {
       return wrong("its Young's modulus must be positive and finite (MPa)", row.YoungsModulus);
     }
-    if (!(row.PoissonRatio >= 0.0 && row.PoissonRatio <= palpate::LargestPoissonRatio))
+    if (!palpate::isElementRatio(row.PoissonRatio))
     {
       return wrong("its Poisson's ratio must lie between 0 and 0.499", row.PoissonRatio);
     }

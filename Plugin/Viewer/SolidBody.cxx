@@ -67,7 +67,6 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   sizes.sources = std::max(sizes.spacing, std::sqrt(area / UsualSources));
   return sizes;
 }
-
 } // namespace
 
 std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)

@@ -45,6 +45,9 @@ class PALPATE_EXPORT ContactKernels
 public:
   virtual ~ContactKernels() = default;
 
+  /// Where a pointed tool's curve begins, over the largest contact: below it the law is a power.
+  static constexpr double FirstRadius = 1.0 / 40.0;
+
   const KernelSite& site() const { return this->Site; }
 
   /// The kernel of the largest order that is known, but not above `largestOrder` >= 1. Of order 0

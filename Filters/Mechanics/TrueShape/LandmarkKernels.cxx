@@ -15,7 +15,6 @@ namespace palpate
 namespace
 {
 constexpr std::size_t RadiusCount = 17;
-constexpr double SmallestRadius = 1.0 / 40.0; ///< of the largest
 
 /// A limit farther than this many of the largest contacts is none.
 constexpr double FarLimit = 2.0;
@@ -33,12 +32,6 @@ Eigen::Matrix4d rescaled(const Eigen::Matrix4d& c, double from, double to)
   const Eigen::Vector4d powers(1.0, square, square * square, square * square * square);
   return powers.asDiagonal() * c * powers.asDiagonal();
 }
-
-bool isNearlyAlike(const ElasticMaterial& a, const ElasticMaterial& b)
-{
-  return std::abs(a.youngsModulus / b.youngsModulus - 1.0) <= 0.05 &&
-    std::abs(a.poissonRatio - b.poissonRatio) <= 0.01;
-}
 } // namespace
 
 LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& observer)
@@ -47,7 +40,7 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
   for (std::size_t k = 0; k < RadiusCount; ++k)
   {
     const double left = static_cast<double>(RadiusCount - 1 - k) / (RadiusCount - 1.0);
-    this->Radii.push_back(green.radius() * std::pow(SmallestRadius, left));
+    this->Radii.push_back(green.radius() * std::pow(ContactKernels::FirstRadius, left));
   }
   for (std::int32_t point = 0; point < green.body().surface().pointTotal(); ++point)
   {
@@ -94,14 +87,14 @@ BlendedKernels::BlendedKernels(
   {
     return;
   }
-  const Weights weights = this->weigh(landmarks, spot, alike);
+  const Weights weights = weigh(landmarks, spot, alike);
   this->blendSites(landmarks, weights, alike);
   this->blendKernels(landmarks, weights, alike);
   this->Site.curvatureError = spot.curvatureError;
 }
 
-BlendedKernels::Weights BlendedKernels::weigh(const LandmarkKernels& landmarks,
-  const SurfaceSpot& spot, const std::vector<std::size_t>& around) const
+BlendedKernels::Weights BlendedKernels::weigh(
+  const LandmarkKernels& landmarks, const SurfaceSpot& spot, const std::vector<std::size_t>& around)
 {
   const auto count = static_cast<Eigen::Index>(around.size());
   const BodySurface& surface = landmarks.green().body().surface();
@@ -150,8 +143,8 @@ void BlendedKernels::blendSites(
     double sum = 0.0;
     for (std::size_t k = 0; k < around.size(); ++k)
     {
-      sum += w.plane(0, static_cast<Eigen::Index>(k)) *
-        static_cast<double>(valueOf(landmarks.Landmarks[around[k]].site));
+      sum +=
+        w.plane(0, static_cast<Eigen::Index>(k)) * valueOf(landmarks.Landmarks[around[k]].site);
     }
     return std::max(0.0, sum);
   };

@@ -93,8 +93,8 @@ private:
     double spread = 0.0;
   };
 
-  Weights weigh(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
-    const std::vector<std::size_t>& around) const;
+  static Weights weigh(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
+    const std::vector<std::size_t>& around);
   void blendSites(
     const LandmarkKernels& landmarks, const Weights& w, const std::vector<std::size_t>& around);
   void blendKernels(

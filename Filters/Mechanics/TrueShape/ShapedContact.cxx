@@ -13,9 +13,6 @@ namespace
 /// r^{2m} becomes this times x^{2m}.
 const Eigen::Vector4d Reduced(1.0, 2.0, 8.0 / 3.0, 16.0 / 5.0);
 
-/// The first contact radius of a pointed tool over the largest: below it the law is a power.
-constexpr double FirstRadius = 1.0 / 40.0;
-
 /// φ_m at x = t a, in powers of t.
 Eigen::Vector4d reducedPowers(double t)
 {
@@ -57,7 +54,7 @@ std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, i
   {
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
     radii.push_back(smallest > 0.0 ? smallest + (largest - smallest) * t * t
-                                   : largest * std::pow(FirstRadius, 1.0 - t));
+                                   : largest * std::pow(ContactKernels::FirstRadius, 1.0 - t));
   }
   return radii;
 }

@@ -26,9 +26,7 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
-/// How far the materials of the elements at a point may differ from their mean: graded ones, and
-/// those of images, are no border. Young's modulus by a fraction, Poisson's ratio.
-constexpr double AlikeModulus = 0.05;
+constexpr double AlikeModulus = 0.05; ///< by a fraction
 constexpr double AlikeRatio = 0.01;
 
 /// Whether all elements at a point are of the material, nearly.
@@ -37,12 +35,7 @@ bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial
   const MeshTopology& topology = body.topology();
   const std::int32_t node = body.surface().node(point);
   return std::all_of(topology.elementsBegin(node), topology.elementsEnd(node),
-    [&](std::int32_t element)
-    {
-      const ElasticMaterial& other = body.material(element);
-      return std::abs(other.youngsModulus / material.youngsModulus - 1.0) <= AlikeModulus &&
-        std::abs(other.poissonRatio - material.poissonRatio) <= AlikeRatio;
-    });
+    [&](std::int32_t element) { return isNearlyAlike(body.material(element), material); });
 }
 
 double distanceToSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -174,6 +167,12 @@ private:
   ElasticMaterial Material;
 };
 } // namespace
+
+bool isNearlyAlike(const ElasticMaterial& other, const ElasticMaterial& material)
+{
+  return std::abs(other.youngsModulus / material.youngsModulus - 1.0) <= AlikeModulus &&
+    std::abs(other.poissonRatio - material.poissonRatio) <= AlikeRatio;
+}
 
 bool isOfOneMaterial(const ElasticBody& body, std::int32_t point)
 {

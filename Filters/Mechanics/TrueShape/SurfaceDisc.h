@@ -41,6 +41,10 @@ struct SurfaceDisc
 /// X is a point of the surface of a body that was taken and assembled.
 PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius);
 
+/// Whether there is no border between two materials: E within 5 % of the second's, ν within 0.01.
+/// Graded ones, and those of images, have none.
+bool isNearlyAlike(const ElasticMaterial& other, const ElasticMaterial& material);
+
 /// Whether the elements at a surface point are of one material, as nearly as a disc asks for.
 PALPATE_EXPORT bool isOfOneMaterial(const ElasticBody& body, std::int32_t point);
 

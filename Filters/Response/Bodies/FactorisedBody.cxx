@@ -32,6 +32,11 @@ std::string refusal(vtkIdType unknowns, double memoryLimit, double memory)
 }
 } // namespace
 
+bool isElementRatio(double ratio)
+{
+  return ratio >= 0.0 && ratio <= LargestPoissonRatio;
+}
+
 std::string checkFactorRequest(const FactorRequest& request)
 {
   if (!isYoungsModulus(request.material.youngsModulus))
@@ -40,7 +45,7 @@ std::string checkFactorRequest(const FactorRequest& request)
       "YoungsModulus must be positive and finite (MPa), but is ", request.material.youngsModulus);
   }
   const double ratio = request.material.poissonRatio;
-  if (!(ratio >= 0.0 && ratio <= LargestPoissonRatio))
+  if (!isElementRatio(ratio))
   {
     return joined("PoissonRatio must lie between 0 and ", LargestPoissonRatio,
       " (finite elements need a compressible material), but is ", ratio);

@@ -23,6 +23,9 @@ struct FactorRequest
   double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of what the machine has available
 };
 
+/// Whether elements can have it for Poisson's ratio: 0 to LargestPoissonRatio.
+bool isElementRatio(double ratio);
+
 /// What is wrong with a request, naming the property, or "".
 std::string checkFactorRequest(const FactorRequest& request);
 

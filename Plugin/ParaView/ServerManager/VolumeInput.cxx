@@ -101,19 +101,18 @@ vtkInformationVector** VolumeInput::replace(
   this->First = withData(given, this->Kept);
   this->Inputs[0] = this->First;
   this->Inputs[1] = ports > 1 ? inputs[1] : nullptr;
-  if (auto* surface = ports > 1 ? vtkPolyData::GetData(inputs[1]) : nullptr)
+  if (vtkDataObject* second = ports > 1 ? vtkDataObject::GetData(inputs[1]) : nullptr)
   {
-    vtkNew<vtkPolyData> scaled;
-    scaled->ShallowCopy(surface);
-    scalePoints(scaled, this->LengthUnit);
-    this->Second = withData(inputs[1]->GetInformationObject(0), scaled);
-    this->Inputs[1] = this->Second;
-  }
-  else if (auto* image = ports > 1 ? vtkImageData::GetData(inputs[1]) : nullptr)
-  {
-    vtkNew<vtkImageData> scaled;
-    scaled->ShallowCopy(image);
-    scaleImage(scaled, this->LengthUnit);
+    const auto scaled = vtkSmartPointer<vtkDataObject>::Take(second->NewInstance());
+    scaled->ShallowCopy(second);
+    if (auto* image = vtkImageData::SafeDownCast(scaled))
+    {
+      scaleImage(image, this->LengthUnit);
+    }
+    else if (auto* surface = vtkPointSet::SafeDownCast(scaled))
+    {
+      scalePoints(surface, this->LengthUnit);
+    }
     this->Second = withData(inputs[1]->GetInformationObject(0), scaled);
     this->Inputs[1] = this->Second;
   }
