@@ -89,21 +89,20 @@ vtkSmartPointer<vtkPolyData> turned(const std::vector<std::array<double, 2>>& ou
 }
 
 /// Half a ball on its flat side.
-vtkSmartPointer<vtkPolyData> halfBall(double radius)
+vtkSmartPointer<vtkPolyData> halfBall(double radius, int rings = 60)
 {
   std::vector<std::array<double, 2>> outline;
-  constexpr int Rings = 60;
-  for (int i = 0; i <= Rings; ++i)
+  for (int i = 0; i <= rings; ++i)
   {
-    const double angle = 0.5 * CircleNumber * i / Rings;
+    const double angle = 0.5 * CircleNumber * i / rings;
     outline.push_back(
-      { i == 0 ? 0.0 : radius * std::sin(angle), i == Rings ? 0.0 : radius * std::cos(angle) });
+      { i == 0 ? 0.0 : radius * std::sin(angle), i == rings ? 0.0 : radius * std::cos(angle) });
   }
   for (int i = 9; i >= 0; --i)
   {
     outline.push_back({ 0.1 * radius * i, 0.0 });
   }
-  return turned(outline, 180);
+  return turned(outline, 3 * rings);
 }
 
 vtkSmartPointer<vtkGradedBody> makeFilter(vtkPolyData* body, double spacing)
@@ -380,8 +379,12 @@ void checkBallContact(const std::string& folder, double spacing, double toleranc
               << table.text(i, "tool") << " a/R " << table.number(i, "a/R") << " error "
               << 100.0 * error << " %" << std::endl;
     PALPATE_CHECK_NEAR(error, 0.0, tolerance);
+    if (table.number(i, "a/R") != 0.2 && table.number(i, "a/R") != 0.14)
+    {
+      continue; // one of each tool: a surface of its own takes long
+    }
     // On a surface of its own: the same H, blended; facets of 3 degrees tell the curvature.
-    const Body ball = halfBall(radius);
+    const Body ball = halfBall(radius, 30);
     pressed->SetSurfaceData(ball);
     pressed->Update();
     PALPATE_CHECK(messages.errors().empty() && pressed->GetNumberOfSolutions() == 0);
