@@ -6,6 +6,8 @@
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/LayerSurface.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/IncreasingRoot.h"
 
 #include <algorithm>
 #include <atomic>
@@ -51,6 +53,26 @@ LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
     }
   }
   return stack;
+}
+
+/// A dent that is deeper than this many times the deflection is none that a force is told by.
+constexpr double DeepestDent = 10.0;
+
+/// The deflection at which a tool on a half-space has a force; no more than `most`.
+double deflectionOf(const AxisymmetricTool& tool, double force, double reducedModulus, double most)
+{
+  const double high = std::min(most, tool.depthLimit().depth);
+  if (!(tool.force(high, reducedModulus) > force))
+  {
+    return high;
+  }
+  return increasingRoot(
+    [&](double depth) -> ValueAndSlope
+    {
+      const IndentationPoint at = tool.evaluate(depth, reducedModulus);
+      return { at.force - force, at.stiffness };
+    },
+    0.0, high, 0.5 * high);
 }
 
 /// The edge of a tool that lies well within its contact; 0 if there is none.
@@ -107,6 +129,7 @@ ContactField::ContactField(const FieldTriangle& triangle, const AxisymmetricTool
   const Vector3 weights =
     projectOnTriangle(contact.point, corners[0], corners[1], corners[2]).weights;
   this->bend(triangle, weights, contact);
+  this->surround(tool, triangle, weights, contact.force);
   if (this->Deflection > 0.0)
   {
     this->press(tool, triangle, weights, settings.poissonRatio, kernel);
@@ -126,6 +149,35 @@ void ContactField::bend(
     this->Weights.push_back(-contact.force * mode.sign * here);
     this->Deflection -= contact.force * mode.sign * here * here;
   }
+}
+
+void ContactField::surround(
+  const AxisymmetricTool& tool, const FieldTriangle& triangle, const Vector3& weights, double force)
+{
+  std::array<double, NearField::Numbers> sum{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::array<double, NearField::Numbers> corner = numbersOf(triangle.near[i]);
+    for (std::size_t k = 0; k < sum.size(); ++k)
+    {
+      sum[k] += weights[static_cast<Eigen::Index>(i)] * corner[k];
+    }
+  }
+  const NearField near = nearFieldOf(sum);
+  const bool isFinite =
+    std::all_of(sum.begin(), sum.end(), [](double number) { return std::isfinite(number); });
+  if (!isFinite || !(near.radius > 0.0) || !(near.reducedModulus > 0.0) || !(force > 0.0))
+  {
+    return;
+  }
+  this->Near = near;
+  this->Near.depth *= force;
+  this->Near.slope *= force;
+  this->Near.bend *= force;
+  const double local =
+    deflectionOf(tool, force, near.reducedModulus, DeepestDent * this->Deflection);
+  this->NearDepth = this->Deflection - local;
+  this->Deflection = local;
 }
 
 void ContactField::press(const AxisymmetricTool& tool, const FieldTriangle& triangle,
@@ -173,6 +225,22 @@ SurfaceDisplacement ContactField::local(double r) const
   return this->Law ? this->Law(r) : SurfaceDisplacement{ 0.0, 0.0 };
 }
 
+double ContactField::near(const Vector3& away) const
+{
+  if (!(this->Near.radius > 0.0))
+  {
+    return 0.0;
+  }
+  const double r = away.norm();
+  if (!(r > this->Radius))
+  {
+    return this->NearDepth;
+  }
+  const double part = this->Radius / r;
+  const double held = 2.0 / Pi * (std::asin(part) - part * std::sqrt(1.0 - part * part)); // 1 - m
+  return held * this->NearDepth + (1.0 - held) * this->Near.at(away);
+}
+
 double ContactField::fade(double r, double cosine) const
 {
   if (!(this->Reach > 0.0))
@@ -200,8 +268,10 @@ bool contactField(const ContactField& field, const Vector3& normal,
   {
     const SurfaceDisplacement u = field.local(distance);
     const double share = field.fade(distance, pointNormal.dot(normal));
+    const Vector3 across = away - away.dot(normal) * normal;
+    const double near = field.near(distance * across.normalized());
     Eigen::Map<Eigen::Vector3f>(displacement + 3 * static_cast<std::size_t>(id)) +=
-      (share * (u.radial * away - u.normal * normal)).cast<float>();
+      (share * (u.radial * away - (u.normal + near) * normal)).cast<float>();
   };
   do
   {

@@ -7,6 +7,7 @@
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/TrueShape/NearField.h"
 
 #include <array>
 #include <cstdint>
@@ -23,7 +24,7 @@ struct FieldContact
 {
   std::int64_t cell = -1;  ///< of the body; -1: no contact
   double deflection = 0.0; ///< the whole of it, local and global
-  double force = 0.0;      ///< along the normal, > 0 out of the body; only bends global modes
+  double force = 0.0;      ///< along the normal, > 0 out of the body: for modes and near field
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::Zero(); ///< outward, unit
 };
@@ -43,7 +44,8 @@ struct FieldTriangle
   LayerBase base = LayerBase::Bonded;
   LayerStack stack;               ///< where the layer is the first of one; else without layers
   std::array<double, 3> second{}; ///< thickness of its second layer, mm; 0: as it says
-  std::vector<Mode> modes;        ///< none where the body is not in series with a compliance
+  std::vector<Mode> modes;        ///< none where the response knows of no motion as a whole
+  std::array<NearField, 3> near;  ///< of radius 0 where the response is not one of true shape
 };
 
 /// What is the same for all contacts.
@@ -56,16 +58,24 @@ struct FieldSettings
 /**
  * How the surface of a body moves around one contact.
  *
- *   u(x) = fade [u_r(r) t - u_z(r) n] + Σ_k w_k φ_k(x)
+ *   u(x) = fade [u_r(r) t - (u_z(r) + v(d)) n] + Σ_k w_k φ_k(x)
  *
  * Local part: u_r, u_z of the tool on a half-space, or on the layer that is under the contact
  * (LayerSurface), at the local deflection; n is the contact normal, r the distance along the
  * surface and t the tangent away from the contact at x (SurfacePatch.h).
  *
+ * Near part, on a body of true shape, where the response knows R (NearField.h): what an edge, a
+ * base or an inclusion near the contact adds to a half-space's dent, d the way from the contact in
+ * its tangent plane, as long as r,
+ *     v = (1 - m) v₀ + m F R(d),  m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) beyond a, else 0:
+ * within the contact the surface is the tool's, and outside it is what a flat punch that is kept
+ * from tilting leaves of a tilt (Johnson 1985, § 5.4 (f)). The local deflection is then that of the
+ * same force on a half-space of the E* at the contact, and v₀ what that and the modes leave of δ.
+ *
  * Global part, by the modes φ_k of the body (GlobalModes.h) with their signs s_k:
  * w_k = -F s_k (n·φ_k(X)), X the contact. The local deflection is what the modes leave of the
- * whole, δ - F Σ s_k (n·φ_k(X))², so that the surface meets the tool. Without modes the local part
- * is drawn at the whole deflection.
+ * whole, δ - F Σ s_k (n·φ_k(X))², so that the surface meets the tool. Without modes and R the local
+ * part is drawn at the whole deflection.
  *
  * Fade: 1 where reach is 0. Otherwise exactly 1 within 3/4 of the reach and 50° of the contact
  * normal, and smoothly down to 0 at the reach and at 60°: no edge is seen where the field ends.
@@ -90,6 +100,11 @@ public:
   SurfaceDisplacement local(double r) const;
   /// `cosine`: of the angle between the point's normal and the contact's.
   double fade(double r, double cosine) const;
+  /// v: how far the surface goes in besides, mm, at `away` from the contact in its tangent plane.
+  double near(const Vector3& away) const;
+  /// F R, mm, and v₀; of radius 0 where nothing is known.
+  const NearField& nearField() const { return this->Near; }
+  double nearDepth() const { return this->NearDepth; }
   /// One per mode of the triangle; none without a global part.
   const std::vector<double>& modeWeights() const { return this->Weights; }
 
@@ -104,10 +119,14 @@ public:
 
 private:
   void bend(const FieldTriangle& triangle, const Vector3& weights, const FieldContact& contact);
+  void surround(const AxisymmetricTool& tool, const FieldTriangle& triangle, const Vector3& weights,
+    double force);
   void press(const AxisymmetricTool& tool, const FieldTriangle& triangle, const Vector3& weights,
     double poissonRatio, std::shared_ptr<const LayerKernel>& kernel);
 
   std::function<SurfaceDisplacement(double)> Law;
+  NearField Near;
+  double NearDepth = 0.0;
   std::vector<double> Weights;
   double Deflection = 0.0;
   double Radius = 0.0;

@@ -88,6 +88,7 @@ struct ResponseModel
   int parts = 0;
 
   bool isInSeries() const { return (this->parts & GlobalCompliancePart) != 0; }
+  bool isTrueShape() const { return (this->parts & TrueShapePart) != 0; }
 };
 
 /// Attaches the field arrays Model and ModelParts.

@@ -101,6 +101,11 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   numbers.push_back(static_cast<double>(own.base));
   numbers.insert(numbers.end(), own.second.begin(), own.second.end());
   const std::vector<double> stack = numbersOf(own.stack);
+  for (const NearField& near : own.near)
+  {
+    const auto flat = numbersOf(near);
+    numbers.insert(numbers.end(), flat.begin(), flat.end());
+  }
   numbers.push_back(static_cast<double>(stack.size()));
   numbers.insert(numbers.end(), stack.begin(), stack.end());
   for (const FieldTriangle::Mode& mode : own.modes)
@@ -121,6 +126,13 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   triangle.base = static_cast<LayerBase>(static_cast<int>(*next++));
   std::copy_n(next, 3, triangle.second.begin());
   next += 3;
+  for (NearField& near : triangle.near)
+  {
+    std::array<double, NearField::Numbers> flat{};
+    std::copy_n(next, flat.size(), flat.begin());
+    near = nearFieldOf(flat);
+    next += flat.size();
+  }
   const auto stackNumbers = static_cast<std::ptrdiff_t>(*next++);
   triangle.stack = stackOf({ next, next + stackNumbers }, triangle.base);
   next += stackNumbers;
@@ -164,8 +176,9 @@ std::vector<vtkDataArray*> globalModeArrays(vtkPolyData* body, const std::string
 {
   std::vector<vtkDataArray*> modes;
   vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
+  const ResponseModel model = responseModel(body, name);
   const bool bends =
-    signs && signs->GetNumberOfComponents() == 1 && responseModel(body, name).isInSeries();
+    signs && signs->GetNumberOfComponents() == 1 && (model.isInSeries() || model.isTrueShape());
   const vtkIdType count = bends ? signs->GetNumberOfTuples() : 0;
   for (vtkIdType k = 0; k < count; ++k)
   {
@@ -198,6 +211,11 @@ std::string checkBody(vtkPolyData* body, const std::string& name)
   if (layers && !hasShape(layers, 1, points))
   {
     return describe(layers, 1);
+  }
+  vtkDataArray* near = body->GetPointData()->GetArray(NearFieldArray);
+  if (near && !hasShape(near, NearField::Numbers, points))
+  {
+    return describe(near, NearField::Numbers);
   }
   for (vtkIdType k = 0;; ++k)
   {
@@ -261,6 +279,9 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   body->GetPolys()->GetCellAtId(cell - firstTriangle(body), corners);
   vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
   const bool hasLayers = layers && hasShape(layers, 1, body->GetNumberOfPoints());
+  vtkDataArray* near = body->GetPointData()->GetArray(NearFieldArray);
+  const bool hasNear = near && hasShape(near, NearField::Numbers, body->GetNumberOfPoints()) &&
+    responseModel(body, name).isTrueShape();
   const std::vector<vtkDataArray*> modes = globalModeArrays(body, name);
   vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
   triangle.modes.resize(modes.size());
@@ -273,6 +294,12 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
     const vtkIdType corner = corners->GetId(static_cast<vtkIdType>(i));
     body->GetPoint(corner, triangle.corners[i].data());
     triangle.thickness[i] = hasLayers ? layers->GetTuple1(corner) : 0.0;
+    if (hasNear)
+    {
+      std::array<double, NearField::Numbers> numbers{};
+      near->GetTuple(corner, numbers.data());
+      triangle.near[i] = nearFieldOf(numbers);
+    }
     for (std::size_t k = 0; k < modes.size(); ++k)
     {
       modes[k]->GetTuple(corner, triangle.modes[k].vectors[i].data());

@@ -22,8 +22,9 @@ class Ranks;
 
 /**
  * The displacement of a body around one contact after another: its arrays as ContactField takes
- * them. They are the response's `LayerThickness` and `LayerBase`, and, where its model has a global
- * compliance, the modes (point arrays `GlobalMode0`..., field array `GlobalModeSign`).
+ * them. They are the response's `LayerThickness` and `LayerBase`, where its model has a global
+ * compliance or is of true shape the modes (point arrays `GlobalMode0`..., field array
+ * `GlobalModeSign`), and of true shape `NearField`.
  *
  * Keeps the links of the mesh, O(n log n), as long as points and triangles are the same, and the
  * solution of the last layer.
@@ -63,7 +64,11 @@ private:
 PALPATERESPONSE_EXPORT FieldTriangle fieldTriangle(
   vtkPolyData* body, vtkIdType cell, const std::string& name);
 
-/// The modes that bend with the response `name` of a body: none unless it has a global compliance.
+/// The point array of a body of true shape that holds its NearField: NearField::Numbers numbers.
+constexpr const char* NearFieldArray = "NearField";
+
+/// The modes that bend with the response `name` of a body: none unless it has a global compliance
+/// or is of true shape.
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
   vtkPolyData* body, const std::string& name);
 

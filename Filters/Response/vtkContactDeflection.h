@@ -22,10 +22,16 @@
  * contact (palpate::ContactField), in which PoissonRatio decides how the surface bulges beside the
  * tool; it must be that of the response.
  *
- * Where the response has a global compliance and the body carries its modes (NumberOfModes of
- * vtkElasticCompliance), the whole surface moves by them under the tip's `NormalForce`, and the
+ * Where the response has a global compliance or is of true shape and the body carries its modes
+ * (NumberOfModes of vtkElasticCompliance, StoreMotion of vtkElasticContactResponse), the whole
+ * surface moves by them under the tip's `NormalForce`, and the
  * local part is that of the deflection they leave (palpate::ContactField). Without modes the field
- * shows the local part at the whole deflection; a warning says so, once.
+ * shows the local part at the whole deflection; a warning says so, once. Of true shape the field
+ * also follows what lies near the contact (`NearField`): beside an edge the surface gives more,
+ * over a nodule or a base less. Against finite elements under the same force, beyond two contact
+ * radii and on the side that is pressed, within 3 % of the deflection (TestDeflectionShape); the
+ * side behind an edge follows the modes alone. A `NearField` of another shape is an error; one that
+ * is not finite is not drawn.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *

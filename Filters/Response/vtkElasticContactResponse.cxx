@@ -27,7 +27,9 @@
 
 namespace
 {
-constexpr double SolvedShare = 0.9; // of the work, as progress tells it
+// Of the work, as progress tells it.
+constexpr double SolvedShare = 0.9;
+constexpr double RespondedShare = 0.95;
 } // namespace
 
 vtkStandardNewMacro(vtkElasticContactResponse);
@@ -170,7 +172,7 @@ std::string vtkElasticContactResponse::Respond(
   const bool keepsError = this->StoreError && this->ErrorTolerance > 0.0;
   palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples, keepsError);
   palpate::MadeResponse made;
-  const palpate::FilterStage stage{ this, SolvedShare, 1.0 };
+  const palpate::FilterStage stage{ this, SolvedShare, RespondedShare };
   const std::string fault = finer
     ? this->Kept->respondOn(surface, grid, this->Tool, this->MaximumDeflection,
         this->ErrorTolerance, stage, storage, made)
@@ -194,6 +196,22 @@ std::string vtkElasticContactResponse::Respond(
   if (!choiceFault.empty())
   {
     return choiceFault;
+  }
+  if (this->StoreMotion)
+  {
+    const palpate::FilterStage last{ this, RespondedShare, 1.0 };
+    if (finer)
+    {
+      this->Kept->attachMotionTo(surface, storage.Normal, grid, last);
+    }
+    else
+    {
+      this->Kept->attachMotionTo(surface, last);
+    }
+    if (palpate::isAborted(this))
+    {
+      return {};
+    }
   }
   output->ShallowCopy(surface);
   storage.attach(output);
@@ -233,6 +251,7 @@ void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResponseName: " << this->ResponseName << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "StoreError: " << this->StoreError << "\n";
+  os << indent << "StoreMotion: " << this->StoreMotion << "\n";
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
   os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";

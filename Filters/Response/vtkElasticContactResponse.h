@@ -119,6 +119,18 @@ public:
   ///@}
 
   ///@{
+  /** Whether the output tells vtkContactDeflection and the display how the body moves besides the
+   * tool's dent, 120 bytes a point: as a whole (`GlobalMode0`... `GlobalMode5`, `GlobalModeSign`,
+   * as of vtkElasticCompliance), and around each point what these leave of H, an edge, a base or a
+   * nodule near it (`NearField`, float 12, of palpate::NearField: the slope g in 1/N and R₀ in
+   * mm/N; the bend Q in 1/(N mm), xx yy zz, and ρ in mm; xy yz zx, and E* in MPa). Costs 48 more
+   * solutions, once for all tools. Default on. */
+  vtkSetMacro(StoreMotion, bool);
+  vtkGetMacro(StoreMotion, bool);
+  vtkBooleanMacro(StoreMotion, bool);
+  ///@}
+
+  ///@{
   /** The widest contact that is solved for, mm: set to that of the widest of several tools, they
    * share the solutions. 0 (default): 1.42 times that of Tool at MaximumDeflection on a half-space.
    */
@@ -209,6 +221,7 @@ private:
   std::string ResponseName = "Response";
   double ErrorTolerance = 0.05;
   bool StoreError = true;
+  bool StoreMotion = true;
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
   bool AutomaticTerms = false;

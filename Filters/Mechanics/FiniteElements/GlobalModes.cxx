@@ -17,6 +17,11 @@ namespace
 /// Smaller eigenvalues, relative to the largest, are rounding.
 constexpr double Rounding = 1e-10;
 
+std::size_t modeTotal(int count)
+{
+  return static_cast<std::size_t>(std::clamp(count, 0, MostGlobalModes));
+}
+
 /// The softest or most held valid point, then the farthest valid point from all before.
 std::vector<std::int32_t> spreadLandmarks(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
@@ -29,32 +34,11 @@ std::vector<std::int32_t> spreadLandmarks(
       valid.push_back(i);
     }
   }
-  std::vector<std::int32_t> chosen;
-  if (valid.empty())
-  {
-    return chosen;
-  }
   const auto size = [&](std::int32_t i)
   { return std::abs(compliances.compliance[static_cast<std::size_t>(i)]); };
-  chosen.push_back(*std::max_element(
-    valid.begin(), valid.end(), [&](std::int32_t a, std::int32_t b) { return size(a) < size(b); }));
-  std::vector<double> away(valid.size(), std::numeric_limits<double>::max());
-  while (chosen.size() < std::min(wanted, valid.size()))
-  {
-    std::size_t farthest = 0;
-    for (std::size_t v = 0; v < valid.size(); ++v)
-    {
-      away[v] = std::min(
-        away[v], (surface.position(valid[v]) - surface.position(chosen.back())).squaredNorm());
-      farthest = away[v] > away[farthest] ? v : farthest;
-    }
-    if (away[farthest] == 0.0)
-    {
-      break; // the others lie where there is one already
-    }
-    chosen.push_back(valid[farthest]);
-  }
-  return chosen;
+  const auto first = std::max_element(
+    valid.begin(), valid.end(), [&](std::int32_t a, std::int32_t b) { return size(a) < size(b); });
+  return valid.empty() ? valid : spreadPoints(surface, valid, *first, wanted);
 }
 
 /// Indices of landmarks that lie on one part of the body, by part.
@@ -134,24 +118,38 @@ double neglectedBy(
 }
 } // namespace
 
-GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances, double radius,
-  int count, const WorkObserver& observer)
+std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
+  const std::vector<std::int32_t>& points, std::int32_t first, std::size_t wanted)
+{
+  std::vector<std::int32_t> chosen = { first };
+  std::vector<double> away(points.size(), std::numeric_limits<double>::max());
+  while (chosen.size() < std::min(wanted, points.size()))
+  {
+    std::size_t farthest = 0;
+    for (std::size_t v = 0; v < points.size(); ++v)
+    {
+      away[v] = std::min(
+        away[v], (surface.position(points[v]) - surface.position(chosen.back())).squaredNorm());
+      farthest = away[v] > away[farthest] ? v : farthest;
+    }
+    if (away[farthest] == 0.0)
+    {
+      break; // the others lie where there is one already
+    }
+    chosen.push_back(points[farthest]);
+  }
+  chosen.resize(std::min(chosen.size(), wanted));
+  return chosen;
+}
+
+GlobalModes modesOf(const ElasticBody& body, const std::vector<std::int32_t>& landmarks,
+  const std::vector<Eigen::Matrix3Xd>& pulled, int count)
 {
   const BodySurface& surface = body.surface();
-  const auto wanted = static_cast<std::size_t>(std::clamp(count, 0, MostGlobalModes));
+  const std::size_t wanted = modeTotal(count);
+  const auto total = static_cast<Eigen::Index>(landmarks.size());
   GlobalModes modes;
-  modes.landmarks = spreadLandmarks(surface, compliances, wanted * LandmarksPerMode);
-  const auto total = static_cast<Eigen::Index>(modes.landmarks.size());
-  std::vector<Eigen::Matrix3Xd> pulled; // g_j, by landmark
-  const RegularField field(body, radius);
-  for (std::size_t j = 0; j < modes.landmarks.size(); ++j)
-  {
-    pulled.emplace_back(-field.at(modes.landmarks[j]));
-    if (!observer(static_cast<double>(j + 1) / static_cast<double>(total)))
-    {
-      return {};
-    }
-  }
+  modes.landmarks = landmarks;
   modes.fields.assign(wanted, Eigen::Matrix3Xd::Zero(3, surface.pointTotal()));
   modes.signs.assign(wanted, 1);
 
@@ -183,6 +181,27 @@ GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& complia
     }
     modes.signs[k] = value < 0.0 ? -1 : 1;
   }
+  return modes;
+}
+
+GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances, double radius,
+  int count, const WorkObserver& observer)
+{
+  const BodySurface& surface = body.surface();
+  const std::vector<std::int32_t> landmarks =
+    spreadLandmarks(surface, compliances, modeTotal(count) * LandmarksPerMode);
+  std::vector<Eigen::Matrix3Xd> pulled; // g_j, by landmark
+  const RegularField field(body, radius);
+  const auto total = static_cast<double>(landmarks.size());
+  for (std::size_t j = 0; j < landmarks.size(); ++j)
+  {
+    pulled.emplace_back(-field.at(landmarks[j]));
+    if (!observer(static_cast<double>(j + 1) / total))
+    {
+      return {};
+    }
+  }
+  GlobalModes modes = modesOf(body, landmarks, pulled, count);
   modes.neglected = neglectedBy(modes, surface, compliances);
   return modes;
 }

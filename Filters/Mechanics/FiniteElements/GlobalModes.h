@@ -40,6 +40,16 @@ struct GlobalModes
   double neglected = 0.0;
 };
 
+/// `first` of some points of a surface, then the farthest of them from all before, until there are
+/// as many as wanted.
+std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
+  const std::vector<std::int32_t>& points, std::int32_t first, std::size_t wanted);
+
+/// The `count` largest modes of the fields g_j of landmarks, 3 × surface points each; `neglected`
+/// is not known.
+GlobalModes modesOf(const ElasticBody& body, const std::vector<std::int32_t>& landmarks,
+  const std::vector<Eigen::Matrix3Xd>& pulled, int count);
+
 /**
  * The `count` largest modes of a factorised body, from LandmarksPerMode times as many landmarks
  * among the points whose compliance is valid; none of them: every mode is zero. `radius` as in

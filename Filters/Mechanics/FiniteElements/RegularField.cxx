@@ -1,65 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteElements/RegularField.h"
 
-#include "Mechanics/FiniteElements/HalfSpaceField.h"
 #include "Mechanics/FiniteElements/PatchSelfTerm.h"
 #include "Mechanics/FiniteElements/PatchSite.h"
-
-#include <algorithm>
+#include "Mechanics/FiniteElements/VisibleDent.h"
 
 namespace palpate
 {
 namespace
 {
-constexpr double DentEnds = 0.5;            // cos 60°
-constexpr double DentIsWhole = 0.642787610; // cos 50°
-
 /// The weights of the two patches: what is left behaves as the force of a point to order c⁴.
 constexpr std::array<double, 2> PatchWeights = { 4.0 / 3.0, -1.0 / 3.0 };
-
-/// How much of the dent is seen at each point of the surface, 0 to 1.
-std::vector<double> dentFades(const BodySurface& surface, std::int32_t point)
-{
-  std::vector<double> fades(static_cast<std::size_t>(surface.pointTotal()), 0.0);
-  std::vector<unsigned char> seen(fades.size(), 0);
-  std::vector<std::int32_t> front = { point };
-  seen[static_cast<std::size_t>(point)] = 1;
-  while (!front.empty())
-  {
-    const std::int32_t at = front.back();
-    front.pop_back();
-    const double facing = std::clamp(
-      (surface.normal(at).dot(surface.normal(point)) - DentEnds) / (DentIsWhole - DentEnds), 0.0,
-      1.0);
-    fades[static_cast<std::size_t>(at)] = facing * facing * (3.0 - 2.0 * facing);
-    for (const std::int32_t* t = surface.trianglesBegin(at); t != surface.trianglesEnd(at); ++t)
-    {
-      for (const std::int32_t next : surface.triangle(*t))
-      {
-        if (!seen[static_cast<std::size_t>(next)] &&
-          surface.normal(next).dot(surface.normal(point)) > DentEnds)
-        {
-          seen[static_cast<std::size_t>(next)] = 1;
-          front.push_back(next);
-        }
-      }
-    }
-  }
-  return fades;
-}
-
-/// The surface of the half-space at a point of the body, for E = 1 MPa; not nearer than `nearest`
-/// to the force, where the elements around tell.
-Eigen::Vector3d dentAt(const BodySurface& surface, std::int32_t point, std::int32_t at,
-  double nearest, double poissonRatio)
-{
-  const Eigen::Vector3d chord = surface.position(at) - surface.position(point);
-  const Eigen::Vector3d& normal = surface.normal(at);
-  const Eigen::Vector3d away = (chord - chord.dot(normal) * normal).normalized(); // 0 stays 0
-  const Eigen::Vector3d flat = boussinesqDisplacement(
-    Eigen::Vector3d(std::max(chord.norm(), nearest), 0.0, 0.0), poissonRatio);
-  return flat[0] * away - flat[2] * surface.normal(point);
-}
 
 /// The dent on the elements around the point, at the points of the surface: x, y, z by point.
 std::vector<std::pair<std::int32_t, Eigen::Vector3d>> dentOfElements(

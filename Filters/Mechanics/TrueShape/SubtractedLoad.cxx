@@ -9,12 +9,6 @@
 
 namespace palpate
 {
-namespace
-{
-/// The singular field is used where z > -LargestOverhang |x|: up to 41° from its singular line.
-constexpr double LargestOverhang = 0.75;
-} // namespace
-
 SingularSource::SingularSource(const ElasticBody& body, std::int32_t surfacePoint)
   : point(surfacePoint)
   , frame(tangentFrame(body.surface().normal(surfacePoint)))
@@ -36,8 +30,7 @@ struct SubtractedLoad::Work
   {
     for (std::int32_t node = 0; node < body.mesh().nodeTotal(); ++node)
     {
-      const auto at = this->nodes.col(node);
-      const bool isUnder = node == this->own || at[2] > -LargestOverhang * at.norm();
+      const bool isUnder = node == this->own || SingularSource::isUnder(this->nodes.col(node));
       this->under[static_cast<std::size_t>(node)] = isUnder ? 1 : 0;
       this->overhangs = this->overhangs || !isUnder;
     }

@@ -22,6 +22,10 @@ struct SingularSource
   {
     return this->frame.transpose() * (place - this->origin);
   }
+  /// Whether the singular field is used at a place in the frame: up to 41° from its singular line.
+  static bool isUnder(const Eigen::Vector3d& at) { return at[2] > -LargestOverhang * at.norm(); }
+
+  static constexpr double LargestOverhang = 0.75;
 };
 
 /**

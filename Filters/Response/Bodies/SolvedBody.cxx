@@ -7,11 +7,13 @@
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Bodies/FinerSurface.h"
+#include "Response/Bodies/MotionArrays.h"
 #include "Response/Bodies/VolumeConversion.h"
 #include "Response/Curves/PointNormals.h"
 #include "vtkContactTool.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -60,6 +62,7 @@ struct SolvedBody::Kept
   ElasticBody Body;
   RegularGreen Green{ Body };
   std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not asked for
+  SurfaceMotion Motion;                       ///< without points: not asked for
   double Spacing = 0.0;                       ///< of sources, mm
   double Radius = 0.0;                        ///< mm; 0: nothing solved yet
   vtkSmartPointer<vtkUnstructuredGrid>
@@ -142,6 +145,7 @@ std::string SolvedBody::solve(
   }
   kept.Radius = 0.0;
   kept.Landmarks.reset();
+  kept.Motion = {};
   fault = kept.Green.solve(
     points, request.radius, FilterStage{ stage.filter, middle, stage.to }, request.spacing);
   cost.ended = isAborted(stage.filter);
@@ -219,5 +223,33 @@ std::string SolvedBody::respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid,
   made = shapedResponse(*tool->GetKernel(), *kept.Landmarks, surface.view(),
     { deflection, errorTolerance }, storage.spans(), FilterStage{ stage.filter, fitted, stage.to });
   return {};
+}
+
+const SurfaceMotion& SolvedBody::motion(const FilterStage& stage)
+{
+  if (this->Now->Motion.points.empty())
+  {
+    this->Now->Motion = surfaceMotion(this->Now->Green, MostGlobalModes, stage);
+  }
+  return this->Now->Motion;
+}
+
+void SolvedBody::attachMotionTo(vtkPolyData* surface, const FilterStage& stage)
+{
+  const SurfaceMotion& motion = this->motion(stage);
+  if (!motion.points.empty())
+  {
+    attachMotion(motion, surface);
+  }
+}
+
+void SolvedBody::attachMotionTo(
+  vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid, const FilterStage& stage)
+{
+  const SurfaceMotion& motion = this->motion(stage);
+  if (!motion.points.empty())
+  {
+    attachMotion(motion, this->surface(grid), normals, finer);
+  }
 }
 } // namespace palpate

@@ -3,7 +3,7 @@
 #define SolvedBody_h
 
 #include "Laws/ResponseFiller.h"
-#include "Mechanics/TrueShape/RegularGreen.h"
+#include "Mechanics/TrueShape/SurfaceMotion.h"
 #include "Response/Bodies/FactorisedBody.h"
 #include "Response/BodyLaws.h"
 #include "Response/Curves/ResponseStorage.h"
@@ -16,6 +16,7 @@
 #include <string>
 
 class vtkContactTool;
+class vtkFloatArray;
 class vtkPolyData;
 
 namespace palpate
@@ -77,8 +78,15 @@ public:
     double deflection, double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);
 
+  /// Attaches how the body moves (MotionArrays.h) to its `surface`, or to a finer one with these
+  /// normals. Found once for all tools; nothing where it was aborted.
+  void attachMotionTo(vtkPolyData* surface, const FilterStage& stage);
+  void attachMotionTo(vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid,
+    const FilterStage& stage);
+
 private:
   struct Kept;
+  const SurfaceMotion& motion(const FilterStage& stage);
   std::unique_ptr<Kept> Now;
 };
 } // namespace palpate

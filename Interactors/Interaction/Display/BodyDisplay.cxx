@@ -221,7 +221,7 @@ void BodyDisplay::takeBody()
   const auto times = timesOf(this->Body, modes);
   if (this->HasField && this->DrawnTimes == times)
   {
-    this->Shader.install(static_cast<int>(std::min(modes.size(), MostModes)));
+    this->installShader(modes.size());
     return; // the same surface, under other responses
   }
   this->DrawnTimes.clear();
@@ -246,8 +246,14 @@ void BodyDisplay::takeBody()
   this->ModeLength = longestOf(modes);
   addModeAttributes(mesh, modes, drawn, this->Mapper);
   this->Mapper->SetInputData(drawn);
-  this->Shader.install(static_cast<int>(std::min(modes.size(), MostModes)));
+  this->installShader(modes.size());
   this->DrawnTimes = times;
+}
+
+void BodyDisplay::installShader(std::size_t modes)
+{
+  this->Shader.install(static_cast<int>(std::min(modes, MostModes)),
+    this->Body->GetPointData()->HasArray(NearFieldArray) != 0);
 }
 
 ContactField BodyDisplay::makeField(const FieldContact& contact)
@@ -313,6 +319,9 @@ void BodyDisplay::showByShader()
   {
     around += std::abs(weight) * this->ModeLength;
   }
+  const NearField& near = field.nearField();
+  around += std::abs(near.depth) + std::abs(field.nearDepth()) + near.slope.norm() * near.radius +
+    near.bend.norm() * near.radius * near.radius;
   const Vector3 deepest =
     contact.point - this->exaggeration() * contact.deflection * contact.normal;
   this->Mapper->setDent(deepest.data(), contact.cell < 0 ? -1.0 : this->exaggeration() * around);

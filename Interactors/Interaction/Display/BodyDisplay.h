@@ -70,6 +70,7 @@ public:
 
 private:
   void takeBody();
+  void installShader(std::size_t modes);
   void refresh();
   void showByShader();
   void showByPoints();

@@ -33,6 +33,38 @@ constexpr const char* Beginning = "//VTK::CustomBegin::Impl";
 constexpr const char* Functions = R"(
 in vec3 palpateSurface;
 
+#if PALPATE_NEAR
+// ContactField::near. palpateNear: slope, depth; palpateBend: xx yy zz, radius; palpateTwist: xy yz
+// zx, depth within the contact; palpateStep: the length over which slopes are taken.
+float palpateSink(vec3 d)
+{
+  float r = max(length(d), 1e-6 * palpateRange.x);
+  float kappa = min(1.0, palpateBend.w / r);
+  float part = min(1.0, palpateRange.x / r);
+  float held = 0.63661977 * (asin(part) - part * sqrt(1.0 - part * part));
+  vec3 known = kappa * d;
+  vec3 bent = vec3(dot(vec3(palpateBend.x, palpateTwist.x, palpateTwist.z), known),
+    dot(vec3(palpateTwist.x, palpateBend.y, palpateTwist.y), known),
+    dot(vec3(palpateTwist.z, palpateTwist.y, palpateBend.z), known));
+  return mix(kappa * kappa * (palpateNear.w + dot(palpateNear.xyz + bent, known)), palpateTwist.w,
+    held);
+}
+
+// palpateSink and its slopes away from the contact and across.
+vec3 palpateSinkAt(float r, vec3 away)
+{
+  vec3 along = away - dot(away, palpateNormal) * palpateNormal;
+  float len = length(along);
+  along = len > 1e-6 ? along / len : vec3(0.0);
+  vec3 d = r * along;
+  float h = palpateStep;
+  vec3 across = h * cross(palpateNormal, along);
+  return vec3(palpateSink(d),
+    (palpateSink(d + h * along) - palpateSink(d - h * along)) / (2.0 * h),
+    (palpateSink(d + across) - palpateSink(d - across)) / (2.0 * h));
+}
+#endif
+
 // u_r, u_z and their slopes at the distance r: DeflectionTable.
 vec4 palpateLaw(float r)
 {
@@ -69,6 +101,11 @@ vec3 palpateLocal(vec3 x, inout vec3 n)
   away = apart ? away / awayLength : vec3(0.0);
 
   vec4 law = palpateLaw(r);
+#if PALPATE_NEAR
+  vec3 sink = palpateSinkAt(r, away);
+  law.y += sink.x;
+  law.w += sink.y;
+#endif
   float fading = palpateRange.w - palpateDraw.w;
   float t = clamp((r - palpateDraw.w) / fading, 0.0, 1.0);
   float turnedAway = clamp((cosine - 0.5) / (palpateDraw.z - 0.5), 0.0, 1.0);
@@ -79,7 +116,11 @@ vec3 palpateLocal(vec3 x, inout vec3 n)
   float bend = sign(sine) * 2.0 * sqrt(max(square, 0.0)) / max(len, 1e-6 * palpateRange.x);
   vec3 along = (1.0 + slope.x) * away - palpateDraw.x * u.x * bend * n - slope.y * palpateNormal;
   bool moves = palpateRange.x > 0.0 && share > 0.0 && t < 1.0;
-  n = moves && apart ? normalize(cross(along, cross(n, away))) : n;
+  vec3 across = cross(n, away);
+#if PALPATE_NEAR
+  across -= palpateDraw.x * share * (1.0 - t * t * (3.0 - 2.0 * t)) * sink.z * palpateNormal;
+#endif
+  n = moves && apart ? normalize(cross(along, across)) : n;
   return moves ? u.x * away - u.y * palpateNormal : vec3(0.0);
 }
 )";
@@ -113,19 +154,21 @@ DeflectionShader::DeflectionShader(vtkActor* actor)
 {
 }
 
-void DeflectionShader::install(int modes)
+void DeflectionShader::install(int modes, bool hasNearField)
 {
-  if (this->Modes == modes)
+  if (this->Modes == modes && this->HasNearField == hasNearField)
   {
     return;
   }
   this->remove();
   this->Modes = modes;
+  this->HasNearField = hasNearField;
   // Once: uniforms are declared where they are first set.
   setColors(this->Property, 0.0F, 0.0F, 0.0F);
   this->show(ContactField(), FieldContact(), 1.0, 1.0);
+  const std::string near = std::string("\n#define PALPATE_NEAR ") + (hasNearField ? "1" : "0");
   this->Property->AddVertexShaderReplacement(
-    Declarations, true, Functions + modeDeclarations(modes) + Declarations, false);
+    Declarations, true, near + Functions + modeDeclarations(modes) + Declarations, false);
   this->Property->AddVertexShaderReplacement(Beginning, true, displacement(modes), false);
 }
 
@@ -153,7 +196,19 @@ void DeflectionShader::show(
   {
     weights[k] = static_cast<float>(field.modeWeights()[k]);
   }
+  const NearField& near = field.nearField();
+  const auto number = [](double value) { return static_cast<float>(value); };
+  const float sink[4] = { number(near.slope[0]), number(near.slope[1]), number(near.slope[2]),
+    number(near.depth) };
+  const float bend[4] = { number(near.bend(0, 0)), number(near.bend(1, 1)), number(near.bend(2, 2)),
+    number(near.radius) };
+  const float twist[4] = { number(near.bend(0, 1)), number(near.bend(1, 2)),
+    number(near.bend(2, 0)), number(field.nearDepth()) };
   vtkUniforms* uniforms = this->Property->GetVertexCustomUniforms();
+  uniforms->SetUniform4f("palpateNear", sink);
+  uniforms->SetUniform4f("palpateBend", bend);
+  uniforms->SetUniform4f("palpateTwist", twist);
+  uniforms->SetUniformf("palpateStep", number(edge));
   uniforms->SetUniform3f("palpateContact", contact.point.data());
   uniforms->SetUniform3f("palpateNormal", contact.normal.data());
   uniforms->SetUniform4f("palpateRange", range);

@@ -40,9 +40,9 @@ public:
 
   explicit DeflectionShader(vtkActor* actor);
 
-  /// Puts the code into the shaders of the actor, for a body with so many global modes; again to
-  /// change the number.
-  void install(int modes);
+  /// Puts the code into the shaders of the actor, for a body with so many global modes, and with or
+  /// without a near field; again to change these.
+  void install(int modes, bool hasNearField);
   void remove();
 
   /// `edge` is the length of an edge of the mesh, mm; `exaggeration` multiplies what is drawn, not
@@ -56,6 +56,7 @@ public:
 private:
   vtkSmartPointer<vtkShaderProperty> Property;
   int Modes = -1; ///< of the code that is installed; -1: none
+  bool HasNearField = false;
 };
 
 /**

@@ -7,6 +7,8 @@
 #include "vtkFieldData.h"
 #include "vtkSignedCharArray.h"
 #include "vtkStringArray.h"
+#include "Response/BodyConversion.h"
+#include "Response/BodyField.h"
 #include "vtkToolContactResponse.h"
 
 #include <string>
@@ -156,6 +158,24 @@ Body bending(const std::string& tool)
   result->GetFieldData()->AddArray(signs);
   return result;
 }
+/// A body of true shape beside an edge: the near field tilts and bends the surface.
+Body shaped(const std::string& tool)
+{
+  const Body body = plane(tool);
+  palpate::describeModel(body, "Response", { "by hand", palpate::TrueShapePart });
+  // Some 15 N: the slope is 0.1, and E* of 5 instead of 3.45 MPa leaves a fifth of the depth to it.
+  const float numbers[12] = { 0.006F, -0.004F, 0.0F, 0.015F, 0.0008F, -0.0006F, 0.0F, 6.0F, 0.0004F,
+    0.0F, 0.0F, 5.0F };
+  vtkNew<vtkFloatArray> near;
+  near->SetName(palpate::NearFieldArray);
+  near->SetNumberOfComponents(12);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    near->InsertNextTypedTuple(numbers);
+  }
+  body->GetPointData()->AddArray(near);
+  return body;
+}
 } // namespace
 
 int TestDeflectionShader(int, char*[])
@@ -169,6 +189,8 @@ int TestDeflectionShader(int, char*[])
   checkCase({ "sphere:6.35", layered("sphere:6.35", 4.0), top, 0.45 });
   checkCase({ "flat:2", layered("flat:2", 2.0), top, 0.45, 0.05 });
   checkCase({ "sphere:6.35", bending("sphere:6.35"), top, 0.3 });
+  checkCase({ "sphere:6.35", shaped("sphere:6.35"), top, 0.3 });
+  checkCase({ "flat:2", shaped("flat:2"), top, 0.3, 0.05 });
   checkCase({ "sphere:5", withResponse(sphereBody(20.0, 6), "sphere:5"), Vector3(0.0, 0.0, 20.0) });
   checkCase(
     { "sphere:5", withResponse(tubeBody(15.0, 60.0), "sphere:5"), Vector3(0.0, 0.0, 15.0) });

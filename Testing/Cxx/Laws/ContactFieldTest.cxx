@@ -189,6 +189,61 @@ TEST_F(Field, ALayerThatIsTooThinIsAFault)
   EXPECT_NE(field.fault().find("0.01 mm"), std::string::npos) << field.fault();
 }
 
+TEST_F(Field, ANearFieldIsDrawnBesideTheDentOfItsForce)
+{
+  FieldTriangle triangle = unitTriangle();
+  NearField corner;
+  corner.depth = 0.1;
+  corner.slope = Vector3(0.02, 0.0, 0.0);
+  corner.bend = Vector3(0.0, 0.003, 0.0).asDiagonal();
+  corner.radius = 6.0;
+  corner.reducedModulus = 0.2;
+  triangle.near = { corner, corner, corner };
+  FieldContact contact = contactAt(Vector3(0.25, 0.25, 0.0));
+  const double local = 0.7; // mm, of 1: this much of a half-space has the force
+  contact.force = this->Tool->force(local, corner.reducedModulus);
+  const ContactField field = this->make(triangle, contact);
+  EXPECT_NEAR(field.localDeflection(), local, 1e-7); // increasingRoot
+  const double a = field.contactRadius();
+  EXPECT_NEAR(a, std::sqrt(this->Shape.radius * local), 1e-6);
+  // Within the contact the surface is the tool's.
+  EXPECT_NEAR(field.near(Vector3::Zero()), Depth - local, 1e-7);
+  EXPECT_NEAR(field.near(Vector3(0.9 * a, 0.0, 0.0)), Depth - local, 1e-7);
+  // Twice as far out: asin(1/2) = π/6, (1/2) √(3/4) = √3/4.
+  const double held = 2.0 / Pi * (Pi / 6.0 - std::sqrt(3.0) / 4.0);
+  EXPECT_NEAR(field.near(Vector3(2.0 * a, 0.0, 0.0)),
+    held * (Depth - local) + (1.0 - held) * contact.force * (0.1 + 0.02 * 2.0 * a), 1e-7);
+  EXPECT_NEAR(field.near(Vector3(0.0, 2.0 * a, 0.0)),
+    held * (Depth - local) + (1.0 - held) * contact.force * (0.1 + 0.003 * 4.0 * a * a), 1e-7);
+  // Beyond its radius it falls off as 1/r².
+  EXPECT_NEAR(corner.at(Vector3(12.0, 0.0, 0.0)), 0.25 * (0.1 + 0.02 * 6.0), 1e-15);
+}
+
+TEST_F(Field, ANearFieldThatIsNoNumberIsNone)
+{
+  FieldTriangle triangle = unitTriangle();
+  for (NearField& near : triangle.near)
+  {
+    near.radius = 6.0;
+    near.reducedModulus = 0.2;
+    near.depth = std::numeric_limits<double>::quiet_NaN();
+  }
+  const ContactField field = this->make(triangle, contactAt(Vector3::Zero()));
+  EXPECT_EQ(field.near(Vector3(1.0, 0.0, 0.0)), 0.0);
+  EXPECT_EQ(field.localDeflection(), Depth);
+}
+
+TEST(NearField, IsStoredAsItsNumbers)
+{
+  std::array<double, NearField::Numbers> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    numbers[i] = static_cast<double>(i) + 0.5;
+  }
+  EXPECT_EQ(numbersOf(nearFieldOf(numbers)), numbers);
+  EXPECT_TRUE(nearFieldOf(numbers).bend.isApprox(nearFieldOf(numbers).bend.transpose()));
+}
+
 TEST_F(Field, APatchGoesOnBeyondASeam)
 {
   const BodyMesh mesh = makePlane(2, 1.0);
