@@ -36,7 +36,7 @@ Eigen::Matrix3Xd motionLessDent(
     const Eigen::Vector3d at = source.inFrame(surface.position(i));
     const bool isItself = i == source.point;
     Eigen::Vector3d moved = Eigen::Vector3d::Zero();
-    if (!isItself && source.isUnder(at))
+    if (!isItself && SingularSource::isUnder(at))
     {
       moved = source.frame * singular.displacement(at);
     }
