@@ -4,20 +4,18 @@
 #include "TouchScene.h"
 
 #include "BodyCache.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/JoinedText.h"
 #include "PhantomBody.h"
 #include "ResponseSet.h"
+#include "SolvedCache.h"
 
 #include "vtkContactTool.h"
 #include "vtkNew.h"
 #include "vtkNoduleDetectability.h"
-#include "vtkPointData.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <sstream>
 
 namespace palpate
 {
@@ -28,47 +26,21 @@ constexpr double SourceSpacing = 1.0;         // mm: half the distance to most n
 constexpr double SourceSpacingWithout = 15.0; // mm: half the distance to a wall
 
 /// Everything that the solved phantom depends on.
-std::string keyOf(const ViewerOptions& options, const TouchScene& scene)
+std::string phantomKey(const ViewerOptions& options, const TouchScene& scene)
 {
-  std::ostringstream key;
-  key.precision(17);
-  key << PhantomRevision << '|' << scene.youngsModulus << '|' << scene.poissonsRatio << '|'
-      << options.maximumDeflection << '|' << options.terms.errorTolerance << '|'
-      << options.depth.value_or(PressedTo);
-  for (const std::string& tool : scene.tools)
-  {
-    key << '|' << tool;
-  }
-  return key.str();
+  return joined(PhantomRevision, solvedKey(options, scene), '|',
+    shortestDecimals(options.depth.value_or(PressedTo)));
 }
 
-/// Of the cache; null: there is none, or it is none.
-vtkSmartPointer<vtkPolyData> readSolved(const std::string& file, const TouchScene& scene)
+/// What a solved phantom has.
+std::vector<std::string> arraysOf(std::size_t tools)
 {
-  std::error_code ignored;
-  if (file.empty() || !std::filesystem::exists(file, ignored))
+  std::vector<std::string> arrays = { "ForceChange" };
+  for (const std::string& name : responseNames(tools))
   {
-    return nullptr;
+    arrays.insert(arrays.end(), { name + "Force", name + "WithoutForce" });
   }
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  if (!updateQuietly(reader).empty())
-  {
-    return nullptr;
-  }
-  vtkPolyData* body = reader->GetOutput();
-  for (std::size_t i = 0; i < scene.tools.size(); ++i)
-  {
-    const std::string name = "Response" + (i > 0 ? std::to_string(i + 1) : std::string());
-    for (const std::string& array : { name + "Force", name + "WithoutForce" })
-    {
-      if (!body->GetPointData()->HasArray(array.c_str()))
-      {
-        return nullptr;
-      }
-    }
-  }
-  return body->GetPointData()->HasArray("ForceChange") ? body : nullptr;
+  return arrays;
 }
 
 std::string solvePhantom(const ViewerOptions& options, TouchScene& scene)
@@ -135,8 +107,8 @@ std::string makePhantomScene(const ViewerOptions& options, TouchScene& scene)
   scene.tools = options.tools.empty() ? std::vector<std::string>{ "sphere:1.6" } : options.tools;
   scene.stored = true;
   scene.nodules = true;
-  const std::string file = cachePlace("phantom", keyOf(options, scene), ".vtp");
-  scene.body = readSolved(file, scene);
+  const std::string file = cachePlace("phantom", phantomKey(options, scene), ".vtp");
+  scene.body = readSolved(file, arraysOf(scene.tools.size()));
   if (scene.body)
   {
     scene.notes.push_back("phantom taken from the cache " + file);
@@ -148,8 +120,7 @@ std::string makePhantomScene(const ViewerOptions& options, TouchScene& scene)
     {
       return error;
     }
-    std::string fault = file.empty() ? "" : makeCacheFolder(file);
-    fault = file.empty() || !fault.empty() ? fault : saveBody(scene.body, file);
+    const std::string fault = keepSolved(scene.body, file);
     if (!fault.empty())
     {
       scene.notes.push_back("cache not used: " + fault);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidBody.h"
 
+#include "BodyCache.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
 #include "ResponseSet.h"
+#include "SolvedCache.h"
 
 #include "vtkElasticContactResponse.h"
 #include "vtkGradedBody.h"
@@ -67,9 +70,17 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   sizes.sources = std::max(sizes.spacing, std::sqrt(area / UsualSources));
   return sizes;
 }
-} // namespace
+/// Everything that the responses depend on. The revision changes with what is computed of the same.
+std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
+{
+  constexpr int Revision = 1;
+  return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
+    '|', shortestDecimals(scene.terms.errorTolerance), '|', options.fixedFaces,
+    contentOf(scene.body));
+}
 
-std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)
+/// Fills the scene's body and presses its tools: body, notes.
+std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<double> radii;
@@ -109,11 +120,11 @@ std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene
   pressed->SetSourceSpacing(sizes.sources);
   vtkSmartPointer<vtkPolyData> body = scene.body;
   vtkIdType solutions = 0;
+  const std::vector<std::string> names = responseNames(tools.size());
   for (const std::size_t t : order)
   {
-    const std::string name = t == 0 ? "Response" : "Response" + std::to_string(t + 1);
     pressed->SetTool(tools[t]);
-    pressed->SetResponseName(name);
+    pressed->SetResponseName(names[t]);
     pressed->SetSurfaceData(body);
     error = updateQuietly(pressed);
     if (!error.empty())
@@ -133,8 +144,38 @@ std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene
     " points of it solved for, ", roundedText(sizes.sources), " mm apart, and ", tools.size(),
     tools.size() == 1 ? " tool in " : " tools in ", roundedText(secondsSince(begin)), " s"));
   scene.body = body;
+  return {};
+}
+} // namespace
+
+std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)
+{
+  std::vector<std::string> arrays;
+  for (const std::string& name : responseNames(scene.tools.size()))
+  {
+    arrays.push_back(name + "Force");
+  }
+  const std::string file = cachePlace("solid", solidKey(options, scene), ".vtp");
+  if (const vtkSmartPointer<vtkPolyData> solved = readSolved(file, arrays))
+  {
+    scene.body = solved;
+    scene.notes.push_back("its solid's responses taken from the cache " + file);
+  }
+  else
+  {
+    const std::string error = solveSolid(options, scene);
+    if (!error.empty())
+    {
+      return error;
+    }
+    const std::string fault = keepSolved(scene.body, file);
+    if (!fault.empty())
+    {
+      scene.notes.push_back("cache not used: " + fault);
+    }
+  }
   scene.stored = true;
-  scene.modelReason = responseText(body, "Response", ResponseArray::Model);
+  scene.modelReason = responseText(scene.body, "Response", ResponseArray::Model);
   return {};
 }
 } // namespace palpate

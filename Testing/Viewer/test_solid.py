@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """--solid: a surface is filled with tetrahedra, and each of its points feels the body's true shape."""
+import pathlib
 import re
 import unittest
 
 import bodies
 import numpy
-from session import SessionCase, peak_force
+from session import CACHE, SessionCase, peak_force
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -23,7 +24,16 @@ def dome():
     return body
 
 
+def cached():
+    return list(pathlib.Path(CACHE.name).glob("palpate/solid-*.vtp"))
+
+
 class Solid(SessionCase):
+    def setUp(self):
+        super().setUp()
+        for file in cached():
+            file.unlink()
+
     def responses(self, *arguments):
         saved = self.folder / "saved.vtp"
         self.result = self.press(dome(), "dome.vtp", "--solid", SPACING, "--save", saved,
@@ -79,6 +89,24 @@ class Solid(SessionCase):
         if "PALPATE_USE_CGAL" not in result.stderr:
             chosen = float(re.search(r"nodes, (\S+) mm at the surface \(chosen", result.stderr).group(1))
             self.assertLess(chosen, 6.0 / 3.0)
+
+    def test_the_second_time_it_is_there(self):
+        first = self.responses("--tool", "sphere:4")
+        self.assertIn("filled with", self.result.stderr)
+        again = self.responses("--tool", "sphere:4")
+        self.assertRegex(self.result.stderr, r"its solid's responses taken from the cache .*solid-\w+\.vtp")
+        self.assertNotIn("filled with", self.result.stderr)
+        for name, values in first.items():
+            numpy.testing.assert_array_equal(values, again[name])
+        # Held otherwise, and from a file that ends in the middle, it is solved for again.
+        self.responses("--tool", "sphere:4", "--fixed", "z-:4")
+        self.assertIn("filled with", self.result.stderr)
+        self.assertEqual(len(cached()), 2)
+        for file in cached():
+            file.write_bytes(file.read_bytes()[:5000])
+        broken = self.responses("--tool", "sphere:4")
+        self.assertIn("filled with", self.result.stderr)
+        numpy.testing.assert_array_equal(first["Force"], broken["Force"])
 
     def test_what_cannot_be_filled_is_refused(self):
         half = vtkSphereSource()

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolvedCache.h"
+
+#include "BodyCache.h"
+#include "Mechanics/Files/NumberText.h"
+#include "ResponseSet.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+#include <string_view>
+
+namespace palpate
+{
+std::vector<std::string> responseNames(std::size_t tools)
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < tools; ++i)
+  {
+    names.push_back(i == 0 ? "Response" : "Response" + std::to_string(i + 1));
+  }
+  return names;
+}
+
+vtkSmartPointer<vtkPolyData> readSolved(
+  const std::string& file, const std::vector<std::string>& pointArrays)
+{
+  std::error_code ignored;
+  if (file.empty() || !std::filesystem::exists(file, ignored))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  if (!updateQuietly(reader).empty())
+  {
+    return nullptr;
+  }
+  vtkPolyData* body = reader->GetOutput();
+  const auto has = [body](const std::string& name)
+  { return body->GetPointData()->HasArray(name.c_str()) != 0; };
+  return std::all_of(pointArrays.begin(), pointArrays.end(), has) ? body : nullptr;
+}
+
+std::string keepSolved(vtkPolyData* body, const std::string& file)
+{
+  if (file.empty())
+  {
+    return {};
+  }
+  const std::string fault = makeCacheFolder(file);
+  return fault.empty() ? saveBody(body, file) : fault;
+}
+
+std::string solvedKey(const ViewerOptions& options, const TouchScene& scene)
+{
+  std::string key;
+  for (const double number : { scene.youngsModulus, scene.poissonsRatio, options.maximumDeflection,
+         options.terms.errorTolerance })
+  {
+    key += '|' + shortestDecimals(number);
+  }
+  for (const std::string& tool : scene.tools)
+  {
+    key += '|' + tool;
+  }
+  return key;
+}
+
+std::string contentOf(vtkPolyData* body)
+{
+  std::ostringstream text;
+  const auto add = [&text](vtkDataArray* array)
+  {
+    const auto bytes = static_cast<std::size_t>(array->GetNumberOfValues()) *
+      static_cast<std::size_t>(array->GetDataTypeSize());
+    const std::string_view content(static_cast<const char*>(array->GetVoidPointer(0)), bytes);
+    text << '|' << (array->GetName() ? array->GetName() : "") << ' ' << array->GetDataType() << ' '
+         << array->GetNumberOfTuples() << ' ' << std::hash<std::string_view>()(content);
+  };
+  add(body->GetPoints()->GetData());
+  vtkCellArray* polys = body->GetPolys();
+  add(polys->GetConnectivityArray());
+  for (int i = 0; i < body->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = body->GetPointData()->GetArray(i))
+    {
+      add(array);
+    }
+  }
+  return text.str();
+}
+} // namespace palpate
