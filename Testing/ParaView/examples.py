@@ -216,9 +216,20 @@ def feel_a_nodule():
         assert above > 1.5 * beside[0] > 0 and abs(beside[1]) <= 4, line
 
 
+def press_a_horn():
+    # The sphere on the ball that the back is of, whose curvature the mesh tells to some per cent. A horn is as long as it
+    # is thick at its root: it gives way as a beam on top, by more than the dent.
+    back, root, tip = [numbers(line) for line in run("press_a_horn.py", OUTPUT / "horn.png")]
+    on_ball = sphere(3, 0.99 * 1.5, 0.1 / (1 - 0.45**2), 25)
+    close(back[1], on_ball, 0.05 * on_ball)
+    close(back[0], on_ball, 0.15 * on_ball)                # the ball gives way as a whole, 0.46 a/R_b, and on its bottom
+    assert back[0] < back[1] and root[0] < 0.5 * root[1] and tip[0] < 0.7 * root[0], (back, root, tip)
+    assert (OUTPUT / "horn.png").stat().st_size > 20000
+
+
 CHECKS = [first_force, tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
           deflection_picture, touch_window, in_paraview, compare_global_local, measured_curves,
-          feel_a_nodule]
+          feel_a_nodule, press_a_horn]
 ELSEWHERE = {"many_tools_mpi"}                              # many_tools.py runs it under mpiexec
 assert {check.__name__ for check in CHECKS} | ELSEWHERE == {path.stem for path in EXAMPLES.glob("*.py")}
 for check in CHECKS:
