@@ -4,6 +4,7 @@
 
 #include "Agreement.h"
 #include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/Layers/LayerStack.h"
 #include "TestTools.h"
 
 #include <random>
@@ -168,6 +169,46 @@ TEST(ShapedLayer, ScatteredModuliAreNoBorder)
     { std::move(mesh), materials, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 7.5);
   EXPECT_EQ(layer.fit->site().status, PatchStatus::Valid);
   EXPECT_LT(errorsOn(*layer.fit, 0.45, Smooth, 0.74).force, 0.02 + 0.0035);
+}
+
+// Two bonded layers of 5 mm, Poisson's ratio and modulus with a jump between them, against the
+// exact stack. Reference sheet: 1 % with two elements through a layer.
+TEST(ShapedLayer, PoissonsRatioMayJump)
+{
+  const std::vector<double> line = palpate::testing::gradedLine(2.5, 7.5, 1.5, 60.0);
+  for (const auto& [above, below] :
+    { std::pair(ElasticMaterial{ 1.0, 0.3 }, ElasticMaterial{ 1.0, 0.49 }),
+      std::pair(ElasticMaterial{ 1.0, 0.49 }, ElasticMaterial{ 1.0, 0.2 }),
+      std::pair(ElasticMaterial{ 1.0, 0.45 }, ElasticMaterial{ 5.0, 0.3 }) })
+  {
+    VolumeMesh mesh = palpate::testing::gridBlock(line, line, { 0.0, 2.5, 5.0, 7.5, 10.0 });
+    std::vector<ElasticMaterial> materials;
+    for (const VolumeElement& element : mesh.elements)
+    {
+      materials.push_back(elementMiddle(mesh, element).z() > 5.0 ? above : below);
+    }
+    const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
+    const ShapedBody body(
+      { std::move(mesh), materials, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 7.5);
+    LayerStack stack;
+    stack.layers = { { 5.0, above.youngsModulus, above.poissonRatio },
+      { 5.0, below.youngsModulus, below.poissonRatio } };
+    const auto kernel = std::make_shared<const LayerKernel>(stack);
+    for (const char* name : { "paraboloid:10", "sphere:40", "flat:2.5", "flat:5" })
+    {
+      const auto pressed = tool(name);
+      const LayerContact exact(*pressed, kernel, 5.0);
+      const ContactCurve curve = ShapedContact(*pressed).curve(*body.fit);
+      for (const double radius : { 1.5, 2.5, 4.0, 5.0, 7.0 })
+      {
+        const bool isFlat = name[0] == 'f';
+        const double depth = isFlat ? 0.3 : exact.depthAtContactRadius(radius);
+        const double force = exact.evaluate(depth, body.fit->site().reducedModulus).force;
+        EXPECT_NEAR(curve.evaluate(depth).force / force, 1.0, 0.01)
+          << name << " " << radius << " " << above.poissonRatio << " " << below.poissonRatio;
+      }
+    }
+  }
 }
 
 // Measured: 0.7 % with two quadratic tetrahedra through the thickness.
