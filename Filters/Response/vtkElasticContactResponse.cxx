@@ -148,6 +148,12 @@ std::string vtkElasticContactResponse::Solve(vtkUnstructuredGrid* grid, bool& en
   fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.factor.young) : fault;
   fault =
     fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.factor.poisson) : fault;
+  vtkDataArray* thickness = nullptr;
+  if (fault.empty() && this->AutomaticTerms)
+  {
+    fault = palpate::findPointArray(this, grid, 2, find, thickness);
+  }
+  this->ThicknessName = thickness ? thickness->GetName() : "";
   if (!fault.empty())
   {
     return fault;
@@ -231,7 +237,7 @@ std::string vtkElasticContactResponse::KeepSimplerLaw(
   vtkPolyData* surface, palpate::ResponseStorage& storage)
 {
   const palpate::SimplerLaw law{ this->Tool, this->MaximumDeflection, this->LayerThickness,
-    this->TermTolerance };
+    this->ThicknessName, this->TermTolerance };
   vtkNew<vtkFloatArray> change;
   change->SetName((this->ResponseName + "ShapeChange").c_str());
   const std::string fault = palpate::keepSimplerLaw(

@@ -165,8 +165,8 @@ public:
   ///@}
 
   ///@{
-  /** Thickness, mm, >= 0, of the layer that AutomaticTerms compares with; 0 (default): a
-   * half-space. */
+  /** Thickness, mm, >= 0, of the layer that AutomaticTerms compares with, at points without an
+   * array (array to process 2, point data, one component); 0 (default): a half-space. */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
@@ -227,6 +227,7 @@ private:
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   double LayerThickness = 0.0;
+  std::string ThicknessName; ///< of the array to process 2 in the last run
   std::string TermReason;
   double MemoryLimit = 0.0;
   int Solver = 0;

@@ -8,6 +8,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
+#include "vtkPointData.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -67,8 +68,10 @@ double allowedMemory(double memoryLimit)
   return memoryLimit > 0.0 ? Mebibyte * memoryLimit : MemoryShare * availableMemory();
 }
 
-std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
-  const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array)
+namespace
+{
+std::string findGridArray(vtkAlgorithm* filter, vtkDataSetAttributes* data, vtkIdType count,
+  int index, const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array)
 {
   array = nullptr;
   vtkInformationVector* wanted =
@@ -85,19 +88,31 @@ std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int i
   {
     return {}; // an empty name takes the setting back
   }
-  array = name ? grid->GetCellData()->GetArray(name) : find(index);
+  array = name ? data->GetArray(name) : find(index);
   if (!array)
   {
     return joined("Array to process ", index, " ('", name ? name : "active attribute",
-      "') is not on the input's cells");
+      "') is not on the input's ", data->IsA("vtkCellData") ? "cells" : "points");
   }
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != grid->GetNumberOfCells())
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {
-    return joined("Array '", array->GetName(), "' must have 1 component and ",
-      grid->GetNumberOfCells(), " tuples, but has ", array->GetNumberOfComponents(), " and ",
-      array->GetNumberOfTuples());
+    return joined("Array '", array->GetName(), "' must have 1 component and ", count,
+      " tuples, but has ", array->GetNumberOfComponents(), " and ", array->GetNumberOfTuples());
   }
   return {};
+}
+} // namespace
+
+std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
+  const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array)
+{
+  return findGridArray(filter, grid->GetCellData(), grid->GetNumberOfCells(), index, find, array);
+}
+
+std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
+  const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array)
+{
+  return findGridArray(filter, grid->GetPointData(), grid->GetNumberOfPoints(), index, find, array);
 }
 
 std::string factoriseBody(vtkUnstructuredGrid* grid, const FactorRequest& request,

@@ -37,6 +37,10 @@ double allowedMemory(double memoryLimit);
 std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
+/// The same of a point array.
+std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
+  const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
+
 /// Makes `body` of the grid and its point array `Fixed`, and factorises it. Returns what is wrong,
 /// or "". `memory` (MiB): what the factorisation takes, also where that is refused. Where
 /// `goOn(share of the work)` says false it ends at once, and `body` is not to be used.

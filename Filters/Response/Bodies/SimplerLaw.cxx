@@ -57,7 +57,7 @@ std::string respondByLaw(const ElasticBody& body, vtkPolyData* surface, const Si
   request.responseName = LawName;
   request.deflection = law.deflection;
   request.material = { 1.0, 0.3, law.thickness, LayerBase::Bonded, false };
-  request.arrays = materialArrays(given, { YoungName, "", "", PoissonName, "" });
+  request.arrays = materialArrays(given, { YoungName, law.thicknesses, "", PoissonName, "" });
   request.samples = samples;
   request.terms.errorTolerance = 0.0;
   std::string warning; // of points without a law: they keep what they have
@@ -111,7 +111,8 @@ private:
 std::string describe(
   const SimplerLaw& law, std::vector<double> changes, std::size_t kept, std::size_t points)
 {
-  const char* model = law.thickness > 0.0 ? "a layer's" : "a half-space's";
+  const bool isLayer = law.thickness > 0.0 || !law.thicknesses.empty();
+  const char* model = isLayer ? "a layer's" : "a half-space's";
   if (changes.empty())
   {
     return joined("no point has both true shape and ", model, " law: true shape is kept");

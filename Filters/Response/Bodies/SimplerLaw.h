@@ -20,6 +20,7 @@ struct SimplerLaw
   vtkContactTool* tool = nullptr;
   double deflection = 0.0; ///< mm, of the last sample
   double thickness = 0.0;  ///< mm, 0: a half-space
+  std::string thicknesses; ///< point array of the surface in its place; "": none
   double tolerance = 0.01; ///< of the force, relative
 };
 

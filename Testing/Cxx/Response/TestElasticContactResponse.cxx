@@ -179,7 +179,30 @@ void checkSimplerLaw()
   PALPATE_CHECK(std::isnan(component(
     chosen, "ResponseShapeChange", plain->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, Height))));
 
+  // The same thickness from an array; where that is 0 a half-space is none.
   chosen->SetLayerThickness(0.0);
+  vtkNew<vtkDoubleArray> thickness;
+  thickness->SetName("Thickness");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    thickness->InsertNextValue(grid->GetPoint(i)[0] < 0.6 * Side ? Height : 0.0);
+  }
+  grid->GetPointData()->AddArray(thickness);
+  chosen->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Thickness");
+  chosen->Update();
+  PALPATE_CHECK_TEXT(chosen->GetTermReason(), "a layer's law is kept");
+  PALPATE_CHECK_NEAR(component(chosen, "ResponseForce", middle, 7), law, 1e-5 * law);
+  const vtkIdType beyond =
+    plain->GetOutput()->vtkDataSet::FindPoint(0.75 * Side, 0.5 * Side, Height);
+  PALPATE_CHECK(component(chosen, "ResponseShapeChange", beyond) > 0.1);
+  chosen->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nowhere");
+  {
+    Messages missing(chosen.Get());
+    chosen->Update();
+    PALPATE_CHECK_TEXT(missing.errors(), "Nowhere", "points");
+  }
+  chosen->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+
   chosen->Update();
   PALPATE_CHECK_TEXT(chosen->GetTermReason(), "a half-space's law is kept");
   PALPATE_CHECK(component(chosen, "ResponseShapeChange", middle) > 0.1);
