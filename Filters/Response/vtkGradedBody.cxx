@@ -15,6 +15,7 @@
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -54,6 +56,19 @@ double expectedCells(const palpate::ClosedSurface& closed, double s, double l, d
   const double graded =
     closed.area * (1.0 / (s * s) - 1.0 / (l * l)) / (2.0 * growth) + closed.volume / std::pow(l, 3);
   return CellsPerCube * std::min(graded, closed.volume / std::pow(s, 3));
+}
+
+/// Of a ball that is finer, and of the shell in which the spacing grows from that to l: of cells of
+/// u³, r = R + (u - s)/growth.
+double expectedCells(const palpate::FineBall& ball, double l, double growth)
+{
+  const double s = std::min(ball.spacing, l);
+  const double b = growth * ball.radius - s;
+  const auto primitive = [b](double u)
+  { return std::log(u) - 2.0 * b / u - 0.5 * b * b / (u * u); };
+  const double inside = std::pow(ball.radius / s, 3) / 3.0;
+  const double around = (primitive(l) - primitive(s)) / std::pow(growth, 3);
+  return CellsPerCube * 4.0 * vtkMath::Pi() * (inside + around);
 }
 
 /// The closest place of lines or triangles.
@@ -154,6 +169,21 @@ bool vtkGradedBody::IsAvailable()
   return palpate::hasSurfaceMesher();
 }
 
+void vtkGradedBody::AddFineBall(double x, double y, double z, double radius, double spacing)
+{
+  this->FineBalls.push_back({ x, y, z, radius, spacing });
+  this->Modified();
+}
+
+void vtkGradedBody::ClearFineBalls()
+{
+  if (!this->FineBalls.empty())
+  {
+    this->FineBalls.clear();
+    this->Modified();
+  }
+}
+
 int vtkGradedBody::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -201,6 +231,25 @@ std::string vtkGradedBody::CheckProperties() const
   {
     return palpate::joined("Deviation must be 0 or positive (mm), but is ", this->Deviation);
   }
+  for (std::size_t i = 0; i < this->FineBalls.size(); ++i)
+  {
+    const auto& [x, y, z, radius, spacing] = this->FineBalls[i];
+    if (!std::isfinite(x + y + z))
+    {
+      return palpate::joined(
+        "FineBall ", i, ": its middle must be finite (mm), but is ", x, ", ", y, ", ", z);
+    }
+    if (!(radius >= 0.0 && std::isfinite(radius)))
+    {
+      return palpate::joined(
+        "FineBall ", i, ": its radius must be 0 or positive (mm), but is ", radius);
+    }
+    if (!(spacing > 0.0 && std::isfinite(spacing)))
+    {
+      return palpate::joined(
+        "FineBall ", i, ": its spacing must be positive and finite (mm), but is ", spacing);
+    }
+  }
   return {};
 }
 
@@ -217,13 +266,20 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
   const double inside =
     this->InteriorSpacing > 0.0 ? this->InteriorSpacing : InteriorRatio * this->SurfaceSpacing;
   this->CellEstimate = expectedCells(closed, this->SurfaceSpacing, inside, this->Growth);
+  std::vector<palpate::FineBall> balls;
+  for (const auto& [x, y, z, radius, spacing] : this->FineBalls)
+  {
+    balls.push_back({ Eigen::Vector3d(x, y, z), radius, spacing });
+    this->CellEstimate += expectedCells(balls.back(), this->SurfaceSpacing, this->Growth);
+  }
   const double needed = BytesPerCell * this->CellEstimate;
   const double available = palpate::availableMemory();
   if (!(this->CellEstimate < MostCells) || needed > available)
   {
-    return palpate::joined("SurfaceSpacing ", this->SurfaceSpacing, " mm makes about ",
-      this->CellEstimate, " tetrahedra, which need about ", needed / palpate::Mebibyte,
-      " MiB, but ", available / palpate::Mebibyte, " MiB are available, and more than ", MostCells,
+    return palpate::joined("SurfaceSpacing ", this->SurfaceSpacing, " mm",
+      balls.empty() ? "" : " with its FineBalls", " makes about ", this->CellEstimate,
+      " tetrahedra, which need about ", needed / palpate::Mebibyte, " MiB, but ",
+      available / palpate::Mebibyte, " MiB are available, and more than ", MostCells,
       " are too many");
   }
   palpate::MeshedSurface wanted = convertSurfaceToMesh(closed.surface);
@@ -239,6 +295,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
                     << " pairs of triangles; it was mended there before it was filled.");
   }
   wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), this->SurfaceSpacing);
+  wanted.balls = balls;
   wanted.interiorSpacing = inside;
   wanted.growth = this->Growth;
   wanted.deviation =
@@ -291,6 +348,7 @@ void vtkGradedBody::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceSpacing: " << this->SurfaceSpacing << " mm\n";
   os << indent << "InteriorSpacing: " << this->InteriorSpacing << " mm\n";
   os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "FineBalls: " << this->FineBalls.size() << "\n";
   os << indent << "Deviation: " << this->Deviation << " mm\n";
   os << indent << "FixedFaces: " << this->FixedFaces << "\n";
   os << indent << "CellEstimate: " << this->CellEstimate << "\n";

@@ -13,12 +13,12 @@
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
  * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)
  * where it is curved by 1/R. Inside they grow by Growth per distance from the surface, to
- * InteriorSpacing. Edges by which the surface turns more than 45° are kept, unless
- * most of them are shorter than three SurfaceSpacings, as the noise of a scan is. Mid-edge nodes of
- * the outside lie on the true surface, or its sharp edges, but where that would spoil a
- * tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points within
- * half a SurfaceSpacing, or as far as is said, of the output's outermost point on each of the
- * FixedFaces, 0 elsewhere.
+ * InteriorSpacing. In FineBalls they are shorter. Edges by which the surface turns more than 45°
+ * are kept, unless most of them are shorter than three SurfaceSpacings, as the noise of a scan is.
+ * Mid-edge nodes of the outside lie on the true surface, or its sharp edges, but where that would
+ * spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points
+ * within half a SurfaceSpacing, or as far as is said, of the output's outermost point on each of
+ * the FixedFaces, 0 elsewhere.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: a build without CGAL (PALPATE_USE_CGAL) refuses in
  * words. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell, of which there
@@ -35,7 +35,9 @@
 #include "palpateResponseModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <array>  // For std::array
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -66,6 +68,15 @@ public:
   /** How much longer edges get per length from the surface inwards: > 0, at most 2. Default 0.5. */
   vtkSetMacro(Growth, double);
   vtkGetMacro(Growth, double);
+  ///@}
+
+  ///@{
+  /** Adds a ball within which edges are about `spacing` long, on the surface and inside, and from
+   * which they grow by Growth: around a nodule, or where a tool is pressed. Middle, radius >= 0 and
+   * spacing > 0 in mm. They are checked when the filter runs. */
+  void AddFineBall(double x, double y, double z, double radius, double spacing);
+  void ClearFineBalls();
+  int GetNumberOfFineBalls() { return static_cast<int>(this->FineBalls.size()); }
   ///@}
 
   ///@{
@@ -102,6 +113,7 @@ private:
   double SurfaceSpacing = 2.0;
   double InteriorSpacing = 0.0;
   double Growth = 0.5;
+  std::vector<std::array<double, 5>> FineBalls; ///< middle, radius, spacing
   double Deviation = 0.0;
   std::string FixedFaces = "z-";
   double CellEstimate = 0.0;

@@ -94,7 +94,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Input": None, "Length Unit": 0, "Spacing (mm)": 2.0, "Fixed Faces": "z-", "Conform": 1},
     ("filters", "GradedBody"): {
         "Input": None, "Length Unit": 0, "Surface Spacing (mm)": 2.0, "Interior Spacing (mm)": 0.0, "Growth": 0.5,
-        "Deviation (mm)": 0.0, "Fixed Faces": "z-"},
+        "Fine Balls (mm)": None, "Deviation (mm)": 0.0, "Fixed Faces": "z-"},
     ("filters", "SkinSurface"): {
         "Input": None, "Grey Values": "", "Contour Value": 30.0, "Closing Radius (mm)": 6.0,
         "Resolution (mm)": 0.0, "Smoothing Iterations": 30},

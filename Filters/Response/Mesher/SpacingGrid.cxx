@@ -16,7 +16,11 @@ SpacingGrid::SpacingGrid(const MeshedSurface& surface)
 {
   const Eigen::Vector3d lowest = surface.points.rowwise().minCoeff();
   const Eigen::Vector3d length = surface.points.rowwise().maxCoeff() - lowest;
-  const double finest = *std::min_element(surface.spacing.begin(), surface.spacing.end());
+  double finest = *std::min_element(surface.spacing.begin(), surface.spacing.end());
+  for (const FineBall& ball : surface.balls)
+  {
+    finest = std::min(finest, ball.spacing);
+  }
   this->Step =
     std::max(finest / StepsPerSpacing, std::cbrt((length.array() + finest).prod() / MostGridNodes));
   // A plate's volume is small beside its nodes.
@@ -31,6 +35,27 @@ SpacingGrid::SpacingGrid(const MeshedSurface& surface)
     surface.interiorSpacing);
   this->mark(surface, surface.growth);
   this->sweep(surface.growth);
+  for (const FineBall& ball : surface.balls)
+  {
+    this->refine(ball, surface.growth);
+  }
+}
+
+void SpacingGrid::refine(const FineBall& ball, double growth)
+{
+  std::size_t node = 0;
+  for (int k = 0; k < this->Size[2]; ++k)
+  {
+    for (int j = 0; j < this->Size[1]; ++j)
+    {
+      for (int i = 0; i < this->Size[0]; ++i, ++node)
+      {
+        const Eigen::Vector3d place = this->Origin + this->Step * Eigen::Vector3d(i, j, k);
+        const double beyond = std::max(0.0, (place - ball.middle).norm() - ball.radius);
+        this->Values[node] = std::min(this->Values[node], ball.spacing + growth * beyond);
+      }
+    }
+  }
 }
 
 /// What places on the triangles, less than a step apart, say at the nodes around them.

@@ -277,6 +277,65 @@ void checkShapes()
   PALPATE_CHECK(parts->GetOutput()->GetBounds()[1] > 26.9);
 }
 
+/// Cells that reach into a ball are about as long as is said, on its face and inside, those far
+/// away as before.
+void checkFineBalls()
+{
+  const Place middle{ 0.0, 0.0, 20.0 };
+  const auto filter = makeFilter(box(24.0, 24.0, 20.0), 4.0);
+  filter->Update();
+  const vtkIdType before = filter->GetOutput()->GetNumberOfCells();
+  filter->AddFineBall(middle[0], middle[1], middle[2], 4.0, 1.0);
+  PALPATE_CHECK(filter->GetNumberOfFineBalls() == 1);
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.none());
+  vtkUnstructuredGrid* grid = filter->GetOutput();
+  std::array<double, 2> sums{};
+  std::array<int, 2> counts{};
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    std::array<Place, 4> x{};
+    Place at{};
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      grid->GetPoint(
+        grid->GetCell(c)->GetPointId(static_cast<int>(i)), x[static_cast<std::size_t>(i)].data());
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        at[k] += 0.25 * x[static_cast<std::size_t>(i)][k];
+      }
+    }
+    const double away = std::hypot(at[0] - middle[0], at[1] - middle[1], at[2] - middle[2]);
+    const std::size_t where = away < 3.5 ? 0 : 1;
+    if (where == 1 && away < 14.0)
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        sums[where] += std::hypot(x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]);
+        ++counts[where];
+      }
+    }
+  }
+  std::cout << "fine ball: edges of " << sums[0] / counts[0] << " mm within, "
+            << sums[1] / counts[1] << " mm far away, " << grid->GetNumberOfCells()
+            << " cells, expected " << filter->GetCellEstimate() << ", without it " << before
+            << std::endl;
+  PALPATE_CHECK_NEAR(sums[0] / counts[0], 1.0, 0.25);
+  PALPATE_CHECK(sums[1] / counts[1] > 3.0);
+  // Half of the ball and its shell lie outside, which the estimate does not know.
+  PALPATE_CHECK(grid->GetNumberOfCells() < filter->GetCellEstimate());
+  PALPATE_CHECK(3.0 * grid->GetNumberOfCells() > filter->GetCellEstimate());
+  PALPATE_CHECK_NEAR(measure(grid).volume / (24.0 * 24.0 * 20.0), 1.0, 1e-9);
+  filter->ClearFineBalls();
+  filter->Update();
+  PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() == before);
+}
+
 void checkHeldSides()
 {
   const auto filter = makeFilter(box(12.0, 8.0, 6.0), 2.0);
@@ -454,6 +513,11 @@ void checkErrors()
   fails(solid, [](auto* f) { f->SetGrowth(3.0); }, { "Growth", "3" });
   fails(solid, [](auto* f) { f->SetDeviation(-1.0); }, { "Deviation", "-1" });
   fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "FixedFaces", "w+" });
+  fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, 1, 0); }, { "FineBall 0", "spacing", "0" });
+  fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, -1, 1); }, { "FineBall 0", "radius", "-1" });
+  fails(
+    solid, [](auto* f) { f->AddFineBall(0, 0, std::nan(""), 1, 1); }, { "FineBall 0", "middle" });
+  fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, 9, 1e-3); }, { "FineBalls", "MiB" });
   fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-3); }, { "SurfaceSpacing", "MiB" });
   fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-200); }, { "SurfaceSpacing", "many" });
   vtkNew<vtkReverseSense> reverse;
@@ -528,6 +592,7 @@ int TestGradedBody(int, char* argv[])
     return palpate::testing::result();
   }
   checkShapes();
+  checkFineBalls();
   checkHeldSides();
   checkSameBits();
   checkErrors();
