@@ -3,12 +3,14 @@
 """Ways to render a contact: how true, how fast, how large.
 
     ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...] [--only-strain]
+                               [--only-shape]
 
 Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
 convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the same as tables), and with
 matplotlib accuracy-speed.png and convergence.png. Then the same for finite strain itself as the truth: finite-strain.csv,
-finite-strain.md, finite-strain.png (--only-strain: these alone). Times are of this machine; all else is the same everywhere.
+finite-strain.md, finite-strain.png (--only-strain: these alone). Then an edge, a horn and a nodule, through the VTK filters:
+shape.csv, shape.md, shape.png (--only-shape: these alone). Times are of this machine; all else is the same everywhere.
 """
 import argparse
 import csv
@@ -20,6 +22,7 @@ import sys
 import head
 import pictures
 import rows as study
+import shape
 import strain
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -130,22 +133,42 @@ def report_strain(program, quick, folder):
     print(strain.tables(rows))
 
 
+def report_shape(quick, folder):
+    try:
+        import palpate  # noqa: F401
+    except ImportError as error:
+        print("no shape: the package palpate is not on the path ({})".format(error), file=sys.stderr)
+        return
+    rows = shape.measure(quick, lambda text: print(text, file=sys.stderr))
+    write(folder / "shape.csv", rows, shape.COLUMNS)
+    (folder / "shape.md").write_text(shape.tables(rows), encoding="utf-8")
+    if not shape.draw(rows, folder / "shape.png"):
+        print("no shape.png: no matplotlib", file=sys.stderr)
+    print(shape.tables(rows))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build" / "studies" / "accuracy-speed")
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
-    parser.add_argument("--quick", action="store_true", help="few tips, no finite elements, a coarse head")
+    parser.add_argument("--quick", action="store_true", help="few tips, no finite elements, a coarse head; "
+                        "of the shapes one nodule, and no body in series")
     parser.add_argument("--scene", action="append", choices=("block", "layer", "plate", "head"), default=[])
     parser.add_argument("--redraw", type=pathlib.Path, help="rows of an earlier run (rows.csv) instead of a new one")
     parser.add_argument("--only-strain", action="store_true", help="against finite strain alone")
+    parser.add_argument("--only-shape", action="store_true", help="on an edge, a horn and a nodule alone")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
+    if arguments.only_shape:
+        return report_shape(arguments.quick, arguments.output)
     if not arguments.program.exists() and not arguments.redraw:
         parser.error("there is no {}: was it left out of the build?".format(arguments.program))
     if not arguments.redraw:
         report_strain(arguments.program, arguments.quick, arguments.output)
     if arguments.only_strain:
         return
+    if not arguments.redraw:
+        report_shape(arguments.quick, arguments.output)
     if arguments.redraw:
         text = arguments.redraw.read_text(encoding="utf-8")
     else:

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bodies with an edge, a horn and a nodule: what the half-space misses there, and what true shape costs."""
+import csv
+import math
+import time
+
+import pictures
+
+METHODS = {"half-space": "#d55e00", "half-space, body in series": "#e69f00", "true shape, coarse": "#56b4e9",
+           "true shape": "#0072b2"}
+HALF_SPACE, IN_SERIES, COARSE, TRUE = METHODS
+COLUMNS = ("body", "tool", "case", "method", "depth_mm", "true_force_N", "force_N", "error", "stated_error", "made_s",
+           "points", "hot_ns")
+TEXTS = COLUMNS[:4]
+BODIES = ("edge", "horn", "nodule")
+DEEPER = 1.1                # curves end a tenth below the deepest press
+TICKS, PASSES, WANDER = 4000, 7, 0.4    # of the path that is timed; mm around the place
+
+
+def read(text):
+    rows = list(csv.DictReader(text.splitlines()))
+    for row in rows:
+        for name, value in row.items():
+            if name not in TEXTS:
+                row[name] = float(value) if value else None
+    return rows
+
+
+class Response:
+    """One method's curves of one tool on one body."""
+
+    def __init__(self, method, body, tool, compliance=None):
+        import palpate
+        import shape_bodies
+        began = time.perf_counter()
+        mesh = body.meshes["coarse" if method == COARSE else "fine"]
+        deepest = DEEPER * max(depth for _, _, depth, _ in body.at(tool))
+        if method in (COARSE, TRUE):
+            law = palpate.vtkElasticContactResponse()
+            law.SetInputData(mesh)
+            if body.name == "nodule":
+                arrays_of_cells(law)
+            pressed = shape_bodies.on_true_surface(body.name, tool)
+        else:
+            law = palpate.vtkToolContactResponse()
+            pressed = tool
+            if method == IN_SERIES:
+                law.SetInputData(compliance)
+                law.SetInputArrayToProcess(2, 0, 0, 0, "GlobalCompliance")
+            else:
+                outside = palpate.vtkBodySurface()
+                outside.SetInputData(mesh)
+                law.SetInputConnection(outside.GetOutputPort())
+        law.SetTool(shape_bodies.tool(pressed))
+        law.SetYoungsModulus(shape_bodies.YOUNG)
+        law.SetPoissonRatio(shape_bodies.POISSON)
+        law.SetMaximumDeflection(deepest)
+        law.AddObserver("WarningEvent", lambda *_: None)    # most points are not pressed, and have no response
+        law.Update()
+        self.made = time.perf_counter() - began
+        self.surface = law.GetOutput()
+        status = self.surface.GetPointData().GetArray("ResponseStatus")
+        states = [status.GetTuple1(i) for i in range(status.GetNumberOfTuples())]
+        self.points = sum(state in (0, 5) for state in states)      # 5, next to an edge, has a curve as well
+        self.place = self.surface.GetPoint(self.surface.FindPoint(*body.place))
+        self.middle = (0.0, 0.0, 0.0) if body.name == "horn" else None
+
+    def tip(self, depth, across=(0.0, 0.0)):
+        """So deep under the place, or beside it."""
+        x, y, z = self.place[0] + across[0], self.place[1] + across[1], self.place[2]
+        if self.middle is None:
+            return x, y, z - depth
+        size = math.sqrt(x * x + y * y + z * z)             # towards the middle of the ball
+        radius = math.sqrt(sum(c * c for c in self.place))
+        return tuple(c / size * (radius - depth) for c in (x, y, z))
+
+    def probe(self, tips, follows):
+        """A probe of tips, each on its own or one after another."""
+        import palpate
+        from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+        points, lines, path = vtkPoints(), vtkCellArray(), vtkPolyData()
+        points.SetDataType(VTK_DOUBLE)
+        for tip in tips:
+            points.InsertNextPoint(*tip)
+        path.SetPoints(points)
+        if follows:
+            lines.InsertNextCell(len(tips), range(len(tips)))
+            path.SetLines(lines)
+        probe = palpate.vtkToolContactProbe()
+        probe.SetInputData(0, self.surface)
+        probe.SetTipData(path)
+        probe.Update()
+        return probe, path
+
+    def forces(self, depths):
+        """Of each depth the force along the normal, and its stated error; None where there is no response."""
+        probe, _ = self.probe([self.tip(depth) for depth in depths], False)
+        data = probe.GetOutput().GetPointData()
+        felt = data.GetArray("NormalForce"), data.GetArray("RelativeError"), data.GetArray("ContactState")
+        for i in range(len(depths)):
+            force, error, state = (array.GetTuple1(i) for array in felt)
+            yield (force, None if math.isnan(error) else error) if state in (1, 2) else (None, None)
+
+    def tick(self, deepest):
+        """Median time per tip of a path around the place on one thread, ns."""
+        from vtkmodules.vtkCommonCore import vtkSMPTools
+        reach = self.surface.GetPointData().GetArray("ResponseRange").GetTuple1(self.surface.FindPoint(*self.place))
+        deepest = min(deepest, 0.9 * reach)
+        tips = []
+        for i in range(TICKS):
+            angle, depth = 0.013 * i, deepest * (0.6 + 0.35 * math.sin(0.0071 * i))
+            tips.append(self.tip(depth, (WANDER * math.cos(angle), WANDER * math.sin(2 * angle))))
+        vtkSMPTools.Initialize(1)
+        probe, path = self.probe(tips, True)                # copies the body for the kernel
+        times = []
+        for _ in range(PASSES):
+            path.Modified()
+            began = time.perf_counter()
+            probe.Update()
+            times.append(time.perf_counter() - began)
+        vtkSMPTools.Initialize(0)                           # as many as there are again
+        states = probe.GetOutput().GetPointData().GetArray("ContactState")
+        felt = sum(states.GetTuple1(i) in (1, 2) for i in range(TICKS))
+        return 1e9 * sorted(times)[PASSES // 2] / TICKS if felt == TICKS else None
+
+
+def arrays_of_cells(filter):
+    """E and ν of each cell, as vtkNoduleMaterial leaves them."""
+    filter.SetInputArrayToProcess(0, 0, 0, 1, "YoungsModulus")
+    filter.SetInputArrayToProcess(1, 0, 0, 1, "PoissonRatio")
+
+
+def compliance_of(body):
+    """Surface with C_g, and the seconds that it took; the same for all tools."""
+    import palpate
+    import shape_bodies
+    began = time.perf_counter()
+    compliance = palpate.vtkElasticCompliance()
+    compliance.SetInputData(body.meshes["fine"])
+    compliance.SetYoungsModulus(shape_bodies.YOUNG)
+    compliance.SetPoissonRatio(shape_bodies.POISSON)
+    if body.name == "nodule":
+        arrays_of_cells(compliance)
+    compliance.Update()
+    return compliance.GetOutput(), time.perf_counter() - began
+
+
+def rows_of(body, methods=tuple(METHODS), timed=True):
+    """A row per tool, depth and method."""
+    compliance, before = compliance_of(body) if IN_SERIES in methods else (None, 0.0)
+    for tool in body.tools():
+        presses = body.at(tool)
+        depths = [depth for _, _, depth, _ in presses]
+        for method in methods:
+            response = Response(method, body, tool, compliance)
+            made = response.made + (before if method == IN_SERIES else 0.0)
+            ns = response.tick(max(depths)) if timed else None
+            for (_, case, depth, truth), (force, stated) in zip(presses, response.forces(depths)):
+                yield dict(body=body.name, tool=tool, case=case, method=method, depth_mm=depth, true_force_N=truth,
+                           force_N=force, error=None if force is None else force / truth - 1, stated_error=stated,
+                           made_s=float("{:.2g}".format(made)) if timed else None, points=response.points,
+                           hot_ns=ns and float("{:.3g}".format(ns)))
+
+
+def measure(quick, say):
+    """Rows of all bodies; what is left out goes to `say`."""
+    import shape_bodies
+    rows = []
+    for body in shape_bodies.bodies(quick):
+        if isinstance(body, str):
+            say(body)
+        else:
+            # C_g of all points takes half a minute.
+            rows += rows_of(body, [method for method in METHODS if not (quick and method == IN_SERIES)])
+    return rows
+
+
+def of(rows, body, method):
+    return [row for row in rows if row["body"] == body and row["method"] == method]
+
+
+def groups(rows):
+    """What a line of the table is of: a body, of nodules one depth and modulus; and its rows."""
+    found = {}
+    for row in rows:
+        nodule = row["body"] == "nodule"
+        name = "nodule, {:g} mm deep, ×{}".format(abscissa(row), modulus(row)) if nodule else row["body"]
+        found.setdefault(name, []).append(row)
+    return found
+
+
+def worst(rows):
+    """Largest |error| of those that have a force."""
+    there = [row for row in rows if row["error"] is not None]
+    return max(there, key=lambda row: abs(row["error"])) if there else None
+
+
+def cell(rows):
+    if not rows:
+        return ""
+    row = worst(rows)
+    missing = sum(each["error"] is None for each in rows)
+    if row is None:
+        return "no force"
+    stated = row["stated_error"]
+    text = "{:+.1f} %".format(100 * row["error"])
+    if stated is not None:
+        text += (" ({:.1f})" if stated < 1 else " ({:.0f})").format(100 * stated)
+    return text + ("; {} of {} without a force".format(missing, len(rows)) if missing else "")
+
+
+def span(rows, name, form):
+    """Of several tools and cases from the least to the most."""
+    values = [row[name] for row in rows if row[name] is not None]
+    texts = list(dict.fromkeys(form.format(value) for value in (min(values), max(values)))) if values else ["–"]
+    return " to ".join(texts)
+
+
+def tables(rows):
+    """Markdown."""
+    head = "| {} | " + " | ".join(METHODS) + " |"
+    lines = ["**On edges, horns and nodules**: largest error of the force over tools and depths, in brackets what the probe "
+             "states there", "", head.format("body"), "|---" * (len(METHODS) + 1) + "|"]
+    for name, mine in groups(rows).items():
+        lines.append("| {} | {} |".format(name, " | ".join(
+            cell([row for row in mine if row["method"] == method]) for method in METHODS)))
+    lines += ["", "**What it takes**: seconds to make the response of one tool / points that have one / a tick, ns", "",
+              head.format("body"), "|---" * (len(METHODS) + 1) + "|"]
+    for body in BODIES:
+        mine = [of(rows, body, method) for method in METHODS]
+        if any(mine):
+            lines.append("| {} | {} |".format(body, " | ".join("{} s / {} / {} ns".format(
+                span(each, "made_s", "{:.2g}"), span(each, "points", "{:.0f}"), span(each, "hot_ns", "{:.0f}"))
+                if each else "" for each in mine)))
+    return "\n".join(lines) + "\n"
+
+
+def abscissa(row):
+    """a/e, a/R, or the depth of the nodule's top."""
+    return float(row["case"].split(",")[0].split("=")[1])
+
+
+def modulus(row):
+    return row["case"].split(" x")[1]
+
+
+MARKS = {"flat": ("s", "none", "flat"), "sphere:6.35": ("o", "-", "sphere of 6.35 mm"),
+         "sphere:1.6": ("^", "--", "sphere of 1.6 mm")}
+NODULES = {"10": ("D", "-", "nodule 10 times as hard"), "0.2": ("v", "--", "nodule a fifth as hard")}
+
+
+def lines_of(rows, body, method):
+    """Mark, line, and the points of it."""
+    mine = of(rows, body, method)
+    if body == "nodule":
+        for ratio, (mark, line, _) in NODULES.items():
+            tops = dict.fromkeys(abscissa(row) for row in mine if modulus(row) == ratio)
+            most = [worst([row for row in mine if modulus(row) == ratio and abscissa(row) == top]) for top in tops]
+            yield mark, line, [row for row in most if row]
+    else:
+        for tool, (mark, line, _) in MARKS.items():
+            yield mark, line, [row for row in mine if row["tool"].startswith(tool) and row["error"] is not None]
+
+
+PANELS = {"edge": ("3 mm from the edge of a block", "contact radius over distance from the edge, a/e"),
+          "horn": ("pole of half a ball of 10 mm", "contact radius over radius of the ball, a/R"),
+          "nodule": ("over a nodule of 3 mm: the largest error", "depth of the nodule's top, mm")}
+
+
+ASIDE = {"edge": 0.006, "horn": 0.0025, "nodule": 0.07}
+
+
+def draw(rows, file):
+    pyplot = pictures.pyplot_or_none()
+    if pyplot is None or not rows:
+        return False
+    figure, panels = pyplot.subplots(1, 3, figsize=(14.5, 5.8), sharey=True)
+    for panel, (body, (title, label)) in zip(panels, PANELS.items()):
+        for number, (method, colour) in enumerate(METHODS.items()):
+            aside = ASIDE[body] * (number - 1.5)            # what would hide each other stands side by side
+            for mark, line, mine in lines_of(rows, body, method):
+                panel.plot([abscissa(row) + aside for row in mine], [100 * row["error"] for row in mine], color=colour,
+                           marker=mark, linestyle=line, linewidth=1.0, markersize=6,
+                           markeredgecolor="white", markeredgewidth=0.5)
+        panel.axhspan(-5, 5, color="0.9", zorder=0)
+        panel.axhline(0, color="black", linewidth=0.8)
+        panel.set_title(title)
+        panel.set_xlabel(label)
+        panel.margins(x=0.08)
+    ticks = (-50, -20, -10, -5, -2, 0, 2, 5, 10, 20, 50, 100, 200)
+    panels[0].set_yscale("symlog", linthresh=5, linscale=1.3)
+    panels[0].set_ylim(-70, 300)
+    panels[0].set_yticks(ticks)
+    panels[0].set_yticklabels(["{:+d}".format(tick) if tick else "0" for tick in ticks])
+    panels[0].minorticks_off()
+    panels[0].set_ylabel("force over that of the table, less one, % (linear within 5)")
+    panels[2].set_xticks([1, 2, 3, 5])
+    handles = [panels[0].plot([], [], color=colour, linewidth=4, label=method)[0] for method, colour in METHODS.items()]
+    handles += [panels[0].plot([], [], color="0.3", marker=mark, linestyle=line, linewidth=1, label=name)[0]
+                for mark, line, name in list(MARKS.values()) + list(NODULES.values())]
+    handles.append(panels[0].fill_between([], [], [], color="0.9", label="within 5 %"))
+    figure.legend(handles=handles, loc="lower center", ncol=5, frameon=False)
+    figure.tight_layout(rect=(0, 0.1, 1, 1))
+    pictures.save(pyplot, figure, file)
+    return True
