@@ -39,6 +39,7 @@ palpate::SafetySettings given(const palpate_safety& safety)
   given.controlPassivity = safety.control_passivity != 0;
   given.period = safety.period;
   given.sampleTimeOut = safety.sample_time_out;
+  given.delay = safety.delay;
   return given;
 }
 
@@ -150,6 +151,7 @@ void palpate_safety_of(const palpate_device* device, palpate_safety* safety)
     specification.maximumForceRate = device->maximum_force_rate;
     specification.rate = device->rate;
     specification.sampleTimeOut = device->sample_time_out;
+    specification.delay = device->delay;
   }
   const palpate::SafetySettings settings = palpate::SafetySettings::of(specification);
   *safety = {};
@@ -163,6 +165,7 @@ void palpate_safety_of(const palpate_device* device, palpate_safety* safety)
   safety->control_passivity = settings.controlPassivity;
   safety->period = settings.period;
   safety->sample_time_out = settings.sampleTimeOut;
+  safety->delay = settings.delay;
 }
 
 palpate_contact* palpate_contact_new_safe(const palpate_body* body, const palpate_mapping* mapping,

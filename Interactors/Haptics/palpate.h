@@ -35,7 +35,7 @@
 #define PALPATE_VERSION_STRING "0.1.0"
 
 /* Of this header's interface: 1, 2, 3 ... */
-#define PALPATE_API_VERSION 1
+#define PALPATE_API_VERSION 2
 
 #ifdef __GNUC__
 #define PALPATE_API __attribute__((visibility("default")))
@@ -180,14 +180,16 @@ extern "C"
   typedef struct palpate_device
   {
     double maximum_force;      /* N */
-    double maximum_stiffness;  /* N/m, of a sampled spring at the rate below */
+    double maximum_stiffness;  /* N/m, of a sampled spring that comes to rest at the rate below */
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
     double sample_time_out;    /* s; silent for longer, the device is lost. May be infinite */
-    double reserved[4];
+    double
+      delay; /* since version 2. s: readings and forces are late by no more together; 0: none */
+    double reserved[3];
   } palpate_device;
 
-  /* 10 N, 3000 N/m, any force rate, 1000 Hz, 20 ms. */
+  /* 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
   PALPATE_API void palpate_device_default(palpate_device* device);
 
   /* What a force must keep to before it is sent. Begin with palpate_safety_of. In this order: */
@@ -205,7 +207,8 @@ extern "C"
     int control_passivity;  /* not 0: no more energy out of the device than was put in */
     double period;          /* s, > 0, of the loop */
     double sample_time_out; /* > 0 */
-    double reserved[8];
+    double delay;           /* since version 2. s, >= 0, of the device: for control_passivity */
+    double reserved[7];
   } palpate_safety;
 
   /* All links, with what a device (null: the default) allows. */

@@ -15,8 +15,12 @@ namespace palpate
 /// What a maker states about a device. SI units, the device's frame.
 struct DeviceSpecification
 {
-  double maximumForce = 10.0;       ///< N
-  double maximumStiffness = 3000.0; ///< N/m, that a sampled spring may have at the given rate
+  double maximumForce = 10.0; ///< N
+  /// N/m, that a sampled spring may have at the given rate so that nobody's hand, or none, keeps it
+  /// from coming to rest: b/T of the device's own damping b and the period T, b/(T + 2t) where its
+  /// readings and forces are t late together. 2b/T is where it gives energy, and up to there it
+  /// rings (Testing/Studies/stability).
+  double maximumStiffness = 1500.0;
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
   double maximumDamping = 10.0; ///< N s/m, that a sampled damper may have at the given rate
   Eigen::Vector3d workspace = Eigen::Vector3d::Constant(0.1); ///< half extents about 0, m
@@ -24,6 +28,8 @@ struct DeviceSpecification
   /// Without a new reading for longer than this (s) the device counts as lost; infinite for one
   /// that is silent at rest.
   double sampleTimeOut = 0.02;
+  /// s: readings and forces are late by no more than this together; 0: no more than a tick.
+  double delay = 0.0;
   bool outputsForce = true;
 };
 

@@ -2,6 +2,7 @@
 #ifndef palpate_PassivityControl_h
 #define palpate_PassivityControl_h
 
+#include "Haptics/Safety/ForcesUnderWay.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -34,13 +35,25 @@ namespace palpate
  * two but no less than SmallestShare, is all that b and K_max count for in what was said, until
  * there is no force: the rest makes the motion die down.
  *
+ * Where readings are missing the force is taken away at once, and how far the hand went in the last
+ * hold is not known. Then what it may have got is counted, and nothing that it may have put in: F ·
+ * d to where it is found again or, if more, F times the way that it makes along F when it goes on
+ * as fast as before and accelerates as a hand can (HandAcceleration); but no more than F²/(2
+ * K_max), which no motion whatever can get out of one hold.
+ *
  * A hold longer than T can make E negative, by its own lag at most: then there is no force until
  * the motion has paid. What friction and damping took from the hand, and the credit of long motion,
  * would let a later instability feed on it: so E is kept below what the scene can hold now,
  * max(|F| depth, F²/(2 K_max)), nothing where there is no force. Where the force is changed on
  * purpose (a ramp, another body), grant() counts what the new force holds as put in.
  *
- * What it cannot see: a device that tells its place, or takes its force, with a delay.
+ * **Delay.** It cannot see by itself that a device tells its place, or takes its force, late. Told
+ * a bound of both together, n ticks, it counts of each way the most that any of the forces under
+ * way may have given on it, max_j F_k-j · d, j = 0..n, and lets a force through up to where the n +
+ * 1 holds in which it may act, with those sent before it, can take no more than E: Σ |F|²/(2
+ * K_max), or, if that lets more through, as long as the hand goes on as fast as now and accelerates
+ * as a hand can. Without a delay that is what stands above, to the bit. A spring
+ * is let through whole up to some K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
  */
 class PALPATE_EXPORT PassivityControl
 {
@@ -49,9 +62,15 @@ public:
   static constexpr double Slack = 1e-9;
   /// Of the device's damping, while the control acts, that at least is left to the scene.
   static constexpr double SmallestShare = 0.5;
+  /// While nothing is known of the hand it accelerates along a force F by no more than
+  /// HandAcceleration + F/LightestHandle, m/s²: 2 g by itself, and what F makes of a handle of so
+  /// many kg that is let go.
+  static constexpr double HandAcceleration = 20.0;
+  static constexpr double LightestHandle = 0.05;
 
-  /// K_max in N/m, infinite: all passes, negative or NaN: nothing; T in s.
-  PassivityControl(double maximumStiffness, double period) noexcept;
+  /// K_max in N/m, infinite: all passes, negative or NaN: nothing; T, and the bound of the delay,
+  /// 0 for none, in s: at most ForcesUnderWay::Most periods are counted.
+  PassivityControl(double maximumStiffness, double period, double delay = 0.0) noexcept;
 
   /// Counts the hold that ends at a new reading (m). Time in s must not decrease.
   void observe(double time, const Eigen::Vector3d& position) noexcept;
@@ -63,6 +82,8 @@ public:
   Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;
   /// What has left the chain in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept;
+  /// There is no reading, and no force from now on until the next.
+  void interrupt(double time) noexcept;
   void reset() noexcept;
 
   /// E, J.
@@ -72,9 +93,14 @@ public:
 
 private:
   double storable(double force, double depth) const noexcept;
+  double givenInGap(const Eigen::Vector3d& moved) const noexcept;
+  double wayOfHand(const Eigen::Vector3d& direction, double time) const noexcept;
+  double allowedUnderWay(const Eigen::Vector3d& force, double size, double energy) const noexcept;
 
   double Stiffness;
   double Period;
+  double Delay;
+  std::size_t SentTicks = 0; ///< since ReadTime
   double Energy = 0.0;
   double Share = 1.0; ///< of the device's damping that is credited
   bool HasPosition = false;
@@ -82,7 +108,12 @@ private:
   double ReadTime = 0.0;                              ///< and its time
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();    ///< sent last
   double SentTime = 0.0;
-  Eigen::Vector3d Impulse = Eigen::Vector3d::Zero(); ///< of what was sent since ReadTime, N s
+  Eigen::Vector3d Impulse = Eigen::Vector3d::Zero();  ///< of what was sent since ReadTime, N s
+  Eigen::Vector3d Velocity = Eigen::Vector3d::Zero(); ///< between the last two readings, m/s
+  bool IsInterrupted = false;                         ///< since ReadTime
+  Eigen::Vector3d Taken = Eigen::Vector3d::Zero();    ///< the force that was, N
+  double Held = 0.0;                                  ///< and how long it had been held, s
+  ForcesUnderWay UnderWay;                            ///< last: large, and mostly not looked at
 };
 } // namespace palpate
 

@@ -28,8 +28,8 @@ SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
   , Gate(settings.gate, settings.entryRamp)
   , Slew(settings.maximumForceRate)
   , Magnitude(settings.maximumForce)
-  , Passivity(settings.maximumStiffness, settings.period)
   , Watchdog(settings.sampleTimeOut)
+  , Passivity(settings.maximumStiffness, settings.period, settings.delay)
 {
   this->setForceFactor(settings.forceFactor);
 }
@@ -41,7 +41,17 @@ SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
   result.acted = this->losses(input);
   if (result.acted != 0)
   {
-    this->restart();
+    result.isGap = this->Settings.controlPassivity && std::isfinite(input.time) &&
+      result.acted == static_cast<std::uint16_t>(SafetyLink::NoSample) &&
+      this->Watchdog.isGap(input.time);
+    if (result.isGap)
+    {
+      this->interrupt(input.time);
+    }
+    else
+    {
+      this->restart();
+    }
     return result;
   }
   result.force = this->shape(input, result);
@@ -125,6 +135,12 @@ void SafetyChain::restart() noexcept
   this->Slew.reset();
   this->Passivity.reset();
   this->LastGateShare = 1.0;
+}
+
+void SafetyChain::interrupt(double time) noexcept
+{
+  this->Slew.sent(time, Eigen::Vector3d::Zero());
+  this->Passivity.interrupt(time);
 }
 
 void SafetyChain::reset() noexcept

@@ -54,6 +54,7 @@ struct SafeForce
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N
   double forceFactor = 1.0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
+  bool isGap = false;      ///< no force, but what was touched goes on when readings do
 
   bool has(SafetyLink link) const noexcept
   {
@@ -71,6 +72,11 @@ struct SafeForce
  * What ends the force - the first and the last links - ends it in the very same tick, exactly, and
  * counts as a loss: the gate closes, and slew limit and passivity control begin anew. A clock that
  * goes back is a loss too; where no link that is on needs the time, it is not looked at.
+ *
+ * Readings that are missing for no longer than the device's time-out are a gap instead, under
+ * passivity control: there is no force without one, as ever, but the gate stays as it is, the slew
+ * limit goes on from nothing, and the control counts on, so that a hand which meanwhile went deeper
+ * gets no more than it had put in before.
  *
  * All members belong to the servo thread; none allocates, locks or throws.
  */
@@ -104,16 +110,17 @@ private:
   Eigen::Vector3d controlPassivity(const SafetyInput& input, bool changing, double sceneForce,
     const Eigen::Vector3d& force) noexcept;
   void restart() noexcept;
+  void interrupt(double time) noexcept;
 
   SafetySettings Settings;
   bool UsesTime;
   EntryGate Gate;
   ForceRateLimit Slew;
   ForceLimit Magnitude;
-  PassivityControl Passivity;
   SampleWatchdog Watchdog;
   double LastGateShare = 1.0;
   bool IsStopped = false;
+  PassivityControl Passivity; ///< last, since the largest
 };
 } // namespace palpate
 

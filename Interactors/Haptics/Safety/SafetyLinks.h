@@ -205,8 +205,17 @@ public:
     }
     return wentBack || isOld;
   }
+  /// Whether readings that are missing now, or not valid, are a gap: the last new one is not older
+  /// than the time-out, nor than LongestGap where there is none.
+  bool isGap(double time) const noexcept
+  {
+    const double longest = std::isinf(this->TimeOut) ? LongestGap : this->TimeOut;
+    return this->HasTime && time >= this->LastTime && time - this->LastFresh <= longest;
+  }
   /// The time-out begins with the next call.
   void reset() noexcept { this->HasTime = false; }
+
+  static constexpr double LongestGap = 0.02; ///< s: the usual time-out
 
 private:
   double TimeOut;

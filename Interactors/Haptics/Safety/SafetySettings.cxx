@@ -14,6 +14,7 @@ SafetySettings SafetySettings::of(const DeviceSpecification& specification)
   settings.maximumForceRate = specification.maximumForceRate;
   settings.sampleTimeOut = specification.sampleTimeOut;
   settings.period = 1.0 / specification.rate;
+  settings.delay = specification.delay;
   return settings;
 }
 
@@ -73,6 +74,10 @@ SettingFault faultOf(const SafetySettings& settings)
   if (!(settings.period > 0.0) || !std::isfinite(settings.period))
   {
     return makeFault("Period", "be finite and positive (s)", settings.period);
+  }
+  if (!(settings.delay >= 0.0) || !std::isfinite(settings.delay))
+  {
+    return makeFault("Delay", "be finite and not negative (s)", settings.delay);
   }
   if (!(settings.entryRamp >= 0.0) || !std::isfinite(settings.entryRamp))
   {

@@ -18,12 +18,15 @@ struct PALPATE_EXPORT SafetySettings
   /// (DeviceFit).
   double forceFactor = 1.0;
   double maximumForce = 10.0;       ///< N
-  double maximumStiffness = 3000.0; ///< N/m, that a sampled spring may have at `period`
+  double maximumStiffness = 1500.0; ///< N/m, that a sampled spring may have at `period`
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
   /// s; a device that has told nothing new for longer is lost.
   double sampleTimeOut = 0.02;
   /// s, > 0: of the ticks that maximumStiffness was stated for.
   double period = 1e-3;
+  /// s, >= 0: readings and forces are late by no more than this together, as the device states;
+  /// passivity control counts on it, up to 32 periods.
+  double delay = 0.0;
   /// s over which the force of the first touch rises from nothing; 0: at once.
   double entryRamp = 0.0;
   /// No force until the tip has been outside once.

@@ -18,8 +18,9 @@ std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettin
 /// Whether the force was ended, not changed.
 bool isLost(const SafeForce& safe) noexcept
 {
-  return safe.has(SafetyLink::NotFinite) || safe.has(SafetyLink::Watchdog) ||
-    safe.has(SafetyLink::NoSample) || safe.has(SafetyLink::Stopped);
+  return !safe.isGap &&
+    (safe.has(SafetyLink::NotFinite) || safe.has(SafetyLink::Watchdog) ||
+      safe.has(SafetyLink::NoSample) || safe.has(SafetyLink::Stopped));
 }
 } // namespace
 

@@ -49,7 +49,8 @@ struct Tick
  *
  * The force is zero, exactly and in the same tick, for a sample that is not valid or not finite,
  * for a force that is not finite, a device that has been silent for too long, and while stopped.
- * The contacts are then forgotten, and a ramp is over.
+ * The contacts are then forgotten, and a ramp is over; but not where readings are missing for no
+ * longer than the device's time-out, see SafetyChain.
  *
  * step() and all that is noexcept neither allocate, free, lock nor throw, and are for one thread.
  */

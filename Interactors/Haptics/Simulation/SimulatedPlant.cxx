@@ -102,8 +102,10 @@ DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate)
 {
   DeviceSpecification device;
   device.rate = rate;
-  device.maximumStiffness = plant.damping / (0.5 / rate + plant.forceDelay + plant.sampleDelay);
+  device.maximumStiffness =
+    plant.damping / (1.0 / rate + 2.0 * (plant.forceDelay + plant.sampleDelay));
   device.maximumDamping = plant.damping;
+  device.delay = plant.forceDelay + plant.sampleDelay;
   return device;
 }
 } // namespace palpate

@@ -37,7 +37,7 @@ extern "C"
     bool outputs_force;
     bool planar;              /* moves in its xy plane only */
     float maximum_force;      /* N */
-    float maximum_stiffness;  /* N/m, of a spring rendered at `rate` */
+    float maximum_stiffness;  /* N/m, of a spring rendered at `rate`: its damping times that */
     float maximum_force_rate; /* N/s, may be infinite */
     float maximum_damping;    /* N s/m */
     float half_extents[3];    /* of the workspace about 0, m */

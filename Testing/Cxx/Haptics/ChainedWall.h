@@ -52,6 +52,7 @@ inline SafetySettings whole()
 {
   DeviceSpecification device;
   device.maximumForceRate = 5000.0; // 5 N per ms
+  device.maximumStiffness = 3000.0;
   return SafetySettings::of(device);
 }
 

@@ -10,8 +10,10 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <vector>
 
 using Eigen::Vector3d;
+using palpate::ForcesUnderWay;
 using palpate::PassivityControl;
 
 namespace
@@ -391,4 +393,111 @@ TEST(PassivityControl, LimitsThatAreNone)
   EXPECT_FALSE(jumped.isNew());
   jumped.reset();
   EXPECT_TRUE(jumped.isNew());
+}
+
+// By trying: no larger force keeps the sum within the square.
+TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> upTo(0.0, 3.0);
+  for (int n = 1; n <= 8; ++n)
+  {
+    ForcesUnderWay forces(n * Period, Period);
+    EXPECT_EQ(forces.late(), static_cast<std::size_t>(n));
+    std::vector<double> sent; // newest first
+    for (int i = 0; i < 200; ++i)
+    {
+      const double size = upTo(random);
+      forces.sent(Vector3d(0.0, size, 0.0));
+      sent.insert(sent.begin(), size);
+      const auto sum = [&](double next)
+      {
+        double squares = 0.0;
+        for (int hold = 0; hold <= n; ++hold)
+        {
+          double most = next;
+          for (int age = 0; age < n - hold && age < static_cast<int>(sent.size()); ++age)
+          {
+            most = std::max(most, sent[static_cast<std::size_t>(age)]);
+          }
+          squares += most * most;
+        }
+        return squares;
+      };
+      const double square = 3.0 * n * upTo(random);
+      const double found = forces.largestWithin(square);
+      if (found > 0.0)
+      {
+        ASSERT_LE(sum(found), square * (1.0 + 1e-12));
+        ASSERT_GT(sum(found * 1.001 + 1e-9), square);
+      }
+      else
+      {
+        ASSERT_GE(sum(0.0), square * (1.0 - 1e-12));
+      }
+    }
+  }
+  EXPECT_EQ(ForcesUnderWay(NaN, Period).late(), 0U);
+  EXPECT_EQ(ForcesUnderWay(-1.0, Period).late(), 0U);
+  EXPECT_EQ(ForcesUnderWay(1.0, Period).late(), ForcesUnderWay::Most);
+  EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // rounding is no tick
+}
+
+// Forces that act up to n ticks late, as it comes: nothing is got but what the device's damping
+// takes, as long as the hand is one.
+TEST(PassivityControl, AStatedDelayGivesNoEnergy)
+{
+  double withoutBound = 0.0;
+  for (const int late : { 1, 2, 5 })
+  {
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+      for (const bool isTold : { true, false })
+      {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> gauss;
+        PassivityControl control(Stiffest, Period, isTold ? late * Period : 0.0);
+        std::vector<Vector3d> sent = { Vector3d::Zero() };
+        Vector3d place(0.0, 0.0, 2e-3);
+        Vector3d velocity = Vector3d::Zero();
+        double given = 0.0;
+        double most = 0.0;
+        double forces = 0.0;
+        for (int i = 0; i < 20000; ++i)
+        {
+          if (i > 0)
+          {
+            // To and fro about the surface, within 20 m/s².
+            Vector3d push(gauss(random), gauss(random), gauss(random));
+            push = 5e-3 * push - 2.0 * place - 0.01 * velocity;
+            velocity += push / std::max(1.0, push.norm() / 0.02);
+            const Vector3d moved = Period * velocity;
+            place += moved;
+            const std::size_t age =
+              std::min<std::size_t>(random() % static_cast<unsigned>(late + 1), sent.size() - 1);
+            given += sent[sent.size() - 1 - age].dot(moved) - 0.5 * Stiffest * moved.squaredNorm();
+            most = std::max(most, given);
+          }
+          const double depth = std::max(0.0, -place.z());
+          const Vector3d wanted(0.0, 0.0, 0.6 * Stiffest * depth);
+          control.observe(Period * i, place);
+          control.bound(wanted.norm(), depth);
+          sent.push_back(control.limit(wanted));
+          forces += sent.back().norm();
+          control.sent(Period * i, sent.back());
+          given = depth == 0.0 ? std::min(given, 0.0) : given; // nothing is owed at a new touch
+        }
+        EXPECT_GT(forces / 20000.0, 0.05) << late << " " << seed;
+        if (isTold)
+        {
+          EXPECT_LE(most, 2.0 * PassivityControl::Slack) << late << " " << seed;
+        }
+        else
+        {
+          withoutBound = std::max(withoutBound, most);
+        }
+      }
+    }
+  }
+  EXPECT_GT(withoutBound, 1e-6); // J: the test would see it
 }

@@ -29,9 +29,6 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
     std::function<void(SafetyInput&, SafetyChain&)> spoil;
   };
   const Loss losses[] = {
-    { SafetyLink::NoSample, [](SafetyInput& in, SafetyChain&) { in.valid = false; } },
-    { SafetyLink::NoSample, [](SafetyInput& in, SafetyChain&) { in.position.x() = NaN; } },
-    { SafetyLink::NoSample, [](SafetyInput& in, SafetyChain&) { in.position.y() = -Infinity; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.idealForce.y() = NaN; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.cappedForce.z() = Infinity; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.time = NaN; } },
@@ -75,10 +72,138 @@ TEST(SafetyLoss, WithoutAGateTheForceComesBackFromNothing)
   ChainedWall wall(settings);
   wall.press();
   SafetyInput bad = wall.at(4e-3);
-  bad.valid = false;
+  bad.idealForce.x() = NaN;
   EXPECT_EQ(wall.Chain.apply(bad).force, Vector3d::Zero());
   EXPECT_EQ(wall.feel(8e-3).force, Vector3d::Zero()); // no time since it began anew
   EXPECT_NEAR(wall.feel(8e-3).force.z(), 5.0, 1e-9);
+}
+
+// A reading that is missing, or no place, costs its own ticks and the slew limit's.
+TEST(SafetyLoss, AGapEndsTheForceAndNotTheTouch)
+{
+  const std::function<void(SafetyInput&)> gaps[] = { [](SafetyInput& in) { in.valid = false; },
+    [](SafetyInput& in) { in.position.x() = NaN; },
+    [](SafetyInput& in) { in.position.y() = -Infinity; } };
+  for (const auto& spoil : gaps)
+  {
+    for (const int ticks : { 1, 5, 18 })
+    {
+      ChainedWall wall(whole());
+      wall.press();
+      const double energy = wall.Chain.energy();
+      for (int i = 0; i < ticks; ++i)
+      {
+        SafetyInput bad = wall.at(4e-3);
+        spoil(bad);
+        const SafeForce none = wall.Chain.apply(bad);
+        EXPECT_EQ(none.force, Vector3d::Zero());
+        EXPECT_EQ(none.acted, flag(SafetyLink::NoSample));
+        EXPECT_TRUE(none.isGap);
+      }
+      EXPECT_EQ(wall.Chain.energy(), energy);
+      const SafeForce back = wall.feel(4e-3);
+      EXPECT_NEAR(back.force.z(), 4.0, 1e-12) << ticks;
+      EXPECT_EQ(back.acted, 0);
+      // Gone deeper meanwhile: from nothing again, 5 N a tick.
+      SafetyInput bad = wall.at(4e-3);
+      spoil(bad);
+      wall.Chain.apply(bad);
+      const SafeForce deeper = wall.feel(5.5e-3);
+      EXPECT_NEAR(deeper.force.z(), 5.0, 1e-9);
+      EXPECT_TRUE(deeper.has(SafetyLink::Slew));
+    }
+  }
+}
+
+TEST(SafetyLoss, AGapThatIsLongerThanTheTimeOutIsALoss)
+{
+  for (const double timeOut : { 0.01, 0.02, Infinity })
+  {
+    SafetySettings settings = whole();
+    settings.sampleTimeOut = timeOut;
+    ChainedWall wall(settings);
+    wall.press();
+    SafeForce safe;
+    int gap = 0;
+    do
+    {
+      SafetyInput bad = wall.at(4e-3);
+      bad.valid = false;
+      safe = wall.Chain.apply(bad);
+      EXPECT_EQ(safe.force, Vector3d::Zero());
+      ++gap;
+    } while (safe.isGap && gap < 1000);
+    // Of a device without a time-out, as of most: 20 ms. One more where the sum of ticks rounds.
+    EXPECT_NEAR(gap, timeOut == 0.01 ? 11 : 21, 1);
+    EXPECT_EQ(wall.Chain.energy(), 0.0);
+    safe = wall.feel(4e-3);
+    EXPECT_EQ(safe.force, Vector3d::Zero());
+    EXPECT_EQ(wall.feel(4e-3).acted, flag(SafetyLink::Gate));
+    EXPECT_EQ(wall.feel(0.0).acted, 0);
+  }
+}
+
+// Without passivity control nothing would see to it that a hand which went deeper meanwhile gets no
+// more than it gave: the gate does, as before.
+TEST(SafetyLoss, WithoutPassivityControlThereAreNoGaps)
+{
+  SafetySettings settings = whole();
+  settings.controlPassivity = false;
+  ChainedWall wall(settings);
+  wall.press();
+  SafetyInput bad = wall.at(4e-3);
+  bad.valid = false;
+  EXPECT_FALSE(wall.Chain.apply(bad).isGap);
+  EXPECT_EQ(wall.feel(4e-3).acted, flag(SafetyLink::Gate));
+}
+
+// A hand that learns when readings are missing, and goes in without a force each time to come out
+// with one, gets nothing: gaps of one to nine ticks. It accelerates by 20 m/s² at most.
+TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
+{
+  for (const bool gate : { true, false })
+  {
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+      std::mt19937 random(seed);
+      const auto below = [&random](unsigned n) { return static_cast<int>(random() % n); };
+      SafetySettings settings = whole();
+      settings.gate = gate;
+      settings.maximumForceRate = Infinity;
+      ChainedWall wall(settings);
+      wall.press();
+      double depth = 4e-3;
+      double speed = 0.0; // m/s, inwards
+      double given = 0.0; // work of the force on the hand since the touch, less what damping takes
+      const double put = wall.Chain.energy();
+      Vector3d force(0.0, 0.0, 4.0);
+      const auto go = [&](double wanted, bool isMissing)
+      {
+        const double change = PassivityControl::HandAcceleration * Period;
+        speed = std::clamp(wanted, speed - change, speed + change);
+        const double to = std::clamp(depth + speed * Period, 5e-4, 7e-3);
+        const double moved = depth - to; // out, along the force
+        given += force.z() * moved - 0.5 * settings.maximumStiffness * moved * moved;
+        depth = to;
+        SafetyInput input = wall.at(depth);
+        input.valid = !isMissing;
+        force = wall.Chain.apply(input).force;
+      };
+      for (int cycle = 0; cycle < 200; ++cycle)
+      {
+        const int ticks = 1 + below(9);
+        for (int i = 0; i < ticks; ++i)
+        {
+          go(0.2, true);
+        }
+        for (int i = 0; i < 12; ++i)
+        {
+          go(-0.1, below(20) == 0);
+        }
+        ASSERT_LE(given, put + 1e-9) << seed << " " << cycle;
+      }
+    }
+  }
 }
 
 TEST(SafetyLoss, SilenceEndsTheForceAfterTheTimeOutInTicks)

@@ -151,7 +151,9 @@ TEST(ServoStepSafety, NothingIsSentInTheTickOfAFailureAndContactsAreForgotten)
   gone.valid = false;
   DeviceSample wrong = overSlab(1.2);
   wrong.position.y() = NaN;
-  for (const SafetySettings& safety : { whole(), unlimited() })
+  SafetySettings gated = whole();
+  gated.controlPassivity = false; // no gaps
+  for (const SafetySettings& safety : { gated, unlimited() })
   {
     for (const DeviceSample& bad : { gone, wrong, DeviceSample(), sampleAt(Vector3d(0, 0, 1e306)) })
     {
@@ -175,6 +177,26 @@ TEST(ServoStepSafety, NothingIsSentInTheTickOfAFailureAndContactsAreForgotten)
       EXPECT_LT(pressed.last.contact.force.z(), 0.0);
       EXPECT_EQ(pressed.last.deviceForce == Vector3d::Zero(), safety.gate);
     }
+  }
+}
+
+TEST(ServoStepSafety, AMissingReadingCostsItsTickAndNotTheTouch)
+{
+  DeviceSample gone = overSlab(1.2);
+  gone.valid = false;
+  DeviceSample wrong = overSlab(1.2);
+  wrong.position.y() = NaN;
+  for (const DeviceSample& bad : { gone, wrong, DeviceSample(), sampleAt(Vector3d(0, 0, 1e306)) })
+  {
+    Pressed pressed(whole());
+    const double before = pressed.last.deviceForce.z();
+    EXPECT_GT(before, 5.0);
+    EXPECT_EQ(pressed.go(bad).deviceForce, Vector3d::Zero());
+    EXPECT_EQ(pressed.last.contact.state, ContactState::Invalid);
+    EXPECT_FALSE(pressed.last.valid || pressed.last.fresh);
+    EXPECT_NE(pressed.last.acted & static_cast<int>(SafetyLink::NoSample), 0);
+    // Still on the side where it went in, from which it is farther than from the bottom.
+    EXPECT_NEAR(pressed.go(overSlab(1.2)).deviceForce.z(), before, 1e-9);
   }
 }
 

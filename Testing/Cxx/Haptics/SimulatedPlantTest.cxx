@@ -360,13 +360,14 @@ TEST(SimulatedPlant, IsReadFromText)
 TEST(SimulatedPlant, StatesWhatASampledLoopMayRender)
 {
   // b > KT/2 (Colgate and Schenkel 1997); StabilityLimitTest has where such loops break indeed: at
-  // 2003.339 N/m, with a tick of delay at 668.513.
-  EXPECT_EQ(palpate::specificationOf(SimulatedPlant(), 1000.0).maximumStiffness, 2000.0);
+  // 2003.339 N/m, with a tick of delay at 668.513. Half of that comes to rest.
+  EXPECT_EQ(palpate::specificationOf(SimulatedPlant(), 1000.0).maximumStiffness, 1000.0);
   SimulatedPlant late;
   late.forceDelay = 0.0005;
   late.sampleDelay = 0.0005;
   const DeviceSpecification device = palpate::specificationOf(late, 1000.0);
-  EXPECT_NEAR(device.maximumStiffness, 2000.0 / 3.0, 1e-9);
+  EXPECT_NEAR(device.maximumStiffness, 1000.0 / 3.0, 1e-9);
+  EXPECT_EQ(device.delay, 0.001);
   EXPECT_EQ(device.maximumDamping, 1.0);
   EXPECT_EQ(device.rate, 1000.0);
 }

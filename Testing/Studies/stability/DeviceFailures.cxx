@@ -27,7 +27,8 @@ struct Failure
 {
   const char* name;
   DeviceFaults faults;
-  double delay = 0.0; ///< s, of the force, for ever
+  double delay = 0.0;  ///< s, of the force, for ever
+  double stated = 0.0; ///< s: what the device says of how late it is
 };
 
 ScheduledFault at(DeviceFault fault, double start, double duration)
@@ -65,10 +66,10 @@ DeviceFaults once(DeviceFault fault, double duration)
 std::vector<Failure> allFailures(double rate)
 {
   return { { "none", {} }, { "dropped", sprinkled(DeviceFault::Dropped, 0.2, 0.0, rate) },
-    { "late", sprinkled(DeviceFault::Late, 0.05, 5e-3, rate) },
+    { "late", sprinkled(DeviceFault::Late, 0.05, 5e-3, rate), 0.0, 5e-3 },
     { "nan", sprinkled(DeviceFault::NotANumber, 0.02, 0.0, rate) },
     { "stall", once(DeviceFault::Stall, 0.1) }, { "unplug", once(DeviceFault::Disconnect, 0.3) },
-    { "delay", {}, 1e-3 } };
+    { "delay", {}, 1e-3, 1e-3 } };
 }
 
 /// A hand that means to go up and down once a second, from 1 mm above to 7 mm deep; out at the end.
@@ -158,6 +159,7 @@ void deviceFailures(bool isQuick)
       LoopSetting setting;
       setting.rate = rate;
       setting.plant.forceDelay = failure.delay;
+      setting.statedDelay = failure.stated;
       for (Method& method : allMethods(setting))
       {
         const Outcome outcome = course(setting, *method.rendering, failure.faults);

@@ -15,10 +15,10 @@ const char* nameOf(Control control)
       return "cap";
     case Control::Passivity:
       return "passivity";
-    case Control::Chain:
-      return "chain";
+    case Control::ChainAtLimit:
+      return "chain at 2b/T";
     default:
-      return "half chain";
+      return "chain";
   }
 }
 
@@ -29,11 +29,12 @@ SafetySettings safetyOf(Control control, const LoopSetting& setting)
     return SafetySettings::magnitudeOnly(std::numeric_limits<double>::infinity());
   }
   SafetySettings safety = SafetySettings::of(setting.specification());
-  if (control == Control::HalfChain)
+  if (control != Control::Chain)
   {
-    safety.maximumStiffness *= 0.5;
+    safety.maximumStiffness = setting.passiveStiffness();
+    safety.delay = 0.0;
   }
-  else if (control != Control::Chain)
+  if (control == Control::Cap || control == Control::Passivity)
   {
     safety.maximumForce = std::numeric_limits<double>::infinity();
     safety.sampleTimeOut = std::numeric_limits<double>::infinity();

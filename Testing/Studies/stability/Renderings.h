@@ -59,14 +59,14 @@ private:
 /// Which links of the safety chain are on.
 enum class Control
 {
-  None,      ///< magnitude alone, and that unlimited unless said otherwise
-  Cap,       ///< stiffness cap
-  Passivity, ///< passivity control
-  Chain,     ///< all
-  HalfChain  ///< all, for half the stiffness that the device could just render
+  None,         ///< magnitude alone, and that unlimited unless said otherwise
+  Cap,          ///< stiffness cap, at 2b/T
+  Passivity,    ///< passivity control, at 2b/T
+  ChainAtLimit, ///< all, for 2b/T, and of a device that says nothing of its delay
+  Chain         ///< all, as the device states: for b/T, with the bound of its delay
 };
-constexpr Control AllControls[] = { Control::None, Control::Cap, Control::Passivity, Control::Chain,
-  Control::HalfChain };
+constexpr Control AllControls[] = { Control::None, Control::Cap, Control::Passivity,
+  Control::ChainAtLimit, Control::Chain };
 const char* nameOf(Control control);
 /// For the device of the setting (LoopSetting::specification).
 SafetySettings safetyOf(Control control, const LoopSetting& setting);

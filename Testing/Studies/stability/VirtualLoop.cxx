@@ -24,7 +24,8 @@ DeviceSpecification LoopSetting::specification() const
   DeviceSpecification specification;
   specification.rate = this->rate;
   specification.maximumForce = 2.0 * StrongestPush;
-  specification.maximumStiffness = this->passiveStiffness();
+  specification.maximumStiffness = 0.5 * this->passiveStiffness();
+  specification.delay = this->statedDelay;
   return specification;
 }
 

@@ -36,11 +36,13 @@ struct LoopSetting
   /// with the motor's force: not to be used with faults.
   double push = 0.0;
   double rate = 1000.0; ///< Hz
+  /// s: the bound that the device states of how late it is.
+  double statedDelay = 0.0;
 
   double period() const { return 1.0 / this->rate; }
   /// The stiffest spring that the device's own damping allows, 2b/T, N/m (Colgate and Schenkel).
   double passiveStiffness() const { return 2.0 * this->plant.damping * this->rate; }
-  /// It renders 2b/T, and twice the strongest push of the study.
+  /// It renders b/T and twice the strongest push of the study, and states its delay.
   DeviceSpecification specification() const;
   /// Ticks after which 0.5 % of stiffness, more or less than critical, has changed a swing by 10 %:
   /// near its limit a light damped mass grows by (K/K* - 1) bT/2m per tick.

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ForcesUnderWay_h
+#define palpate_ForcesUnderWay_h
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+/**
+ * The forces that were sent last, any of which may be the one that acts now, where a device's
+ * readings and forces are late by up to so many ticks together. None is kept where nothing is late.
+ */
+class ForcesUnderWay
+{
+public:
+  static constexpr std::size_t Most = 32; ///< ticks of delay
+
+  /// `delay` and `period` in s; more than Most ticks count as Most, what is no number as none.
+  ForcesUnderWay(double delay, double period) noexcept
+    : Late(delay > 0.0 && period > 0.0
+          ? static_cast<std::size_t>(std::ceil(std::min(delay / period, 1.0 * Most) - 1e-9))
+          : 0)
+  {
+    this->Forces.fill(Eigen::Vector3d::Zero());
+  }
+
+  std::size_t late() const noexcept { return this->Late; }
+
+  void sent(const Eigen::Vector3d& force) noexcept
+  {
+    this->Newest = (this->Newest + 1) % this->Forces.size();
+    this->Forces[this->Newest] = force;
+  }
+
+  /// The most that the hand may have got on a way (m) that took so many ticks, J: may be negative.
+  double mostGiven(const Eigen::Vector3d& moved, std::size_t ticks) const noexcept
+  {
+    double most = this->at(0).dot(moved);
+    for (std::size_t i = 1; i < std::min(this->Late + ticks, this->Forces.size()); ++i)
+    {
+      most = std::max(most, this->at(i).dot(moved));
+    }
+    return most;
+  }
+
+  /**
+   * The largest force f such that Σ max(|F_i|, f)² over the coming late() + 1 holds is within
+   * `square`, |F_i| the largest that may still act i holds from now; 0 if there is none.
+   */
+  double largestWithin(double square) const noexcept
+  {
+    // largest[i]: of those sent within the last late() - i ticks; the last hold has the new one
+    // alone.
+    std::array<double, Most + 1> largest{};
+    for (std::size_t i = this->Late; i-- > 0;)
+    {
+      largest[i] = std::max(largest[i + 1], this->at(this->Late - 1 - i).norm());
+    }
+    // Down from the strongest: what is left is shared by the holds that have less.
+    double left = square;
+    for (std::size_t i = 0; i <= this->Late; ++i)
+    {
+      const double most = std::sqrt(std::max(0.0, left) / static_cast<double>(this->Late + 1 - i));
+      if (most >= largest[i])
+      {
+        return most;
+      }
+      left -= largest[i] * largest[i];
+    }
+    return 0.0;
+  }
+
+private:
+  /// The force that was sent `age` ticks before the last one.
+  const Eigen::Vector3d& at(std::size_t age) const noexcept
+  {
+    return this->Forces[(this->Newest + this->Forces.size() - age) % this->Forces.size()];
+  }
+
+  std::size_t Late;
+  std::size_t Newest = 0;
+  std::array<Eigen::Vector3d, 2 * Most> Forces;
+};
+} // namespace palpate
+
+#endif
