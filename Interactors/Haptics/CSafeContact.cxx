@@ -222,6 +222,7 @@ void palpate_step_sample(
   tick->acted = felt.acted;
   tick->valid = felt.valid;
   tick->clutched = felt.clutched;
+  tick->hold_time = felt.holdTime;
   std::fill(std::begin(tick->reserved), std::end(tick->reserved), 0.0);
 }
 

@@ -265,7 +265,10 @@ extern "C"
     unsigned int acted;      /* sum of enum palpate_safety_link */
     int valid;               /* the sample was valid and finite */
     int clutched;            /* the tip stays while the hand moves */
-    double reserved[8];
+    /* since version 2. s: for so long device_force may be held if no tick follows; a device that
+     * lets go then gives no more than was put in. May be infinite. */
+    double hold_time;
+    double reserved[7];
   } palpate_full_tick;
 
   /* One tick of any contact with all a device tells, in the loop as palpate_step; time increases.

@@ -234,6 +234,19 @@ TEST(HidExchange, ADriverThatHangsDoesNotHangTheProgram)
   device.reset(); // comes back, though write() does not
 }
 
+TEST(HidExchange, AHostThatHangsHoldsItsForceNoLongerThanItSaid)
+{
+  EmulatedHid hid(modelOf(describedDevice()));
+  const auto device = opened(hid);
+  Firmware firmware(hid, wave);
+  ASSERT_TRUE(eventually([&] { return device->read(0.0).valid; }));
+  device->holdFor(6e-3);
+  device->write({ 1.0, 0.0, 0.0 }); // and nothing more
+  ASSERT_TRUE(eventually([&] { return firmware.state().expired == 1; }));
+  EXPECT_EQ(firmware.motors(), Vector3d::Zero());
+  EXPECT_EQ(firmware.state().watchdog, 6000U) << "not the 20 ms of the device's time-out";
+}
+
 TEST(HidExchange, SilenceIsSeenAsSuch)
 {
   EmulatedHid hid(modelOf(describedDevice()));

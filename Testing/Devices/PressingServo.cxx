@@ -28,6 +28,7 @@ bool PressingServo::tick()
   const double time =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
   const Tick done = this->Step.step(this->Device.read(time), time);
+  this->Device.holdFor(done.holdTime);
   this->Device.write(done.deviceForce);
   this->Force = done.deviceForce;
   this->LastReading = done.fresh ? time : this->LastReading;

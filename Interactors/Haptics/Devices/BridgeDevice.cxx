@@ -87,7 +87,7 @@ bool BridgeDevice::greetFirst(double patience)
   {
     this->Now = Stage::Described; // a state that came along has no time that read would know
     this->Limits = specificationOf(this->Description, &this->Remark);
-    this->Watchdog = static_cast<std::uint32_t>(std::lround(1e6 * this->Limits.sampleTimeOut));
+    this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
   return this->Known;
 }
@@ -242,6 +242,11 @@ bool BridgeDevice::write(const Eigen::Vector3d& force) noexcept
   }
   const double share = size > this->Limits.maximumForce ? this->Limits.maximumForce / size : 1.0;
   return this->sendForce(share * force, true);
+}
+
+void BridgeDevice::holdFor(double seconds) noexcept
+{
+  this->Watchdog = watchdogOf(seconds, this->Limits);
 }
 
 bool BridgeDevice::sendForce(const Eigen::Vector3d& force, bool enable) noexcept

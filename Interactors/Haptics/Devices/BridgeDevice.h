@@ -47,6 +47,7 @@ public:
   DeviceSample read(double time) noexcept override;
   /// Shortened to the maximum force of the specification; one that is not finite is sent as zero.
   bool write(const Eigen::Vector3d& force) noexcept override;
+  void holdFor(double seconds) noexcept override;
 
   std::string status() const override;
   DeviceErrors errors() const noexcept override;

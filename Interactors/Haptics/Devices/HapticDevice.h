@@ -58,9 +58,9 @@ struct DeviceErrors
 /**
  * A haptic device: read the hand, write the force. SI units, the device's own frame.
  *
- * read and write are called from the servo tick: they return at once, and neither allocate, lock
- * nor throw. `time` (s) is passed in, so that a session can run in virtual time. status and errors
- * may be called from any one other thread at the same time.
+ * read, write and holdFor are called from the servo tick: they return at once, and neither
+ * allocate, lock nor throw. `time` (s) is passed in, so that a session can run in virtual time.
+ * status and errors may be called from any one other thread at the same time.
  */
 class PALPATE_EXPORT HapticDevice
 {
@@ -71,6 +71,9 @@ public:
   virtual DeviceSample read(double time) noexcept = 0;
   /// Force on the hand, N. Returns false when the device did not take it.
   virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
+  /// Of the forces from now on: how long (s) each is to be held if none follows. A device that
+  /// cannot let go by itself does nothing.
+  virtual void holdFor(double seconds) noexcept { static_cast<void>(seconds); }
 
   /// In words, for a person: "connected", "unplugged, waiting for it to return".
   virtual std::string status() const { return "connected"; }

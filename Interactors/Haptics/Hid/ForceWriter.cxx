@@ -24,6 +24,7 @@ struct Order
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   std::uint32_t stateSequence = 0;
+  std::uint32_t watchdog = ForceReport().watchdog;
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 } // namespace
@@ -31,7 +32,7 @@ struct Order
 /// What the thread owns together with the writer: all of it, in case the writer does not wait.
 struct ForceWriter::Shared
 {
-  const std::uint32_t Watchdog;
+  std::uint32_t Watchdog; ///< the tick's
 
   std::uint64_t Number = 0;           ///< the tick's
   LatestValue<Order> Orders;          ///< tick → thread
@@ -72,7 +73,7 @@ struct ForceWriter::Shared
       }
       this->sendNewest();
     }
-    this->report(Eigen::Vector3d::Zero(), false, 0);
+    this->report({}, false);
   }
 
   void sendNewest()
@@ -82,13 +83,13 @@ struct ForceWriter::Shared
     {
       return;
     }
-    const bool sent = this->report(order.force, true, order.stateSequence);
+    const bool sent = this->report(order, true);
     this->Taken.store(sent);
     this->Unsent.fetch_add(order.number - this->Done - (sent ? 1 : 0));
     this->Done = order.number;
   }
 
-  bool report(const Eigen::Vector3d& force, bool enable, std::uint32_t stateSequence)
+  bool report(const Order& order, bool enable)
   {
     std::shared_ptr<HidPort> port; // kept while the device takes its time, even if it is lost
     {
@@ -105,9 +106,9 @@ struct ForceWriter::Shared
     report.time = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now().time_since_epoch())
                                                .count());
-    report.force = force;
-    report.watchdog = this->Watchdog;
-    report.stateSequence = stateSequence;
+    report.force = order.force;
+    report.watchdog = order.watchdog;
+    report.stateSequence = order.stateSequence;
     HapticReportBytes bytes;
     pack(report, bytes);
     return port->write(bytes.data(), bytes.size());
@@ -144,6 +145,7 @@ bool ForceWriter::send(const Eigen::Vector3d& force, std::uint32_t stateSequence
   Order order;
   order.force = force;
   order.stateSequence = stateSequence;
+  order.watchdog = work.Watchdog;
   order.number = ++work.Number;
   work.Orders.write(order);
   if (!work.Waiting.exchange(true))
@@ -151,6 +153,11 @@ bool ForceWriter::send(const Eigen::Vector3d& force, std::uint32_t stateSequence
     sem_post(&work.Wake);
   }
   return work.Taken;
+}
+
+void ForceWriter::holdFor(std::uint32_t watchdog) noexcept
+{
+  this->Work->Watchdog = watchdog;
 }
 
 bool ForceWriter::taken() const noexcept

@@ -16,16 +16,17 @@ namespace palpate
 /**
  * Sends forces to a HID device from a thread of its own, so that a slow device delays nobody.
  *
- * send, from the tick, leaves the force and returns at once: no lock, no allocation, no wait. Only
- * the newest force is sent; one that was overtaken while the device took its time is counted as
- * unsent. The other functions belong to other threads. Destroying it sends "no force, amplifiers
- * off", and waits at most a second, even if the driver hangs: the device's own watchdog is there
- * for that.
+ * send and holdFor, from the tick: send leaves the force and returns at once: no lock, no
+ * allocation, no wait. Only the newest force is sent; one that was overtaken while the device took
+ * its time is counted as unsent. The other functions belong to other threads. Destroying it sends
+ * "no force, amplifiers off", and waits at most a second, even if the driver hangs: the device's
+ * own watchdog is there for that.
  */
 class PALPATE_EXPORT ForceWriter
 {
 public:
-  /// Each force report asks the device to go to zero when none has followed for `watchdog` µs.
+  /// Each force report asks the device to go to zero when none has followed for `watchdog` µs, or
+  /// what holdFor says since.
   explicit ForceWriter(std::uint32_t watchdog);
   ~ForceWriter();
   ForceWriter(const ForceWriter&) = delete;
@@ -40,6 +41,9 @@ public:
   /// N, finite; `stateSequence` is that of the newest state the force rests on. False if the device
   /// did not take the last one.
   bool send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept;
+
+  /// Of the forces sent from now on, by the thread that sends them.
+  void holdFor(std::uint32_t watchdog) noexcept;
 
   /// Whether the last force was taken; true before the first.
   bool taken() const noexcept;

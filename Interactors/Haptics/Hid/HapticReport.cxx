@@ -206,6 +206,13 @@ ReportDefect parse(const std::uint8_t* bytes, std::size_t size, StateReport& rep
   return ReportDefect::None;
 }
 
+std::uint32_t watchdogOf(double seconds, const DeviceSpecification& specification) noexcept
+{
+  const double longest = specification.sampleTimeOut;
+  const double held = seconds >= 0.0 && seconds < longest ? seconds : longest;
+  return static_cast<std::uint32_t>(std::lround(1e6 * std::clamp(held, 0.0, 1.0)));
+}
+
 void pack(const ForceReport& report, HapticReportBytes& bytes) noexcept
 {
   begin(bytes, ReportKind::Force, flags(report.enable, false));

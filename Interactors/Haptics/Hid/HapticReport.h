@@ -81,6 +81,11 @@ struct HelloReport
   std::uint32_t nonce = 0;
 };
 
+/// A time (s) to hold a force for as its report tells it, µs: within the device's time-out, which
+/// also is what a time is that is no number.
+PALPATE_EXPORT std::uint32_t watchdogOf(
+  double seconds, const DeviceSpecification& specification) noexcept;
+
 /// Why a report is none, in the order in which it is looked at.
 enum class ReportDefect : std::uint8_t
 {

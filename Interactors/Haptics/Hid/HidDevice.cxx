@@ -30,10 +30,6 @@ HapticReportBytes describe(HidPort& port)
   return bytes;
 }
 
-std::uint32_t watchdogOf(const DeviceSpecification& specification)
-{
-  return static_cast<std::uint32_t>(std::lround(1e6 * specification.sampleTimeOut));
-}
 } // namespace
 
 /// What the reader's thread does, and what the tick sees of it.
@@ -41,7 +37,7 @@ class HidDevice::Link final : public HidListener
 {
 public:
   Link(HidBus& bus, const HapticReportBytes& description, const DeviceSpecification& specification)
-    : Writer(watchdogOf(specification))
+    : Writer(watchdogOf(specification.sampleTimeOut, specification))
     , Bus(bus)
     , DescriptionBytes(description)
   {
@@ -169,6 +165,11 @@ DeviceSample HidDevice::read(double) noexcept
   this->Seen = state.number;
   this->StateSequence = state.report.sequence;
   return sample;
+}
+
+void HidDevice::holdFor(double seconds) noexcept
+{
+  this->Connection->Writer.holdFor(watchdogOf(seconds, this->Limits));
 }
 
 bool HidDevice::write(const Eigen::Vector3d& force) noexcept

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate
 {
@@ -136,6 +137,22 @@ void PassivityControl::sent(double time, const Eigen::Vector3d& force) noexcept
     this->UnderWay.sent(force);
     ++this->SentTicks;
   }
+}
+
+double PassivityControl::holdTime() const noexcept
+{
+  const double force = this->Force.norm();
+  if (!(force > 0.0) || std::isinf(this->Stiffness))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  // F (v t + a t²/2) = E, a of hand and handle
+  const double speed = std::max(0.0, this->Force.dot(this->Velocity) / force);
+  const double acceleration = HandAcceleration + force / LightestHandle;
+  const double way = std::max(0.0, this->Energy) / force;
+  const double time =
+    2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way) + 1e-300);
+  return std::max(0.0, time - this->Delay);
 }
 
 void PassivityControl::interrupt(double time) noexcept

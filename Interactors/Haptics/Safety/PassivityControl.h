@@ -86,6 +86,10 @@ public:
   void interrupt(double time) noexcept;
   void reset() noexcept;
 
+  /// s: for so long the force that was sent last may be held, whatever becomes of the host, without
+  /// giving a hand more than E; infinite for none. A hand as where readings are missing.
+  double holdTime() const noexcept;
+
   /// E, J.
   double energy() const noexcept { return this->Energy; }
   /// Whether nothing has been observed since the beginning or reset().

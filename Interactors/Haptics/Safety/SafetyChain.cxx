@@ -3,6 +3,7 @@
 
 #include "Haptics/Devices/WorkspaceMapping.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -38,6 +39,7 @@ SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
 {
   SafeForce result;
   result.forceFactor = this->Settings.forceFactor;
+  result.holdTime = this->Settings.sampleTimeOut;
   result.acted = this->losses(input);
   if (result.acted != 0)
   {
@@ -59,8 +61,15 @@ SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
   if (this->Settings.controlPassivity)
   {
     this->Passivity.sent(input.time, result.force);
+    result.holdTime = this->holdTime();
   }
   return result;
+}
+
+double SafetyChain::holdTime() const noexcept
+{
+  const double least = std::fmin(LeastHold * this->Settings.period, this->Settings.sampleTimeOut);
+  return std::clamp(this->Passivity.holdTime(), least, this->Settings.sampleTimeOut);
 }
 
 std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept

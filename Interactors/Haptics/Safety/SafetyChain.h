@@ -54,7 +54,9 @@ struct SafeForce
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N
   double forceFactor = 1.0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
-  bool isGap = false;      ///< no force, but what was touched goes on when readings do
+  /// s: the device is to let go by itself when nothing more has been sent for so long.
+  double holdTime = 0.0;
+  bool isGap = false; ///< no force, but what was touched goes on when readings do
 
   bool has(SafetyLink link) const noexcept
   {
@@ -73,6 +75,10 @@ struct SafeForce
  * counts as a loss: the gate closes, and slew limit and passivity control begin anew. A clock that
  * goes back is a loss too; where no link that is on needs the time, it is not looked at.
  *
+ * A force is told for a time: for so long as it can give back no more than the hand has put in, by
+ * the passivity control, at least LeastHold periods, which a loop may be late, at most the sample
+ * time-out. A device that lets go after it survives a host that hangs.
+ *
  * Readings that are missing for no longer than the device's time-out are a gap instead, under
  * passivity control: there is no force without one, as ever, but the gate stays as it is, the slew
  * limit goes on from nothing, and the control counts on, so that a hand which meanwhile went deeper
@@ -84,6 +90,8 @@ class PALPATE_EXPORT SafetyChain
 {
 public:
   explicit SafetyChain(const SafetySettings& settings) noexcept;
+
+  static constexpr double LeastHold = 5.0; ///< periods
 
   SafeForce apply(const SafetyInput& input) noexcept;
   /// No force from the next tick on, until start().
@@ -111,6 +119,7 @@ private:
     const Eigen::Vector3d& force) noexcept;
   void restart() noexcept;
   void interrupt(double time) noexcept;
+  double holdTime() const noexcept;
 
   SafetySettings Settings;
   bool UsesTime;

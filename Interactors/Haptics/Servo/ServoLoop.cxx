@@ -206,6 +206,7 @@ Tick ServoLoop::tick(double time) noexcept
 {
   const DeviceSample sample = this->Device.read(time);
   Tick tick = this->Step.step(sample, time);
+  this->Device.holdFor(tick.holdTime);
   const bool taken = this->Device.write(tick.deviceForce);
   this->Latest.write(tick);
   this->Recording.push(tick);

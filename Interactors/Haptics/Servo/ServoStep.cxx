@@ -71,6 +71,7 @@ Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
   tick.deviceForce = safe.force;
   tick.appliedForce = this->Mapping.forceToBody(safe.force);
   tick.forceFactor = safe.forceFactor;
+  tick.holdTime = safe.holdTime;
   tick.acted = safe.acted;
   tick.scene = this->Scenes.changes();
   if (isLost(safe))

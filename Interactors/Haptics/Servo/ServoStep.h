@@ -29,6 +29,7 @@ struct Tick
   Eigen::Vector3d idealForce = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedForce = Eigen::Vector3d::Zero(); ///< deviceForce, body frame, N
   double forceFactor = 1.0; ///< of applied over ideal force (DeviceFit)
+  double holdTime = 0.0;    ///< s: for so long deviceForce may be held (SafetyChain)
   /// How much of idealForce is of the scene that `contact` tells of: less than 1 during a ramp.
   double sceneShare = 1.0;
   std::uint32_t scene = 0; ///< which that is: how many changes came before

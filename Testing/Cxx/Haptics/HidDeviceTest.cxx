@@ -207,6 +207,24 @@ TEST(HidDevice, ForcesArriveAsTheyAre)
   EXPECT_EQ(bench.far->lastForce().sequence, report.sequence + 1);
 }
 
+TEST(HidDevice, EachForceIsToldForATime)
+{
+  Bench bench;
+  ASSERT_TRUE(bench.connect());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::size_t sent = 0;
+  for (const auto& [hold, told] : { std::pair(4.2e-3, 4200U), std::pair(0.0, 0U),
+         std::pair(0.5, 10000U), std::pair(infinity, 10000U), std::pair(nan, 10000U) })
+  {
+    bench.device->holdFor(hold);
+    EXPECT_TRUE(bench.device->write({ 1.5, 0.0, 0.0 }));
+    ++sent;
+    ASSERT_TRUE(eventually([&] { return bench.far->written().size() == sent; }));
+    EXPECT_EQ(bench.far->lastForce().watchdog, told) << hold;
+  }
+}
+
 TEST(HidDevice, AForceThatIsNoneIsSentAsZero)
 {
   Bench bench;

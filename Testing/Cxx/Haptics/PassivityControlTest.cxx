@@ -501,3 +501,46 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
   }
   EXPECT_GT(withoutBound, 1e-6); // J: the test would see it
 }
+
+// Held for as long as it was told, the force gives a hand no more than was put in, whatever that
+// does within its reach: it goes along the force as fast as it can.
+TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  int finite = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    PassivityControl control(Stiffest, Period);
+    const double speed = 0.3 * (2.0 * share(random) - 1.0); // in, then on or out
+    double depth = 0.0;
+    double time = 0.0;
+    double force = 0.0;
+    for (int tick = 0; tick < 60; ++tick)
+    {
+      depth = std::max(0.0, depth + Period * (tick < 50 ? 0.1 : speed));
+      control.observe(time, Vector3d(0.0, 0.0, -depth));
+      const Vector3d wanted(0.0, 0.0, 0.4 * Stiffest * depth);
+      control.bound(wanted.norm(), depth);
+      const Vector3d sent = control.limit(wanted);
+      control.sent(time, sent);
+      force = sent.z();
+      time += Period;
+    }
+    const double hold = control.holdTime();
+    if (force == 0.0)
+    {
+      EXPECT_EQ(hold, Infinity);
+      continue;
+    }
+    ++finite;
+    const double acceleration =
+      PassivityControl::HandAcceleration + force / PassivityControl::LightestHandle;
+    const double way =
+      std::max(0.0, -speed) * hold + 0.5 * acceleration * hold * hold; // out, along the force
+    EXPECT_LE(force * way, control.energy() * (1.0 + 1e-9));
+    EXPECT_GT(force * way * 1.01, control.energy()) << "no shorter than need be";
+  }
+  EXPECT_GT(finite, 300);
+  EXPECT_EQ(PassivityControl(Infinity, Period).holdTime(), Infinity);
+}

@@ -143,6 +143,21 @@ TEST(SafetyLoss, AGapThatIsLongerThanTheTimeOutIsALoss)
   }
 }
 
+TEST(SafetyLoss, AForceIsToldForATime)
+{
+  ChainedWall wall(whole());
+  EXPECT_EQ(wall.feel(0.0).holdTime, 0.02) << "none: as long as may be";
+  const SafeForce deep = wall.press();
+  EXPECT_GT(deep.holdTime, SafetyChain::LeastHold * Period);
+  EXPECT_LT(deep.holdTime, 0.02);
+  wall.feel(0.0);
+  EXPECT_EQ(wall.feel(1e-4).holdTime, SafetyChain::LeastHold * Period)
+    << "hardly anything is put in";
+  SafetySettings free = whole();
+  free.controlPassivity = false;
+  EXPECT_EQ(ChainedWall(free).press().holdTime, 0.02);
+}
+
 // Without passivity control nothing would see to it that a hand which went deeper meanwhile gets no
 // more than it gave: the gate does, as before.
 TEST(SafetyLoss, WithoutPassivityControlThereAreNoGaps)

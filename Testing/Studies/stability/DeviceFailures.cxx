@@ -29,6 +29,7 @@ struct Failure
   DeviceFaults faults;
   double delay = 0.0;  ///< s, of the force, for ever
   double stated = 0.0; ///< s: what the device says of how late it is
+  double stall = 0.0;  ///< s, of the host
 };
 
 ScheduledFault at(DeviceFault fault, double start, double duration)
@@ -68,8 +69,8 @@ std::vector<Failure> allFailures(double rate)
   return { { "none", {} }, { "dropped", sprinkled(DeviceFault::Dropped, 0.2, 0.0, rate) },
     { "late", sprinkled(DeviceFault::Late, 0.05, 5e-3, rate), 0.0, 5e-3 },
     { "nan", sprinkled(DeviceFault::NotANumber, 0.02, 0.0, rate) },
-    { "stall", once(DeviceFault::Stall, 0.1) }, { "unplug", once(DeviceFault::Disconnect, 0.3) },
-    { "delay", {}, 1e-3, 1e-3 } };
+    { "stall", once(DeviceFault::Stall, 0.1) }, { "host", {}, 0.0, 0.0, 0.1 },
+    { "unplug", once(DeviceFault::Disconnect, 0.3) }, { "delay", {}, 1e-3, 1e-3 } };
 }
 
 /// A hand that means to go up and down once a second, from 1 mm above to 7 mm deep; out at the end.
@@ -160,6 +161,8 @@ void deviceFailures(bool isQuick)
       setting.rate = rate;
       setting.plant.forceDelay = failure.delay;
       setting.statedDelay = failure.stated;
+      setting.hostStalls = FaultBegin;
+      setting.hostGoesOn = FaultBegin + failure.stall;
       for (Method& method : allMethods(setting))
       {
         const Outcome outcome = course(setting, *method.rendering, failure.faults);

@@ -5,6 +5,7 @@
 #include "Haptics/Servo/ServoStep.h"
 #include "VirtualLoop.h"
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -48,6 +49,10 @@ public:
   {
     this->Last = this->Step.step(sample, time);
     return this->Last.deviceForce;
+  }
+  double holdTime() const noexcept override
+  {
+    return std::isfinite(this->Last.holdTime) ? this->Last.holdTime : Rendering::holdTime();
   }
   bool isFree() const noexcept override { return this->Last.contact.state == ContactState::None; }
 

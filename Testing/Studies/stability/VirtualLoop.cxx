@@ -58,7 +58,17 @@ void VirtualLoop::tick()
   this->Time = this->Ticks * this->Setting.period();
   const DeviceSample sample = this->Port->read(this->Time);
   this->Audit.moved(this->position());
-  this->Force = this->Rendered.force(sample, this->Time);
+  const bool isStalled =
+    this->Time >= this->Setting.hostStalls && this->Time < this->Setting.hostGoesOn;
+  if (!isStalled)
+  {
+    this->Force = this->Rendered.force(sample, this->Time);
+    this->ToldTime = this->Time;
+  }
+  else if (this->Time - this->ToldTime > this->Rendered.holdTime())
+  {
+    this->Force.setZero();
+  }
   this->Bad += !this->Force.allFinite();
   const Eigen::Vector3d weight(0.0, 0.0, -this->Setting.push);
   this->Port->write(this->Force + weight);

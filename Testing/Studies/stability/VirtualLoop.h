@@ -23,6 +23,9 @@ public:
   Rendering& operator=(const Rendering&) = delete;
   virtual ~Rendering() = default;
   virtual Eigen::Vector3d force(const DeviceSample& sample, double time) noexcept = 0;
+  /// s: for so long the device holds the last force when no other comes; by default as long as the
+  /// protocol's watchdog of a device whose time-out is the usual one.
+  virtual double holdTime() const noexcept { return 0.02; }
   /// Whether the last reading was outside of the body.
   virtual bool isFree() const noexcept = 0;
 };
@@ -38,6 +41,9 @@ struct LoopSetting
   double rate = 1000.0; ///< Hz
   /// s: the bound that the device states of how late it is.
   double statedDelay = 0.0;
+  /// s: from when to when the host does nothing; the device lets go by itself.
+  double hostStalls = 0.0;
+  double hostGoesOn = 0.0;
 
   double period() const { return 1.0 / this->rate; }
   /// The stiffest spring that the device's own damping allows, 2b/T, N/m (Colgate and Schenkel).
@@ -90,6 +96,7 @@ private:
   EnergyAudit Audit;
   double Time = 0.0;
   int Ticks = 0;
+  double ToldTime = 0.0; ///< when a force was told last
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   Eigen::Vector3d Acting = Eigen::Vector3d::Zero();
   double Peak = 0.0;
