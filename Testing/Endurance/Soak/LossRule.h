@@ -7,7 +7,8 @@
 namespace palpate::endurance
 {
 /// In which ticks there must be no force, whatever is felt: without a place to feel it at, and when
-/// nothing new has come for longer than the time-out. After either, not until the tip was outside.
+/// nothing new has come for longer than the time-out. After that, or longer without a place, not
+/// until the tip was outside.
 class LossRule
 {
 public:
@@ -35,6 +36,12 @@ public:
     }
     this->HasHeard = true;
     return isOld;
+  }
+
+  /// Of a tick that is lost: the last new place is no older than the time-out.
+  bool isGap(const DeviceSample& sample, double time) const
+  {
+    return !isPlaced(sample) && this->HasHeard && time - this->LastNew <= this->TimeOut;
   }
 
 private:

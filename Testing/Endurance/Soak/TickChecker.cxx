@@ -115,7 +115,15 @@ TickVerdict TickChecker::check(const TickFacts& tick)
     ++this->Tally.lost;
     this->Tally.silent += LossRule::isPlaced(tick.sample) ? 1 : 0;
     first(this->checkNothing(tick, "there is no sample, or none that is new"));
-    this->lose();
+    if (this->Loss.isGap(tick.sample, tick.time))
+    {
+      this->Sent.setZero();
+      this->SentTime = tick.time;
+    }
+    else
+    {
+      this->lose();
+    }
   }
   else
   {

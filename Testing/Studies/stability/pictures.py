@@ -60,7 +60,7 @@ def force_limits(axes, rows):
         known = [(place, row["exact_force_N"]) for place, row in zip(places, held) if row["exact_force_N"] != ""]
         axes.plot([max(force, least) for _, force in known], [place for place, _ in known], "|", color="k", ms=9,
                   label="2E*a = exact limit" if rate == 1000.0 else None)
-        for control, size in (("passivity", 4), ("half chain", 9)):
+        for control, size in (("passivity", 4), ("chain", 9)):
             mine = select(rows, modulus_MPa=modulus, rate_Hz=rate, control=control)
             axes.plot([max(row["limit_N"], least) for row in mine],
                       [models.index(row["model"]) + shift for row in mine], "o", color=GREEN, ms=size, fillstyle="none",

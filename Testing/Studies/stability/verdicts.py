@@ -9,10 +9,10 @@ A cell is {group, method, failure, verdict, number, unit}. Thresholds are the st
 """
 
 SURVIVES, BOUNDED, FAILS = "survives", "bounded", "fails"
-RENDERINGS = ("point spring", "law at run time", "stored, none", "stored, cap", "stored, passivity", "stored, chain",
-              "stored, half chain")
-FAULTS = {"dropped": "20 % dropped", "late": "5 % come 5 ms late", "nan": "2 % NaN", "stall": "100 ms stall",
-          "unplug": "unplugged 0.3 s", "delay": "1 ms delay"}
+RENDERINGS = ("point spring", "law at run time", "stored, none", "stored, cap", "stored, passivity",
+              "stored, chain at 2b/T", "stored, chain")
+FAULTS = {"dropped": "20 % dropped", "late": "5 % late: by 5 ms", "nan": "2 % NaN", "stall": "0.1 s hang: of the device",
+          "host": "0.1 s hang: of the host", "unplug": "unplugged 0.3 s", "delay": "1 ms delay"}
 STILL = 0.1           # mm/s; no hand feels it
 NO_ENERGY = 1e-6      # mJ: PassivityControl's slack
 LITTLE_ENERGY = 0.1   # mJ; a tenth of what the tissue of part f holds at its deepest
