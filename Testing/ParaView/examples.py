@@ -227,9 +227,19 @@ def press_a_horn():
     assert (OUTPUT / "horn.png").stat().st_size > 20000
 
 
+def head_of_tissues():
+    # Bone is a hundred times a layer's base, and curved: the law of a layer, which the tissues are close to, knows none of
+    # that, nor how far a voxel of 1 mm is skin (a tenth of the thickness here, as much of what the base adds).
+    (thickness, tissues, layer, skin), = [numbers(line) for line in run("head_of_tissues.py")]
+    assert 8 <= thickness <= 13, thickness                 # Colin 27's forehead
+    close(skin, sphere(6.35, 0.8, 0.035 / (1 - 0.49**2)), 0.1 * skin) # the forehead is curved by 1/80 mm or less
+    close(tissues, layer, 0.2 * layer)
+    assert tissues > 1.2 * skin, (tissues, skin)
+
+
 CHECKS = [first_force, tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
           deflection_picture, touch_window, in_paraview, compare_global_local, measured_curves,
-          feel_a_nodule, press_a_horn]
+          feel_a_nodule, press_a_horn, head_of_tissues]
 ELSEWHERE = {"many_tools_mpi"}                              # many_tools.py runs it under mpiexec
 assert {check.__name__ for check in CHECKS} | ELSEWHERE == {path.stem for path in EXAMPLES.glob("*.py")}
 for check in CHECKS:
