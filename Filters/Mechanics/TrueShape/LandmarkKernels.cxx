@@ -42,14 +42,7 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
     const double left = static_cast<double>(RadiusCount - 1 - k) / (RadiusCount - 1.0);
     this->Radii.push_back(green.radius() * std::pow(ContactKernels::FirstRadius, left));
   }
-  for (std::int32_t point = 0; point < green.body().surface().pointTotal(); ++point)
-  {
-    const SurfaceDisc* disc = green.isSource(point) ? green.disc(point) : nullptr;
-    if (disc != nullptr && disc->status == PatchStatus::Valid)
-    {
-      this->Points.push_back(point);
-    }
-  }
+  this->Points = green.pressedSources();
   this->Landmarks.resize(this->Points.size());
   const auto fitOne = [this](std::size_t i)
   {

@@ -85,6 +85,19 @@ bool RegularGreen::isSource(std::int32_t point) const
   return std::binary_search(this->Sources.begin(), this->Sources.end(), point);
 }
 
+std::vector<std::int32_t> RegularGreen::pressedSources() const
+{
+  std::vector<std::int32_t> found;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    if (this->Discs[i].status == PatchStatus::Valid && this->isSource(this->Points[i]))
+    {
+      found.push_back(this->Points[i]);
+    }
+  }
+  return found;
+}
+
 double RegularGreen::at(std::int32_t x, std::int32_t source) const
 {
   const double* there = this->find(x, source);

@@ -64,6 +64,8 @@ public:
   double radius() const { return this->Radius; }
   double spacing() const { return this->Spacing; }
   bool isSource(std::int32_t point) const;
+  /// The sources among `points` that can be pressed, ascending.
+  std::vector<std::int32_t> pressedSources() const;
   /// The surface around one of `points`; null for any other.
   const SurfaceDisc* disc(std::int32_t point) const;
   /// H(x, X), the mean of both orders where both were solved; NaN if neither was.

@@ -127,15 +127,7 @@ NearField nearFieldAt(const RegularGreen& green, const GlobalModes& modes, std::
 SurfaceMotion surfaceMotion(const RegularGreen& green, int modes, const WorkObserver& observer)
 {
   const ElasticBody& body = green.body();
-  std::vector<std::int32_t> points;
-  for (std::int32_t i = 0; i < body.surface().pointTotal(); ++i)
-  {
-    const SurfaceDisc* disc = green.isSource(i) ? green.disc(i) : nullptr;
-    if (disc != nullptr && disc->status == PatchStatus::Valid)
-    {
-      points.push_back(i);
-    }
-  }
+  const std::vector<std::int32_t> points = green.pressedSources();
   SurfaceMotion motion;
   if (points.empty())
   {

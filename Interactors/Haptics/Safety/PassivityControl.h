@@ -24,7 +24,9 @@ namespace palpate
  * and a force is let through up to |F_k| = √(2 K_max E_k). Then, for any next d,
  *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
  * no motion, however sudden, gets more out than went in but for what the device's own damping takes
- * in the same holds. Nothing is predicted, no velocity is estimated, nothing chatters at rest.
+ * in the same holds. Nothing is predicted, no velocity is estimated, nothing chatters at rest. A
+ * device states b/T for its K_max: then half of its damping is counted on, and the other half lets
+ * it come to rest.
  *
  * It does nothing on a passive scene: for F = -∇U with U >= 0 and no second derivative above K_max,
  *   U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k,
