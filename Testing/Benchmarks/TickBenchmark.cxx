@@ -42,6 +42,7 @@ struct Options
   std::size_t coldCalls = 2000;
   std::size_t checkedCalls = 2000;
   bool shuffled = false;
+  bool own = false;
   bool quick = false;
 };
 
@@ -270,15 +271,21 @@ std::vector<TickRow> timeBody(
   std::printf("\n%zu triangles: same answers as palpate-point\n", surface.triangles.size());
   Field field;
   addPalpate(field, surface, paths);
-  addCompact(field, surface, paths);
   const double largest = *std::max_element(options.triangles.begin(), options.triangles.end());
-  if (triangles == largest && !options.shuffled)
+  if (!options.own)
   {
-    addShuffled(field, palpate::testing::shuffled(surface, 1), paths);
+    addCompact(field, surface, paths);
+    if (triangles == largest && !options.shuffled)
+    {
+      addShuffled(field, palpate::testing::shuffled(surface, 1), paths);
+    }
   }
   field.contenders.front().rehearsal = rehearsal.tick.get();
   field.leaders = field.contenders.size();
-  addPeers(field, surface, paths);
+  if (!options.own)
+  {
+    addPeers(field, surface, paths);
+  }
   if (!agree(field, surface, std::min(options.checkedCalls, paths.single.size())))
   {
     return {};
@@ -362,6 +369,7 @@ int main(int argc, char* argv[])
     app.add_option("--cold-calls", options.coldCalls, "calls per method with cold caches")
       ->check(CLI::Range(1, 100000));
   app.add_flag("--shuffled", options.shuffled, "bodies with points and triangles in random order");
+  app.add_flag("--own", options.own, "without other libraries, compact responses and random order");
   app.add_flag("--quick", options.quick, "few calls: all rows, but poor percentiles");
   CLI11_PARSE(app, argc, argv);
   if (options.quick)

@@ -63,6 +63,15 @@ class Symbols(unittest.TestCase):
             self.assertIn(f"{name}.h", self.sources)
             self.assertNotIn(f"palpate::{name}", " ".join(symbol for _, symbol in self.exported(library)))
 
+    def test_no_kernel_calls_itself_through_the_table_of_other_libraries_functions(self):
+        for library in KERNELS:
+            path = os.path.join(self.scratch.name, "usr", LIBDIR, f"libpalpate{library}.so.{VERSION}")
+            told = subprocess.run(["readelf", "-rW", path], check=True, capture_output=True, text=True).stdout
+            # offset, info, type, value, name; the value of what another library defines is 0
+            called = [line.split() for line in told.splitlines() if "_JUMP_SL" in line]
+            self.assertGreater(len(called), 10, library)
+            self.assertEqual([entry[4] for entry in called if entry[3].strip("0")], [], library)
+
     def test_c_functions_are_those_listed(self):
         exported = sorted(name for _, name in self.exported("Haptics") if re.fullmatch(r"palpate_\w+", name))
         self.assertEqual(exported, [line.split()[0] for line in self.listed()])
