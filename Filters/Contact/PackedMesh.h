@@ -4,6 +4,7 @@
 
 #include "Contact/Contact.h"
 #include "Contact/LargePages.h"
+#include "Contact/Prefetch.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -184,7 +185,7 @@ public:
   /// Asks for the memory of a triangle ahead of its use.
   void prefetch(std::int32_t triangle) const noexcept
   {
-    __builtin_prefetch(this->Records.data() + triangle);
+    prefetchLine(this->Records.data() + triangle);
   }
 
   const Defects& defects() const noexcept { return this->Found; }

@@ -4,6 +4,7 @@
 
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
+#include "Contact/Prefetch.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseContract.h"
 #include "Contact/ResponseSampling.h"
@@ -84,8 +85,8 @@ public:
   /// Asks for the memory of a point ahead of its use.
   void prefetch(std::int32_t point) const noexcept
   {
-    __builtin_prefetch(this->record(point));
-    __builtin_prefetch(this->record(point) + this->Stride - 1);
+    prefetchLine(this->record(point));
+    prefetchLine(this->record(point) + this->Stride - 1);
   }
   /// Bytes held.
   std::size_t memory() const noexcept { return this->Records.size() * sizeof(float); }
