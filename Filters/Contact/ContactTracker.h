@@ -96,6 +96,10 @@ public:
   /// Of the last contact, -1 if there was none.
   std::int32_t triangle() const noexcept { return this->Last.triangle; }
 
+  /// Under which triangle the contact will likely be when the tip is there: by a short walk over
+  /// faces, on which nothing is certain. -1 without a contact.
+  std::int32_t triangleAhead(const Vector3& tip) const noexcept;
+
   /// Local minimum of the distance reached from a triangle, in the mesh's local frame; triangle -1
   /// if that takes more than MaximumSteps.
   static SurfacePoint follow(

@@ -187,6 +187,11 @@ public:
   {
     prefetchLine(this->Records.data() + triangle);
   }
+  /// The same of its number in the input.
+  void prefetchInput(std::int32_t triangle) const noexcept
+  {
+    prefetchLine(this->InputTriangles.data() + triangle);
+  }
 
   const Defects& defects() const noexcept { return this->Found; }
   /// Bytes held.

@@ -41,6 +41,8 @@ void ToolContact::reset() noexcept
 Contact ToolContact::update(const Vector3& tip) noexcept
 {
   this->prefetchLast();
+  this->LastStep = tip - this->LastTip;
+  this->LastTip = tip;
   auto [outcome, place] = this->Tracker.update(tip);
   this->LastWeights.setZero();
   if (outcome == ContactTracker::Outcome::Border)
@@ -98,10 +100,45 @@ void ToolContact::prefetchLast() const noexcept
   // The contact is likely there again, or next to it: its responses come while it is sought.
   if (triangle >= 0)
   {
-    for (const std::int32_t corner : this->Body.surface.corners(triangle))
+    this->prefetchResponses(triangle);
+  }
+}
+
+void ToolContact::prefetchResponses(std::int32_t triangle) const noexcept
+{
+  for (const std::int32_t corner : this->Body.surface.corners(triangle))
+  {
+    this->Body.response.prefetch(corner);
+  }
+}
+
+// A tick on new ground would wait for the triangle, then for its new corner: here nobody waits.
+void ToolContact::foresee() const noexcept
+{
+  const PackedMesh& surface = this->Body.surface;
+  const std::int32_t triangle = this->Tracker.triangleAhead(this->LastTip + this->LastStep);
+  if (triangle < 0)
+  {
+    return;
+  }
+  const auto ask = [this, &surface](std::int32_t likely)
+  {
+    surface.prefetchInput(likely);
+    this->prefetchResponses(likely);
+  };
+  ask(triangle);
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const std::int32_t across = surface.neighbour(triangle, edge);
+    if (across >= 0)
     {
-      this->Body.response.prefetch(corner);
+      ask(across);
     }
+  }
+  // Where a face is not certain to be nearest, the tick looks at those around its corners.
+  for (const std::int32_t corner : surface.corners(triangle))
+  {
+    surface.visitAround(corner, [&surface](std::int32_t near) { surface.prefetch(near); });
   }
 }
 

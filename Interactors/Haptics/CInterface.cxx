@@ -182,6 +182,11 @@ void palpate_step(
   palpate::c::copy(contact->servo.step(sample, time), tick);
 }
 
+void palpate_foresee(const palpate_contact* contact)
+{
+  contact->servo.foresee();
+}
+
 void palpate_reset(palpate_contact* contact)
 {
   contact->servo.reset();

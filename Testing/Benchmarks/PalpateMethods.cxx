@@ -56,8 +56,10 @@ public:
     answer.sent = this->Limit.limit(answer.contact.force);
     return answer;
   }
+  /// Also what a loop does once the force is sent.
   double distance(const Vector3* /*tips*/, const Answer& answer) const
   {
+    this->Touch.foresee();
     return depthFelt(answer.contact, answer.sent);
   }
   void reset() { this->Touch.reset(); }
@@ -90,8 +92,10 @@ public:
     return sample;
   }
   Tick operator()(const Sample& sample) { return this->Servo.step(sample.device, sample.time); }
+  /// Also what a loop does once the force is sent.
   double distance(const Vector3* /*tips*/, const Tick& tick) const
   {
+    this->Servo.foresee();
     // The chain's control may hold some of the force back.
     const double force = tick.deviceForce.norm();
     const bool isSent = force > 0.0 && force < (1.0 + 1e-9) * MaximumForce;

@@ -101,6 +101,16 @@ public:
   /// One tick, `elapsed` (s) after the last. `stiffnessLimit` (N/mm) at a force factor of 1.
   SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept;
 
+  /// As ToolContact::foresee.
+  void foresee() const noexcept
+  {
+    this->Current->contact.foresee();
+    if (this->Leaving)
+    {
+      this->Leaving->contact.foresee();
+    }
+  }
+
   /// Null: nothing happens.
   void change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Leaving != nullptr; }

@@ -197,6 +197,7 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
     {
       skip((done - deadline) / period + 1);
     }
+    this->Step.foresee();
     sleepUntil(deadline);
   }
   this->finish(newest);

@@ -70,6 +70,10 @@ public:
   /// `time` in s; ramps and the chain need one that increases.
   Tick step(const DeviceSample& sample, double time) noexcept;
 
+  /// For when the force is sent, before the loop waits: asks for the memory which the next step
+  /// reads if the hand moves on as it did. Changes nothing, and may be left out.
+  void foresee() const noexcept { this->Scenes.foresee(); }
+
   /// Hands over another scene; null: nothing happens. See SceneSwitch.
   void change(std::unique_ptr<ServoScene> next) noexcept { this->Scenes.change(std::move(next)); }
   /// Whether a ramp is under way or about to begin.

@@ -2,11 +2,14 @@
 // A tip presses and slides; in every tick the contact is the nearest point of the triangles within
 // two rings of the last contact, found here by plain loops.
 #include "BruteForce.h"
+#include "BumpySphere.h"
 #include "Contact/ContactTracker.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <vector>
 
 using namespace palpate::testing;
 using palpate::ContactTracker;
@@ -98,4 +101,35 @@ TEST(ContactTrackerPath, OverAVGroove)
       return Vector3(x, surface - 0.6, 15.0 + 8.0 * t);
     });
   EXPECT_EQ(contacts, 501);
+}
+
+TEST(ContactTrackerPath, SeesWhereItWillBe)
+{
+  // Facets of 0.4 to 4 mm, 0.1 and 1.6 mm per tick, 1 mm deep.
+  for (const int cuts : { 50, 500 })
+  {
+    const Surface body = bumpySphere(cuts);
+    const PackedMesh mesh = body.packed();
+    const TriangleTree tree(mesh);
+    for (const double step : { 0.1, 1.6 })
+    {
+      ContactTracker tracker(mesh, tree);
+      EXPECT_EQ(tracker.triangleAhead(bumpyPoint(Vector3::UnitX())), -1); // no contact yet
+      const std::vector<Vector3> tips = windingTips(1000, 1.0, step);
+      tracker.update(tips[0]);
+      int seen = 0;
+      for (std::size_t i = 1; i + 1 < tips.size(); ++i)
+      {
+        tracker.update(tips[i]);
+        const std::int32_t ahead = tracker.triangleAhead(2.0 * tips[i] - tips[i - 1]);
+        ASSERT_GE(ahead, 0);
+        ASSERT_EQ(tracker.triangleAhead(Vector3::Constant(std::nan(""))), tracker.triangle());
+        ASSERT_GE(tracker.triangleAhead(Vector3::Constant(1e300)), 0);
+        ContactTracker next = tracker;
+        next.update(tips[i + 1]);
+        seen += next.triangle() == ahead ? 1 : 0;
+      }
+      EXPECT_GT(seen, 900) << cuts << " cuts, " << step << " mm";
+    }
+  }
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -185,6 +186,43 @@ TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
       const Contact found = ToolContact(*body, settings).update(Vector3(4.0, 3.0, -1.0));
       EXPECT_EQ(found.state, ContactState::Invalid);
       expectNoForce(found);
+    }
+  }
+}
+
+TEST(ToolContactStates, ForeseeingChangesNothing)
+{
+  // Over a plate, past its border, beyond the range, out, and with tips that are no numbers or far.
+  const auto body = uniformBody(openPlate(10.0, 20));
+  palpate::ContactSettings settings;
+  settings.friction.coefficient = 0.5;
+  for (const auto surface : { palpate::ContactSurface::Facets, palpate::ContactSurface::Smooth })
+  {
+    settings.surface = surface;
+    ToolContact usual(*body, settings);
+    ToolContact foreseeing(*body, settings);
+    foreseeing.foresee(); // before there is any tip
+    std::array<int, 6> met{};
+    for (int tick = 0; tick < 5000; ++tick)
+    {
+      const double t = 1e-3 * tick;
+      const double z = tick % 97 == 0 ? NaN : 1.0 - 4.0 * std::abs(std::sin(5.0 * t));
+      const double far = tick % 101 == 0 ? 1e300 : 1.0;
+      const Vector3 tip(5.0 + 6.0 * std::sin(3.1 * t), far * (5.0 + 5.5 * std::cos(1.7 * t)), z);
+      const Contact expected = usual.update(tip);
+      const Contact found = foreseeing.update(tip);
+      foreseeing.foresee();
+      ASSERT_EQ(found.state, expected.state) << tick;
+      ASSERT_EQ(found.force, expected.force) << tick;
+      ASSERT_EQ(found.friction, expected.friction) << tick;
+      ASSERT_EQ(found.contactPoint, expected.contactPoint) << tick;
+      ASSERT_EQ(found.triangle, expected.triangle) << tick;
+      ++met[static_cast<std::size_t>(found.state)];
+    }
+    for (const ContactState state : { ContactState::None, ContactState::Slide,
+           ContactState::BeyondRange, ContactState::LostAtBorder, ContactState::Invalid })
+    {
+      EXPECT_GT(met[static_cast<std::size_t>(state)], 20) << static_cast<int>(state);
     }
   }
 }

@@ -89,6 +89,7 @@ TEST(TickAllocation, ToolContact)
   for (int tick = 0; tick < Ticks; ++tick)
   {
     met(states, onPlate.update(pathOf(tick)).state);
+    onPlate.foresee();
     const double t = 1e-3 * tick;
     const Vector3d tip = (20.0 - 3.0 * std::sin(7.0 * t)) *
       Vector3d(std::cos(t), std::sin(t) * std::cos(t), std::sin(t) * std::sin(t));
@@ -154,6 +155,7 @@ TEST(TickAllocation, DeviceToForceToDevice)
     sample.valid = sample.valid && tick % 113 != 0;
     const Tick done = step.step(sample, time);
     device.write(done.deviceForce);
+    step.foresee();
     met(states, done.contact.state);
     forces += device.lastForce().norm() > 0.0;
   }
