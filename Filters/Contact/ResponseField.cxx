@@ -39,10 +39,10 @@ struct CombinedCurve
 
 ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh)
   : Sampling(arrays.samples, arrays.exponent)
-  , Energy(this->Sampling)
   , Points(arrays.points)
   , Laws(arrays.basis ? arrays.laws : 0)
   , Stride(HeadSize + static_cast<std::size_t>(this->Laws > 0 ? this->Laws : 2 * arrays.samples))
+  , Energy(this->Sampling)
 {
   if (this->Laws > 0)
   {

@@ -106,7 +106,6 @@ private:
   void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
 
   ResponseSampling Sampling;
-  ResponseEnergy Energy;
   std::size_t Points;
   int Laws;
   std::size_t Stride;
@@ -116,6 +115,7 @@ private:
   std::vector<float> Basis;
   /// The one coefficient of one law; then records hold none.
   float Shared = 0.0F;
+  ResponseEnergy Energy; ///< last: a tick reads the others
 };
 
 inline Eigen::Vector4d ResponseField::blendSamples(

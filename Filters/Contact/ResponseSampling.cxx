@@ -19,10 +19,15 @@ ResponseSampling::ResponseSampling(int samples, double exponent)
   , WholePower(smallWhole(2.0 * exponent))
   , Spacing(1.0 / samples)
 {
+  if (samples > FewNodes)
+  {
+    this->Many.resize(static_cast<std::size_t>(samples));
+  }
+  Node* const nodes = samples > FewNodes ? this->Many.data() : this->Few.data();
   for (int i = 1; i <= samples; ++i)
   {
     const double root = static_cast<double>(i) / samples;
-    this->Nodes.push_back({ root, std::pow(root, -2.0 * exponent), -2.0 * exponent / root });
+    nodes[i - 1] = { root, std::pow(root, -2.0 * exponent), -2.0 * exponent / root };
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "Mechanics/PalpateExport.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -160,8 +161,9 @@ private:
   /// way, ρ = ρ_0 + t (a + t (b + t c)).
   ResponseValue hermite(const Samples2& samples, const Place& at) const noexcept
   {
-    const Node& lower = this->Nodes[static_cast<std::size_t>(at.lower)];
-    const Node& upper = this->Nodes[static_cast<std::size_t>(at.lower) + 1];
+    const Node* const nodes = this->Samples <= FewNodes ? this->Few.data() : this->Many.data();
+    const Node& lower = nodes[at.lower];
+    const Node& upper = nodes[at.lower + 1];
     const double twice = 2.0 * at.range;
     const double rise =
       upper.weight * samples.upperForce - lower.weight * samples.lowerForce; // ρ_1 - ρ_0
@@ -192,7 +194,10 @@ private:
     double weight;  ///< s_i^(-2m)
     double ofForce; ///< -2m/s_i
   };
-  std::vector<Node> Nodes;
+  /// So many stand here, where a tick need not look for them; more elsewhere.
+  static constexpr int FewNodes = 16;
+  std::array<Node, FewNodes> Few{};
+  std::vector<Node> Many;
 };
 
 /**
