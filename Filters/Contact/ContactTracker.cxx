@@ -114,7 +114,7 @@ SurfacePoint ContactTracker::follow(
 
 std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
-  constexpr int crossings = 8; // 1.5 mm of 0.3 mm triangles: more than a hand moves in a tick
+  constexpr int crossings = 16; // 2 mm of 0.3 mm triangles: more than a hand moves in a tick
   const Vector3 local = this->Mesh.toLocal(tip);
   std::int32_t triangle = this->Last.triangle;
   for (int i = 0; i < crossings && triangle >= 0; ++i)

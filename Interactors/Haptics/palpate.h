@@ -277,8 +277,8 @@ extern "C"
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
   /* In the loop, when the force is sent and before it waits for the next tick: asks for the memory
-   * which the next step reads if the hand moves on as it did. Changes nothing, takes up to a
-   * microsecond, may be left out; a step on new ground of a large body is then a third slower. */
+   * which the next step reads if the hand moves on as it did. Changes nothing, takes 50 ns to some
+   * microseconds, may be left out; a step on new ground of a large body is then a third slower. */
   PALPATE_API void palpate_foresee(const palpate_contact* contact);
 
   /* In the loop: no force from the next step on, until start. */
