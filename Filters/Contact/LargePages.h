@@ -2,17 +2,29 @@
 #ifndef palpate_LargePages_h
 #define palpate_LargePages_h
 
+#include "Mechanics/PalpateExport.h"
+
 #include <cstddef>
-#include <cstdlib>
-#include <new>
-#include <sys/mman.h>
 #include <vector>
 
 namespace palpate
 {
-/// Memory that asks for 2 MiB pages where it is large enough to hold some: a tick that lands
-/// anywhere in some hundred megabytes then misses the cache, but not the translation of addresses
-/// too.
+/// Memory that asks for 2 MiB pages: a tick that lands anywhere in some hundred megabytes then
+/// misses the cache, but not the translation of addresses too. What takes less than a page shares
+/// one with others, of this body or of another; such a page goes back to the system when nobody is
+/// left in it. Less than 4 KiB is ordinary memory. Aligned to 64 bytes; from any thread.
+class PALPATE_EXPORT LargePageMemory
+{
+public:
+  static constexpr std::size_t PageSize = std::size_t{ 1 } << 21;
+
+  /// Throws std::bad_alloc.
+  static void* take(std::size_t bytes);
+  /// With as many bytes as were taken.
+  static void giveBack(void* memory, std::size_t bytes) noexcept;
+};
+
+/// The same for containers.
 template <class Value>
 class LargePages
 {
@@ -27,20 +39,12 @@ public:
 
   Value* allocate(std::size_t count)
   {
-    const std::size_t bytes = count * sizeof(Value);
-    const std::size_t alignment = bytes >= PageSize ? PageSize : SmallAlignment;
-    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-    if (!memory)
-    {
-      throw std::bad_alloc();
-    }
-    if (bytes >= PageSize)
-    {
-      madvise(memory, bytes, MADV_HUGEPAGE); // a wish; without it the memory is as good, but slower
-    }
-    return static_cast<Value*>(memory);
+    return static_cast<Value*>(LargePageMemory::take(count * sizeof(Value)));
   }
-  void deallocate(Value* memory, std::size_t) noexcept { std::free(memory); }
+  void deallocate(Value* memory, std::size_t count) noexcept
+  {
+    LargePageMemory::giveBack(memory, count * sizeof(Value));
+  }
 
   template <class Other>
   bool operator==(const LargePages<Other>&) const noexcept
@@ -52,10 +56,6 @@ public:
   {
     return false;
   }
-
-private:
-  static constexpr std::size_t PageSize = std::size_t{ 1 } << 21;
-  static constexpr std::size_t SmallAlignment = 64; ///< of a cache line
 };
 
 template <class Value>

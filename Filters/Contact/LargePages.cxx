@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contact/LargePages.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <sys/mman.h>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t PageSize = LargePageMemory::PageSize;
+constexpr std::size_t CacheLine = 64; ///< of a cache line
+constexpr std::size_t SmallestShared = 4096;
+
+/// The first line of a page that is shared: what of it was handed out, and how many have a part.
+struct alignas(CacheLine) SharedPage
+{
+  std::size_t used;
+  std::size_t parts;
+};
+
+std::mutex Guard;
+SharedPage* Open = nullptr; ///< from which the next part is cut
+
+std::size_t roundedUp(std::size_t bytes, std::size_t unit) noexcept
+{
+  return (bytes + unit - 1) / unit * unit;
+}
+
+/// Not under the address sanitizer, which sees only in ordinary memory what lies beside a vector.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool IsMapped = false;
+#elif defined(__has_feature)
+constexpr bool IsMapped = !__has_feature(address_sanitizer);
+#else
+constexpr bool IsMapped = true;
+#endif
+
+bool hasOwnPages(std::size_t bytes) noexcept
+{
+  return IsMapped && bytes > PageSize - sizeof(SharedPage);
+}
+
+bool isShared(std::size_t bytes) noexcept
+{
+  return IsMapped && bytes >= SmallestShared && !hasOwnPages(bytes);
+}
+
+void* ordinary(std::size_t bytes)
+{
+  const std::size_t alignment = bytes >= PageSize ? PageSize : CacheLine;
+  void* memory = std::aligned_alloc(alignment, roundedUp(bytes, alignment));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+/// Fresh from the system: what malloc gives may have been used before, in small pages, and stays
+/// in them.
+void* ownPages(std::size_t bytes)
+{
+  const std::size_t size = roundedUp(bytes, PageSize);
+  const std::size_t asked = size + PageSize; // somewhere in it is one that is aligned
+  void* memory = mmap(nullptr, asked, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED)
+  {
+    throw std::bad_alloc();
+  }
+  char* first = static_cast<char*>(memory);
+  const auto before = static_cast<std::size_t>(-reinterpret_cast<std::intptr_t>(memory)) % PageSize;
+  if (before > 0)
+  {
+    munmap(first, before);
+  }
+  munmap(first + before + size, PageSize - before);
+  madvise(first + before, size, MADV_HUGEPAGE); // a wish; without it the memory is slower
+  return first + before;
+}
+
+void giveBackPages(void* memory, std::size_t bytes) noexcept
+{
+  munmap(memory, roundedUp(bytes, PageSize));
+}
+
+SharedPage* pageOf(void* part) noexcept
+{
+  char* place = static_cast<char*>(part);
+  return reinterpret_cast<SharedPage*>(place - reinterpret_cast<std::uintptr_t>(part) % PageSize);
+}
+} // namespace
+
+void* LargePageMemory::take(std::size_t bytes)
+{
+  if (!isShared(bytes))
+  {
+    return hasOwnPages(bytes) ? ownPages(bytes) : ordinary(bytes);
+  }
+  const std::size_t size = roundedUp(bytes, CacheLine);
+  const std::lock_guard<std::mutex> lock(Guard);
+  if (!Open || Open->used + size > PageSize)
+  {
+    Open = new (ownPages(PageSize)) SharedPage{ sizeof(SharedPage), 0 };
+  }
+  void* part = reinterpret_cast<char*>(Open) + Open->used;
+  Open->used += size;
+  ++Open->parts;
+  return part;
+}
+
+void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
+{
+  if (!isShared(bytes))
+  {
+    hasOwnPages(bytes) ? giveBackPages(memory, bytes) : std::free(memory);
+    return;
+  }
+  const std::size_t size = roundedUp(bytes, CacheLine);
+  const std::lock_guard<std::mutex> lock(Guard);
+  SharedPage* page = pageOf(memory);
+  --page->parts;
+  if (page->parts == 0)
+  {
+    Open = page == Open ? nullptr : Open;
+    giveBackPages(page, PageSize);
+  }
+  else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
+  {
+    page->used -= size; // the newest part: what grows leaves no hole
+  }
+}
+} // namespace palpate
