@@ -73,7 +73,7 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
 /// Everything that the responses depend on. The revision changes with what is computed of the same.
 std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
 {
-  constexpr int Revision = 1;
+  constexpr int Revision = 2;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
     '|', shortestDecimals(scene.terms.errorTolerance), '|', options.fixedFaces,
     contentOf(scene.body));

@@ -94,20 +94,26 @@ ExpectedError ElementError::at(const SingularSource& source) const
     sum.direct += amount;
     sum.error += amount * missed;
   };
-  const auto place = [&source](const Eigen::Vector3d& middle, double spacing)
+  const auto place = [&source](const Eigen::Vector3d& middle)
   {
-    Eigen::Vector3d at = source.inFrame(middle);
-    // Above the source the field is singular on a line: as if beside it.
-    const double beside = std::max(at.head<2>().norm(), 0.5 * spacing);
-    if (at[2] < -beside)
+    const Eigen::Vector3d at = source.inFrame(middle);
+    if (SingularSource::isUnder(at))
     {
-      at[2] = -beside;
+      return at;
     }
-    return at;
+    // What stands over the source knows the field only from where that ends, as far away.
+    constexpr double level =
+      1.0 - SingularSource::LargestOverhang * SingularSource::LargestOverhang;
+    const double aside = at.head<2>().norm();
+    const Eigen::Vector2d direction =
+      aside > 0.0 ? Eigen::Vector2d(at.head<2>() / aside) : Eigen::Vector2d(1.0, 0.0);
+    Eigen::Vector3d moved;
+    moved << std::sqrt(level) * direction, -SingularSource::LargestOverhang;
+    return Eigen::Vector3d(at.norm() * moved);
   };
   for (const Side& side : this->Sides)
   {
-    const Eigen::Vector3d at = place(side.middle, side.spacing);
+    const Eigen::Vector3d at = place(side.middle);
     const double distance = std::max(at.norm(), 0.5 * side.spacing);
     const Eigen::Matrix3d stress = field.stress(at);
     const double force = side.isHeld ? stress.norm() * side.area.norm()
@@ -125,7 +131,7 @@ ExpectedError ElementError::at(const SingularSource& source) const
     }
     const double here = cell.material.youngsModulus;
     const double there = source.material.youngsModulus;
-    const Eigen::Vector3d at = place(cell.middle, cell.spacing);
+    const Eigen::Vector3d at = place(cell.middle);
     const double distance = std::max(at.norm(), 0.5 * cell.spacing);
     const double contrast = std::max(std::abs(here - there) / std::max(here, there),
       std::abs(cell.material.poissonRatio - source.material.poissonRatio));
