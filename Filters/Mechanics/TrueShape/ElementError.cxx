@@ -96,7 +96,7 @@ ExpectedError ElementError::at(const SingularSource& source) const
   };
   const auto place = [&source](const Eigen::Vector3d& middle)
   {
-    const Eigen::Vector3d at = source.inFrame(middle);
+    Eigen::Vector3d at = source.inFrame(middle);
     if (SingularSource::isUnder(at))
     {
       return at;
