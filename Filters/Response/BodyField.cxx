@@ -6,6 +6,7 @@
 #include "Response/Pieces/BodySeam.h"
 #include "Response/Pieces/Ranks.h"
 #include "Response/Pieces/SeamNormals.h"
+#include "Response/Pieces/TriangleNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -35,47 +36,6 @@ vtkIdType firstTriangle(vtkPolyData* body)
   return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 
-/// A stack as the numbers of <name>LayerStack, four a layer, and back; without layers where they
-/// are no stack.
-std::vector<double> numbersOf(const LayerStack& stack)
-{
-  std::vector<double> numbers;
-  const auto add = [&numbers](const StackLayer& layer, double thickness)
-  {
-    numbers.insert(numbers.end(),
-      { thickness, layer.youngsModulus, layer.poissonsRatio, layer.slips ? 1.0 : 0.0 });
-  };
-  for (const StackLayer& layer : stack.layers)
-  {
-    add(layer, layer.thickness);
-  }
-  if (stack.hasHalfSpace)
-  {
-    add(stack.halfSpace, 0.0);
-  }
-  return numbers;
-}
-
-LayerStack stackOf(const std::vector<double>& numbers, LayerBase base)
-{
-  LayerStack stack;
-  stack.base = base;
-  for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
-  {
-    const StackLayer layer{ numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3] != 0.0 };
-    if (layer.thickness > 0.0)
-    {
-      stack.layers.push_back(layer);
-    }
-    else
-    {
-      stack.hasHalfSpace = true;
-      stack.halfSpace = layer;
-    }
-  }
-  return stack;
-}
-
 /// What one rank knows of a triangle, on all.
 FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
 {
@@ -83,67 +43,12 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   {
     return own;
   }
-  const auto pick = [&](auto given)
-  {
-    for (const auto& each : ranks.gather(isHere ? given : decltype(given)()))
-    {
-      given = each.empty() ? given : each;
-    }
-    return given;
-  };
-  FieldTriangle triangle = own;
   std::vector<double> numbers;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (const auto& each : ranks.gather(isHere ? triangleNumbersOf(own) : std::vector<double>()))
   {
-    const Vector3& x = own.corners[k];
-    numbers.insert(numbers.end(), { x.x(), x.y(), x.z(), own.thickness[k] });
+    numbers = each.empty() ? numbers : each;
   }
-  numbers.push_back(static_cast<double>(own.base));
-  numbers.insert(numbers.end(), own.second.begin(), own.second.end());
-  const std::vector<double> stack = numbersOf(own.stack);
-  for (const NearField& near : own.near)
-  {
-    const auto flat = numbersOf(near);
-    numbers.insert(numbers.end(), flat.begin(), flat.end());
-  }
-  numbers.push_back(static_cast<double>(stack.size()));
-  numbers.insert(numbers.end(), stack.begin(), stack.end());
-  for (const FieldTriangle::Mode& mode : own.modes)
-  {
-    numbers.push_back(mode.sign);
-    for (const Vector3& phi : mode.vectors)
-    {
-      numbers.insert(numbers.end(), phi.data(), phi.data() + 3);
-    }
-  }
-  numbers = pick(numbers);
-  const double* next = numbers.data();
-  for (std::size_t k = 0; k < 3; ++k, next += 4)
-  {
-    triangle.corners[k] = Vector3(next);
-    triangle.thickness[k] = next[3];
-  }
-  triangle.base = static_cast<LayerBase>(static_cast<int>(*next++));
-  std::copy_n(next, 3, triangle.second.begin());
-  next += 3;
-  for (NearField& near : triangle.near)
-  {
-    std::array<double, NearField::Numbers> flat{};
-    std::copy_n(next, flat.size(), flat.begin());
-    near = nearFieldOf(flat);
-    next += flat.size();
-  }
-  const auto stackNumbers = static_cast<std::ptrdiff_t>(*next++);
-  triangle.stack = stackOf({ next, next + stackNumbers }, triangle.base);
-  next += stackNumbers;
-  triangle.modes.clear();
-  while (next < numbers.data() + numbers.size())
-  {
-    triangle.modes.push_back(
-      { next[0], { Vector3(next + 1), Vector3(next + 4), Vector3(next + 7) } });
-    next += 10;
-  }
-  return triangle;
+  return numbers.empty() ? own : triangleOf(numbers);
 }
 
 /// Where the modes lie; those of other types in copies, which `kept` holds.
