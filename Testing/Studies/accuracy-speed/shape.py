@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bodies with an edge, a horn and a nodule: what the half-space misses there, and what true shape costs."""
-import csv
 import math
 import time
 
 import pictures
+import rows as study
 
 METHODS = {"half-space": "#d55e00", "half-space, body in series": "#e69f00", "true shape, coarse": "#56b4e9",
            "true shape": "#0072b2"}
@@ -18,12 +18,7 @@ TICKS, PASSES, WANDER = 4000, 7, 0.4    # of the path that is timed; mm around t
 
 
 def read(text):
-    rows = list(csv.DictReader(text.splitlines()))
-    for row in rows:
-        for name, value in row.items():
-            if name not in TEXTS:
-                row[name] = float(value) if value else None
-    return rows
+    return study.read(text, TEXTS)
 
 
 class Response:

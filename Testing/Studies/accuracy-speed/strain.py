@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `palpateAccuracySpeed --strain` prints: responses against finite strain itself."""
-import csv
-
 import pictures
+import rows as study
 
 METHODS = {"small strain": ("#d55e00", "-"), "small strain, curvature": ("#e69f00", "--"),
            "finite strain, stored": ("#0072b2", "-")}
@@ -13,12 +12,7 @@ TEXTS = ("part", "code", "tool", "method")
 
 
 def read(text):
-    rows = list(csv.DictReader(text.splitlines()))
-    for row in rows:
-        for name, value in row.items():
-            if name not in TEXTS:
-                row[name] = float(value) if value else None
-    return rows
+    return study.read(text, TEXTS)
 
 
 def radius(tool):
