@@ -118,7 +118,7 @@ std::string attachMeasured(const ViewerOptions& options, TouchScene& scene)
     tool->SetSpecification(scene.tools[i]);
     measured->SetInputData(scene.body);
     measured->SetTool(tool);
-    measured->SetResponseName("Response" + (i > 0 ? std::to_string(i + 1) : std::string()));
+    measured->SetResponseName(responseName(i));
     const std::string error = updateQuietly(measured);
     if (!error.empty())
     {

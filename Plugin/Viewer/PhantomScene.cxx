@@ -36,8 +36,9 @@ std::string phantomKey(const ViewerOptions& options, const TouchScene& scene)
 std::vector<std::string> arraysOf(std::size_t tools)
 {
   std::vector<std::string> arrays = { "ForceChange" };
-  for (const std::string& name : responseNames(tools))
+  for (std::size_t i = 0; i < tools; ++i)
   {
+    const std::string name = responseName(i);
     arrays.insert(arrays.end(), { name + "Force", name + "WithoutForce" });
   }
   return arrays;

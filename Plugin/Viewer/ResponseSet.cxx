@@ -81,6 +81,11 @@ MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyD
       law.layer.scanned && isStack ? "LayerThickness1" : "" });
 }
 
+std::string responseName(std::size_t tool)
+{
+  return tool == 0 ? "Response" : "Response" + std::to_string(tool + 1);
+}
+
 std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
   double maximumDeflection, ResponseSet& responses)
 {
@@ -89,9 +94,7 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
   {
     return "tool '" + tool + "' is not known";
   }
-  const std::string name = responses.names.empty()
-    ? std::string("Response")
-    : "Response" + std::to_string(responses.names.size() + 1);
+  const std::string name = responseName(responses.names.size());
   responses.tools.push_back(shape);
   responses.names.push_back(name);
   if (scene.stored)

@@ -45,6 +45,9 @@ ContactLaw lawOf(const TouchScene& scene);
 BodyMaterial::Constants materialOf(const ContactLaw& law);
 MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyData* body);
 
+/// Prefix of the arrays of a tool's response: Response, Response2...
+std::string responseName(std::size_t tool);
+
 /// Adds the response of one more tool, or of another law. Returns an error, or "".
 std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
   double maximumDeflection, ResponseSet& responses);

@@ -75,8 +75,7 @@ std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
 {
   constexpr int Revision = 2;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
-    '|', shortestDecimals(scene.terms.errorTolerance), '|', options.fixedFaces,
-    contentOf(scene.body));
+    '|', options.fixedFaces, contentOf(scene.body));
 }
 
 /// Fills the scene's body and presses its tools: body, notes.
@@ -120,11 +119,10 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
   pressed->SetSourceSpacing(sizes.sources);
   vtkSmartPointer<vtkPolyData> body = scene.body;
   vtkIdType solutions = 0;
-  const std::vector<std::string> names = responseNames(tools.size());
   for (const std::size_t t : order)
   {
     pressed->SetTool(tools[t]);
-    pressed->SetResponseName(names[t]);
+    pressed->SetResponseName(responseName(t));
     pressed->SetSurfaceData(body);
     error = updateQuietly(pressed);
     if (!error.empty())
@@ -151,9 +149,9 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
 std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)
 {
   std::vector<std::string> arrays;
-  for (const std::string& name : responseNames(scene.tools.size()))
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
   {
-    arrays.push_back(name + "Force");
+    arrays.push_back(responseName(i) + "Force");
   }
   const std::string file = cachePlace("solid", solidKey(options, scene), ".vtp");
   if (const vtkSmartPointer<vtkPolyData> solved = readSolved(file, arrays))

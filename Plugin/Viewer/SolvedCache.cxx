@@ -20,16 +20,6 @@
 
 namespace palpate
 {
-std::vector<std::string> responseNames(std::size_t tools)
-{
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < tools; ++i)
-  {
-    names.push_back(i == 0 ? "Response" : "Response" + std::to_string(i + 1));
-  }
-  return names;
-}
-
 vtkSmartPointer<vtkPolyData> readSolved(
   const std::string& file, const std::vector<std::string>& pointArrays)
 {

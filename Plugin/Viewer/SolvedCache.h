@@ -12,9 +12,6 @@
 
 namespace palpate
 {
-/// The names of the responses of so many tools: Response, Response2...
-std::vector<std::string> responseNames(std::size_t tools);
-
 /// A body with its responses that took minutes to solve for, as the cache has it in `file`; null
 /// where there is none, or one that cannot be read or lacks a point array that is named.
 vtkSmartPointer<vtkPolyData> readSolved(

@@ -21,7 +21,7 @@ struct SurfaceMotion
 
 /**
  * Of a body that has been solved for. The modes are those of H as drawn, see GlobalModes: of the
- * whole motion less the half-space's dent on the surface that faces as X does (visibleDents). The
+ * whole motion less the half-space's dent on the surface that faces as X does (VisibleDent.h). The
  * near fields are quadratics by least squares through H where it was solved for around each source.
  *
  * Costs one more solution for each of LandmarksPerMode × `modes` sources. Not complete (no points)

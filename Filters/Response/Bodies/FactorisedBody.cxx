@@ -8,10 +8,10 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
-#include "vtkPointData.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <utility>
