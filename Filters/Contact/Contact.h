@@ -20,6 +20,9 @@ struct SurfacePoint
   double signedDistance = 0.0;
   /// The closest point lies on an open border, where inside and outside are not defined.
   bool onBorder = false;
+  /// The closest point lies where the surface was cut along a sharp edge (PackedMesh::Crease): the
+  /// side of the tip is that of the triangle's own face alone.
+  bool onCrease = false;
 };
 
 /// One that is followed, and how it moves with the tip. Normal and gradients are those of the

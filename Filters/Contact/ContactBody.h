@@ -2,12 +2,14 @@
 #ifndef palpate_ContactBody_h
 #define palpate_ContactBody_h
 
+#include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
 #include "Contact/ResponseField.h"
 #include "Contact/TriangleTree.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace palpate
 {
@@ -19,20 +21,22 @@ struct ContactBody
   /// point, in the same order.
   ContactBody(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, const ResponseArrays& responses, const BuildProgress& progress = {})
-    : surface(points, pointCount, triangles, triangleCount, progress)
+    : surface(points, pointCount, triangles, triangleCount, progress, creaseTurn(responses))
     , tree(surface)
     , response(responses, &surface)
+    , edges(edgesOf(surface, responses))
   {
     if (progress)
     {
       progress(1.0);
     }
   }
-  /// The surface of another, copied, under other responses.
+  /// The surface of another, copied, under other responses; both of them feel edges, or neither.
   ContactBody(const ContactBody& same, const ResponseArrays& responses)
     : surface(same.surface)
     , tree(same.tree, surface)
     , response(responses, &surface)
+    , edges(edgesOf(surface, responses))
   {
   }
   ContactBody(const ContactBody&) = delete;
@@ -41,6 +45,20 @@ struct ContactBody
   const PackedMesh surface;
   const TriangleTree tree;
   const ResponseField response;
+  const std::unique_ptr<const BodyEdges> edges; ///< null: sharp edges are not felt
+
+private:
+  static double creaseTurn(const ResponseArrays& responses)
+  {
+    return responses.edges.areFelt() ? BodyEdges::LeastTurn : 0.0;
+  }
+  static std::unique_ptr<const BodyEdges> edgesOf(
+    const PackedMesh& surface, const ResponseArrays& responses)
+  {
+    return responses.edges.areFelt()
+      ? std::make_unique<const BodyEdges>(surface, responses.edges, responses.longestRange())
+      : nullptr;
+  }
 };
 } // namespace palpate
 

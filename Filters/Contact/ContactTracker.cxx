@@ -11,18 +11,20 @@ namespace palpate
 {
 namespace
 {
-ContactTracker::Outcome classify(double signedDistance, bool onBorder) noexcept
+ContactTracker::Outcome classify(const SurfacePoint& surface) noexcept
 {
-  if (!(signedDistance < 0.0))
+  if (!(surface.signedDistance < 0.0))
   {
     return ContactTracker::Outcome::Outside;
   }
-  return onBorder ? ContactTracker::Outcome::Border : ContactTracker::Outcome::Inside;
+  return surface.onCrease ? ContactTracker::Outcome::Crease
+    : surface.onBorder    ? ContactTracker::Outcome::Border
+                          : ContactTracker::Outcome::Inside;
 }
 
 ContactTracker::Result classified(const SurfacePoint& surface) noexcept
 {
-  return { classify(surface.signedDistance, surface.onBorder), { surface } };
+  return { classify(surface), { surface } };
 }
 
 double longestEdge(const PackedMesh& mesh, std::int32_t triangle) noexcept
@@ -150,12 +152,10 @@ ContactTracker::Result ContactTracker::touch(
     }
     if (found.outcome == SmoothPoint::Outcome::NotFound)
     {
-      return { classify(facet.signedDistance, facet.onBorder),
-        EnergyGradient::onFacet(this->Mesh, tip, facet) };
+      return { classify(facet), EnergyGradient::onFacet(this->Mesh, tip, facet) };
     }
   }
-  return { classify(found.place.signedDistance, found.outcome == SmoothPoint::Outcome::Border),
-    found.place };
+  return { classify(found.place), found.place };
 }
 
 ContactTracker::Result ContactTracker::goOn(const Vector3& tip) noexcept
@@ -177,25 +177,46 @@ ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
   {
     return { Outcome::Invalid, {} };
   }
+  if (nearest.onCrease)
+  {
+    return {};
+  }
   if (!this->Smooth)
   {
     return classified(nearest);
   }
   // No patch rises as high over its facet as that is long.
-  return nearest.signedDistance > longestEdge(this->Mesh, nearest.triangle)
-    ? Result{}
-    : this->touch(tip, nearest.triangle, nearest.projection.weights);
+  if (nearest.signedDistance > longestEdge(this->Mesh, nearest.triangle))
+  {
+    return {};
+  }
+  const Result found = this->touch(tip, nearest.triangle, nearest.projection.weights);
+  return found.outcome == Outcome::Crease ? Result{} : found;
 }
 
 bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noexcept
 {
   if (result.outcome != Outcome::Border)
   {
-    return result.outcome == Outcome::Inside;
+    return result.outcome == Outcome::Inside || result.outcome == Outcome::Crease;
   }
   const TriangleProjection& border = result.place.projection;
   return BorderFade::at(this->Mesh, result.place.triangle, border.weights, tip - border.point)
            .fraction > 0.0;
+}
+
+ContactTracker::Result ContactTracker::handOver(
+  const Vector3& tip, std::int32_t triangle) noexcept
+{
+  const ContactPlace before = this->Last;
+  const Vector3 local = this->Mesh.toLocal(tip);
+  this->Last = {};
+  this->Last.triangle = triangle;
+  this->Last.projection.weights.setConstant(1.0 / 3.0);
+  Result result = this->goOn(local);
+  this->Last = result.outcome == Outcome::Inside ? result.place : before;
+  result.place.projection.point += this->Mesh.centre();
+  return result;
 }
 
 ContactTracker::Result ContactTracker::search(const Vector3& tip) noexcept

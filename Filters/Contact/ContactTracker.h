@@ -36,6 +36,10 @@ namespace palpate
  * SmoothContact), the contact goes on with the facets from there, and returns as soon as there is
  * one; the force may jump at such a change, by what facets and surface differ.
  *
+ * Where the surface is cut along sharp edges (PackedMesh), a contact stays on its face: beyond a
+ * crease it is held at its closest point until who asks lets go (BodyEdges). None begins there,
+ * since a tip whose closest point is on a convex edge is outside.
+ *
  * The tick neither allocates nor locks nor throws. Steps per tick are bounded by MaximumSteps, a
  * step being about one triangle: 30 mm on a body of 0.2 mm triangles. A tip that outruns them is
  * searched for in the whole body, as a new contact is: a point on the way there would be no local
@@ -52,6 +56,7 @@ public:
     Outside,
     Inside,
     Border, ///< under an open border: there is no inside there
+    Crease, ///< under a face, beyond a crease that bounds it; only while followed
     Invalid ///< the tip is not finite, or the body has no usable triangle
   };
 
@@ -89,6 +94,10 @@ public:
     result.outcome = Outcome::Inside;
     return result;
   }
+
+  /// Goes on from another triangle, if the tip is inside under its face: else nothing changes, and
+  /// the result is another than Inside.
+  Result handOver(const Vector3& tip, std::int32_t triangle) noexcept;
 
   /// Forgets the contact; the next update searches the whole body.
   void reset() noexcept { this->Last.triangle = -1; }

@@ -9,16 +9,17 @@
 namespace palpate
 {
 PackedMesh::PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
-  std::size_t triangleCount, const BuildProgress& progress)
+  std::size_t triangleCount, const BuildProgress& progress, double creaseTurn)
 {
-  Builder(*this, progress).build(points, pointCount, triangles, triangleCount);
+  Builder(*this, progress, creaseTurn).build(points, pointCount, triangles, triangleCount);
 }
 
 std::size_t PackedMesh::memory() const noexcept
 {
   return this->Records.size() * sizeof(Record) + this->Vertices.size() * sizeof(Vertex) +
     (this->Ring.size() + this->InputTriangles.size() + this->InputPoints.size()) *
-    sizeof(std::int32_t);
+    sizeof(std::int32_t) +
+    this->Creases.size() * sizeof(CreaseSide);
 }
 
 Vector3 PackedMesh::faceNormal(std::int32_t triangle) const noexcept
@@ -52,13 +53,15 @@ SurfacePoint PackedMesh::orient(
   {
     const std::int32_t corner = this->corners(triangle)[feature];
     normal = this->pointNormal(corner);
-    found.onBorder = (this->Vertices[static_cast<std::size_t>(corner)].ring & 1U) != 0;
+    found.onBorder = (this->Vertices[static_cast<std::size_t>(corner)].ring & BorderFlag) != 0;
+    found.onCrease = this->isOnCrease(corner);
   }
   else
   {
     normal = this->faceNormal(triangle);
     const std::int32_t across = this->record(triangle).neighbours[feature - 3];
     found.onBorder = across == Border;
+    found.onCrease = across == Crease;
     if (across >= 0)
     {
       normal += this->faceNormal(across);

@@ -44,6 +44,13 @@ using BuildProgress = std::function<void(double)>;
  * same coordinates are joined, and so are the ends of edges without length. An edge of more than
  * two triangles has no neighbour across and counts as border.
  *
+ * On demand the surface is cut along its sharp convex edges (creases), so that a contact followed
+ * from triangle to triangle stays on its face: triangles at a crease are no neighbours, and a point
+ * there is one point per face, each with the normal of its face. An edge is sharp where the surface
+ * turns by no less than the angle given, and, below BluntTurn, by twice as much as at the other
+ * sides of its two triangles where they turn least: the facets of a coarse ball are no faces. An
+ * edge between two points at which no other crease ends is not cut.
+ *
  * Cost: about 105 bytes per triangle; built in O(n log n), threaded, the same for any number of
  * threads. Immutable, safe from any number of threads.
  */
@@ -67,12 +74,26 @@ public:
 
   static constexpr std::int32_t Border = -1; ///< no triangle across an edge
   static constexpr std::int32_t Seam = -2;   ///< one without area across an edge
+  static constexpr std::int32_t Crease = -3; ///< cut along a sharp edge
+
+  /// Creases that turn by less are blunt, rad.
+  static constexpr double BluntTurn = 1.309; // 75°
+
+  /// One side of a crease.
+  struct CreaseSide
+  {
+    std::int32_t triangle;
+    std::int32_t edge;   ///< of the triangle
+    std::int32_t across; ///< the triangle on the other side
+    float turn;          ///< rad
+  };
 
   /// Copies `pointCount` points (x, y, z) and `triangleCount` triangles (three point indices).
+  /// `creaseTurn` (rad): see above; 0: nothing is cut.
   PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
-    std::size_t triangleCount, const BuildProgress& progress = {});
+    std::size_t triangleCount, const BuildProgress& progress = {}, double creaseTurn = 0.0);
 
-  /// Triangles that take part in contact, and all points.
+  /// Triangles that take part in contact, and all points; those on creases several times.
   std::size_t triangleCount() const noexcept { return this->Records.size(); }
   std::size_t pointCount() const noexcept { return this->InputPoints.size(); }
   std::int32_t inputTriangle(std::int32_t triangle) const noexcept
@@ -92,7 +113,7 @@ public:
   {
     return this->record(triangle).points;
   }
-  /// Across edge i, or Border, or Seam.
+  /// Across edge i, or Border, or Seam, or Crease.
   std::int32_t neighbour(std::int32_t triangle, int edge) const noexcept
   {
     return this->record(triangle).neighbours[static_cast<std::size_t>(edge)];
@@ -124,6 +145,14 @@ public:
       .cast<double>();
   }
 
+  bool isOnCrease(std::int32_t point) const noexcept
+  {
+    const Vertex& vertex = this->Vertices[static_cast<std::size_t>(point)];
+    return vertex.ring != NoRing && (vertex.ring & CreaseFlag) != 0;
+  }
+  /// Both sides of each crease, by triangle.
+  const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
+
   /// Calls visit(triangle) for each triangle around a point.
   template <class Visit>
   void visitAround(std::int32_t point, const Visit& visit) const noexcept
@@ -133,7 +162,7 @@ public:
     {
       return;
     }
-    const std::int32_t* next = this->Ring.data() + (vertex.ring >> 1);
+    const std::int32_t* next = this->Ring.data() + (vertex.ring >> RingShift);
     for (bool last = false; !last; ++next)
     {
       last = *next < 0;
@@ -212,9 +241,12 @@ private:
   struct Vertex
   {
     std::array<float, 3> normal;
-    /// Where its triangles begin in Ring, times two, plus one if it is on a border; or NoRing.
+    /// Where its triangles begin in Ring, shifted, and flags; or NoRing.
     std::uint32_t ring;
   };
+  static constexpr std::uint32_t BorderFlag = 1;
+  static constexpr std::uint32_t CreaseFlag = 2;
+  static constexpr unsigned RingShift = 2;
   static constexpr std::uint32_t NoRing = ~std::uint32_t{ 0 };
 
   class Builder;
@@ -230,6 +262,7 @@ private:
   LargeVector<std::int32_t> Ring; ///< triangles around points, the last of each as its complement
   LargeVector<std::int32_t> InputTriangles;
   LargeVector<std::int32_t> InputPoints;
+  std::vector<CreaseSide> Creases;
   Defects Found;
 };
 } // namespace palpate

@@ -10,13 +10,14 @@
 namespace palpate
 {
 /// Builds a PackedMesh, step by step: sort out the triangles, order them along the curve, number
-/// the points as they come, find neighbours, repair, pack. Not installed.
+/// the points as they come, find neighbours, repair, cut, pack. Not installed.
 class PackedMesh::Builder
 {
 public:
-  Builder(PackedMesh& mesh, const BuildProgress& progress)
+  Builder(PackedMesh& mesh, const BuildProgress& progress, double creaseTurn)
     : Mesh(mesh)
     , Progress(progress)
+    , CreaseTurn(creaseTurn)
   {
   }
   void build(const double* points, std::size_t pointCount, const std::int32_t* triangles,
@@ -39,8 +40,10 @@ private:
   void findNeighbours();
   void joinPoints();
   void turnTriangles();
+  void cutCreases();
   void packRings();
   void packRecords();
+  void markCreases();
   void computePointNormals();
   void computeBends();
 
@@ -55,6 +58,7 @@ private:
 
   PackedMesh& Mesh;
   const BuildProgress& Progress;
+  double CreaseTurn;
   std::size_t PointCount = 0;
   std::vector<float> Coordinates;         ///< local; by input point, then by packed point
   std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area

@@ -39,7 +39,7 @@ struct CombinedCurve
 
 ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh)
   : Sampling(arrays.samples, arrays.exponent)
-  , Points(arrays.points)
+  , Points(mesh ? mesh->pointCount() : arrays.points)
   , Laws(arrays.basis ? arrays.laws : 0)
   , Stride(HeadSize + static_cast<std::size_t>(this->Laws > 0 ? this->Laws : 2 * arrays.samples))
   , Energy(this->Sampling)
@@ -57,8 +57,13 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        this->pack(arrays,
-          mesh ? static_cast<std::size_t>(mesh->inputPoint(static_cast<std::int32_t>(i))) : i, i);
+        const auto point = static_cast<std::int32_t>(i);
+        this->pack(arrays, mesh ? static_cast<std::size_t>(mesh->inputPoint(point)) : i, i);
+        if (mesh && mesh->isOnCrease(point))
+        {
+          Eigen::Map<Eigen::Vector3f>(this->Records.data() + this->Stride * i + 1) =
+            mesh->pointNormal(point).cast<float>();
+        }
       }
     });
 }
@@ -70,7 +75,7 @@ void ResponseField::shareCoefficient(const ResponseArrays& arrays)
     return;
   }
   bool found = false;
-  for (std::size_t i = 0; i < this->Points; ++i)
+  for (std::size_t i = 0; i < arrays.points; ++i)
   {
     if (arrays.isUsable(i))
     {
@@ -197,7 +202,7 @@ std::array<ResponseValue, 3> BlendedResponse::evaluateEach(double deflection) co
 Vector3 BlendedResponse::energies(double deflection) const noexcept
 {
   const TriangleCorners& p = this->Points;
-  if (this->Field.haveSameCurve(p[0], p[1]) && this->Field.haveSameCurve(p[1], p[2]))
+  if (this->areAlike())
   {
     return Vector3::Zero();
   }
@@ -213,6 +218,21 @@ Vector3 BlendedResponse::energies(double deflection) const noexcept
     }
   }
   return energies;
+}
+
+double BlendedResponse::energy(double deflection) const noexcept
+{
+  if (this->areAlike() && this->Field.isValid(this->Points[0]))
+  {
+    return this->Field.energy(this->Points[0], deflection);
+  }
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double weight = this->Weights[static_cast<Eigen::Index>(k)];
+    sum += weight == 0.0 ? 0.0 : weight * this->Field.energy(this->Points[k], deflection);
+  }
+  return sum;
 }
 
 ResponseValue BlendedResponse::evaluateApart(double deflection) const noexcept

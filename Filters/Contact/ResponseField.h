@@ -2,6 +2,7 @@
 #ifndef palpate_ResponseField_h
 #define palpate_ResponseField_h
 
+#include "Contact/Edges/EdgeLaw.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
 #include "Contact/Prefetch.h"
@@ -35,6 +36,18 @@ struct ResponseArrays
   const float* normal = nullptr;
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
+  EdgeTerms edges; ///< of all points; how the tool leaves over sharp edges, if they are felt
+
+  /// δ_max of all points, mm; 0 without a response.
+  double longestRange() const noexcept
+  {
+    float longest = 0.0F;
+    for (std::size_t i = 0; i < this->points; ++i)
+    {
+      longest = this->isUsable(i) && this->range[i] > longest ? this->range[i] : longest;
+    }
+    return static_cast<double>(longest);
+  }
 
   /// Whether the point has a response.
   bool isUsable(std::size_t point) const noexcept
@@ -54,7 +67,7 @@ class PALPATE_EXPORT ResponseField
 {
 public:
   /// In the order of the mesh's points, the arrays being in that of its input; without a mesh in
-  /// the order of the arrays.
+  /// the order of the arrays. Points on the mesh's creases take its normals.
   explicit ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh = nullptr);
 
   std::size_t pointCount() const noexcept { return this->Points; }
@@ -162,11 +175,18 @@ public:
   /// ∫₀^δ F of each point, N mm, but for a common constant: zeros if their curves are the same; of
   /// a point without response, which has weight 0, that of the blend.
   Vector3 energies(double deflection) const noexcept;
+  /// ∫₀^δ F of the blend, N mm.
+  double energy(double deflection) const noexcept;
 
 private:
   /// Where the three curves have one range, the sum of their samples does.
   bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
   ResponseValue evaluateApart(double deflection) const noexcept;
+  bool areAlike() const noexcept
+  {
+    return this->Field.haveSameCurve(this->Points[0], this->Points[1]) &&
+      this->Field.haveSameCurve(this->Points[1], this->Points[2]);
+  }
 
   const ResponseField& Field;
   TriangleCorners Points;

@@ -189,7 +189,7 @@ private:
     at[corner] = 0.0;
     at = clamped(at);
     const bool isBack = across == this->Previous && (this->IsSettled || !isMinimum);
-    if (across == PackedMesh::Border || isBack)
+    if (across < 0 || isBack)
     {
       this->HeldEdge = edge;
       this->Weights = at;
@@ -226,9 +226,13 @@ private:
       return true; // inward after all
     }
     const std::int32_t across = this->Contact.Mesh.neighbour(this->Triangle, edge);
-    if (across == PackedMesh::Border)
+    if (across < 0)
     {
-      this->Result = this->describe(SmoothPoint::Outcome::Border, distance, change.tail<2>());
+      this->Result = this->describe(across == PackedMesh::Crease ? SmoothPoint::Outcome::Crease
+                                                                 : SmoothPoint::Outcome::Border,
+        distance, change.tail<2>());
+      this->Result.place.onCrease = across == PackedMesh::Crease;
+      this->Result.place.onBorder = across != PackedMesh::Crease;
       return false;
     }
     if (this->IsSettled)

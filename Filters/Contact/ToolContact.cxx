@@ -36,6 +36,7 @@ void ToolContact::reset() noexcept
   this->Tracker.reset();
   this->Resistance.reset();
   this->LastWeights.setZero();
+  this->IsLetGo = false;
 }
 
 Contact ToolContact::update(const Vector3& tip) noexcept
@@ -45,14 +46,25 @@ Contact ToolContact::update(const Vector3& tip) noexcept
   this->LastTip = tip;
   auto [outcome, place] = this->Tracker.update(tip);
   this->LastWeights.setZero();
+  this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;
+  if (this->IsLetGo)
+  {
+    this->Tracker.reset();
+    return this->end(ContactState::None);
+  }
   if (outcome == ContactTracker::Outcome::Border)
   {
     return this->fade(tip, place);
   }
+  if (outcome == ContactTracker::Outcome::Crease ||
+    (outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
+      this->Body.edges->areNear(place.triangle)))
+  {
+    return this->feelEdges(tip, place);
+  }
   if (outcome != ContactTracker::Outcome::Inside)
   {
-    this->Resistance.reset();
-    return withoutForce(stateOf(outcome));
+    return this->end(stateOf(outcome));
   }
   if (this->Settings.form == ForceForm::EnergyConsistent &&
     this->Settings.surface == ContactSurface::Facets)
@@ -64,11 +76,86 @@ Contact ToolContact::update(const Vector3& tip) noexcept
     this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
   if (!this->hasResponse(place) || !this->blend(place, response, result))
   {
-    this->Resistance.reset();
-    return withoutForce(ContactState::Invalid);
+    return this->end(ContactState::Invalid);
   }
   this->addFriction(response, result);
   return result;
+}
+
+Contact ToolContact::end(ContactState state) noexcept
+{
+  this->Resistance.reset();
+  return withoutForce(state);
+}
+
+EdgeEffect ToolContact::edgeEffect(const Vector3& tip, ContactPlace& place) const noexcept
+{
+  if (!place.isSmooth)
+  {
+    // Beyond a crease its plane goes on.
+    place = EnergyGradient::onFacet(this->Body.surface, tip, place);
+    place.normal =
+      place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
+  }
+  const double depth = place.normal.dot(place.projection.point - tip);
+  return this->Body.edges->at(
+    this->Body.surface.toLocal(tip), place.triangle, place.normal, depth);
+}
+
+EdgeEffect ToolContact::onNearestFace(const Vector3& tip, ContactPlace& place) noexcept
+{
+  constexpr int others = 2; // at a corner
+  EdgeEffect effect = this->edgeEffect(tip, place);
+  for (int face = 0; face < others && effect.depth > 0.0 && effect.nearerAcross >= 0; ++face)
+  {
+    const ContactTracker::Result across = this->Tracker.handOver(tip, effect.nearerAcross);
+    if (across.outcome != ContactTracker::Outcome::Inside)
+    {
+      break;
+    }
+    place = across.place;
+    effect = this->edgeEffect(tip, place);
+  }
+  return effect;
+}
+
+Contact ToolContact::feelEdges(const Vector3& tip, ContactPlace& place) noexcept
+{
+  const EdgeEffect effect = this->onNearestFace(tip, place);
+  if (!(effect.depth > 0.0 && effect.share > 0.0))
+  {
+    this->Tracker.reset();
+    this->IsLetGo = true;
+    return this->end(ContactState::None);
+  }
+  place.signedDistance = -effect.depth;
+  const BlendedResponse response(
+    this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
+  Contact result;
+  if (!this->hasResponse(place) || !this->blend(place, response, result))
+  {
+    return this->end(ContactState::Invalid);
+  }
+  this->applyEdges(effect, response, result);
+  this->addFriction(response, result);
+  return result;
+}
+
+void ToolContact::applyEdges(
+  const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept
+{
+  const double work = response.energy(effect.depth);
+  const Vector3 beside = result.force - result.normalForce * result.normal; // of unlike curves
+  const double force = result.normalForce * effect.share + work * effect.byDepth;
+  result.stiffness = result.stiffness * effect.share +
+    2.0 * result.normalForce * effect.byDepth + work * effect.byDepthTwice;
+  result.normal = effect.ownNormal * result.normal + effect.otherNormals;
+  result.force =
+    force * result.normal + effect.share * beside - work * effect.byPlace;
+  const double length = result.normal.norm();
+  result.normal /= length;
+  result.normalForce = force * length;
+  result.stiffness *= length * length;
 }
 
 Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
@@ -83,8 +170,7 @@ Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
   Contact result;
   if (!(left.fraction > 0.0) || !this->hasResponse(place) || !this->blend(place, response, result))
   {
-    this->Resistance.reset();
-    return withoutForce(ContactState::LostAtBorder);
+    return this->end(ContactState::LostAtBorder);
   }
   result.normalForce *= left.fraction;
   result.stiffness *= left.fraction;

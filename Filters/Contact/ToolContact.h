@@ -21,7 +21,8 @@ namespace palpate
  * coordinates n_i of the projection (Mahvash and Hayward 2002, eqs. 3 and 4; ForceForm). Friction
  * follows from how the contact point moves over the undeformed surface (Friction). Frictionless
  * contacts slide. Beyond an open border the contact is LostAtBorder and its force fades
- * (BorderFade).
+ * (BorderFade). Over the sharp edges of a body whose response has EdgeTerms it leaves as BodyEdges
+ * tells.
  *
  * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
  * thread; the body may be shared and must outlive it.
@@ -55,6 +56,15 @@ public:
   }
 
 private:
+  /// The force where sharp edges are near, or beyond one (BodyEdges).
+  Contact feelEdges(const Vector3& tip, ContactPlace& place) noexcept;
+  EdgeEffect edgeEffect(const Vector3& tip, ContactPlace& place) const noexcept;
+  /// The same; the contact goes over to the face across a blunt edge, where that is nearer.
+  EdgeEffect onNearestFace(const Vector3& tip, ContactPlace& place) noexcept;
+  /// What edges make of a contact that knows nothing of them but its depth.
+  void applyEdges(
+    const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept;
+  Contact end(ContactState state) noexcept;
   /// The force on a tip beyond an open border.
   Contact fade(const Vector3& tip, ContactPlace& place) noexcept;
   void prefetchLast() const noexcept;
@@ -72,6 +82,9 @@ private:
   Friction Resistance;
   Vector3 LastTip = Vector3::Zero();
   Vector3 LastStep = Vector3::Zero(); ///< to it from the tip before
+  /// An edge let go of the tip: another contact begins when it has been outside, since one that
+  /// begins in the depth would give what nobody has put in.
+  bool IsLetGo = false;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
 };

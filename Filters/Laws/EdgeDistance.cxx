@@ -185,34 +185,10 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
     { this->Found[point].border = away; });
 }
 
-double edgeSharpness(double poissonsRatio, double turn)
-{
-  constexpr double most = 2.0 * Pi / 3.0;
-  const double t = std::tan(0.5 * std::min(turn, most));
-  if (t > 1.0)
-  {
-    return std::pow(t, 3.4);
-  }
-  // The surface itself is strained in proportion to 1 - 2ν: (1+ν)(1-2ν)² 2/9 over cos² inside.
-  const double n = 1.0 - 2.0 * poissonsRatio;
-  const double skin = (1.0 + poissonsRatio) * n * n * 2.0 / 9.0;
-  const double part = 0.65 * skin / (1.0 / 3.0 + skin);
-  return (1.0 - part) * t * t * t + part * t;
-}
-
 double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness)
 {
-  // ψ of a point load, C = ψ/(2πE* d); and what keeps the force at the edge itself.
-  constexpr std::array<double, 6> ratio = { 0.0, 0.15, 0.25, 0.3, 0.45, 0.5 };
-  constexpr std::array<double, 6> value = { 1.3653, 1.5166, 1.7107, 1.8448, 2.4487, 2.7481 };
-  const double nu = std::clamp(poissonsRatio, 0.0, 0.5);
-  std::size_t i = 1;
-  while (i + 1 < ratio.size() && nu > ratio[i])
-  {
-    ++i;
-  }
-  const double psi =
-    value[i - 1] + (value[i] - value[i - 1]) * (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
+  const double psi = pointLoadSoftness(poissonsRatio);
+  // What keeps the force at the edge itself.
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);
   return x / (x + sharpness * psi / Pi);

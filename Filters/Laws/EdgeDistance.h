@@ -2,6 +2,7 @@
 #ifndef palpate_EdgeDistance_h
 #define palpate_EdgeDistance_h
 
+#include "Contact/Edges/EdgeLaw.h"
 #include "Laws/TriangleSpans.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -49,14 +50,6 @@ private:
   std::vector<NearEdge> Found;
   std::size_t EdgeCount = 0;
 };
-
-/// ψ of a point load at distance d from an edge where the surface turns by an angle (rad), over
-/// that of a right one: C = ψ/(2πE* d) is how much softer it is. An edge that turns by little takes
-/// far less than in proportion, as what is missing lies where hardly any strain is: with t = tan of
-/// half the angle, t³, and for bodies that change their volume up to a quarter of t; t^3.4 beyond a
-/// right angle, to 120° (a thinner wedge counts as that). At most 1.4 times what finite elements
-/// find, or 0.13 of a right angle's more, and not less (Data/Reference/edges/wedge_point_law.csv).
-PALPATE_EXPORT double edgeSharpness(double poissonsRatio, double turn);
 
 /// Φ of a contact of radius a whose axis is u = d/a from the straight edge of a wedge: its force
 /// over that far from the edge, at the same depth. u >= 0; for flats, paraboloids and cones within

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BodyEdges_h
+#define palpate_BodyEdges_h
+
+#include "Contact/Edges/EdgeChains.h"
+#include "Contact/Edges/EdgeLaw.h"
+#include "Contact/PackedMesh.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace palpate
+{
+/// What the sharp edges around a contact do to it, all as functions of the tip's place alone.
+struct EdgeEffect
+{
+  double depth = 0.0; ///< δ, mm, at which the curve is to be taken; <= 0: no contact
+  /// Of the normals of depth: that of the contact's own face, and the sum of the others'.
+  double ownNormal = 1.0;
+  Vector3 otherNormals = Vector3::Zero();
+  /// Ψ, of the work at that depth, and how it changes with the depth (1/mm, 1/mm²) and with the
+  /// place at the same depth.
+  double share = 1.0;
+  double byDepth = 0.0;
+  double byDepthTwice = 0.0;
+  Vector3 byPlace = Vector3::Zero();
+  /// The triangle on the other side of a blunt edge, where that is nearer; else -1.
+  std::int32_t nearerAcross = -1;
+};
+
+/**
+ * The sharp convex edges of a body, as a contact feels them that is followed on one face.
+ *
+ * Over an edge of BluntTurn and more the contact stays with its face, whose plane goes on: it has
+ * the work W₀(δ) Π Ψ(d/a₀(δ)), over the chains of edges nearby (EdgeLaw; at a corner the product),
+ * and ends where nothing is left of it. So no force drops and no energy is gained, whatever the
+ * way. What an edge takes more than Reach contact radii away fades to nothing from half of that.
+ *
+ * Over a blunt edge the depth is that of both faces: δ^-p = δ_A^-p + δ_B^-p, nearly the lesser of
+ * the two but beside the edge, where it is a fillet as large as the tip is deep, less than nothing
+ * of it at the surface. p follows from the turn τ, (p + 1) tan(τ/2) = 2, so that the force turns
+ * alike over all of them: over a micrometre by 0.2 % at a depth of 1 mm.
+ *
+ * A re-entrant edge needs nothing: the nearest point of the surface stays on it, and the force
+ * turns from wall to wall.
+ */
+class PALPATE_EXPORT BodyEdges
+{
+public:
+  /// The least turn (rad) of a surface to be cut for this.
+  static constexpr double LeastTurn = 0.349; // 20°
+  static constexpr double Reach = 32.0;
+
+  /// Of a surface that is cut, and its curves' longest range (mm).
+  BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double range);
+
+  /// Whether something of it is felt over a triangle.
+  bool areNear(std::int32_t triangle) const noexcept
+  {
+    return this->Chains.near(triangle) != nullptr;
+  }
+  /// Of a contact `depth` under the plane whose normal is `normal`. All local.
+  EdgeEffect at(const Vector3& tip, std::int32_t triangle, const Vector3& normal,
+    double depth) const noexcept;
+
+  const EdgeTerms& terms() const noexcept { return this->Terms; }
+  /// Bytes held.
+  std::size_t memory() const noexcept { return sizeof(*this) + this->Chains.memory(); }
+
+private:
+  void takeShare(
+    const EdgeChains::Place& place, const Vector3& normal, EdgeEffect& effect) const noexcept;
+
+  EdgeTerms Terms;
+  EdgeLaw Law;
+  EdgeChains Chains;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_CreaseCut_h
+#define palpate_CreaseCut_h
+
+#include "Contact/PackedMesh.h"
+#include "Contact/TriangleLinks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * Where a surface is to be cut so that its faces hang together no more across sharp convex edges:
+ * which edges those are (see PackedMesh), and in how many parts the triangles around a point fall.
+ * While it is built; not installed.
+ */
+class CreaseCut
+{
+public:
+  /// Of triangles wound alike, with their links and three floats per point. Only the first
+  /// `usable` of them have an area.
+  CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t usable,
+    const std::vector<float>& coordinates, const TriangleLinks& links, double leastTurn);
+
+  /// Both sides of each edge that is cut, by triangle.
+  const std::vector<PackedMesh::CreaseSide>& sides() const noexcept { return this->Sides; }
+  /// Which of the parts around its point a corner of a triangle is in; 0 where nothing is cut.
+  int part(std::size_t triangle, std::size_t corner) const noexcept
+  {
+    return this->Parts[3 * triangle + corner];
+  }
+
+private:
+  void findSides(std::size_t usable, const std::vector<float>& coordinates, double leastTurn);
+  void partAround(std::int32_t point);
+  void dropUncut();
+  std::size_t cornerOf(std::size_t triangle, std::int32_t point) const;
+
+  const std::vector<TriangleCorners>& Triangles;
+  const TriangleLinks& Links;
+  std::vector<PackedMesh::CreaseSide> Sides;
+  std::vector<std::uint8_t> IsCut; ///< 3 per triangle
+  std::vector<int> Parts;          ///< 3 per triangle
+};
+} // namespace palpate
+
+#endif

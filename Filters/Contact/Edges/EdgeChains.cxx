@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contact/Edges/EdgeChains.h"
+
+#include "Contact/Edges/EdgeLaw.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double CornerCosine = 0.7071067811865476; // 45°
+constexpr int MostSteps = 32;                       // of a walk along a chain
+constexpr int MostAround = 64;                      // triangles around a point
+constexpr double FilletSlope = 2.0;                 // see BodyEdges
+
+Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
+{
+  return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3.0;
+}
+
+/// The side of its face that follows one which ends at a point; { -1, 0 } if that is no crease.
+std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t triangle, int edge)
+{
+  edge = (edge + 1) % 3;
+  for (int step = 0; step < MostAround; ++step)
+  {
+    const std::int32_t across = mesh.neighbour(triangle, edge);
+    if (across < 0)
+    {
+      return across == PackedMesh::Crease ? std::make_pair(triangle, edge)
+                                          : std::make_pair(std::int32_t{ -1 }, 0);
+    }
+    int back = 0;
+    while (back < 2 && mesh.neighbour(across, back) != triangle)
+    {
+      ++back;
+    }
+    triangle = across;
+    edge = (back + 1) % 3;
+  }
+  return { -1, 0 };
+}
+
+/// The number of the face each triangle is of: what hangs together.
+std::vector<std::int32_t> facesOf(const PackedMesh& mesh)
+{
+  std::vector<std::int32_t> faces(mesh.triangleCount(), EdgeChains::None);
+  std::vector<std::int32_t> open;
+  std::int32_t count = 0;
+  for (std::size_t start = 0; start < faces.size(); ++start)
+  {
+    if (faces[start] != EdgeChains::None)
+    {
+      continue;
+    }
+    faces[start] = count;
+    open.push_back(static_cast<std::int32_t>(start));
+    while (!open.empty())
+    {
+      const std::int32_t triangle = open.back();
+      open.pop_back();
+      for (int edge = 0; edge < 3; ++edge)
+      {
+        const std::int32_t across = mesh.neighbour(triangle, edge);
+        if (across >= 0 && faces[static_cast<std::size_t>(across)] == EdgeChains::None)
+        {
+          faces[static_cast<std::size_t>(across)] = count;
+          open.push_back(across);
+        }
+      }
+    }
+    ++count;
+  }
+  return faces;
+}
+} // namespace
+
+EdgeChains::EdgeChains(const PackedMesh& mesh, double poissonRatio, const Reach& reach)
+  : Limits(reach)
+  , Sides(mesh.creases())
+{
+  if (this->Sides.empty())
+  {
+    return;
+  }
+  this->makeSegments(mesh, poissonRatio);
+  this->linkSegments(mesh);
+  this->roundEnds();
+  const std::vector<std::int32_t> faces = facesOf(mesh);
+  for (std::size_t i = 0; i < this->Segments.size(); ++i)
+  {
+    this->Segments[i].face = faces[static_cast<std::size_t>(this->Sides[i].triangle)];
+    this->Segments[i].other = faces[static_cast<std::size_t>(this->Sides[i].across)];
+  }
+  this->findNear(mesh, faces);
+  this->Sides = {};
+}
+
+std::int32_t EdgeChains::segmentAt(std::int32_t triangle, int edge) const
+{
+  const auto before = [](const PackedMesh::CreaseSide& side, const std::pair<int, int>& other)
+  { return std::make_pair(side.triangle, side.edge) < other; };
+  const auto found = std::lower_bound(
+    this->Sides.begin(), this->Sides.end(), std::make_pair(triangle, edge), before);
+  return found != this->Sides.end() && found->triangle == triangle && found->edge == edge
+    ? static_cast<std::int32_t>(found - this->Sides.begin())
+    : None;
+}
+
+void EdgeChains::makeSegments(const PackedMesh& mesh, double poissonRatio)
+{
+  for (const PackedMesh::CreaseSide& side : this->Sides)
+  {
+    Segment segment;
+    segment.start = mesh.corner(side.triangle, side.edge);
+    const Vector3 way = mesh.corner(side.triangle, (side.edge + 1) % 3) - segment.start;
+    segment.length = way.norm();
+    segment.along = way / segment.length;
+    segment.outward = segment.along.cross(mesh.faceNormal(side.triangle));
+    segment.across = side.across;
+    const double turn{ side.turn };
+    segment.isBlunt = turn < PackedMesh::BluntTurn;
+    segment.strength.fill(segment.isBlunt ? FilletSlope / std::tan(0.5 * turn) - 1.0
+                                          : edgeSharpness(poissonRatio, turn));
+    segment.otherNormal.fill(mesh.faceNormal(side.across));
+    this->Segments.push_back(segment);
+  }
+}
+
+void EdgeChains::linkSegments(const PackedMesh& mesh)
+{
+  for (std::size_t i = 0; i < this->Segments.size(); ++i)
+  {
+    const auto [triangle, edge] = following(mesh, this->Sides[i].triangle, this->Sides[i].edge);
+    const std::int32_t next = triangle < 0 ? None : this->segmentAt(triangle, edge);
+    if (next < 0 || next == static_cast<std::int32_t>(i))
+    {
+      continue;
+    }
+    Segment& one = this->Segments[i];
+    Segment& other = this->Segments[static_cast<std::size_t>(next)];
+    const bool turnsLeft = one.outward.dot(other.along) < 0.0;
+    if (turnsLeft && one.along.dot(other.along) < CornerCosine)
+    {
+      one.goesOnBehind = true;
+      other.goesOnBefore = true;
+    }
+    else if (one.isBlunt == other.isBlunt)
+    {
+      one.next = next;
+      one.turnsLeft = turnsLeft;
+      other.previous = static_cast<std::int32_t>(i);
+    }
+  }
+  std::int32_t chains = 0;
+  for (std::size_t i = 0; i < this->Segments.size(); ++i)
+  {
+    if (this->Segments[i].chain != None)
+    {
+      continue;
+    }
+    for (const auto step : { &Segment::next, &Segment::previous })
+    {
+      auto at = static_cast<std::int32_t>(i);
+      while (at != None &&
+        (at == static_cast<std::int32_t>(i) ||
+          this->Segments[static_cast<std::size_t>(at)].chain == None))
+      {
+        Segment& segment = this->Segments[static_cast<std::size_t>(at)];
+        segment.chain = chains;
+        at = segment.*step;
+        if (at == static_cast<std::int32_t>(i))
+        {
+          break; // closed
+        }
+      }
+    }
+    ++chains;
+  }
+}
+
+/// Where a chain goes on, what differs from segment to segment meets half-way.
+void EdgeChains::roundEnds()
+{
+  const std::vector<Segment> before = this->Segments;
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    if (before[i].next == None)
+    {
+      continue;
+    }
+    const auto next = static_cast<std::size_t>(before[i].next);
+    const double strength = 0.5 * (before[i].strength[1] + before[next].strength[0]);
+    const Vector3 sum = before[i].otherNormal[1] + before[next].otherNormal[0];
+    const Vector3 normal = sum.norm() > 0.0 ? sum.normalized() : before[i].otherNormal[1];
+    this->Segments[i].strength[1] = this->Segments[next].strength[0] = strength;
+    this->Segments[i].otherNormal[1] = this->Segments[next].otherNormal[0] = normal;
+  }
+}
+
+/// From the creases outwards over the triangles; each takes the nearest chains it is told of.
+void EdgeChains::findNear(const PackedMesh& mesh, const std::vector<std::int32_t>& faces)
+{
+  struct Told
+  {
+    double distance;
+    std::int32_t triangle;
+    std::int32_t segment;
+    bool operator>(const Told& other) const
+    {
+      return std::tie(this->distance, this->triangle, this->segment) >
+        std::tie(other.distance, other.triangle, other.segment);
+    }
+  };
+  std::priority_queue<Told, std::vector<Told>, std::greater<>> open;
+  this->NearPlaces.assign(mesh.triangleCount(), None);
+  const auto hasRoomFor = [&](std::int32_t triangle, const Segment& one)
+  {
+    const std::int32_t face = faces[static_cast<std::size_t>(triangle)];
+    const Near* near = this->near(triangle);
+    if (!near)
+    {
+      return one.other != face;
+    }
+    const auto excludes = [&](std::int32_t segment)
+    {
+      const Segment& known = this->segment(segment);
+      const bool areOwn = one.face == face && known.face == face;
+      return areOwn ? known.chain == one.chain : known.other == one.other;
+    };
+    const auto end = std::find(near->segments.begin(), near->segments.end(), None);
+    return one.other != face && end != near->segments.end() &&
+      std::none_of(near->segments.begin(), end, excludes);
+  };
+  const auto tell = [&](std::int32_t triangle, std::int32_t segment)
+  {
+    if (!hasRoomFor(triangle, this->segment(segment)))
+    {
+      return;
+    }
+    const Place place = this->closest(centroid(mesh, triangle), segment);
+    const double distance = std::abs(place.distance);
+    if (distance <= (this->segment(segment).isBlunt ? this->Limits.blunt : this->Limits.sharp))
+    {
+      open.push({ distance, triangle, place.segment });
+    }
+  };
+  for (std::size_t i = 0; i < this->Segments.size(); ++i)
+  {
+    const std::int32_t triangle = this->Sides[i].triangle;
+    const Vector3 from = centroid(mesh, triangle);
+    open.push({ std::abs(this->closest(from, static_cast<std::int32_t>(i)).distance), triangle,
+      static_cast<std::int32_t>(i) });
+  }
+  while (!open.empty())
+  {
+    const Told told = open.top();
+    open.pop();
+    if (!hasRoomFor(told.triangle, this->segment(told.segment)))
+    {
+      continue;
+    }
+    std::int32_t& place = this->NearPlaces[static_cast<std::size_t>(told.triangle)];
+    if (place == None)
+    {
+      place = static_cast<std::int32_t>(this->NearLists.size());
+      this->NearLists.emplace_back().segments.fill(None);
+      this->NearLists.back().face = faces[static_cast<std::size_t>(told.triangle)];
+    }
+    auto& near = this->NearLists[static_cast<std::size_t>(place)].segments;
+    *std::find(near.begin(), near.end(), None) = told.segment;
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      std::int32_t across = mesh.neighbour(told.triangle, edge);
+      if (across == PackedMesh::Crease)
+      {
+        const std::int32_t crease = this->segmentAt(told.triangle, edge);
+        across = crease != None && this->segment(crease).isBlunt ? this->segment(crease).across : None;
+      }
+      if (across >= 0)
+      {
+        tell(across, told.segment);
+      }
+    }
+  }
+}
+
+EdgeChains::Place EdgeChains::closest(const Vector3& place, std::int32_t segment) const noexcept
+{
+  std::int32_t from = None;
+  Place found;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    const Segment& at = this->segment(segment);
+    const double way = at.along.dot(place - at.start);
+    const std::int32_t onward = way < 0.0 ? at.previous : way > at.length ? at.next : None;
+    if (onward != None && onward != from)
+    {
+      from = segment;
+      segment = onward;
+      continue;
+    }
+    const bool isBefore = way < 0.0;
+    const bool isBeyond = isBefore || way > at.length;
+    const bool goesOn = isBefore ? at.goesOnBefore : at.goesOnBehind;
+    const double clamped = std::clamp(way, 0.0, at.length);
+    found.segment = segment;
+    found.part = clamped / at.length;
+    found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
+    const Vector3 offset = place - found.point;
+    bool isInside = offset.dot(at.outward) <= 0.0;
+    if (isBeyond && !goesOn)
+    {
+      // At a point between two segments, or where the crease ends.
+      isInside = onward == None || !(isBefore ? this->segment(onward) : at).turnsLeft;
+    }
+    const double length = offset.norm();
+    found.distance = isInside ? length : -length;
+    found.gradient = length > 0.0 ? Vector3(offset / found.distance) : Vector3(-at.outward);
+    break;
+  }
+  return found;
+}
+
+std::size_t EdgeChains::memory() const noexcept
+{
+  return this->Segments.size() * sizeof(Segment) + this->NearPlaces.size() * sizeof(std::int32_t) +
+    this->NearLists.size() * sizeof(Near);
+}
+} // namespace palpate

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contact/Edges/EdgeLaw.h"
+
+#include "Mechanics/Numerics/Constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t Ratios = 3;
+constexpr std::array<double, Ratios> TableRatios = { 0.3, 0.45, 0.5 };
+
+struct TableRow
+{
+  double exponent;
+  double u;
+  std::array<std::array<double, 2>, Ratios> psi; ///< value and slope
+};
+
+constexpr TableRow Table[] = {
+#include "Contact/Edges/EdgeLawTable.inc"
+};
+
+/// Where a rigid tool leaves the edge of a quarter space, and how far beyond the table's last place
+/// it does here.
+struct Leaving
+{
+  double exponent;
+  double end;
+};
+constexpr std::array<Leaving, 3> Ends = { { { 1.0, 1.175 }, { 1.5, 1.4142135623730951 },
+  { 2.0, 1.5707963267948966 } } };
+
+struct Spline
+{
+  std::vector<double> at;
+  std::vector<double> value;
+  std::vector<double> slope;
+
+  EdgeLaw::Value evaluate(double u) const
+  {
+    const auto above = std::upper_bound(this->at.begin() + 1, this->at.end() - 1, u);
+    const auto i = static_cast<std::size_t>(above - this->at.begin());
+    const double h = this->at[i] - this->at[i - 1];
+    const double t = (u - this->at[i - 1]) / h;
+    const double rise = this->value[i] - this->value[i - 1];
+    const double a = h * this->slope[i - 1];
+    const double b = 3.0 * rise - 2.0 * a - h * this->slope[i];
+    const double c = a + h * this->slope[i] - 2.0 * rise;
+    return { this->value[i - 1] + t * (a + t * (b + t * c)),
+      (a + t * (2.0 * b + t * 3.0 * c)) / h, 0.0 };
+  }
+};
+
+/// Weights of the table's ratios: Lagrange's in ln ψ.
+std::array<double, Ratios> weightsOf(double poissonRatio)
+{
+  const double x = std::log(pointLoadSoftness(poissonRatio));
+  std::array<double, Ratios> node{};
+  std::transform(TableRatios.begin(), TableRatios.end(), node.begin(),
+    [](double ratio) { return std::log(pointLoadSoftness(ratio)); });
+  // The parabola is for between the nodes: below them, the line through the first two.
+  if (x < node[0])
+  {
+    const double part = (x - node[0]) / (node[1] - node[0]);
+    return { 1.0 - part, part, 0.0 };
+  }
+  std::array<double, Ratios> weight{};
+  for (std::size_t i = 0; i < Ratios; ++i)
+  {
+    weight[i] = 1.0;
+    for (std::size_t j = 0; j < Ratios; ++j)
+    {
+      weight[i] *= i == j ? 1.0 : (x - node[j]) / (node[i] - node[j]);
+    }
+  }
+  return weight;
+}
+
+/// Of one m of the table, from where it leaves to u = 8 and the tail's slope there.
+Spline splineOf(const Leaving& tool, double poissonRatio)
+{
+  const std::array<double, Ratios> weight = weightsOf(poissonRatio);
+  Spline spline;
+  spline.at = { -tool.end };
+  spline.value = { 0.0 };
+  spline.slope = { 0.0 };
+  for (const TableRow& row : Table)
+  {
+    if (row.exponent == tool.exponent)
+    {
+      double value = 0.0;
+      double slope = 0.0;
+      for (std::size_t i = 0; i < Ratios; ++i)
+      {
+        value += weight[i] * row.psi[i][0];
+        slope += weight[i] * row.psi[i][1];
+      }
+      spline.at.push_back(row.u);
+      spline.value.push_back(value);
+      spline.slope.push_back(slope);
+    }
+  }
+  const double last = spline.value.back();
+  spline.slope.back() = last * (1.0 - last) / spline.at.back(); // of u/(u + k)
+  return spline;
+}
+} // namespace
+
+EdgeLaw::EdgeLaw(const EdgeTerms& terms)
+  : IsInCurves(terms.isInCurves)
+{
+  const double m = std::clamp(terms.exponent, Ends.front().exponent, Ends.back().exponent);
+  const std::size_t lower = m < Ends[1].exponent ? 0 : 1;
+  const double part =
+    (m - Ends[lower].exponent) / (Ends[lower + 1].exponent - Ends[lower].exponent);
+  this->End = (1.0 - part) * Ends[lower].end + part * Ends[lower + 1].end;
+  this->CellWidth = (TailStart + this->End) / static_cast<double>(Cells);
+  const std::array<Spline, 2> splines = { splineOf(Ends[lower], terms.poissonRatio),
+    splineOf(Ends[lower + 1], terms.poissonRatio) };
+  for (std::size_t node = 0; node < this->Nodes.size(); ++node)
+  {
+    const double u = static_cast<double>(node) * this->CellWidth - this->End;
+    Node& found = this->Nodes[node];
+    found = {};
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      // Tools leave at different u: beyond the edge each at its own, and alike at the edge itself.
+      const double stretch = Ends[lower + k].end / this->End - 1.0;
+      const double x = u < 0.0 ? u / this->End : 0.0;
+      const Value one = splines[k].evaluate(u * (1.0 + stretch * x * x));
+      const double weight = k == 0 ? 1.0 - part : part;
+      found.value += weight * one.share;
+      found.slope += weight * one.slope * (1.0 + 3.0 * stretch * x * x);
+    }
+    found.value = node == 0 ? 0.0 : found.value;
+    found.slope = node == 0 ? 0.0 : found.slope;
+  }
+  this->Tail = TailStart * (1.0 / this->Nodes.back().value - 1.0);
+}
+
+EdgeLaw::Value EdgeLaw::rightEdge(double u) const noexcept
+{
+  if (this->IsInCurves)
+  {
+    if (u >= 0.0)
+    {
+      return {};
+    }
+    const double x = 1.0 + u / this->End; // 1 at the edge
+    return x > 0.0 ? Value{ x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / this->End,
+                       6.0 * (1.0 - 2.0 * x) / (this->End * this->End) }
+                   : Value{ 0.0, 0.0, 0.0 };
+  }
+  if (u >= TailStart)
+  {
+    const double sum = u + this->Tail;
+    return { u / sum, this->Tail / (sum * sum), -2.0 * this->Tail / (sum * sum * sum) };
+  }
+  const double place = (u + this->End) / this->CellWidth;
+  if (!(place > 0.0))
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  const std::size_t i = std::min(static_cast<std::size_t>(place), Cells - 1);
+  const Node& lower = this->Nodes[i];
+  const Node& upper = this->Nodes[i + 1];
+  const double t = place - static_cast<double>(i);
+  const double rise = upper.value - lower.value;
+  const double a = this->CellWidth * lower.slope;
+  const double b = 3.0 * rise - 2.0 * a - this->CellWidth * upper.slope;
+  const double c = a + this->CellWidth * upper.slope - 2.0 * rise;
+  return { lower.value + t * (a + t * (b + t * c)), (a + t * (2.0 * b + t * 3.0 * c)) / this->CellWidth,
+    (2.0 * b + 6.0 * t * c) / (this->CellWidth * this->CellWidth) };
+}
+
+EdgeLaw::Value EdgeLaw::at(double u, double sharpness) const noexcept
+{
+  const Value right = this->rightEdge(u);
+  if (sharpness == 1.0 || this->IsInCurves)
+  {
+    return right;
+  }
+  const double sum = right.share + sharpness * (1.0 - right.share);
+  const double first = sharpness / (sum * sum);
+  const double second = -2.0 * sharpness * (1.0 - sharpness) / (sum * sum * sum);
+  return { right.share / sum, first * right.slope,
+    first * right.bend + second * right.slope * right.slope };
+}
+
+double pointLoadSoftness(double poissonsRatio)
+{
+  constexpr std::array<double, 6> ratio = { 0.0, 0.15, 0.25, 0.3, 0.45, 0.5 };
+  constexpr std::array<double, 6> value = { 1.3653, 1.5166, 1.7107, 1.8448, 2.4487, 2.7481 };
+  const double nu = std::clamp(poissonsRatio, 0.0, 0.5);
+  std::size_t i = 1;
+  while (i + 1 < ratio.size() && nu > ratio[i])
+  {
+    ++i;
+  }
+  return value[i - 1] + (value[i] - value[i - 1]) * (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
+}
+
+double edgeSharpness(double poissonsRatio, double turn)
+{
+  constexpr double most = 2.0 * Pi / 3.0;
+  const double t = std::tan(0.5 * std::min(turn, most));
+  if (t > 1.0)
+  {
+    return std::pow(t, 3.4);
+  }
+  // The surface itself is strained in proportion to 1 - 2ν: (1+ν)(1-2ν)² 2/9 over cos² inside.
+  const double n = 1.0 - 2.0 * poissonsRatio;
+  const double skin = (1.0 + poissonsRatio) * n * n * 2.0 / 9.0;
+  const double part = 0.65 * skin / (1.0 / 3.0 + skin);
+  return (1.0 - part) * t * t * t + part * t;
+}
+} // namespace palpate
