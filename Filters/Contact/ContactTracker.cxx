@@ -205,8 +205,7 @@ bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noex
            .fraction > 0.0;
 }
 
-ContactTracker::Result ContactTracker::handOver(
-  const Vector3& tip, std::int32_t triangle) noexcept
+ContactTracker::Result ContactTracker::handOver(const Vector3& tip, std::int32_t triangle) noexcept
 {
   const ContactPlace before = this->Last;
   const Vector3 local = this->Mesh.toLocal(tip);

@@ -50,13 +50,30 @@ struct Header
   std::array<char, 128> tool;                     ///< ends with '\0'
   std::array<char, 128> model;
   std::int64_t modelParts; ///< since format 2
+  /// Since format 3, of EdgeTerms: exponent, 0 if there are none, radius, Poisson's ratio, reach,
+  /// and 1 if they are in the curves.
+  std::array<double, 5> edges;
 };
-static_assert(sizeof(Header) == 416, "the layout of a file is fixed");
-constexpr std::size_t FirstHeaderSize = 408; ///< format 1
+static_assert(sizeof(Header) == 456, "the layout of a file is fixed");
+constexpr std::size_t FirstHeaderSize = 408;  ///< format 1
+constexpr std::size_t SecondHeaderSize = 416; ///< format 2
 
 std::size_t sizeOf(const Header& header)
 {
-  return header.version < 2 ? FirstHeaderSize : sizeof(Header);
+  return header.version < 2 ? FirstHeaderSize
+    : header.version < 3    ? SecondHeaderSize
+                            : sizeof(Header);
+}
+
+EdgeTerms edgesOf(const Header& header)
+{
+  EdgeTerms edges;
+  if (header.version >= 3 && header.edges[0] != 0.0)
+  {
+    edges = { header.edges[0], header.edges[1], header.edges[2], header.edges[3],
+      header.edges[4] != 0.0 };
+  }
+  return edges;
 }
 
 /// Bytes of each section, from the counts alone.
@@ -150,6 +167,12 @@ Header makeHeader(const FlatBody& body)
   copyText(body.tool, header.tool);
   copyText(body.model, header.model);
   header.modelParts = body.modelParts;
+  const EdgeTerms& edges = body.response.edges;
+  if (edges.areFelt())
+  {
+    header.edges = { edges.exponent, edges.radius, edges.poissonRatio, edges.reach,
+      edges.isInCurves ? 1.0 : 0.0 };
+  }
   const auto sizes = sectionSizes(header);
   std::uint64_t end = sizeof(Header);
   for (std::size_t k = 0; k < SectionCount; ++k)
@@ -187,7 +210,8 @@ std::string faultOf(const Header& header, std::uint64_t size)
     header.triangles > most / 3 || header.samples < 2 ||
     header.samples > ResponseSampling::LargestCount || header.laws < 0 ||
     header.laws > LargestLawCount || !(header.exponent > 0.0 && header.exponent <= 10.0) ||
-    header.tool.back() != '\0' || header.model.back() != '\0')
+    header.tool.back() != '\0' || header.model.back() != '\0' ||
+    (header.version >= 3 && header.edges[0] != 0.0 && !faultOf(edgesOf(header)).empty()))
   {
     return "has a damaged header";
   }
@@ -226,6 +250,7 @@ FlatBody view(const Header& header, const unsigned char* file)
   body.response.normal = static_cast<const float*>(at(Normal));
   body.response.range = static_cast<const float*>(at(Range));
   body.response.status = static_cast<const std::uint8_t*>(at(Status));
+  body.response.edges = edgesOf(header);
   body.validity = static_cast<const float*>(at(Validity));
   body.limit = static_cast<const std::uint8_t*>(at(Limit));
   body.tool = header.tool.data();

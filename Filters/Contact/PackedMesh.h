@@ -96,6 +96,8 @@ public:
   /// Triangles that take part in contact, and all points; those on creases several times.
   std::size_t triangleCount() const noexcept { return this->Records.size(); }
   std::size_t pointCount() const noexcept { return this->InputPoints.size(); }
+  /// Points of the input.
+  std::size_t inputPointCount() const noexcept { return this->InputPointCount; }
   std::int32_t inputTriangle(std::int32_t triangle) const noexcept
   {
     return this->InputTriangles[static_cast<std::size_t>(triangle)];
@@ -257,6 +259,7 @@ private:
   }
 
   Vector3 Centre = Vector3::Zero();
+  std::size_t InputPointCount = 0;
   LargeVector<Record> Records;
   LargeVector<Vertex> Vertices;
   LargeVector<std::int32_t> Ring; ///< triangles around points, the last of each as its complement

@@ -60,6 +60,7 @@ void PackedMesh::Builder::build(const double* points, std::size_t pointCount,
   const std::int32_t* triangles, std::size_t triangleCount)
 {
   this->PointCount = pointCount;
+  this->Mesh.InputPointCount = pointCount;
   std::vector<Part> parts(triangleCount, Part::Usable);
   this->placeCentre(points, triangles, parts);
   this->roundPoints(points);
@@ -444,8 +445,7 @@ void PackedMesh::Builder::markCreases()
           for (std::size_t e = 0; e < 3; ++e)
           {
             const bool endsHere = corners[e] == point || corners[(e + 1) % 3] == point;
-            isOnBorder =
-              isOnBorder || (endsHere && this->Mesh.Records[t].neighbours[e] == Border);
+            isOnBorder = isOnBorder || (endsHere && this->Mesh.Records[t].neighbours[e] == Border);
           }
         });
       std::uint32_t& ring = this->Mesh.Vertices[static_cast<std::size_t>(point)].ring;

@@ -90,7 +90,8 @@ enum class ResponseArray : std::uint8_t
   Tool,
   Model,
   ModelParts,
-  Units
+  Units,
+  Edges
 };
 
 /// One array of a response: with the response's name before `suffix` it is the array's name.
@@ -116,6 +117,7 @@ struct ContractArray
   {
     One,
     Three,
+    Five,
     Samples,
     TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
     Laws
@@ -127,7 +129,8 @@ struct ContractArray
     PerPoint,   ///< evaluation where each point has a curve of its own
     Compact,    ///< evaluation where curves are combinations of laws
     Trust,      ///< how far the law holds
-    Words       ///< what the file says of itself
+    Words,      ///< what the file says of itself
+    Edges       ///< how a contact leaves over sharp edges; may be absent
   };
 
   ResponseArray array;
@@ -144,7 +147,7 @@ struct ContractArray
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 16> ResponseContract = { {
+constexpr std::array<ContractArray, 17> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -164,6 +167,7 @@ constexpr std::array<ContractArray, 16> ResponseContract = { {
   PALPATE_ARRAY(Model,       Fields, Text,         One,        Words,      "",     "the model, to be read"),
   PALPATE_ARRAY(ModelParts,  Fields, UnsignedChar, One,        Words,      "",     "sum of ModelPart"),
   PALPATE_ARRAY(Units,       Fields, Text,         One,        Words,      "",     "\"mm,N,MPa\""),
+  PALPATE_ARRAY(Edges,       Fields, Double,       Five,       Edges,      "",     "EdgeTerms: m, contact radius at 1 mm (mm), \u03bd, reach (mm), 1 if in the curves"),
 #undef PALPATE_ARRAY
 } };
 // clang-format on
@@ -191,6 +195,8 @@ constexpr int componentsOf(const ContractArray& array, int samples, int laws)
   {
     case ContractArray::Width::Three:
       return 3;
+    case ContractArray::Width::Five:
+      return 5;
     case ContractArray::Width::Samples:
       return samples;
     case ContractArray::Width::TwoSamples:

@@ -228,8 +228,8 @@ private:
     const std::int32_t across = this->Contact.Mesh.neighbour(this->Triangle, edge);
     if (across < 0)
     {
-      this->Result = this->describe(across == PackedMesh::Crease ? SmoothPoint::Outcome::Crease
-                                                                 : SmoothPoint::Outcome::Border,
+      this->Result = this->describe(
+        across == PackedMesh::Crease ? SmoothPoint::Outcome::Crease : SmoothPoint::Outcome::Border,
         distance, change.tail<2>());
       this->Result.place.onCrease = across == PackedMesh::Crease;
       this->Result.place.onBorder = across != PackedMesh::Crease;

@@ -47,7 +47,7 @@ Contact ToolContact::update(const Vector3& tip) noexcept
   auto [outcome, place] = this->Tracker.update(tip);
   this->LastWeights.setZero();
   this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;
-  if (this->IsLetGo)
+  if (this->IsLetGo && outcome != ContactTracker::Outcome::Invalid)
   {
     this->Tracker.reset();
     return this->end(ContactState::None);
@@ -94,12 +94,10 @@ EdgeEffect ToolContact::edgeEffect(const Vector3& tip, ContactPlace& place) cons
   {
     // Beyond a crease its plane goes on.
     place = EnergyGradient::onFacet(this->Body.surface, tip, place);
-    place.normal =
-      place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
+    place.normal = place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
   }
   const double depth = place.normal.dot(place.projection.point - tip);
-  return this->Body.edges->at(
-    this->Body.surface.toLocal(tip), place.triangle, place.normal, depth);
+  return this->Body.edges->at(this->Body.surface.toLocal(tip), place.triangle, place.normal, depth);
 }
 
 EdgeEffect ToolContact::onNearestFace(const Vector3& tip, ContactPlace& place) noexcept
@@ -147,11 +145,10 @@ void ToolContact::applyEdges(
   const double work = response.energy(effect.depth);
   const Vector3 beside = result.force - result.normalForce * result.normal; // of unlike curves
   const double force = result.normalForce * effect.share + work * effect.byDepth;
-  result.stiffness = result.stiffness * effect.share +
-    2.0 * result.normalForce * effect.byDepth + work * effect.byDepthTwice;
+  result.stiffness = result.stiffness * effect.share + 2.0 * result.normalForce * effect.byDepth +
+    work * effect.byDepthTwice;
   result.normal = effect.ownNormal * result.normal + effect.otherNormals;
-  result.force =
-    force * result.normal + effect.share * beside - work * effect.byPlace;
+  result.force = force * result.normal + effect.share * beside - work * effect.byPlace;
   const double length = result.normal.norm();
   result.normal /= length;
   result.normalForce = force * length;

@@ -163,6 +163,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
       {
         found.distance = static_cast<float>(distance);
         found.turn = side.turn;
+        found.isSharp = side.isSharp;
       }
     };
     // Sharp edges and blunt ones apart: a blunt one that is nearer hides none.

@@ -20,6 +20,7 @@ struct NearEdge
   float distance = Far; ///< mm, straight
   float turn = 0.0F;    ///< by which the surface turns away there, rad
   float border = Far;   ///< mm, straight, to where the surface ends
+  bool isSharp = false; ///< the edge lies between two facets, and is none of BluntTurn
 };
 
 /**

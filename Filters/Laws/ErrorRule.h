@@ -43,6 +43,7 @@ struct LawScope
   double bodyWidth = 0.0;                   ///< mm, of the whole body
   double storage = 0.0;                     ///< relative error of stored curves
   const LayerStack* stack = nullptr;        ///< layers on each other, thick as the spot has it
+  bool edges = false;                       ///< a tick feels sharp edges (BodyEdges)
 };
 
 /**
@@ -61,7 +62,9 @@ struct LawScope
  * - Edge: 1 - Φ(d/a) of the edge that takes most (edgeFactor, edgeSharpness); on a layer times
  *   e^(-d/h), as its base holds it. Not where the body's own compliance is known, which contains
  *   it. At an open border the body is taken to go on unseen: as much as at a right-angled edge,
- * less and less to 2 a away. All of the force where the contact is wider than the whole body.
+ * less and less to 2 a away. Of a sharp edge that the tick feels, FeltEdge of that at a right angle
+ * and, as edgeSharpness is less certain, FeltWedge at others. All of the force where the contact is
+ * wider than the whole body.
  * - Elements: how far the compliance may be off, times dF/dδ.
  * - None: storage.
  *

@@ -16,6 +16,7 @@ struct LawTerms
   bool storeError = true;        ///< keeps the error of each sample
   bool automatic = false;        ///< what changes the force little is left out
   double changeTolerance = 0.01; ///< of the force, relative: how little
+  bool edges = false;            ///< sharp edges, as a contact leaves over them (BodyEdges)
 
   bool keepsError() const { return this->storeError && this->errorTolerance > 0.0; }
   /// Small strain on a flat surface, valid until the first assumption breaks.

@@ -18,7 +18,8 @@ struct SurfaceSide
 {
   std::int32_t from;
   std::int32_t to;
-  float turn; ///< by which the surface turns away there, rad; 0: a border
+  float turn;           ///< by which the surface turns away there, rad; 0: a border
+  bool isSharp = false; ///< two facets turn so, by no less than PackedMesh::BluntTurn
 };
 
 /// A surface and what lies beside what. Facets without an area take no part: corners -1, area 0.

@@ -206,7 +206,7 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
   {
     filler.estimate(*prepared.contact,
       { terms.curvature, terms.strain, shape.width, material.storageError(law, made.exponent),
-        bounds.hasStack() ? &bounds.stack : nullptr },
+        bounds.hasStack() ? &bounds.stack : nullptr, terms.edges },
       terms.errorTolerance, terms.measured);
   }
   const bool isMeasured = estimates && terms.measured;

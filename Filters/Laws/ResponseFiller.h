@@ -54,6 +54,7 @@ struct ResponseTerms
   /// ValidityRule breaks.
   double errorTolerance = 0.0;
   const MeasuredBodyError* measured = nullptr; ///< the material was measured
+  bool edges = false;                          ///< a tick feels sharp edges, as BodyEdges does
 };
 
 /// The shape of a body's surface, point by point; may be asked from several threads.

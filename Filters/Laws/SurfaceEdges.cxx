@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/SurfaceEdges.h"
 
+#include "Contact/PackedMesh.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
@@ -20,6 +21,7 @@ using Eigen::Vector3d;
 constexpr double Opposite = -0.3;       // cosine between two ways of which one goes on the other
 constexpr double SpacingsPerCell = 2.0; // at least, of the root of the area a point has
 constexpr double LongFacet = 4.0;       // squares of the contact radius: its area
+constexpr double MostOfTheTurn = 0.8;   // else it is a fillet's, or a bevel's
 constexpr double SmallPatch = 0.2;      // of a cell: too few facets to know its normal
 
 /// A cell's facets, or one long facet, as one.
@@ -302,8 +304,10 @@ private:
       {
         if (turn > 0.0 && turn >= 0.5 * sharpest[patch])
         {
+          const double whole{ this->Turns[patch] };
+          const bool isSharp = turn >= PackedMesh::BluntTurn && turn >= MostOfTheTurn * whole;
           this->Sides.push_back(
-            { this->Corners[t][i], this->Corners[t][(i + 1) % 3], this->Turns[patch] });
+            { this->Corners[t][i], this->Corners[t][(i + 1) % 3], this->Turns[patch], isSharp });
         }
       });
   }

@@ -17,6 +17,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -28,6 +29,7 @@ namespace palpate
 {
 namespace
 {
+constexpr int EdgeComponents = componentsOf(contractOf(ResponseArray::Edges), 0, 0);
 
 std::string describe(vtkAbstractArray* array)
 {
@@ -238,6 +240,37 @@ BodyMesh makeBodyMesh(vtkPolyData* body)
   return BodyMesh(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3);
 }
 
+namespace
+{
+/// Leaves the terms as they are where there are none.
+bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
+{
+  const std::string full = arrayName(name, ResponseArray::Edges);
+  vtkDataArray* array = body->GetFieldData()->GetArray(full.c_str());
+  if (!array)
+  {
+    return true;
+  }
+  if (array->GetNumberOfComponents() != EdgeComponents || array->GetNumberOfTuples() != 1)
+  {
+    error = joined("field array '", full, "' must have ", EdgeComponents,
+      " components and one tuple, but is ", describe(array));
+    return false;
+  }
+  edges.exponent = array->GetComponent(0, 0);
+  edges.radius = array->GetComponent(0, 1);
+  edges.poissonRatio = array->GetComponent(0, 2);
+  edges.reach = array->GetComponent(0, 3);
+  edges.isInCurves = array->GetComponent(0, 4) != 0.0;
+  error = faultOf(edges);
+  if (!error.empty())
+  {
+    error = "field array '" + full + "': " + error;
+  }
+  return error.empty();
+}
+} // namespace
+
 bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
@@ -260,7 +293,7 @@ bool viewResponse(
   arrays.status = arrays.range
     ? fetch<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
     : nullptr;
-  return arrays.status != nullptr;
+  return arrays.status && viewEdges(body, name, arrays.edges, error);
 }
 
 bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,
@@ -311,11 +344,15 @@ std::shared_ptr<const ContactBody> makeContactBody(
     error = "no response '" + name + "' on the body: " + error;
     return nullptr;
   }
-  if (arrays.points != same.surface.pointCount())
+  if (arrays.points != same.surface.inputPointCount())
   {
     error = "the body has " + std::to_string(arrays.points) +
-      " points, the surface it is to have " + std::to_string(same.surface.pointCount());
+      " points, the surface it is to have " + std::to_string(same.surface.inputPointCount());
     return nullptr;
+  }
+  if (arrays.edges.areFelt() != (same.edges != nullptr))
+  {
+    return makeContactBody(body, name, error); // one of them is cut along its edges
   }
   const FilterThreads threads;
   return std::make_shared<const ContactBody>(same, arrays);
@@ -360,6 +397,17 @@ void describeModel(vtkPolyData* body, const std::string& name, const ResponseMod
   addFieldValue<vtkStringArray>(body, name, ResponseArray::Model, model.text);
   addFieldValue<vtkUnsignedCharArray>(
     body, name, ResponseArray::ModelParts, static_cast<unsigned char>(model.parts));
+}
+
+void describeEdges(vtkPolyData* body, const std::string& name, const EdgeTerms& edges)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(arrayName(name, ResponseArray::Edges).c_str());
+  array->SetNumberOfComponents(EdgeComponents);
+  const std::array<double, EdgeComponents> values = { edges.exponent, edges.radius,
+    edges.poissonRatio, edges.reach, edges.isInCurves ? 1.0 : 0.0 };
+  array->InsertNextTuple(values.data());
+  body->GetFieldData()->AddArray(array);
 }
 
 std::string responseText(vtkPolyData* body, const std::string& name, ResponseArray which)

@@ -95,6 +95,10 @@ struct ResponseModel
 PALPATERESPONSE_EXPORT void describeModel(
   vtkPolyData* body, const std::string& name, const ResponseModel& model);
 
+/// Attaches the field array Edges.
+PALPATERESPONSE_EXPORT void describeEdges(
+  vtkPolyData* body, const std::string& name, const EdgeTerms& edges);
+
 /// The model of a response; its parts from the text where a file of before has no other.
 PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);
 

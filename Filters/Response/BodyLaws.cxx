@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyLaws.h"
 
+#include "Contact/Edges/EdgeLaw.h"
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
@@ -64,6 +65,17 @@ ResponseModel termsOf(const LawTerms& terms)
   return model;
 }
 
+/// How the tool leaves over sharp edges of the body: on a layer as far as the base lets it.
+EdgeTerms edgesOf(const AxisymmetricTool& tool, double deflection, const BodyMaterial& material)
+{
+  const MaterialRange& range = material.range();
+  EdgeTerms edges = edgeTermsOf(tool, deflection, 0.5 * (range.leastRatio + range.mostRatio));
+  constexpr double reachOfLayer = 4.0 / 3.0; // a fade of that length takes as much as e^(-d/h)
+  edges.reach =
+    range.hasLayers() && !range.hasHalfSpace ? reachOfLayer * range.layers.thickest : 0.0;
+  edges.isInCurves = (material.modelParts() & GlobalCompliancePart) != 0;
+  return edges;
+}
 } // namespace
 
 std::string checkRequest(const LawRequest& request)
@@ -184,8 +196,8 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   }
   const MadeResponse made =
     response(tool, material, request.deflection, static_cast<std::size_t>(count), shape,
-      { terms.curvature, strain.get(), terms.errorTolerance, request.measured }, storage.spans(),
-      goOn);
+      { terms.curvature, strain.get(), terms.errorTolerance, request.measured, terms.edges },
+      storage.spans(), goOn);
   if (!made.complete)
   {
     output->Initialize();
@@ -203,6 +215,10 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
     { made.exponent, request.samples, tool.specification(), material.describe() + beyond.text,
       material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
+  if (terms.edges)
+  {
+    describeEdges(output, name, edgesOf(tool, request.deflection, material));
+  }
   if (!reason.empty())
   {
     addText(output, termsName(name), reason);

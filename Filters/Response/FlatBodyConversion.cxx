@@ -142,6 +142,10 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
     copied<vtkUnsignedCharArray>(arrayName(name, ResponseArray::Limit), flat.limit, 1, count));
   describeResponse(
     body, name, { response.exponent, response.samples, flat.tool, flat.model, flat.modelParts });
+  if (response.edges.areFelt())
+  {
+    describeEdges(body, name, response.edges);
+  }
   return body;
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticContactResponse.h"
 
+#include "Contact/Edges/EdgeLaw.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Bodies/SimplerLaw.h"
@@ -225,6 +226,13 @@ std::string vtkElasticContactResponse::Respond(
     { made.exponent, this->NumberOfSamples, this->Tool->GetKernel()->specification(),
       palpate::joined("finite elements of true shape, ", grid->GetNumberOfCells(), " cells"),
       palpate::TrueShapePart });
+  if (this->EdgeCorrection)
+  {
+    palpate::EdgeTerms edges =
+      palpate::edgeTermsOf(*this->Tool->GetKernel(), this->MaximumDeflection, 0.5);
+    edges.isInCurves = true;
+    palpate::describeEdges(output, this->ResponseName, edges);
+  }
   if (this->AutomaticTerms)
   {
     palpate::addText(output, palpate::termsName(this->ResponseName), this->TermReason);
@@ -260,6 +268,7 @@ void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StoreMotion: " << this->StoreMotion << "\n";
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
+  os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
   os << indent << "TermTolerance: " << this->TermTolerance << "\n";
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";

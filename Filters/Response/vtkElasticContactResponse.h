@@ -147,6 +147,14 @@ public:
   ///@}
 
   ///@{
+  /** Whether a contact leaves over sharp convex edges with its force going to nothing, as of
+   * vtkToolContactResponse; that it is softer beside them is in the curves. Default off. */
+  vtkSetMacro(EdgeCorrection, bool);
+  vtkGetMacro(EdgeCorrection, bool);
+  vtkBooleanMacro(EdgeCorrection, bool);
+  ///@}
+
+  ///@{
   /** Whether a simpler law's curve is kept where true shape changes the force by no more than
    * TermTolerance, point by point: that of a half-space of the material at the point, curved as the
    * surface is, or of a layer of LayerThickness on a rigid base. The point array
@@ -224,6 +232,7 @@ private:
   bool StoreMotion = true;
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
+  bool EdgeCorrection = false;
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   double LayerThickness = 0.0;

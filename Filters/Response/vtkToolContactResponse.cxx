@@ -76,7 +76,8 @@ int vtkToolContactResponse::RequestData(
     { this->CurvatureCorrection,
       { static_cast<palpate::StrainModel>(this->StrainModel),
         this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
-      this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance } };
+      this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
+      this->EdgeCorrection } };
   std::string warning;
   const std::string fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
@@ -128,6 +129,7 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
+  os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
   os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";

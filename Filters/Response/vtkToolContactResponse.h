@@ -180,6 +180,21 @@ public:
   vtkBooleanMacro(CurvatureCorrection, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether sharp convex edges are felt: a contact beside one is softer, is pushed off the body,
+   * and leaves over it with its force going to nothing, as an elastic body lets it
+   * (palpate/BodyEdges.h; Hetényi 1970). The curves stay those far from edges; a field array
+   * `<name>Edges` (double 5: exponent m, contact radius at 1 mm in mm, Poisson's ratio, reach in
+   * mm, 1 where the curves know the edges) has the probe, the touch and the servo loop feel them,
+   * and the error counts what is left of them. Default off: the force drops where a contact passes
+   * an edge.
+   */
+  vtkSetMacro(EdgeCorrection, bool);
+  vtkGetMacro(EdgeCorrection, bool);
+  vtkBooleanMacro(EdgeCorrection, bool);
+  ///@}
+
   /// Values of StrainModel.
   enum StrainModelType
   {
@@ -239,7 +254,8 @@ public:
 
   ///@{
   /**
-   * Whether the law has no more than the forces need. Layers, CurvatureCorrection and finite strain
+   * Whether the law has no more than the forces need. Edges are left out where there are none;
+   * layers, CurvatureCorrection and finite strain
    * are then left out where they change the force by no more than TermTolerance in sum; and
    * Neo-Hooke is taken, where its tables have the tool and it changes more, without being asked
    * for. Judged down to MaximumDeflection, by 95 % of some 400 points (palpate/TermEffect.h). What
@@ -310,6 +326,7 @@ private:
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;
+  bool EdgeCorrection = false;
   int StrainModel = SmallStrain;
   double OgdenExponent = 2.0;
   double DemirayExponent = 1.0;

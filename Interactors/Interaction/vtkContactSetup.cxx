@@ -249,7 +249,8 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   request.terms = { this->CurvatureCorrection,
     { static_cast<palpate::StrainModel>(this->StrainModel), this->StrainExponent },
     this->ErrorTolerance, true, this->AutomaticTerms,
-    this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance };
+    this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
+    this->EdgeCorrection };
   request.tolerance = this->Tolerance;
   request.choiceDeflection = this->ChoiceDeflection;
   if (this->Model == Layer)
@@ -436,6 +437,7 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BaseSlips: " << this->BaseSlips << "\n";
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
+  os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "StrainExponent: " << this->StrainExponent << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";

@@ -151,6 +151,12 @@ public:
   vtkBooleanMacro(CurvatureCorrection, bool);
   ///@}
   ///@{
+  /** Whether sharp edges are felt; see vtkToolContactResponse. Default off. */
+  vtkSetMacro(EdgeCorrection, bool);
+  vtkGetMacro(EdgeCorrection, bool);
+  vtkBooleanMacro(EdgeCorrection, bool);
+  ///@}
+  ///@{
   /** How the body resists large strain, a value of vtkToolContactResponse::StrainModelType.
    * Default SmallStrain. */
   vtkSetClampMacro(StrainModel, int, 0, 3);
@@ -253,6 +259,7 @@ private:
   bool BaseSlips = false;
   double ComplianceModulus = 0.0;
   bool CurvatureCorrection = true;
+  bool EdgeCorrection = false;
   int StrainModel = 0;
   double StrainExponent = 2.0;
   double ErrorTolerance = 0.05;

@@ -67,6 +67,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetComplianceModulus(scene.solid ? scene.youngsModulus : 0.0);
   setup->SetModel(modelOf(scene));
   setup->SetCurvatureCorrection(scene.terms.curvature);
+  setup->SetEdgeCorrection(scene.terms.edges);
   setup->SetStrainModel(static_cast<int>(scene.terms.strain.model));
   setup->SetStrainExponent(scene.terms.strain.parameter);
   setup->SetErrorTolerance(scene.terms.errorTolerance);

@@ -10,11 +10,19 @@ namespace palpate
 {
 namespace
 {
-/// Blunt edges are seen up to so many depths away, and fade from half of that.
+/// Faces across blunt edges are looked for so many of the range (mm) away.
 constexpr double BluntReach = 6.0;
-/// Less than this part of the depth under the contact's own face; so that none goes to and fro.
+/// What takes less than this of the fillet is none of it; from twice as much on all.
+constexpr double LeastPart = 1e-3;
+/// A tip is outside where it is above the plane across a blunt edge that is this many depths away:
+/// 1/tan 20°. Farther planes say nothing of it.
+constexpr double OutsideWithin = 2.75;
+/// Less than this part of the depth under the contact's own face is nearer; so that none goes to
+/// and fro.
 constexpr double Nearer = 1.0 - 1e-6;
+constexpr std::size_t MostFaces = 8;
 
+/// A quantity and its derivative.
 struct Fade
 {
   double value = 0.0;
@@ -45,172 +53,281 @@ double contactRadius(const EdgeTerms& terms, double depth) noexcept
                                : terms.radius * std::pow(depth, terms.exponent - 1.0);
 }
 
-/// The depth under several planes: δ^-p = δ_A^-p + Σ w δ_k^-p.
-class DepthOfFaces
+/// How far from a triangle a sharp edge counts: at least where a contact may hang over it.
+double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcept
 {
-public:
-  DepthOfFaces(const Vector3& normal, double depth) noexcept
-    : Own(normal)
-    , OwnDepth(depth)
-  {
-  }
+  const double least = 2.0 * end * largestRadius;
+  const double usual = terms.reach > 0.0 ? terms.reach : BodyEdges::Reach * largestRadius;
+  return terms.isInCurves ? least : std::max(least, usual);
+}
 
-  void add(const EdgeChains::Segment& segment, const EdgeChains::Place& place,
-    const Vector3& tip) noexcept
-  {
-    const Fade weight = fade(std::max(0.0, place.distance) / this->OwnDepth, BluntReach);
-    const Vector3 normal =
-      (segment.otherNormal[0] + place.part * (segment.otherNormal[1] - segment.otherNormal[0]))
-        .normalized();
-    const double depth = normal.dot(place.point - tip);
-    if (weight.value == 0.0)
-    {
-      return;
-    }
-    Face& face = this->Faces[this->Count++];
-    face = { normal, depth, weight, blend(segment.strength, place.part), place.distance,
-      within(this->Own, place.gradient) };
-    if (depth < this->Least)
-    {
-      this->Least = depth;
-      this->Nearest = segment.across;
-    }
-  }
+/// Part r of the fillet, without what is next to nothing; and by r.
+Fade partOf(double r) noexcept
+{
+  const double t = std::clamp(r / LeastPart - 1.0, 0.0, 1.0);
+  return { r * t * t * (3.0 - 2.0 * t),
+    t * t * (3.0 - 2.0 * t) + r * 6.0 * t * (1.0 - t) / LeastPart };
+}
 
-  void tell(EdgeEffect& effect) const noexcept
-  {
-    effect.depth = this->OwnDepth;
-    if (this->Count == 0)
-    {
-      return;
-    }
-    if (!(this->Least > 0.0))
-    {
-      effect.depth = 0.0;
-      return;
-    }
-    effect.nearerAcross = this->Least < Nearer * this->OwnDepth ? this->Nearest : -1;
-    double weights = 0.0;
-    double power = 0.0;
-    for (std::size_t k = 0; k < this->Count; ++k)
-    {
-      weights += this->Faces[k].weight.value;
-      power += this->Faces[k].weight.value * this->Faces[k].power;
-    }
-    power /= weights;
-    std::array<double, EdgeChains::MostNear> ratio{};
-    double sum = 1.0;
-    for (std::size_t k = 0; k < this->Count; ++k)
-    {
-      ratio[k] = std::pow(this->OwnDepth / this->Faces[k].depth, power);
-      sum += this->Faces[k].weight.value * ratio[k];
-    }
-    effect.depth = this->OwnDepth * std::pow(sum, -1.0 / power);
-    effect.ownNormal = 1.0;
-    for (std::size_t k = 0; k < this->Count; ++k)
-    {
-      const Face& face = this->Faces[k];
-      const double part = face.weight.value * ratio[k] / sum;
-      const double fading = ratio[k] * face.weight.slope / (power * sum);
-      effect.ownNormal -= part;
-      effect.ownNormal += fading * std::max(0.0, face.distance) / this->OwnDepth;
-      effect.otherNormals += effect.depth / face.depth * part * face.normal;
-      effect.otherNormals += effect.depth / this->OwnDepth * fading * face.distanceGradient;
-    }
-    effect.ownNormal *= effect.depth / this->OwnDepth;
-  }
-
-private:
-  struct Face
-  {
-    Vector3 normal;
-    double depth = 0.0;
-    Fade weight;
-    double power = 0.0;
-    double distance = 0.0;
-    Vector3 distanceGradient; ///< as the tip moves
-  };
-
-  Vector3 Own;
-  double OwnDepth;
-  std::size_t Count = 0;
-  std::array<Face, EdgeChains::MostNear> Faces;
-  double Least = std::numeric_limits<double>::infinity();
-  std::int32_t Nearest = -1;
-};
 } // namespace
 
 BodyEdges::BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double range)
   : Terms(terms)
   , Law(terms)
   , Chains(mesh, terms.poissonRatio,
-      { (terms.isInCurves ? 2.0 * this->Law.end() : Reach) * contactRadius(terms, range),
-        BluntReach * range })
+      { reachOf(terms, this->Law.end(), contactRadius(terms, range)), BluntReach * range })
 {
 }
 
-EdgeEffect BodyEdges::at(const Vector3& tip, std::int32_t triangle, const Vector3& normal,
-  double depth) const noexcept
+/// What is left of the work beside the sharp edges of one face, as EdgeEffect has it.
+struct BodyEdges::Share
 {
-  EdgeEffect effect;
-  effect.depth = depth;
-  const EdgeChains::Near* const near = this->Chains.near(triangle);
-  if (!near || !(depth > 0.0))
+  double value = 1.0;
+  double byDepth = 0.0;
+  double byDepthTwice = 0.0;
+  Vector3 byPlace = Vector3::Zero();
+};
+
+/// The faces that a tip is under near blunt edges: that of the contact, those across its edges,
+/// those across theirs.
+class BodyEdges::Faces
+{
+public:
+  Faces(const BodyEdges& edges, const Vector3& tip, std::int32_t triangle, const Vector3& normal,
+    double depth) noexcept
+    : Edges(edges)
+    , Tip(tip)
   {
+    this->Known[0].triangle = triangle;
+    this->Known[0].normal = normal;
+    this->Known[0].depth = depth;
+    this->Count = 1;
+    for (std::size_t i = 0; i < this->Count && !this->IsOutside; ++i)
+    {
+      this->look(i);
+    }
+  }
+
+  EdgeEffect effect() noexcept
+  {
+    EdgeEffect effect;
+    effect.depth = this->IsOutside ? 0.0 : this->own().depth;
+    if (this->Count > 1 && !this->IsOutside)
+    {
+      this->join(effect);
+    }
+    if (effect.depth > 0.0)
+    {
+      this->addShares(effect);
+    }
     return effect;
   }
-  const Vector3 foot = tip + depth * normal;
-  std::array<EdgeChains::Place, EdgeChains::MostNear> places;
-  DepthOfFaces faces(normal, depth);
-  for (std::size_t k = 0; k < places.size() && near->segments[k] != EdgeChains::None; ++k)
+
+private:
+  struct Face
   {
-    places[k] = this->Chains.closest(foot, near->segments[k]);
-    if (places[k].segment != EdgeChains::None)
+    std::int32_t triangle = EdgeChains::None;
+    std::int32_t number = EdgeChains::None; ///< of the face; None: not known
+    Vector3 normal = Vector3::Zero();
+    double depth = 0.0;
+    /// 1 of a neighbour; of another as much as the one between counts, so that it comes as that is
+    /// about to become the contact's own.
+    double weight = 1.0;
+    Vector3 weightChange = Vector3::Zero(); ///< with the tip
+    double part = 1.0;                      ///< of the sum of δ^-4
+    Vector3 partChange = Vector3::Zero();
+  };
+
+  const Face& own() const noexcept { return this->Known[0]; }
+  /// (δ_own/δ)^4, and its change with the tip; a depth falls along its normal.
+  double ratio(const Face& face) const noexcept
+  {
+    const double x = this->own().depth / face.depth;
+    return x * x * x * x;
+  }
+  Vector3 ratioChange(const Face& face, double ratio) const noexcept
+  {
+    return 4.0 * ratio * (face.normal / face.depth - this->own().normal / this->own().depth);
+  }
+
+  /// Finds what is across the blunt edges of a face.
+  void look(std::size_t i) noexcept
+  {
+    const EdgeChains& chains = this->Edges.Chains;
+    const EdgeChains::Near* const near = chains.near(this->Known[i].triangle);
+    const Vector3 foot = this->Tip + this->Known[i].depth * this->Known[i].normal;
+    for (std::size_t k = 0; near && k < near->size() && (*near)[k] != EdgeChains::None; ++k)
     {
-      const EdgeChains::Segment& segment = this->Chains.segment(places[k].segment);
-      // Of others, what is beyond a dent or a groove does not bound the body here.
-      const bool bounds = segment.face == near->face ||
-        (places[k].distance > 0.0 &&
-          segment.otherNormal[0].dot(foot - places[k].point) <= 0.0);
-      if (segment.isBlunt && bounds)
+      const EdgeChains::Segment& first = chains.segment((*near)[k]);
+      this->Known[i].number = first.face;
+      if (!first.isBlunt || this->isKnown(first.other))
       {
-        faces.add(segment, places[k], tip);
+        continue;
+      }
+      const EdgeChains::Place place = chains.closest(foot, (*near)[k]);
+      const EdgeChains::Segment& segment = chains.segment(place.segment);
+      const Vector3 toEdge = place.point - this->Tip;
+      if (!(segment.outward.cross(segment.along).dot(toEdge) > 0.0))
+      {
+        continue; // on the far side of a groove
+      }
+      Face face;
+      face.triangle = segment.across;
+      face.number = segment.other;
+      face.normal =
+        (segment.otherNormal[0] + place.part * (segment.otherNormal[1] - segment.otherNormal[0]))
+          .normalized();
+      face.depth = face.normal.dot(toEdge);
+      if (i > 0)
+      {
+        this->weigh(this->Known[i], face);
+      }
+      this->add(face, std::abs(place.distance) <= OutsideWithin * this->Known[i].depth);
+    }
+  }
+
+  bool isKnown(std::int32_t number) const noexcept
+  {
+    bool is = false;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      is = is || this->Known[i].number == number;
+    }
+    return is;
+  }
+
+  void weigh(const Face& between, Face& face) const noexcept
+  {
+    const double ratio = this->ratio(between);
+    const double t = std::clamp((ratio - LeastPart) / (1.0 - LeastPart), 0.0, 1.0);
+    const double part = t * t * (3.0 - 2.0 * t);
+    const double slope = 6.0 * t * (1.0 - t) / (1.0 - LeastPart);
+    face.weight = between.weight * part;
+    face.weightChange =
+      part * between.weightChange + between.weight * slope * this->ratioChange(between, ratio);
+  }
+
+  void add(const Face& face, bool isClose) noexcept
+  {
+    if (!(face.weight > 0.0))
+    {
+      return;
+    }
+    if (!(face.depth > 0.0))
+    {
+      this->IsOutside = this->IsOutside || isClose;
+    }
+    else if (this->Count<MostFaces&& this->ratio(face)> LeastPart)
+    {
+      this->Known[this->Count++] = face;
+    }
+  }
+
+  /// δ^-4 = Σ w_k δ_k^-4.
+  void join(EdgeEffect& effect) noexcept
+  {
+    double sum = 0.0;
+    Vector3 sumChange = Vector3::Zero();
+    double least = Nearer * this->own().depth;
+    for (std::size_t k = 0; k < this->Count; ++k)
+    {
+      Face& face = this->Known[k];
+      const double ratio = this->ratio(face);
+      const Fade part = partOf(ratio);
+      face.part = face.weight * part.value;
+      face.partChange =
+        part.value * face.weightChange + face.weight * part.slope * this->ratioChange(face, ratio);
+      sum += face.part;
+      sumChange += face.partChange;
+      if (face.depth < least)
+      {
+        least = face.depth;
+        effect.nearerAcross = face.triangle;
+      }
+    }
+    effect.depth = this->own().depth / std::sqrt(std::sqrt(sum));
+    // -∇δ = δ (n/δ_own + Σ ∇part / (4 Σ part)).
+    const Vector3 outward =
+      effect.depth * (this->own().normal / this->own().depth + 0.25 / sum * sumChange);
+    for (std::size_t k = 0; k < this->Count; ++k)
+    {
+      Face& face = this->Known[k];
+      face.part /= sum;
+      face.partChange = (face.partChange - face.part * sumChange) / sum;
+    }
+    // What of it is along the contact's own normal is told apart: a curved surface has its own.
+    effect.ownNormal = effect.depth / this->own().depth * this->own().part;
+    effect.otherNormals = outward - effect.ownNormal * this->own().normal;
+  }
+
+  void addShares(EdgeEffect& effect) const noexcept
+  {
+    effect.share = 0.0;
+    for (std::size_t k = 0; k < this->Count; ++k)
+    {
+      const Face& face = this->Known[k];
+      if (face.part > 0.0)
+      {
+        const Share share = this->Edges.shareOf(
+          face.triangle, this->Tip + face.depth * face.normal, face.normal, effect.depth);
+        effect.share += face.part * share.value;
+        effect.byDepth += face.part * share.byDepth;
+        effect.byDepthTwice += face.part * share.byDepthTwice;
+        effect.byPlace += face.part * share.byPlace + share.value * face.partChange;
       }
     }
   }
-  faces.tell(effect);
-  for (std::size_t k = 0; k < places.size() && effect.depth > 0.0; ++k)
+
+  const BodyEdges& Edges;
+  Vector3 Tip;
+  bool IsOutside = false;
+  std::size_t Count = 0;
+  std::array<Face, MostFaces> Known;
+};
+
+EdgeEffect BodyEdges::at(
+  const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept
+{
+  if (!this->areNear(triangle) || !(depth > 0.0))
   {
-    const std::int32_t at = places[k].segment;
-    if (at != EdgeChains::None && !this->Chains.segment(at).isBlunt)
-    {
-      this->takeShare(places[k], normal, effect);
-    }
+    EdgeEffect effect;
+    effect.depth = depth;
+    return effect;
   }
-  return effect;
+  return Faces(*this, tip, triangle, normal, depth).effect();
 }
 
-/// Multiplies what is left by what one edge leaves of it.
-void BodyEdges::takeShare(
-  const EdgeChains::Place& place, const Vector3& normal, EdgeEffect& effect) const noexcept
+/// The product of what each sharp edge of a face leaves; `foot` is under the tip on its plane.
+BodyEdges::Share BodyEdges::shareOf(
+  std::int32_t triangle, const Vector3& foot, const Vector3& normal, double depth) const noexcept
 {
-  const EdgeChains::Segment& segment = this->Chains.segment(place.segment);
+  Share all;
   const double m = this->Terms.exponent;
-  const double radius = contactRadius(this->Terms, effect.depth);
-  const double u = place.distance / radius;
-  const EdgeLaw::Value law = this->Law.at(u, blend(segment.strength, place.part));
-  const Fade far = fade(std::max(0.0, place.distance), this->Chains.reach());
-  const double one = -u * (m - 1.0) / effect.depth; // du/dδ
-  const double two = u * (m - 1.0) * m / (effect.depth * effect.depth);
-  const double share = 1.0 - (1.0 - law.share) * far.value;
-  const double byDepth = far.value * law.slope * one;
-  const double byDepthTwice = far.value * (law.bend * one * one + law.slope * two);
-  const double byDistance = far.value * law.slope / radius - (1.0 - law.share) * far.slope;
-  effect.byPlace = effect.byPlace * share +
-    effect.share * byDistance * within(normal, place.gradient);
-  effect.byDepthTwice = effect.byDepthTwice * share + 2.0 * effect.byDepth * byDepth +
-    effect.share * byDepthTwice;
-  effect.byDepth = effect.byDepth * share + effect.share * byDepth;
-  effect.share *= share;
+  const double radius = contactRadius(this->Terms, depth);
+  const EdgeChains::Near* const near = this->Chains.near(triangle);
+  for (std::size_t k = 0; near && k < near->size() && (*near)[k] != EdgeChains::None; ++k)
+  {
+    if (this->Chains.segment((*near)[k]).isBlunt)
+    {
+      continue;
+    }
+    const EdgeChains::Place place = this->Chains.closest(foot, (*near)[k]);
+    const EdgeChains::Segment& segment = this->Chains.segment(place.segment);
+    const double u = place.distance / radius;
+    const EdgeLaw::Value law = this->Law.at(u, blend(segment.sharpness, place.part));
+    const Fade far = fade(std::max(0.0, place.distance), this->Chains.reach());
+    const double one = -u * (m - 1.0) / depth; // du/dδ
+    const double two = u * (m - 1.0) * m / (depth * depth);
+    const double share = 1.0 - (1.0 - law.share) * far.value;
+    const double byDepth = far.value * law.slope * one;
+    const double byDepthTwice = far.value * (law.bend * one * one + law.slope * two);
+    const double byDistance = far.value * law.slope / radius - (1.0 - law.share) * far.slope;
+    all.byPlace = all.byPlace * share + all.value * byDistance * within(normal, place.gradient);
+    all.byDepthTwice =
+      all.byDepthTwice * share + 2.0 * all.byDepth * byDepth + all.value * byDepthTwice;
+    all.byDepth = all.byDepth * share + all.value * byDepth;
+    all.value *= share;
+  }
+  return all;
 }
 } // namespace palpate

@@ -85,9 +85,7 @@ void CreaseCut::findSides(
       }
     });
   const auto leastOf = [&](std::size_t t, std::size_t but)
-  {
-    return std::min(std::abs(turns[t][(but + 1) % 3]), std::abs(turns[t][(but + 2) % 3]));
-  };
+  { return std::min(std::abs(turns[t][(but + 1) % 3]), std::abs(turns[t][(but + 2) % 3])); };
   for (std::size_t t = 0; t < usable; ++t)
   {
     for (std::size_t e = 0; e < 3; ++e)
@@ -175,7 +173,7 @@ void CreaseCut::dropUncut()
     }
     return true;
   };
-  this->Sides.erase(std::remove_if(this->Sides.begin(), this->Sides.end(), isWhole),
-    this->Sides.end());
+  this->Sides.erase(
+    std::remove_if(this->Sides.begin(), this->Sides.end(), isWhole), this->Sides.end());
 }
 } // namespace palpate

@@ -16,10 +16,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double CornerCosine = 0.7071067811865476; // 45°
-constexpr int MostSteps = 32;                       // of a walk along a chain
+constexpr double CornerCosine = 0.8660254037844386; // 30°
+constexpr std::size_t MostSteps = 32;               // of a tick's walk along a chain
 constexpr int MostAround = 64;                      // triangles around a point
-constexpr double FilletSlope = 2.0;                 // see BodyEdges
 
 Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
 {
@@ -100,7 +99,7 @@ EdgeChains::EdgeChains(const PackedMesh& mesh, double poissonRatio, const Reach&
     this->Segments[i].face = faces[static_cast<std::size_t>(this->Sides[i].triangle)];
     this->Segments[i].other = faces[static_cast<std::size_t>(this->Sides[i].across)];
   }
-  this->findNear(mesh, faces);
+  this->findNear(mesh);
   this->Sides = {};
 }
 
@@ -128,8 +127,7 @@ void EdgeChains::makeSegments(const PackedMesh& mesh, double poissonRatio)
     segment.across = side.across;
     const double turn{ side.turn };
     segment.isBlunt = turn < PackedMesh::BluntTurn;
-    segment.strength.fill(segment.isBlunt ? FilletSlope / std::tan(0.5 * turn) - 1.0
-                                          : edgeSharpness(poissonRatio, turn));
+    segment.sharpness.fill(edgeSharpness(poissonRatio, turn));
     segment.otherNormal.fill(mesh.faceNormal(side.across));
     this->Segments.push_back(segment);
   }
@@ -198,16 +196,16 @@ void EdgeChains::roundEnds()
       continue;
     }
     const auto next = static_cast<std::size_t>(before[i].next);
-    const double strength = 0.5 * (before[i].strength[1] + before[next].strength[0]);
+    const double sharpness = 0.5 * (before[i].sharpness[1] + before[next].sharpness[0]);
     const Vector3 sum = before[i].otherNormal[1] + before[next].otherNormal[0];
     const Vector3 normal = sum.norm() > 0.0 ? sum.normalized() : before[i].otherNormal[1];
-    this->Segments[i].strength[1] = this->Segments[next].strength[0] = strength;
+    this->Segments[i].sharpness[1] = this->Segments[next].sharpness[0] = sharpness;
     this->Segments[i].otherNormal[1] = this->Segments[next].otherNormal[0] = normal;
   }
 }
 
 /// From the creases outwards over the triangles; each takes the nearest chains it is told of.
-void EdgeChains::findNear(const PackedMesh& mesh, const std::vector<std::int32_t>& faces)
+void EdgeChains::findNear(const PackedMesh& mesh)
 {
   struct Told
   {
@@ -222,31 +220,21 @@ void EdgeChains::findNear(const PackedMesh& mesh, const std::vector<std::int32_t
   };
   std::priority_queue<Told, std::vector<Told>, std::greater<>> open;
   this->NearPlaces.assign(mesh.triangleCount(), None);
-  const auto hasRoomFor = [&](std::int32_t triangle, const Segment& one)
+  const auto hasRoomFor = [this](std::int32_t triangle, std::int32_t chain)
   {
-    const std::int32_t face = faces[static_cast<std::size_t>(triangle)];
     const Near* near = this->near(triangle);
-    if (!near)
-    {
-      return one.other != face;
-    }
-    const auto excludes = [&](std::int32_t segment)
-    {
-      const Segment& known = this->segment(segment);
-      const bool areOwn = one.face == face && known.face == face;
-      return areOwn ? known.chain == one.chain : known.other == one.other;
-    };
-    const auto end = std::find(near->segments.begin(), near->segments.end(), None);
-    return one.other != face && end != near->segments.end() &&
-      std::none_of(near->segments.begin(), end, excludes);
+    return !near ||
+      (near->back() == None &&
+        std::none_of(near->begin(), near->end(),
+          [&](std::int32_t s) { return s != None && this->segment(s).chain == chain; }));
   };
   const auto tell = [&](std::int32_t triangle, std::int32_t segment)
   {
-    if (!hasRoomFor(triangle, this->segment(segment)))
+    if (!hasRoomFor(triangle, this->segment(segment).chain))
     {
       return;
     }
-    const Place place = this->closest(centroid(mesh, triangle), segment);
+    const Place place = this->closest(centroid(mesh, triangle), segment, this->Segments.size());
     const double distance = std::abs(place.distance);
     if (distance <= (this->segment(segment).isBlunt ? this->Limits.blunt : this->Limits.sharp))
     {
@@ -257,14 +245,14 @@ void EdgeChains::findNear(const PackedMesh& mesh, const std::vector<std::int32_t
   {
     const std::int32_t triangle = this->Sides[i].triangle;
     const Vector3 from = centroid(mesh, triangle);
-    open.push({ std::abs(this->closest(from, static_cast<std::int32_t>(i)).distance), triangle,
+    open.push({ std::abs(this->closest(from, static_cast<std::int32_t>(i), 1).distance), triangle,
       static_cast<std::int32_t>(i) });
   }
   while (!open.empty())
   {
     const Told told = open.top();
     open.pop();
-    if (!hasRoomFor(told.triangle, this->segment(told.segment)))
+    if (!hasRoomFor(told.triangle, this->segment(told.segment).chain))
     {
       continue;
     }
@@ -272,19 +260,13 @@ void EdgeChains::findNear(const PackedMesh& mesh, const std::vector<std::int32_t
     if (place == None)
     {
       place = static_cast<std::int32_t>(this->NearLists.size());
-      this->NearLists.emplace_back().segments.fill(None);
-      this->NearLists.back().face = faces[static_cast<std::size_t>(told.triangle)];
+      this->NearLists.emplace_back().fill(None);
     }
-    auto& near = this->NearLists[static_cast<std::size_t>(place)].segments;
+    Near& near = this->NearLists[static_cast<std::size_t>(place)];
     *std::find(near.begin(), near.end(), None) = told.segment;
     for (int edge = 0; edge < 3; ++edge)
     {
-      std::int32_t across = mesh.neighbour(told.triangle, edge);
-      if (across == PackedMesh::Crease)
-      {
-        const std::int32_t crease = this->segmentAt(told.triangle, edge);
-        across = crease != None && this->segment(crease).isBlunt ? this->segment(crease).across : None;
-      }
+      const std::int32_t across = mesh.neighbour(told.triangle, edge);
       if (across >= 0)
       {
         tell(across, told.segment);
@@ -295,38 +277,46 @@ void EdgeChains::findNear(const PackedMesh& mesh, const std::vector<std::int32_t
 
 EdgeChains::Place EdgeChains::closest(const Vector3& place, std::int32_t segment) const noexcept
 {
+  return this->closest(place, segment, MostSteps);
+}
+
+EdgeChains::Place EdgeChains::closest(
+  const Vector3& place, std::int32_t segment, std::size_t mostSteps) const noexcept
+{
+  const auto along = [&place](const Segment& at) { return at.along.dot(place - at.start); };
+  const auto onwardFrom = [](const Segment& at, double way) {
+    return way < 0.0 ? at.previous : way > at.length ? at.next : None;
+  };
   std::int32_t from = None;
-  Place found;
-  for (int step = 0; step < MostSteps; ++step)
+  std::int32_t onward = onwardFrom(this->segment(segment), along(this->segment(segment)));
+  for (std::size_t step = 0; step < mostSteps && onward != None && onward != from; ++step)
   {
-    const Segment& at = this->segment(segment);
-    const double way = at.along.dot(place - at.start);
-    const std::int32_t onward = way < 0.0 ? at.previous : way > at.length ? at.next : None;
-    if (onward != None && onward != from)
-    {
-      from = segment;
-      segment = onward;
-      continue;
-    }
-    const bool isBefore = way < 0.0;
-    const bool isBeyond = isBefore || way > at.length;
-    const bool goesOn = isBefore ? at.goesOnBefore : at.goesOnBehind;
-    const double clamped = std::clamp(way, 0.0, at.length);
-    found.segment = segment;
-    found.part = clamped / at.length;
-    found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
-    const Vector3 offset = place - found.point;
-    bool isInside = offset.dot(at.outward) <= 0.0;
-    if (isBeyond && !goesOn)
-    {
-      // At a point between two segments, or where the crease ends.
-      isInside = onward == None || !(isBefore ? this->segment(onward) : at).turnsLeft;
-    }
-    const double length = offset.norm();
-    found.distance = isInside ? length : -length;
-    found.gradient = length > 0.0 ? Vector3(offset / found.distance) : Vector3(-at.outward);
-    break;
+    from = segment;
+    segment = onward;
+    onward = onwardFrom(this->segment(segment), along(this->segment(segment)));
   }
+  const Segment& at = this->segment(segment);
+  const double way = along(at);
+  const bool isBefore = way < 0.0;
+  const bool isBeyond = isBefore || way > at.length;
+  const bool goesOn = isBefore ? at.goesOnBefore : at.goesOnBehind;
+  const double clamped = std::clamp(way, 0.0, at.length);
+  Place found;
+  found.segment = segment;
+  found.part = clamped / at.length;
+  found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
+  const Vector3 normal = at.outward.cross(at.along);
+  Vector3 offset = place - found.point;
+  offset -= normal.dot(offset) * normal; // a curved face leaves the plane of its side
+  bool isInside = offset.dot(at.outward) <= 0.0;
+  if (isBeyond && !goesOn)
+  {
+    // At a point between two segments, or where the crease ends.
+    isInside = onward == None || !(isBefore ? this->segment(onward) : at).turnsLeft;
+  }
+  const double length = offset.norm();
+  found.distance = isInside ? length : -length;
+  found.gradient = length > 0.0 ? Vector3(offset / found.distance) : Vector3(-at.outward);
   return found;
 }
 

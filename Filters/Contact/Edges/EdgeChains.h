@@ -16,44 +16,36 @@ namespace palpate
  * triangle.
  *
  * A chain goes along the border of one face, counter-clockwise seen from outside, up to where that
- * turns left by more than 45° (the corner of a face: another chain begins there, and each goes on
+ * turns left by more than 30° (the corner of a face: another chain begins there, and each goes on
  * straight beyond it) or where the crease ends. Where two faces meet, each has a chain of its own.
- * Faces that meet in blunt creases share what is near them: of the chains of other faces, each
- * face that is met there counts once.
  *
- * Built in O(n log n) on one thread; 4 bytes a triangle and 36 for those within reach. Immutable.
+ * Built in O(n log n) on one thread; 4 bytes a triangle and 32 for those within reach. Immutable.
  */
 class EdgeChains
 {
 public:
   static constexpr std::size_t MostNear = 8;
   static constexpr std::int32_t None = -1;
-  struct Near
-  {
-    std::array<std::int32_t, MostNear> segments; ///< the nearest first, then None
-    std::int32_t face;                           ///< that the triangle is of
-  };
+  using Near = std::array<std::int32_t, MostNear>; ///< segments, the nearest first, then None
 
   /// A side of a facet. Local coordinates of the mesh.
   struct Segment
   {
     Vector3 start;
     Vector3 along;   ///< unit
-    Vector3 outward; ///< unit, in the plane of its triangle
+    Vector3 outward; ///< unit, in the plane of its triangle; outward x along is its normal
     double length;
     std::int32_t next = None; ///< of the chain
     std::int32_t previous = None;
     std::int32_t chain = None;
     std::int32_t face = None;  ///< that it bounds
     std::int32_t other = None; ///< on the other side
-    std::int32_t across; ///< the triangle on the other side
+    std::int32_t across;       ///< the triangle on the other side
     bool isBlunt;
-    bool turnsLeft = false;     ///< to the next
-    bool goesOnBefore = false;  ///< straight, beyond a corner of the face
-    bool goesOnBehind = false;  ///< likewise
-    /// At its ends: how much it takes, by edgeSharpness; of a blunt one the power p of its fillet
-    /// (BodyEdges).
-    std::array<double, 2> strength;
+    bool turnsLeft = false;             ///< to the next
+    bool goesOnBefore = false;          ///< straight, beyond a corner of the face
+    bool goesOnBehind = false;          ///< likewise
+    std::array<double, 2> sharpness;    ///< at its ends, see edgeSharpness
     std::array<Vector3, 2> otherNormal; ///< of the other side, at its ends
   };
 
@@ -63,7 +55,7 @@ public:
     std::int32_t segment = None;
     double part = 0.0; ///< of the way along it
     Vector3 point = Vector3::Zero();
-    double distance = 0.0; ///< mm, > 0 on the side of the face
+    double distance = 0.0; ///< mm, in the plane of the segment, > 0 on the side of the face
     Vector3 gradient = Vector3::Zero(); ///< of the distance, as the place that is asked for moves
   };
 
@@ -90,6 +82,7 @@ public:
   }
 
   /// The local minimum of the distance along a chain, from one of its segments; `place` local.
+  /// In bounded time: as far as some segments on.
   Place closest(const Vector3& place, std::int32_t segment) const noexcept;
 
   double reach() const noexcept { return this->Limits.sharp; }
@@ -100,7 +93,8 @@ private:
   void makeSegments(const PackedMesh& mesh, double poissonRatio);
   void linkSegments(const PackedMesh& mesh);
   void roundEnds();
-  void findNear(const PackedMesh& mesh, const std::vector<std::int32_t>& faces);
+  void findNear(const PackedMesh& mesh);
+  Place closest(const Vector3& place, std::int32_t segment, std::size_t mostSteps) const noexcept;
   /// Of an edge of a triangle; None.
   std::int32_t segmentAt(std::int32_t triangle, int edge) const;
 

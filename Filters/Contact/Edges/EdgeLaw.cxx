@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Edges/EdgeLaw.h"
 
+#include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +54,8 @@ struct Spline
     const double a = h * this->slope[i - 1];
     const double b = 3.0 * rise - 2.0 * a - h * this->slope[i];
     const double c = a + h * this->slope[i] - 2.0 * rise;
-    return { this->value[i - 1] + t * (a + t * (b + t * c)),
-      (a + t * (2.0 * b + t * 3.0 * c)) / h, 0.0 };
+    return { this->value[i - 1] + t * (a + t * (b + t * c)), (a + t * (2.0 * b + t * 3.0 * c)) / h,
+      0.0 };
   }
 };
 
@@ -112,6 +114,38 @@ Spline splineOf(const Leaving& tool, double poissonRatio)
 }
 } // namespace
 
+std::string faultOf(const EdgeTerms& terms)
+{
+  const auto isWithin = [](double value, double least, double most)
+  { return value >= least && value <= most; };
+  constexpr double most = 1e9; // mm
+  if (!isWithin(terms.exponent, 0.0, 100.0) || terms.exponent == 0.0)
+  {
+    return joined("the exponent must be above 0, at most 100, but is ", terms.exponent);
+  }
+  if (!isWithin(terms.radius, 0.0, most) || terms.radius == 0.0)
+  {
+    return joined("the contact radius (mm) must be positive, but is ", terms.radius);
+  }
+  if (!isWithin(terms.poissonRatio, 0.0, 0.5))
+  {
+    return joined("Poisson's ratio must lie between 0 and 0.5, but is ", terms.poissonRatio);
+  }
+  return isWithin(terms.reach, 0.0, most)
+    ? ""
+    : joined("the reach (mm) must not be negative, but is ", terms.reach);
+}
+
+EdgeTerms edgeTermsOf(const AxisymmetricTool& tool, double deflection, double poissonRatio)
+{
+  EdgeTerms terms;
+  terms.exponent =
+    std::max(1.0, tool.stiffness(deflection, 1.0) * deflection / tool.force(deflection, 1.0));
+  terms.radius = tool.contactRadius(deflection) / std::pow(deflection, terms.exponent - 1.0);
+  terms.poissonRatio = poissonRatio;
+  return terms;
+}
+
 EdgeLaw::EdgeLaw(const EdgeTerms& terms)
   : IsInCurves(terms.isInCurves)
 {
@@ -154,7 +188,7 @@ EdgeLaw::Value EdgeLaw::rightEdge(double u) const noexcept
     }
     const double x = 1.0 + u / this->End; // 1 at the edge
     return x > 0.0 ? Value{ x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / this->End,
-                       6.0 * (1.0 - 2.0 * x) / (this->End * this->End) }
+      6.0 * (1.0 - 2.0 * x) / (this->End * this->End) }
                    : Value{ 0.0, 0.0, 0.0 };
   }
   if (u >= TailStart)
@@ -175,7 +209,8 @@ EdgeLaw::Value EdgeLaw::rightEdge(double u) const noexcept
   const double a = this->CellWidth * lower.slope;
   const double b = 3.0 * rise - 2.0 * a - this->CellWidth * upper.slope;
   const double c = a + this->CellWidth * upper.slope - 2.0 * rise;
-  return { lower.value + t * (a + t * (b + t * c)), (a + t * (2.0 * b + t * 3.0 * c)) / this->CellWidth,
+  return { lower.value + t * (a + t * (b + t * c)),
+    (a + t * (2.0 * b + t * 3.0 * c)) / this->CellWidth,
     (2.0 * b + 6.0 * t * c) / (this->CellWidth * this->CellWidth) };
 }
 

@@ -6,9 +6,12 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace palpate
 {
+class AxisymmetricTool;
+
 /// What a tick needs of a tool and a body to leave over an edge; of a body whose edges are not felt
 /// the exponent is 0.
 struct EdgeTerms
@@ -16,12 +19,23 @@ struct EdgeTerms
   double exponent = 0.0;     ///< m of F ∝ δ^m far inside: 1 flat, 1.5 sphere, 2 cone
   double radius = 0.0;       ///< of the contact at a depth of 1 mm, mm: a₀ = radius δ^(m-1)
   double poissonRatio = 0.5; ///< of the body
+  /// From where on (mm) an edge is not felt, as it fades from half of that: what a layer's base
+  /// holds; 0: Reach contact radii.
+  double reach = 0.0;
   /// The curves know the edge already, as those of finite elements do: only what lies beyond it is
   /// missing.
   bool isInCurves = false;
 
   bool areFelt() const noexcept { return this->exponent > 0.0 && this->radius > 0.0; }
 };
+
+/// What is wrong with them, naming it and the number; "" for what can be felt, or for none.
+PALPATE_EXPORT std::string faultOf(const EdgeTerms& terms);
+
+/// Of a tool down to a depth (mm) that it can be pressed, on a body of Poisson's ratio ν: m and the
+/// contact radius are those of a half-space at that depth.
+PALPATE_EXPORT EdgeTerms edgeTermsOf(
+  const AxisymmetricTool& tool, double deflection, double poissonRatio);
 
 /**
  * How much of a contact's work is left beside the straight edge of an elastic body: W = W₀(δ) Ψ(u),

@@ -212,6 +212,23 @@ void chooseCurvature(TermChooser& chooser, AutomaticTerms& chosen)
   }
 }
 
+/// Edges are felt wherever a body has some: a contact leaves over them at any depth.
+void chooseEdges(const Ranks& ranks, const PressedBody& pressed, bool hasPiece,
+  TermChooser& chooser, AutomaticTerms& chosen)
+{
+  if (!chosen.terms.edges || !pressed.shape.edge || chosen.terms.errorTolerance == 0.0)
+  {
+    return;
+  }
+  bool areNear = false;
+  for (std::size_t i = 0; hasPiece && i < pressed.points && !areNear; ++i)
+  {
+    areNear = pressed.shape.edge(i).distance < NearEdge::Far;
+  }
+  chosen.terms.edges = ranks.any(areNear);
+  chooser.say(chosen.terms.edges ? "sharp edges are felt"
+                                 : "no sharp edge is within reach of a contact: none is felt");
+}
 } // namespace
 
 std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
@@ -225,6 +242,7 @@ std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest&
   if (fault.empty())
   {
     chooseCurvature(chooser, chosen);
+    chooseEdges(ranks, pressed, hasPiece, chooser, chosen);
     fault = chooseStrain(request, makeStrain, chooser, chosen);
   }
   chosen.reason = chooser.reason();

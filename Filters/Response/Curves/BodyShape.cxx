@@ -200,7 +200,7 @@ std::shared_ptr<const BodyShape> findShape(
     constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
     made->edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
   }
-  kept.keep(key, made, 24 * surface.pointCount);
+  kept.keep(key, made, 28 * surface.pointCount);
   return made;
 }
 

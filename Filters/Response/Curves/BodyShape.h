@@ -38,7 +38,7 @@ struct BodyShape
 /// body for a while.
 ///
 /// A shape does not depend on the material, which changes more often: the last ones are kept in the
-/// process, by content, 24 bytes a point, up to 128 MB and 16 of them. Any thread.
+/// process, by content, 28 bytes a point, up to 128 MB and 16 of them. Any thread.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 

@@ -18,7 +18,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
 
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
-             strain="small", error_tolerance=0.05, layers=(), automatic=None) -> vtkPolyData:
+             strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -51,6 +51,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         law where they change no more than that in sum, and "neohooke" is taken where its tables have the tool and it
         changes more. What was taken and left out, and why, stands in the field array NAME + Terms. None or False: the
         law as it is asked for.
+    edges : whether sharp edges are felt by palpate.probe and in sessions: a contact beside one is softer, is pushed off
+        the body, and leaves over it with its force going to nothing; False: the force drops where it passes an edge.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -76,6 +78,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
     made.SetCurvatureCorrection(bool(curvature))
+    made.SetEdgeCorrection(bool(edges))
     _set_strain(made, strain)
     tolerance = _number(error_tolerance, "error_tolerance")
     made.SetErrorTolerance(tolerance)

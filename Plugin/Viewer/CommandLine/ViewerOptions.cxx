@@ -330,6 +330,13 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     .add_flag("--curvature,!--no-curvature", options.terms.curvature,
       "count the body's sag under the tool (default; --no-curvature: every point is flat)")
     ->disable_flag_override();
+  app
+    .add_flag("--edges", options.terms.edges,
+      "feel sharp edges: a contact beside one is softer, and leaves over it with its force going "
+      "to "
+      "nothing instead of dropping it")
+    ->excludes("--measured")
+    ->disable_flag_override();
   app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
     ->check(any("a grey level, e.g. 35"))
     ->capture_default_str();
