@@ -211,7 +211,7 @@ std::string faultOf(const Header& header, std::uint64_t size)
     header.samples > ResponseSampling::LargestCount || header.laws < 0 ||
     header.laws > LargestLawCount || !(header.exponent > 0.0 && header.exponent <= 10.0) ||
     header.tool.back() != '\0' || header.model.back() != '\0' ||
-    (header.version >= 3 && header.edges[0] != 0.0 && !faultOf(edgesOf(header)).empty()))
+    (header.version >= 3 && header.edges[0] != 0.0 && !faultOfEdges(edgesOf(header)).empty()))
   {
     return "has a damaged header";
   }

@@ -207,6 +207,10 @@ void ToolContact::foresee() const noexcept
   const auto ask = [this, &surface](std::int32_t likely)
   {
     surface.prefetchInput(likely);
+    if (this->Body.edges)
+    {
+      this->Body.edges->prefetch(likely);
+    }
     this->prefetchResponses(likely);
   };
   ask(triangle);

@@ -262,7 +262,7 @@ bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std
   edges.poissonRatio = array->GetComponent(0, 2);
   edges.reach = array->GetComponent(0, 3);
   edges.isInCurves = array->GetComponent(0, 4) != 0.0;
-  error = faultOf(edges);
+  error = faultOfEdges(edges);
   if (!error.empty())
   {
     error = "field array '" + full + "': " + error;

@@ -100,7 +100,7 @@ class AgainstTheTable(unittest.TestCase):
         header = os.path.join(os.path.dirname(__file__), "../../Filters/Contact/ResponseContract.h")
         with open(header, encoding="utf-8") as file:
             self.rows = self.ROW.findall(file.read())
-        self.assertEqual(len(self.rows), 16)
+        self.assertEqual(len(self.rows), 17)
 
     def test_filters_attach_what_the_table_says(self):
         ball = vtkSphereSource()
@@ -110,6 +110,7 @@ class AgainstTheTable(unittest.TestCase):
         response.SetNumberOfSamples(7)
         response.SetErrorTolerance(0.05)
         response.StoreErrorOn()
+        response.EdgeCorrectionOn()
         response.SetInputConnection(ball.GetOutputPort())
         compact = vtkReducedContactResponse()
         compact.SetInputConnection(response.GetOutputPort())
@@ -117,7 +118,7 @@ class AgainstTheTable(unittest.TestCase):
         for filter, form, absent in ((response, "PerPoint", "Compact"), (compact, "Compact", "PerPoint")):
             body = filter.GetOutput()
             laws = body.GetFieldData().GetArray("ResponseBasis")
-            width = {"One": 1, "Three": 3, "Samples": 7, "TwoSamples": 14,
+            width = {"One": 1, "Three": 3, "Five": 5, "Samples": 7, "TwoSamples": 14,
                      "Laws": laws.GetNumberOfTuples() if laws else 0}
             for name, place, kind, components, use in self.rows:
                 data = body.GetPointData() if place == "Points" else body.GetFieldData()

@@ -61,6 +61,7 @@ public:
   {
     return this->Chains.near(triangle) != nullptr;
   }
+  void prefetch(std::int32_t triangle) const noexcept { this->Chains.prefetch(triangle); }
   /// Of a contact `depth` under the plane whose normal is `normal`. All local.
   EdgeEffect at(
     const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept;

@@ -3,6 +3,7 @@
 #define palpate_EdgeChains_h
 
 #include "Contact/PackedMesh.h"
+#include "Contact/Prefetch.h"
 
 #include <array>
 #include <cstddef>
@@ -75,6 +76,14 @@ public:
     const std::int32_t place =
       this->NearPlaces.empty() ? None : this->NearPlaces[static_cast<std::size_t>(triangle)];
     return place < 0 ? nullptr : &this->NearLists[static_cast<std::size_t>(place)];
+  }
+  /// Asks for the memory of that ahead of its use.
+  void prefetch(std::int32_t triangle) const noexcept
+  {
+    if (!this->NearPlaces.empty())
+    {
+      prefetchLine(this->NearPlaces.data() + triangle);
+    }
   }
   const Segment& segment(std::int32_t number) const noexcept
   {

@@ -114,7 +114,7 @@ Spline splineOf(const Leaving& tool, double poissonRatio)
 }
 } // namespace
 
-std::string faultOf(const EdgeTerms& terms)
+std::string faultOfEdges(const EdgeTerms& terms)
 {
   const auto isWithin = [](double value, double least, double most)
   { return value >= least && value <= most; };

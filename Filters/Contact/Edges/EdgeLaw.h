@@ -30,7 +30,7 @@ struct EdgeTerms
 };
 
 /// What is wrong with them, naming it and the number; "" for what can be felt, or for none.
-PALPATE_EXPORT std::string faultOf(const EdgeTerms& terms);
+PALPATE_EXPORT std::string faultOfEdges(const EdgeTerms& terms);
 
 /// Of a tool down to a depth (mm) that it can be pressed, on a body of Poisson's ratio ν: m and the
 /// contact radius are those of a half-space at that depth.

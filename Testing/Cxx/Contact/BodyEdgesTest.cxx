@@ -22,34 +22,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// The tool of SampleResponses, F = 10 δ^1.5: a sphere of 5 mm, a₀ = √(5 δ).
-EdgeTerms sphereTerms()
-{
-  EdgeTerms terms;
-  terms.exponent = 1.5;
-  terms.radius = std::sqrt(5.0);
-  terms.poissonRatio = 0.45;
-  return terms;
-}
-
-std::unique_ptr<ContactBody> bodyWithEdges(
-  const Surface& surface, ResponseStore& store, const EdgeTerms& terms = sphereTerms())
-{
-  takeMeshNormals(store, surface);
-  ResponseArrays arrays = store.arrays();
-  arrays.edges = terms;
-  return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
-    surface.triangles.front().data(), surface.triangles.size(), arrays);
-}
-
-std::unique_ptr<ContactBody> bodyWithEdges(
-  const Surface& surface, const EdgeTerms& terms = sphereTerms())
-{
-  ResponseStore store(surface.points.size());
-  return bodyWithEdges(surface, store, terms);
-}
-
-/// From there, 5 mm down on the face y = `top` at x, z, then sideways to `x`.
+/// Down on the face y = `top`, far inside, then sideways to `x`.
 Contact pressedBeside(
   const ContactBody& body, const ContactSettings& settings, double top, double x, double depth)
 {
@@ -161,7 +134,7 @@ TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
   const Surface fine = subdivided(coarse, 4);
   for (const Surface* surface : { &coarse, &fine })
   {
-    const auto body = bodyWithEdges(*surface);
+    const auto body = uniformBody(*surface, sphereOverEdges());
     for (const ContactSettings& settings : allSettings())
     {
       for (std::size_t row = 0; row < table.size(); ++row)
@@ -190,7 +163,7 @@ TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
 
 TEST(BodyEdges, LeavesWhereTheBodyLetsGo)
 {
-  const auto body = bodyWithEdges(block(1000.0, 1000.0, 1000.0));
+  const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
   for (const ContactSettings& settings : allSettings())
   {
     const double end = -std::sqrt(2.0) * std::sqrt(5.0);
@@ -223,7 +196,7 @@ TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
       { { 21.0, 8.0, 10.0 }, { 19.1, 8.0, 10.0 }, { 18.9, 15.3, 10.0 } } });
   for (const Place& place : places)
   {
-    const auto body = bodyWithEdges(place.body);
+    const auto body = uniformBody(place.body, sphereOverEdges());
     for (const ContactSettings& settings : allSettings())
     {
       Vector3 gradient;
@@ -252,7 +225,7 @@ TEST(BodyEdges, NeitherJumpsNorGivesEnergyOverAnyAngle)
   // Between two tips 1 µm apart no more than 1 %, down to the contact radius (5 mm here).
   for (const double degrees : { 30.0, 60.0, 90.0, 104.0, 106.0, 150.0 })
   {
-    const auto body = bodyWithEdges(wedge(degrees, 5));
+    const auto body = uniformBody(wedge(degrees, 5), sphereOverEdges());
     for (const double depth : { 0.4, 1.0, 5.0 })
     {
       for (const ContactSettings& settings : allSettings())
@@ -282,8 +255,8 @@ TEST(BodyEdges, OverGroovesAndThroughASlab)
     { 12.1, 12.0, z }, { -12.1, 12.0, z } };
   const std::vector<Vector3> throughSlab = { { 17.3, 4.0, z }, { 17.3, -1.0, z }, { -9.0, -1.0, z },
     { -9.0, 4.0, z }, { 17.3, 4.0, z } };
-  const auto grooved = bodyWithEdges(subdivided(grooveBlock(), 4));
-  const auto slab = bodyWithEdges(subdivided(block(40.0, 3.0, 40.0), 4));
+  const auto grooved = uniformBody(subdivided(grooveBlock(), 4), sphereOverEdges());
+  const auto slab = uniformBody(subdivided(block(40.0, 3.0, 40.0), 4), sphereOverEdges());
   for (const ContactSettings& settings : allSettings())
   {
     for (bool isBack : { false, true })
@@ -314,7 +287,7 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
   for (const int times : { 0, 3 })
   {
     const Surface surface = subdivided(block(20.0, 15.0, 10.0), times);
-    const auto body = bodyWithEdges(surface);
+    const auto body = uniformBody(surface, sphereOverEdges());
     for (int trial = 0; trial < 12; ++trial)
     {
       const auto near = [&]
@@ -353,7 +326,7 @@ TEST(BodyEdges, NothingBeginsInTheDepth)
     prism(outline, { { 0, 1, 4 }, { 0, 4, 5 }, { 0, 5, 7 }, { 5, 6, 7 }, { 1, 3, 4 }, { 1, 2, 3 } },
       40.0),
     3);
-  const auto body = bodyWithEdges(slit);
+  const auto body = uniformBody(slit, sphereOverEdges());
   const std::vector<Vector3> over = { { -8.0, 12.0, 20.0 }, { -8.0, 9.0, 20.0 }, { 8.0, 9.0, 20.0 },
     { 8.0, 12.0, 20.0 }, { 8.0, 9.0, 20.0 }, { 8.0, 12.0, 20.0 } };
   const Lap found = lap(*body, {}, over);
@@ -373,8 +346,10 @@ TEST(BodyEdges, WithoutSharpEdgesEveryBitIsAsBefore)
 {
   const Surface ball = icosphere(10.0, 2);
   ResponseStore store(ball.points.size());
-  const auto with = bodyWithEdges(ball, store);
+  takeMeshNormals(store, ball);
   const auto without = contactBody(ball, store);
+  store.edges = sphereOverEdges();
+  const auto with = contactBody(ball, store);
   for (const ContactSettings& settings : allSettings())
   {
     ToolContact one(*with, settings);
@@ -396,7 +371,7 @@ TEST(BodyEdges, WithoutSharpEdgesEveryBitIsAsBefore)
 
 TEST(BodyEdges, OutOfReachTheForceIsThatOfTheCurve)
 {
-  const auto body = bodyWithEdges(block(1000.0, 1000.0, 1000.0));
+  const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
   ToolContact contact(*body);
   const Contact found = contact.update(Vector3(500.0, 999.0, 500.0));
   EXPECT_NEAR(found.normalForce, 10.0, 1e-5); // float32
@@ -405,7 +380,7 @@ TEST(BodyEdges, OutOfReachTheForceIsThatOfTheCurve)
 
 TEST(BodyEdges, StiffnessIsTheSlopeOfTheForce)
 {
-  const auto body = bodyWithEdges(block(1000.0, 1000.0, 1000.0));
+  const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
   for (const double x : { 3.0, 1.0, 0.2, -0.5, -1.2 })
   {
     constexpr double h = 1e-4;
@@ -419,9 +394,9 @@ TEST(BodyEdges, StiffnessIsTheSlopeOfTheForce)
 
 TEST(BodyEdges, CurvesThatKnowTheEdgeAreAsTheyAreInside)
 {
-  EdgeTerms terms = sphereTerms();
+  EdgeTerms terms = sphereOverEdges();
   terms.isInCurves = true;
-  const auto body = bodyWithEdges(wedge(90.0, 4), terms);
+  const auto body = uniformBody(wedge(90.0, 4), terms);
   const auto plain = uniformBody(wedge(90.0, 4));
   const std::vector<Vector3> over = waysOver(90.0, 1.0).front();
   for (const ContactSettings& settings : allSettings())
@@ -436,9 +411,9 @@ TEST(BodyEdges, CurvesThatKnowTheEdgeAreAsTheyAreInside)
 
 TEST(BodyEdges, OnALayerEdgesReachAsFarAsTheyAreAsked)
 {
-  EdgeTerms terms = sphereTerms();
+  EdgeTerms terms = sphereOverEdges();
   terms.reach = 6.0;
-  const auto body = bodyWithEdges(block(1000.0, 1000.0, 1000.0), terms);
+  const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), terms);
   // At least twice the way that a contact may hang over it: 2 √2 √(5 2).
   const double least = 2.0 * std::sqrt(2.0) * std::sqrt(10.0);
   EXPECT_NEAR(pressedBeside(*body, {}, 1000.0, least + 0.1, 1.0).normalForce, 10.0, 1e-4);
@@ -447,7 +422,7 @@ TEST(BodyEdges, OnALayerEdgesReachAsFarAsTheyAreAsked)
 
 TEST(BodyEdges, FrictionSticksAndSlidesBesideAnEdge)
 {
-  const auto body = bodyWithEdges(wedge(90.0, 4));
+  const auto body = uniformBody(wedge(90.0, 4), sphereOverEdges());
   ContactSettings settings;
   settings.friction.coefficient = 0.3;
   const Lap found = lap(*body, settings, waysOver(90.0, 1.0).front());
@@ -457,7 +432,7 @@ TEST(BodyEdges, FrictionSticksAndSlidesBesideAnEdge)
 
 TEST(BodyEdges, TipsThatAreNoPlaceOrLeap)
 {
-  const auto body = bodyWithEdges(subdivided(block(20.0, 15.0, 10.0), 2));
+  const auto body = uniformBody(subdivided(block(20.0, 15.0, 10.0), 2), sphereOverEdges());
   for (const ContactSettings& settings : allSettings())
   {
     ToolContact contact(*body, settings);

@@ -131,8 +131,8 @@ double varied(const Vector3& d)
   return 1.0 + 0.5 * std::sin(2.0 * d.x() + 0.3) * std::cos(2.0 * d.y()) * std::cos(d.z() - 0.4);
 }
 
-MeshedBody::MeshedBody(
-  const SmoothBody& body, int cuts, const Stiffening& stiffening, MeshNormals normals)
+MeshedBody::MeshedBody(const SmoothBody& body, int cuts, const Stiffening& stiffening,
+  MeshNormals normals, const EdgeTerms& edges)
   : shape(body)
   , factor(stiffening)
   , meanEdge(0.0)
@@ -155,6 +155,7 @@ MeshedBody::MeshedBody(
     }
   }
   ResponseStore store(surface.points.size());
+  store.edges = edges;
   takeMeshNormals(store, surface);
   for (std::size_t p = 0; p < directions.size(); ++p)
   {

@@ -47,7 +47,7 @@ enum class MeshNormals
 struct MeshedBody
 {
   MeshedBody(const SmoothBody& body, int cuts, const Stiffening& stiffening,
-    MeshNormals normals = MeshNormals::Exact);
+    MeshNormals normals = MeshNormals::Exact, const EdgeTerms& edges = {});
 
   const SmoothBody shape;
   const Stiffening factor;

@@ -163,7 +163,7 @@ TEST(EdgeTermsOf, ToolsAreThoseOfTheirContacts)
       const EdgeTerms terms = edgeTermsOf(*tool, deflection, 0.45);
       EXPECT_NEAR(terms.exponent, one.exponent, 1e-9) << one.tool;
       EXPECT_NEAR(terms.radius, one.radiusAtOne, 1e-9) << one.tool;
-      EXPECT_EQ(faultOf(terms), "");
+      EXPECT_EQ(faultOfEdges(terms), "");
     }
   }
 }
@@ -172,7 +172,7 @@ TEST(EdgeTermsFault, NamesWhatIsWrong)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto says = [](const EdgeTerms& terms, const char* word)
-  { return faultOf(terms).find(word) != std::string::npos; };
+  { return faultOfEdges(terms).find(word) != std::string::npos; };
   EXPECT_TRUE(says({ nan, 1.0, 0.4, 0.0, false }, "exponent"));
   EXPECT_TRUE(says({ -1.0, 1.0, 0.4, 0.0, false }, "exponent"));
   EXPECT_TRUE(says({ 1.5, 0.0, 0.4, 0.0, false }, "radius"));

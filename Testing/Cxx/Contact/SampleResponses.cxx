@@ -89,6 +89,7 @@ ResponseArrays ResponseStore::arrays() const
   arrays.normal = this->normal.data();
   arrays.range = this->range.data();
   arrays.status = this->status.data();
+  arrays.edges = this->edges;
   return arrays;
 }
 
@@ -129,9 +130,19 @@ void takeMeshNormals(ResponseStore& store, const Surface& surface)
   }
 }
 
-std::unique_ptr<ContactBody> uniformBody(const Surface& surface)
+EdgeTerms sphereOverEdges()
+{
+  EdgeTerms terms;
+  terms.exponent = 1.5;
+  terms.radius = std::sqrt(5.0);
+  terms.poissonRatio = 0.45;
+  return terms;
+}
+
+std::unique_ptr<ContactBody> uniformBody(const Surface& surface, const EdgeTerms& edges)
 {
   ResponseStore store(surface.points.size());
+  store.edges = edges;
   takeMeshNormals(store, surface);
   return contactBody(surface, store);
 }

@@ -41,12 +41,16 @@ struct ResponseStore
   std::vector<float> normal;
   std::vector<float> range;
   std::vector<std::uint8_t> status;
+  EdgeTerms edges; ///< not felt, unless set
 };
 
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store);
 
+/// How a sphere of 5 mm, which has the law of a ResponseStore, leaves over edges. ν is 0.45.
+EdgeTerms sphereOverEdges();
+
 /// The surface with F = 10 δ^1.5 everywhere, and its own point normals.
-std::unique_ptr<ContactBody> uniformBody(const Surface& surface);
+std::unique_ptr<ContactBody> uniformBody(const Surface& surface, const EdgeTerms& edges = {});
 
 /// The point normals of the surface's mesh, in the store.
 void takeMeshNormals(ResponseStore& store, const Surface& surface);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part e: jumps and loop energy over edges, grooves, slabs and coarse meshes, per force form and
-// surface.
+// surface, edges felt or not.
 #include "ContinuityMeasures.h"
 #include "Parts.h"
 #include "Renderings.h"
@@ -147,19 +147,33 @@ std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
   return path;
 }
 
-void print(const std::string& body, double edge, const ContactSettings& settings, double jump,
-  double expectedJump, double contactJump, double expectedContactJump, double loop, double bare,
-  double controlled)
+/// What happens to a contact at a sharp edge.
+enum class Edges
 {
-  std::printf("\"%s\",%.3g,%s,%s,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", body.c_str(), edge,
-    nameOf(settings.form), settings.surface == ContactSurface::Facets ? "Facets" : "Smooth", jump,
-    expectedJump, contactJump, expectedContactJump, loop, bare, controlled);
+  Dropped,
+  Felt
+};
+constexpr Edges AllEdges[] = { Edges::Dropped, Edges::Felt };
+
+EdgeTerms termsOf(Edges edges)
+{
+  return edges == Edges::Felt ? sphereOverEdges() : EdgeTerms{};
+}
+
+void print(const std::string& body, double edge, const ContactSettings& settings, Edges edges,
+  double jump, double expectedJump, double contactJump, double expectedContactJump, double loop,
+  double bare, double controlled)
+{
+  std::printf("\"%s\",%.3g,%s,%s,%s,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", body.c_str(), edge,
+    nameOf(settings.form), settings.surface == ContactSurface::Facets ? "Facets" : "Smooth",
+    edges == Edges::Felt ? "felt" : "dropped", jump, expectedJump, contactJump, expectedContactJump,
+    loop, bare, controlled);
   std::fflush(stdout);
 }
 
-void sharp(const UnkindBody& unkind, double step)
+void sharp(const UnkindBody& unkind, double step, Edges edges)
 {
-  const std::shared_ptr<const ContactBody> body = uniformBody(unkind.surface);
+  const std::shared_ptr<const ContactBody> body = uniformBody(unkind.surface, termsOf(edges));
   std::vector<Vector3> back = unkind.path;
   std::reverse(back.begin(), back.end());
   for (const ContactSettings& settings : allSettings())
@@ -168,20 +182,22 @@ void sharp(const UnkindBody& unkind, double step)
     const Lap again = lap(*body, settings, back, step);
     const double loop = std::max(there.gain / there.scale, again.gain / again.scale);
     const std::vector<Vector3>& worse = there.gain > again.gain ? unkind.path : back;
-    print(unkind.name, 1.0, settings, std::max(there.jump, again.jump), unkind.forceJump,
+    print(unkind.name, 1.0, settings, edges, std::max(there.jump, again.jump), unkind.forceJump,
       std::max(there.contactJump, again.contactJump), unkind.contactJump, loop,
       generated(body, settings, worse, 1, Control::None),
       generated(body, settings, worse, 1, Control::Passivity));
   }
 }
 
-void coarse(int cuts, bool isVaried, bool isQuick)
+void coarse(int cuts, bool isVaried, bool isQuick, Edges edges)
 {
-  MeshedBody body(smoothSphere(20.0), cuts, isVaried ? varied : uniform);
+  MeshedBody body(
+    smoothSphere(20.0), cuts, isVaried ? varied : uniform, MeshNormals::Exact, termsOf(edges));
   const std::vector<Vector3> path = fromSoftToStiff(body);
   const std::shared_ptr<const ContactBody> contact = std::move(body.contact);
   const int laps = isQuick ? 1 : 5;
-  const MeshedBody measured(smoothSphere(20.0), cuts, isVaried ? varied : uniform);
+  const MeshedBody measured(
+    smoothSphere(20.0), cuts, isVaried ? varied : uniform, MeshNormals::Exact, termsOf(edges));
   for (const ContactSettings& settings : allSettings())
   {
     // δ h/R²; of EnergyConsistent on facets the angle between them, up to h/R.
@@ -189,7 +205,7 @@ void coarse(int cuts, bool isVaried, bool isQuick)
     const double jump = settings.surface == ContactSurface::Smooth
       ? 0.0
       : body.longestEdge / 20.0 * (turns ? 1.0 : UnkindDepth / 20.0);
-    print(isVaried ? "sphere, varied" : "sphere", body.longestEdge, settings,
+    print(isVaried ? "sphere, varied" : "sphere", body.longestEdge, settings, edges,
       forceJump(measured, settings, UnkindDepth, isQuick ? 30.0 : 120.0), jump, 0.0, 0.0,
       loopEnergy(measured, settings, UnkindDepth, isQuick ? 2 : 8),
       isVaried ? generated(contact, settings, path, laps, Control::None) : 0.0,
@@ -200,21 +216,27 @@ void coarse(int cuts, bool isVaried, bool isQuick)
 
 void unkindGeometry(bool isQuick)
 {
-  std::puts("body,edge_mm,form,surface,force_jump,nearest_force_jump,contact_jump_mm,"
+  std::puts("body,edge_mm,form,surface,edges,force_jump,nearest_force_jump,contact_jump_mm,"
             "nearest_contact_jump_mm,loop_gain,generated_mJ,generated_controlled_mJ");
   for (const UnkindBody& body : unkindBodies())
   {
     if (!isQuick || body.name == "edge 90°" || body.name == "slab")
     {
-      sharp(body, isQuick ? 1e-2 : 1e-3);
+      for (const Edges edges : AllEdges)
+      {
+        sharp(body, isQuick ? 1e-2 : 1e-3, edges);
+      }
     }
   }
   for (const int cuts : { 5, 10, 20 })
   {
     if (!isQuick || cuts == 10)
     {
-      coarse(cuts, false, isQuick);
-      coarse(cuts, true, isQuick);
+      for (const Edges edges : AllEdges)
+      {
+        coarse(cuts, false, isQuick, edges);
+        coarse(cuts, true, isQuick, edges);
+      }
     }
   }
 }

@@ -174,9 +174,12 @@ def edges(axes, rows):
     angles = sorted({float(row["body"].split()[1].rstrip("°")) for row in rows if row["body"].startswith("edge")})
     for form, colour in FORMS.items():
         for surface, style in (("Facets", "o-"), ("Smooth", "s--")):
-            mine = [select(rows, body=f"edge {angle:g}°", form=form, surface=surface)[0] for angle in angles]
+            mine = [select(rows, body=f"edge {angle:g}°", form=form, surface=surface, edges="dropped")[0]
+                    for angle in angles]
             axes.plot(angles, column(mine, "force_jump"), style, color=colour, lw=1, ms=4, fillstyle="none",
                       label=f"{surface}, {form}")
+    felt = [max(column(select(rows, body=f"edge {angle:g}°", edges="felt"), "force_jump")) for angle in angles]
+    axes.plot(angles, felt, "k^-", lw=1.5, ms=5, label="edges felt: the largest of all six")
     mine = [select(rows, body=f"edge {angle:g}°")[0] for angle in angles]
     axes.plot(angles, column(mine, "nearest_force_jump"), color=GREY, lw=1, ls=":", label="nearest point, 2 cos(ω/2)")
     axes.set_xticks(angles)
@@ -189,7 +192,7 @@ def edges(axes, rows):
 def meshes(axes, rows):
     for form, colour in FORMS.items():
         for surface, style in (("Facets", "o-"), ("Smooth", "s--")):
-            mine = select(rows, body="sphere, varied", form=form, surface=surface)
+            mine = select(rows, body="sphere, varied", form=form, surface=surface, edges="dropped")
             axes.loglog(column(mine, "edge_mm"), [max(row["loop_gain"], 1e-8) for row in mine], style, color=colour, lw=1,
                         ms=4, fillstyle="none", label=f"{surface}, {form}")
     edges_mm = sorted({row["edge_mm"] for row in rows if row["body"] == "sphere"})

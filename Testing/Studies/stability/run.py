@@ -21,7 +21,7 @@ import verdicts
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PARTS = ("press", "cylinder", "limits", "encoder", "leak", "friction", "geometry", "faults")  # the longest first
-WORDS = {"model", "evaluated", "control", "start", "tool", "body", "form", "surface", "what", "method", "failure"}
+WORDS = {"model", "evaluated", "control", "start", "tool", "body", "form", "surface", "edges", "what", "method", "failure"}
 
 
 def measure(program, part, is_quick):
