@@ -116,6 +116,7 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
   pressed->SetPoissonRatio(scene.poissonsRatio);
   pressed->SetMaximumDeflection(options.maximumDeflection);
   pressed->SetErrorTolerance(scene.terms.errorTolerance);
+  pressed->SetEdgeCorrection(scene.terms.edges);
   pressed->SetSourceSpacing(sizes.sources);
   vtkSmartPointer<vtkPolyData> body = scene.body;
   vtkIdType solutions = 0;

@@ -159,6 +159,23 @@ class ClosedForms(unittest.TestCase):
             # Hertz differs by 4.7 %; the curvature of the mesh by some per cent of that.
             np.testing.assert_allclose(felt.force, 4 / 3 * REDUCED * math.sqrt(radius), rtol=0.005)
 
+    def test_a_contact_leaves_over_a_sharp_edge(self):
+        corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * 200.0
+        faces = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
+                          [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+        way = np.array([[180 + x, 77.7, 199.0] for x in np.linspace(0, 24, 1201)])
+        path = np.vstack([[180, 77.7, 200.1], way])
+        body = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False, edges=True)
+        felt = palpate.probe(body, path, path=True).forces[1:] / (4 / 3 * REDUCED * math.sqrt(5))
+        at_edge = felt[1000]
+        # Hetenyi's quarter space at nu = 0.45: Phi(0) = 0.3547, chi(0) = 0.1482 (Data/Reference/edges).
+        self.assertAlmostEqual(at_edge[2], 0.3547, delta=0.004)
+        self.assertAlmostEqual(at_edge[0] * math.sqrt(5), 0.1482, delta=0.004)
+        self.assertLess(np.abs(np.diff(felt, axis=0)).max(), 0.01)      # ticks of 0.02 mm
+        self.assertEqual(np.abs(felt[-1]).max(), 0)
+        plain = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False)
+        self.assertIsNone(plain.GetFieldData().GetArray("ResponseEdges"))
+
     def test_the_error_is_kept_where_it_has_a_tolerance(self):
         body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3, error_tolerance=0.03)
         data = body.GetPointData()

@@ -104,6 +104,34 @@ TEST(TickAllocation, ToolContact)
   EXPECT_GT(inside, Ticks / 4);
 }
 
+TEST(TickAllocation, OverSharpAndBluntEdges)
+{
+  // A block with one edge cut off: a tip winds around it under its faces, over all its edges.
+  const Surface bevelled =
+    subdivided(prism({ { 0, 0 }, { 10, 0 }, { 10, 7 }, { 7, 10 }, { 0, 10 } },
+                 { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 } }, 10.0),
+      3);
+  const auto body = uniformBody(bevelled, sphereOverEdges());
+  for (const auto surface : { palpate::ContactSurface::Facets, palpate::ContactSurface::Smooth })
+  {
+    ToolContact contact(*body, { palpate::ForceForm::EnergyConsistent, surface });
+    int inside = 0;
+    const long before = allocationCount();
+    for (int tick = 0; tick < Ticks; ++tick)
+    {
+      const double t = 3e-3 * tick;
+      const Vector3d direction(
+        std::cos(t) * std::cos(0.31 * t), std::sin(t) * std::cos(0.31 * t), std::sin(0.31 * t));
+      const double size = direction.cwiseAbs().maxCoeff();
+      const double out = 5.5 - 2.0 * std::abs(std::sin(0.17 * t));
+      inside += contact.update(Vector3d::Constant(5.0) + out / size * direction).normalForce > 0.0;
+      contact.foresee();
+    }
+    EXPECT_EQ(allocationCount(), before);
+    EXPECT_GT(inside, Ticks / 4);
+  }
+}
+
 TEST(TickAllocation, EveryFormSurfaceAndFriction)
 {
   const auto ball = uniformBody(icosphere(20.0, 3));

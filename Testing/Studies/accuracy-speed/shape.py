@@ -6,9 +6,9 @@ import time
 import pictures
 import rows as study
 
-METHODS = {"half-space": "#d55e00", "half-space, body in series": "#e69f00", "true shape, coarse": "#56b4e9",
-           "true shape": "#0072b2"}
-HALF_SPACE, IN_SERIES, COARSE, TRUE = METHODS
+METHODS = {"half-space": "#d55e00", "half-space, edges felt": "#009e73", "half-space, body in series": "#e69f00",
+           "true shape, coarse": "#56b4e9", "true shape": "#0072b2"}
+HALF_SPACE, EDGES_FELT, IN_SERIES, COARSE, TRUE = METHODS
 COLUMNS = ("body", "tool", "case", "method", "depth_mm", "true_force_N", "force_N", "error", "stated_error", "made_s",
            "points", "hot_ns")
 TEXTS = COLUMNS[:4]
@@ -46,6 +46,7 @@ class Response:
                 outside = palpate.vtkBodySurface()
                 outside.SetInputData(mesh)
                 law.SetInputConnection(outside.GetOutputPort())
+                law.SetEdgeCorrection(method == EDGES_FELT)
         law.SetTool(shape_bodies.tool(pressed))
         law.SetYoungsModulus(shape_bodies.YOUNG)
         law.SetPoissonRatio(shape_bodies.POISSON)
@@ -273,7 +274,7 @@ def draw(rows, file):
     figure, panels = pyplot.subplots(1, 3, figsize=(14.5, 5.8), sharey=True)
     for panel, (body, (title, label)) in zip(panels, PANELS.items()):
         for number, (method, colour) in enumerate(METHODS.items()):
-            aside = ASIDE[body] * (number - 1.5)            # what would hide each other stands side by side
+            aside = ASIDE[body] * (number - 2)            # what would hide each other stands side by side
             for mark, line, mine in lines_of(rows, body, method):
                 panel.plot([abscissa(row) + aside for row in mine], [100 * row["error"] for row in mine], color=colour,
                            marker=mark, linestyle=line, linewidth=1.0, markersize=6,
