@@ -50,7 +50,7 @@ struct Header
   std::array<char, 128> tool;                     ///< ends with '\0'
   std::array<char, 128> model;
   std::int64_t modelParts; ///< since format 2
-  /// Since format 3, of EdgeTerms: exponent, 0 if there are none, radius, Poisson's ratio, reach,
+  /// Since format 3, of EdgeTerms: exponent, 0 if there are none, radius, Poisson's ratio, extent,
   /// and 1 if they are in the curves.
   std::array<double, 5> edges;
 };
@@ -170,7 +170,7 @@ Header makeHeader(const FlatBody& body)
   const EdgeTerms& edges = body.response.edges;
   if (edges.areFelt())
   {
-    header.edges = { edges.exponent, edges.radius, edges.poissonRatio, edges.reach,
+    header.edges = { edges.exponent, edges.radius, edges.poissonRatio, edges.extent,
       edges.isInCurves ? 1.0 : 0.0 };
   }
   const auto sizes = sectionSizes(header);

@@ -167,7 +167,7 @@ constexpr std::array<ContractArray, 17> ResponseContract = { {
   PALPATE_ARRAY(Model,       Fields, Text,         One,        Words,      "",     "the model, to be read"),
   PALPATE_ARRAY(ModelParts,  Fields, UnsignedChar, One,        Words,      "",     "sum of ModelPart"),
   PALPATE_ARRAY(Units,       Fields, Text,         One,        Words,      "",     "\"mm,N,MPa\""),
-  PALPATE_ARRAY(Edges,       Fields, Double,       Five,       Edges,      "",     "EdgeTerms: m, contact radius at 1 mm (mm), \u03bd, reach (mm), 1 if in the curves"),
+  PALPATE_ARRAY(Edges,       Fields, Double,       Five,       Edges,      "",     "EdgeTerms: m, contact radius at 1 mm (mm), \u03bd, extent (mm), 1 if in the curves"),
 #undef PALPATE_ARRAY
 } };
 // clang-format on

@@ -260,7 +260,7 @@ bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std
   edges.exponent = array->GetComponent(0, 0);
   edges.radius = array->GetComponent(0, 1);
   edges.poissonRatio = array->GetComponent(0, 2);
-  edges.reach = array->GetComponent(0, 3);
+  edges.extent = array->GetComponent(0, 3);
   edges.isInCurves = array->GetComponent(0, 4) != 0.0;
   error = faultOfEdges(edges);
   if (!error.empty())
@@ -405,7 +405,7 @@ void describeEdges(vtkPolyData* body, const std::string& name, const EdgeTerms& 
   array->SetName(arrayName(name, ResponseArray::Edges).c_str());
   array->SetNumberOfComponents(EdgeComponents);
   const std::array<double, EdgeComponents> values = { edges.exponent, edges.radius,
-    edges.poissonRatio, edges.reach, edges.isInCurves ? 1.0 : 0.0 };
+    edges.poissonRatio, edges.extent, edges.isInCurves ? 1.0 : 0.0 };
   array->InsertNextTuple(values.data());
   body->GetFieldData()->AddArray(array);
 }

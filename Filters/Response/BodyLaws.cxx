@@ -65,14 +65,14 @@ ResponseModel termsOf(const LawTerms& terms)
   return model;
 }
 
-/// How the tool leaves over sharp edges of the body: on a layer as far as the base lets it.
-EdgeTerms edgesOf(const AxisymmetricTool& tool, double deflection, const BodyMaterial& material)
+/// How the tool leaves over sharp edges of a body of a depth (mm), or a layer's.
+EdgeTerms edgesOf(
+  const AxisymmetricTool& tool, double deflection, const BodyMaterial& material, double depth)
 {
   const MaterialRange& range = material.range();
   EdgeTerms edges = edgeTermsOf(tool, deflection, 0.5 * (range.leastRatio + range.mostRatio));
-  constexpr double reachOfLayer = 4.0 / 3.0; // a fade of that length takes as much as e^(-d/h)
-  edges.reach =
-    range.hasLayers() && !range.hasHalfSpace ? reachOfLayer * range.layers.thickest : 0.0;
+  const bool isLayered = range.hasLayers() && !range.hasHalfSpace;
+  edges.extent = isLayered ? std::min(depth, range.layers.thickest) : depth;
   edges.isInCurves = (material.modelParts() & GlobalCompliancePart) != 0;
   return edges;
 }
@@ -162,7 +162,8 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   LawTerms terms = request.terms;
   const std::shared_ptr<const BodyShape> found =
     findShape(body, seam, normals, tool.contactRadius(request.deflection), terms);
-  const SurfaceShape shape{ widthOf(body, ranks),
+  const BodyLengths lengths = lengthsOf(body, ranks);
+  const SurfaceShape shape{ lengths.middle,
     [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
     [&found](std::size_t i) { return found->curvatureAt(i); },
     [&found](std::size_t i) { return found->edgeAt(i); } };
@@ -217,7 +218,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   attachLayers(material, name, output);
   if (terms.edges)
   {
-    describeEdges(output, name, edgesOf(tool, request.deflection, material));
+    describeEdges(output, name, edgesOf(tool, request.deflection, material, lengths.least));
   }
   if (!reason.empty())
   {

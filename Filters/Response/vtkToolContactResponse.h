@@ -185,7 +185,7 @@ public:
    * Whether sharp convex edges are felt: a contact beside one is softer, is pushed off the body,
    * and leaves over it with its force going to nothing, as an elastic body lets it
    * (palpate/BodyEdges.h; Hetényi 1970). The curves stay those far from edges; a field array
-   * `<name>Edges` (double 5: exponent m, contact radius at 1 mm in mm, Poisson's ratio, reach in
+   * `<name>Edges` (double 5: exponent m, contact radius at 1 mm in mm, Poisson's ratio, extent in
    * mm, 1 where the curves know the edges) has the probe, the touch and the servo loop feel them,
    * and the error counts what is left of them. Default off: the force drops where a contact passes
    * an edge.

@@ -43,7 +43,7 @@ std::unique_ptr<ContactBody> makeBody(Place place, bool hasEdges)
   if (hasEdges)
   {
     arrays.edges = sphereOverEdges();
-    arrays.edges.reach = 9.0; // as on a layer of 7 mm; the middle is 20 mm away
+    arrays.edges.extent = 9.0; // as on a layer of 7 mm; the middle is 20 mm away
   }
   return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
     surface.triangles.front().data(), surface.triangles.size(), arrays);

@@ -21,6 +21,11 @@ constexpr double OutsideWithin = 2.75;
 /// and fro.
 constexpr double Nearer = 1.0 - 1e-6;
 constexpr std::size_t MostFaces = 8;
+/// Of the softness of an edge, by its distance over the depth of the body: e^-2.75x, from 1.5 on
+/// nothing. Over the edge without a kink, within a fiftieth of the depth.
+constexpr double Holding = 2.75;
+constexpr double ExtentsAway = 1.5;
+constexpr double RoundedWithin = 0.02;
 
 /// A quantity and its derivative.
 struct Fade
@@ -57,7 +62,8 @@ double contactRadius(const EdgeTerms& terms, double depth) noexcept
 double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcept
 {
   const double least = 2.0 * end * largestRadius;
-  const double usual = terms.reach > 0.0 ? terms.reach : BodyEdges::Reach * largestRadius;
+  const double endless = BodyEdges::Reach * largestRadius;
+  const double usual = terms.extent > 0.0 ? std::min(endless, ExtentsAway * terms.extent) : endless;
   return terms.isInCurves ? least : std::max(least, usual);
 }
 
@@ -167,7 +173,7 @@ private:
       const EdgeChains::Place place = chains.closest(foot, (*near)[k]);
       const EdgeChains::Segment& segment = chains.segment(place.segment);
       const Vector3 toEdge = place.point - this->Tip;
-      if (!(segment.outward.cross(segment.along).dot(toEdge) > 0.0))
+      if (!(segment.normal.dot(toEdge) > 0.0))
       {
         continue; // on the far side of a groove
       }
@@ -297,6 +303,29 @@ EdgeEffect BodyEdges::at(
   return Faces(*this, tip, triangle, normal, depth).effect();
 }
 
+/// What is left of an edge's sharpness at a distance, and by that.
+struct BodyEdges::Softness
+{
+  double part = 1.0;
+  double slope = 0.0;
+};
+
+BodyEdges::Softness BodyEdges::softnessAt(double distance) const noexcept
+{
+  const double d = std::max(0.0, distance);
+  const Fade far = fade(d, this->Chains.reach());
+  const double extent = this->Terms.extent;
+  if (!(extent > 0.0))
+  {
+    return { far.value, far.slope };
+  }
+  const double rounded = d + RoundedWithin * extent;
+  const double held = std::exp(-Holding * d * d / (rounded * extent));
+  const double bySlope =
+    -Holding * d * (rounded + RoundedWithin * extent) / (rounded * rounded * extent);
+  return { far.value * held, held * (far.slope + far.value * bySlope) };
+}
+
 /// The product of what each sharp edge of a face leaves; `foot` is under the tip on its plane.
 BodyEdges::Share BodyEdges::shareOf(
   std::int32_t triangle, const Vector3& foot, const Vector3& normal, double depth) const noexcept
@@ -313,15 +342,18 @@ BodyEdges::Share BodyEdges::shareOf(
     }
     const EdgeChains::Place place = this->Chains.closest(foot, (*near)[k]);
     const EdgeChains::Segment& segment = this->Chains.segment(place.segment);
+    const Softness softness = this->softnessAt(place.distance);
     const double u = place.distance / radius;
-    const EdgeLaw::Value law = this->Law.at(u, blend(segment.sharpness, place.part));
-    const Fade far = fade(std::max(0.0, place.distance), this->Chains.reach());
+    const double sharpness = blend(segment.sharpness, place.part) * softness.part;
+    const EdgeLaw::Value law = this->Law.at(u, sharpness);
     const double one = -u * (m - 1.0) / depth; // du/dδ
     const double two = u * (m - 1.0) * m / (depth * depth);
-    const double share = 1.0 - (1.0 - law.share) * far.value;
-    const double byDepth = far.value * law.slope * one;
-    const double byDepthTwice = far.value * (law.bend * one * one + law.slope * two);
-    const double byDistance = far.value * law.slope / radius - (1.0 - law.share) * far.slope;
+    const double share = law.share;
+    const double byDepth = law.slope * one;
+    const double byDepthTwice = law.bend * one * one + law.slope * two;
+    // Ψ = 1/(1 + s k) with s the sharpness: dΨ/ds = -Ψ (1 - Ψ)/s.
+    const double bySharpness = softness.part > 0.0 ? -share * (1.0 - share) / softness.part : 0.0;
+    const double byDistance = law.slope / radius + bySharpness * softness.slope;
     all.byPlace = all.byPlace * share + all.value * byDistance * within(normal, place.gradient);
     all.byDepthTwice =
       all.byDepthTwice * share + 2.0 * all.byDepth * byDepth + all.value * byDepthTwice;

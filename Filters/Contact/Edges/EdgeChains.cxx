@@ -123,7 +123,8 @@ void EdgeChains::makeSegments(const PackedMesh& mesh, double poissonRatio)
     const Vector3 way = mesh.corner(side.triangle, (side.edge + 1) % 3) - segment.start;
     segment.length = way.norm();
     segment.along = way / segment.length;
-    segment.outward = segment.along.cross(mesh.faceNormal(side.triangle));
+    segment.normal = mesh.faceNormal(side.triangle);
+    segment.outward = segment.along.cross(segment.normal);
     segment.across = side.across;
     const double turn{ side.turn };
     segment.isBlunt = turn < PackedMesh::BluntTurn;
@@ -305,9 +306,8 @@ EdgeChains::Place EdgeChains::closest(
   found.segment = segment;
   found.part = clamped / at.length;
   found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
-  const Vector3 normal = at.outward.cross(at.along);
   Vector3 offset = place - found.point;
-  offset -= normal.dot(offset) * normal; // a curved face leaves the plane of its side
+  offset -= at.normal.dot(offset) * at.normal; // a curved face leaves the plane of its side
   bool isInside = offset.dot(at.outward) <= 0.0;
   if (isBeyond && !goesOn)
   {
@@ -316,7 +316,7 @@ EdgeChains::Place EdgeChains::closest(
   }
   const double length = offset.norm();
   found.distance = isInside ? length : -length;
-  found.gradient = length > 0.0 ? Vector3(offset / found.distance) : Vector3(-at.outward);
+  found.gradient = length > 0.0 ? Vector3(1.0 / found.distance * offset) : Vector3(-at.outward);
   return found;
 }
 

@@ -34,7 +34,8 @@ public:
   {
     Vector3 start;
     Vector3 along;   ///< unit
-    Vector3 outward; ///< unit, in the plane of its triangle; outward x along is its normal
+    Vector3 outward; ///< unit, in the plane of its triangle
+    Vector3 normal;  ///< of that
     double length;
     std::int32_t next = None; ///< of the chain
     std::int32_t previous = None;

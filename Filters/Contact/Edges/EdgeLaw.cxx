@@ -131,9 +131,9 @@ std::string faultOfEdges(const EdgeTerms& terms)
   {
     return joined("Poisson's ratio must lie between 0 and 0.5, but is ", terms.poissonRatio);
   }
-  return isWithin(terms.reach, 0.0, most)
+  return isWithin(terms.extent, 0.0, most)
     ? ""
-    : joined("the reach (mm) must not be negative, but is ", terms.reach);
+    : joined("the extent (mm) must not be negative, but is ", terms.extent);
 }
 
 EdgeTerms edgeTermsOf(const AxisymmetricTool& tool, double deflection, double poissonRatio)

@@ -19,9 +19,9 @@ struct EdgeTerms
   double exponent = 0.0;     ///< m of F ∝ δ^m far inside: 1 flat, 1.5 sphere, 2 cone
   double radius = 0.0;       ///< of the contact at a depth of 1 mm, mm: a₀ = radius δ^(m-1)
   double poissonRatio = 0.5; ///< of the body
-  /// From where on (mm) an edge is not felt, as it fades from half of that: what a layer's base
-  /// holds; 0: Reach contact radii.
-  double reach = 0.0;
+  /// How deep (mm) the body goes until it is held, by a layer's base or its own other side: from
+  /// there an edge is not felt; 0: endless.
+  double extent = 0.0;
   /// The curves know the edge already, as those of finite elements do: only what lies beyond it is
   /// missing.
   bool isInCurves = false;

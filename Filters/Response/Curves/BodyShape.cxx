@@ -204,7 +204,7 @@ std::shared_ptr<const BodyShape> findShape(
   return made;
 }
 
-double widthOf(vtkPolyData* body, const Ranks& ranks)
+BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks)
 {
   std::array<double, 6> bounds{};
   body->GetBounds(bounds.data());
@@ -217,6 +217,6 @@ double widthOf(vtkPolyData* body, const Ranks& ranks)
       ranks.smallest(hasBounds ? bounds[2 * axis] : none);
   }
   std::sort(length.begin(), length.end());
-  return length[1];
+  return { length[0], length[1] };
 }
 } // namespace palpate

@@ -42,9 +42,14 @@ struct BodyShape
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
-/// The middle one of the three lengths of the whole body's box, mm: no circle much wider fits it.
+/// Of the three lengths of the whole body's box, mm.
+struct BodyLengths
+{
+  double least;  ///< how deep it is at most everywhere
+  double middle; ///< no circle much wider fits it
+};
 /// Collective.
-double widthOf(vtkPolyData* body, const Ranks& ranks);
+BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks);
 } // namespace palpate
 
 #endif

@@ -178,5 +178,5 @@ TEST(EdgeTermsFault, NamesWhatIsWrong)
   EXPECT_TRUE(says({ 1.5, 0.0, 0.4, 0.0, false }, "radius"));
   EXPECT_TRUE(says({ 1.5, nan, 0.4, 0.0, false }, "radius"));
   EXPECT_TRUE(says({ 1.5, 1.0, 0.6, 0.0, false }, "Poisson"));
-  EXPECT_TRUE(says({ 1.5, 1.0, 0.4, -1.0, false }, "reach"));
+  EXPECT_TRUE(says({ 1.5, 1.0, 0.4, -1.0, false }, "extent"));
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -182,6 +183,18 @@ TEST(FrictionFrame, OppositeNormalsStartAnew)
     EXPECT_LE((first.cross(second) - normal).norm(), 1e-12);
     EXPECT_EQ(frame.step().displacement() == Vector2::Zero(), !carried);
   }
+}
+
+TEST(StraightStep, DecayIsTheExponential)
+{
+  // 1.5 units in the last place, in the polynomial and beyond it.
+  for (double x = 0.0; x < 2.0; x += 1e-3)
+  {
+    EXPECT_NEAR(palpate::StraightStep::decay(x) / std::exp(-x), 1.0, 3.4e-16) << x;
+  }
+  EXPECT_EQ(palpate::StraightStep::decay(0.0), 1.0);
+  EXPECT_EQ(palpate::StraightStep::decay(1e300), 0.0);
+  EXPECT_TRUE(std::isnan(palpate::StraightStep::decay(std::numeric_limits<double>::quiet_NaN())));
 }
 
 TEST(FrictionFrame, StaysAFrame)

@@ -106,13 +106,13 @@ void checkTerms(vtkPolyData* box)
     PALPATE_CHECK_NEAR(edges->GetComponent(0, 0), each.exponent, 1e-9);
     PALPATE_CHECK_NEAR(edges->GetComponent(0, 1), each.radius, 1e-9);
     PALPATE_CHECK_NEAR(edges->GetComponent(0, 2), 0.45, 1e-12);
-    PALPATE_CHECK(edges->GetComponent(0, 3) == 0.0 && edges->GetComponent(0, 4) == 0.0);
+    PALPATE_CHECK(edges->GetComponent(0, 3) == 2.0 * Half && edges->GetComponent(0, 4) == 0.0);
   }
   const Filter layer = filterOf(box, "sphere:5", 1.0);
   layer->SetLayerThickness(6.0);
   layer->EdgeCorrectionOn();
   layer->Update();
-  PALPATE_CHECK_NEAR(edgesOf(layer->GetOutput())->GetComponent(0, 3), 8.0, 1e-9);
+  PALPATE_CHECK_NEAR(edgesOf(layer->GetOutput())->GetComponent(0, 3), 6.0, 1e-9);
 }
 
 /// Off by default; the curves are the same with it.
@@ -226,7 +226,7 @@ void checkFaults(vtkPolyData* box)
     double value;
     const char* word;
   } faults[] = { { 0, -1.0, "exponent" }, { 1, 0.0, "contact radius" }, { 2, 0.7, "Poisson" },
-    { 3, -1.0, "reach" }, { 0, std::nan(""), "exponent" } };
+    { 3, -1.0, "extent" }, { 0, std::nan(""), "exponent" } };
   for (const auto& each : faults)
   {
     Body broken = Body::New();
