@@ -17,8 +17,9 @@ namespace palpate
 namespace
 {
 constexpr double StackBound = 1.6; // of the layers' mean: holds for all of 30 random forces
-// Of what an edge takes, while it is felt: Hetényi's law is known to 3 %, how far a base holds it to
-// 10 %, and it is a product at a corner; of other angles edgeSharpness is up to 1.4 times too large.
+// Of what an edge takes, while it is felt: Hetényi's law is known to 3 %, how far a base holds it
+// to 10 %, and it is a product at a corner; of other angles edgeSharpness is up to 1.4 times too
+// large.
 constexpr double FeltEdge = 0.2;
 constexpr double FeltWedge = 0.4;
 constexpr double RightAngle = 0.5 * Pi;

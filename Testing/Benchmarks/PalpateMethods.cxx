@@ -37,6 +37,8 @@ double depthFelt(const Contact& contact, const Vector3& sent)
 }
 
 /// Tip in, limited force out.
+/// One that goes on, or a contact begun anew in each call.
+template <bool Onset>
 class PalpateTick
 {
 public:
@@ -49,7 +51,14 @@ public:
     Contact contact;
     Vector3 sent;
   };
-  Vector3 prepare(const Vector3* tips) { return *tips; }
+  Vector3 prepare(const Vector3* tips)
+  {
+    if (Onset)
+    {
+      this->Touch.reset();
+    }
+    return *tips;
+  }
   Answer operator()(const Vector3& tip)
   {
     Answer answer{ this->Touch.update(tip), {} };
@@ -129,7 +138,7 @@ class PalpatePatch
 {
 public:
   explicit PalpatePatch(const ContactBody& body)
-    : Contacts(PatchTips, PalpateTick(body))
+    : Contacts(PatchTips, PalpateTick<false>(body))
   {
   }
   using Input = std::array<Vector3, PatchTips>;
@@ -137,7 +146,7 @@ public:
   struct Answer
   {
     Vector3 force = Vector3::Zero();
-    std::array<PalpateTick::Answer, PatchTips> ticks;
+    std::array<PalpateTick<false>::Answer, PatchTips> ticks;
   };
   Input prepare(const Vector3* tips)
   {
@@ -166,14 +175,14 @@ public:
   }
   void reset()
   {
-    for (PalpateTick& contact : this->Contacts)
+    for (PalpateTick<false>& contact : this->Contacts)
     {
       contact.reset();
     }
   }
 
 private:
-  std::vector<PalpateTick> Contacts;
+  std::vector<PalpateTick<false>> Contacts;
 };
 
 /// The contact point alone, followed or found anew.
@@ -257,7 +266,7 @@ std::unique_ptr<ContactBody> makeCompactBody(
 
 std::unique_ptr<TimedMethod> makePalpateTick(const ContactBody& body)
 {
-  return timed<PalpateTick>(body);
+  return timed<PalpateTick<false>>(body);
 }
 std::unique_ptr<TimedMethod> makePalpateServo(const ContactBody& body)
 {
@@ -274,5 +283,9 @@ std::unique_ptr<TimedMethod> makePalpatePoint(const ContactBody& body)
 std::unique_ptr<TimedMethod> makePalpateOnset(const ContactBody& body)
 {
   return timed<PalpatePoint<true>>(body);
+}
+std::unique_ptr<TimedMethod> makePalpateOnsetTick(const ContactBody& body)
+{
+  return timed<PalpateTick<true>>(body);
 }
 } // namespace palpate::benchmarks

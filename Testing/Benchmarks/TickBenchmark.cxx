@@ -121,6 +121,7 @@ void addPalpate(Field& field, const Surface& surface, const Paths& paths)
   add("palpate-tick", makePalpateTick(*field.body), 1);
   add("palpate-point", makePalpatePoint(*field.body), 1);
   add("palpate-onset-point", makePalpateOnset(*field.body), 1);
+  add("palpate-onset-tick", makePalpateOnsetTick(*field.body), 1);
   add("palpate-tick-servo", makePalpateServo(*field.body), 1);
   add("palpate-tick-50-tips", makePalpatePatch(*field.body), PatchTips);
 }

@@ -87,7 +87,7 @@ void printTargets(const std::vector<TickRow>& rows)
   const auto smaller = [](const TickRow& a, const TickRow& b) { return a.triangles < b.triangles; };
   const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), smaller);
   const TickRow* const tick = findRow(rows, "palpate-tick", most->triangles);
-  const TickRow* const onset = findRow(rows, "palpate-onset-point", most->triangles);
+  const TickRow* const onset = findRow(rows, "palpate-onset-tick", most->triangles);
   const TickRow* const first = findRow(rows, "palpate-tick", least->triangles);
   const TickRow* const mixed = findRow(rows, "palpate-tick-shuffled", most->triangles);
   if (tick == nullptr || onset == nullptr || first == nullptr)

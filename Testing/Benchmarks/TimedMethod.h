@@ -85,6 +85,7 @@ std::unique_ptr<TimedMethod> makePalpatePatch(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpatePoint(const ContactBody& body);
 /// The contact is forgotten before each call.
 std::unique_ptr<TimedMethod> makePalpateOnset(const ContactBody& body);
+std::unique_ptr<TimedMethod> makePalpateOnsetTick(const ContactBody& body);
 
 std::unique_ptr<TimedMethod> makeVtkStaticPoint(const testing::Surface& surface);
 // Null where the library was not found when Palpate was built.

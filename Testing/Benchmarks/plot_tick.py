@@ -21,6 +21,7 @@ STYLE = {
     "palpate-tick": ("Palpate, whole tick", "#d55e00", "o", "-"),
     "palpate-point": ("Palpate, contact point", "#e69f00", "s", "-"),
     "palpate-onset-point": ("Palpate, contact onset", "#cc79a7", "^", "-"),
+    "palpate-onset-tick": ("Palpate, whole tick of an onset", "#aa4499", "h", "-"),
     "palpate-tick-servo": ("Palpate, tick of a servo loop", "#999999", "P", "--"),
     "palpate-tick-1-law": ("Palpate, whole tick, one law", "#332288", "*", "-"),
     "palpate-tick-4-laws": ("Palpate, whole tick, four laws", "#117733", "X", "-"),

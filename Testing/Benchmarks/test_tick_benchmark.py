@@ -14,7 +14,8 @@ import unittest
 from pathlib import Path
 
 HEADER = ["method", "triangles", "cache", "median_ns", "p99_ns", "p999_ns", "max_ns", "build_s", "memory_mb"]
-PALPATE = ["palpate-tick", "palpate-point", "palpate-onset-point", "palpate-tick-servo", "palpate-tick-50-tips",
+PALPATE = ["palpate-tick", "palpate-point", "palpate-onset-point", "palpate-onset-tick",
+           "palpate-tick-servo", "palpate-tick-50-tips",
            "palpate-tick-1-law", "palpate-tick-4-laws", "palpate-tick-shuffled"]
 PROGRAM = sys.argv[1] if len(sys.argv) > 1 else ""
 PEERS = sys.argv[2:]

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace palpate
 {
@@ -74,7 +73,6 @@ Fade partOf(double r) noexcept
   return { r * t * t * (3.0 - 2.0 * t),
     t * t * (3.0 - 2.0 * t) + r * 6.0 * t * (1.0 - t) / LeastPart };
 }
-
 } // namespace
 
 BodyEdges::BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double range)
@@ -215,15 +213,11 @@ private:
 
   void add(const Face& face, bool isClose) noexcept
   {
-    if (!(face.weight > 0.0))
-    {
-      return;
-    }
-    if (!(face.depth > 0.0))
-    {
-      this->IsOutside = this->IsOutside || isClose;
-    }
-    else if (this->Count<MostFaces&& this->ratio(face)> LeastPart)
+    const bool counts = face.weight > 0.0;
+    const bool isUnder = face.depth > 0.0;
+    this->IsOutside = this->IsOutside || (counts && !isUnder && isClose);
+    const bool isFelt = counts && isUnder && this->ratio(face) > LeastPart;
+    if (isFelt && this->Count != MostFaces)
     {
       this->Known[this->Count++] = face;
     }

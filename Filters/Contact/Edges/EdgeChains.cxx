@@ -235,9 +235,16 @@ void EdgeChains::findNear(const PackedMesh& mesh)
     {
       return;
     }
-    const Place place = this->closest(centroid(mesh, triangle), segment, this->Segments.size());
+    const Vector3 middle = centroid(mesh, triangle);
+    const Place place = this->closest(middle, segment, this->Segments.size());
     const double distance = std::abs(place.distance);
-    if (distance <= (this->segment(segment).isBlunt ? this->Limits.blunt : this->Limits.sharp))
+    double size = 0.0; // a large triangle comes nearer than its middle
+    for (int k = 0; k < 3; ++k)
+    {
+      size = std::max(size, (mesh.corner(triangle, k) - middle).norm());
+    }
+    if (distance - size <=
+      (this->segment(segment).isBlunt ? this->Limits.blunt : this->Limits.sharp))
     {
       open.push({ distance, triangle, place.segment });
     }

@@ -317,6 +317,31 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
   }
 }
 
+TEST(BodyEdges, TrianglesMuchLargerThanTheContact)
+{
+  // Two to a face of a metre: at the corner where their diagonal ends both are near both edges.
+  const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
+  for (const double z : { 0.0, 1000.0 })
+  {
+    for (const double x : { 0.0, 1000.0 })
+    {
+      const Vector3 corner(x, 1000.0, z);
+      const Vector3 inward(x > 0.0 ? -1.0 : 1.0, 0.0, z > 0.0 ? -1.0 : 1.0);
+      const auto at = [&](double along, double beside, double depth)
+      {
+        return Vector3(
+          corner.x() + inward.x() * along, corner.y() - depth, corner.z() + inward.z() * beside);
+      };
+      const std::vector<Vector3> across = { at(4.0, 1.0, -0.5), at(4.0, 1.0, 1.0),
+        at(1.0, 4.0, 1.0), at(-5.0, 4.0, 1.0), at(-5.0, 4.0, -0.5) };
+      const Lap found = lap(*body, {}, across);
+      EXPECT_LE(found.jump, 0.01) << found.where.transpose();
+      EXPECT_GT(found.largest, 1.0);
+      EXPECT_EQ(found.last.force, Vector3::Zero());
+    }
+  }
+}
+
 TEST(BodyEdges, NothingBeginsInTheDepth)
 {
   // Let go over the rim of a slit narrower than the contact, the tip is under its other side.
