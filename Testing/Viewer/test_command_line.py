@@ -13,7 +13,7 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
            "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
-           "--no-curvature")
+           "--no-curvature", "--edges")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
            "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance")
