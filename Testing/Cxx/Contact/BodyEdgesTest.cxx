@@ -42,20 +42,6 @@ Contact pressedBeside(
   return found;
 }
 
-std::vector<ContactSettings> allSettings()
-{
-  std::vector<ContactSettings> all;
-  for (const ForceForm form :
-    { ForceForm::Paper, ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
-  {
-    for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
-    {
-      all.push_back({ form, surface, {} });
-    }
-  }
-  return all;
-}
-
 /// Of a tip led along corners in steps of a micrometre, starting and ending outside.
 struct Lap
 {
@@ -135,7 +121,7 @@ TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
   for (const Surface* surface : { &coarse, &fine })
   {
     const auto body = uniformBody(*surface, sphereOverEdges());
-    for (const ContactSettings& settings : allSettings())
+    for (const ContactSettings& settings : allFormsAndSurfaces())
     {
       for (std::size_t row = 0; row < table.size(); ++row)
       {
@@ -164,7 +150,7 @@ TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
 TEST(BodyEdges, LeavesWhereTheBodyLetsGo)
 {
   const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     const double end = -std::sqrt(2.0) * std::sqrt(5.0);
     const Contact just = pressedBeside(*body, settings, 1000.0, end + 0.05, 1.0);
@@ -197,7 +183,7 @@ TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
   for (const Place& place : places)
   {
     const auto body = uniformBody(place.body, sphereOverEdges());
-    for (const ContactSettings& settings : allSettings())
+    for (const ContactSettings& settings : allFormsAndSurfaces())
     {
       Vector3 gradient;
       constexpr double h = 1e-2;
@@ -228,7 +214,7 @@ TEST(BodyEdges, NeitherJumpsNorGivesEnergyOverAnyAngle)
     const auto body = uniformBody(wedge(degrees, 5), sphereOverEdges());
     for (const double depth : { 0.4, 1.0, 5.0 })
     {
-      for (const ContactSettings& settings : allSettings())
+      for (const ContactSettings& settings : allFormsAndSurfaces())
       {
         for (const std::vector<Vector3>& way : waysOver(degrees, depth))
         {
@@ -257,7 +243,7 @@ TEST(BodyEdges, OverGroovesAndThroughASlab)
     { -9.0, 4.0, z }, { 17.3, 4.0, z } };
   const auto grooved = uniformBody(subdivided(grooveBlock(), 4), sphereOverEdges());
   const auto slab = uniformBody(subdivided(block(40.0, 3.0, 40.0), 4), sphereOverEdges());
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     for (bool isBack : { false, true })
     {
@@ -375,7 +361,7 @@ TEST(BodyEdges, WithoutSharpEdgesEveryBitIsAsBefore)
   const auto without = contactBody(ball, store);
   store.edges = sphereOverEdges();
   const auto with = contactBody(ball, store);
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     ToolContact one(*with, settings);
     ToolContact other(*without, settings);
@@ -424,7 +410,7 @@ TEST(BodyEdges, CurvesThatKnowTheEdgeAreAsTheyAreInside)
   const auto body = uniformBody(wedge(90.0, 4), terms);
   const auto plain = uniformBody(wedge(90.0, 4));
   const std::vector<Vector3> over = waysOver(90.0, 1.0).front();
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     EXPECT_LE(lap(*body, settings, over).jump, 0.01);
     EXPECT_LE(lap(*body, settings, over).gain, 1e-6 * lap(*body, settings, over).scale);
@@ -473,7 +459,7 @@ TEST(BodyEdges, FrictionSticksAndSlidesBesideAnEdge)
 TEST(BodyEdges, TipsThatAreNoPlaceOrLeap)
 {
   const auto body = uniformBody(subdivided(block(20.0, 15.0, 10.0), 2), sphereOverEdges());
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     ToolContact contact(*body, settings);
     std::mt19937 random(3);

@@ -10,28 +10,11 @@
 
 namespace palpate::testing
 {
-namespace
-{
-std::vector<ContactSettings> allSettings()
-{
-  std::vector<ContactSettings> all;
-  for (const ForceForm form :
-    { ForceForm::Paper, ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
-  {
-    for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
-    {
-      all.push_back({ form, surface, {} });
-    }
-  }
-  return all;
-}
-} // namespace
-
 TEST(BorderContact, LostAndFading)
 {
   // F = 10 N at 1 mm; beyond the border, l on, (1 - l)² (1 + 2 l) of it, straight up.
   const auto body = uniformBody(openPlate(10.0, 10));
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     ToolContact contact(*body, settings);
     double last = 10.1;
@@ -62,7 +45,7 @@ TEST(BorderContact, OfTheTipsPlaceAlone)
 {
   // In from beside, without having touched before: the same force.
   const auto body = uniformBody(openPlate(10.0, 10));
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     ToolContact out(*body, settings);
     for (const double l : { -0.3, 0.2, 0.5, 0.9, 1.2, 0.7, -0.1 })

@@ -130,6 +130,20 @@ void takeMeshNormals(ResponseStore& store, const Surface& surface)
   }
 }
 
+std::vector<ContactSettings> allFormsAndSurfaces()
+{
+  std::vector<ContactSettings> all;
+  for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
+  {
+    for (const ForceForm form :
+      { ForceForm::Paper, ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
+    {
+      all.push_back({ form, surface, {} });
+    }
+  }
+  return all;
+}
+
 EdgeTerms sphereOverEdges()
 {
   EdgeTerms terms;

@@ -3,6 +3,7 @@
 #define palpate_testing_SampleResponses_h
 
 #include "ContractCurve.h"
+#include "Contact/ContactSettings.h"
 #include "Contact/ResponseField.h"
 #include "SampleBodies.h"
 
@@ -45,6 +46,9 @@ struct ResponseStore
 };
 
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store);
+
+/// Every force form on every surface, without friction.
+std::vector<ContactSettings> allFormsAndSurfaces();
 
 /// How a sphere of 5 mm, which has the law of a ResponseStore, leaves over edges. ν is 0.45.
 EdgeTerms sphereOverEdges();

@@ -31,23 +31,6 @@ const char* nameOf(ForceForm form)
   }
 }
 
-std::vector<ContactSettings> allSettings()
-{
-  std::vector<ContactSettings> all;
-  for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
-  {
-    for (const ForceForm form :
-      { ForceForm::Paper, ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
-    {
-      ContactSettings settings;
-      settings.form = form;
-      settings.surface = surface;
-      all.push_back(settings);
-    }
-  }
-  return all;
-}
-
 /// Of a tip led once along a closed path in steps of `step` mm.
 struct Lap
 {
@@ -176,7 +159,7 @@ void sharp(const UnkindBody& unkind, double step, Edges edges)
   const std::shared_ptr<const ContactBody> body = uniformBody(unkind.surface, termsOf(edges));
   std::vector<Vector3> back = unkind.path;
   std::reverse(back.begin(), back.end());
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     const Lap there = lap(*body, settings, unkind.path, step);
     const Lap again = lap(*body, settings, back, step);
@@ -198,7 +181,7 @@ void coarse(int cuts, bool isVaried, bool isQuick, Edges edges)
   const int laps = isQuick ? 1 : 5;
   const MeshedBody measured(
     smoothSphere(20.0), cuts, isVaried ? varied : uniform, MeshNormals::Exact, termsOf(edges));
-  for (const ContactSettings& settings : allSettings())
+  for (const ContactSettings& settings : allFormsAndSurfaces())
   {
     // δ h/R²; of EnergyConsistent on facets the angle between them, up to h/R.
     const bool turns = settings.form == ForceForm::EnergyConsistent;
