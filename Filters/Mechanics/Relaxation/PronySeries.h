@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PronySeries_h
+#define palpate_PronySeries_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace palpate
+{
+/**
+ * How a material relaxes (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i), Poisson's ratio
+ * constant. p_i is relative to the slow modulus E_∞: a share g_i of the instantaneous modulus, as
+ * literature has it, is p_i = g_i/(1 - Σ g).
+ */
+struct PronySeries
+{
+  static constexpr std::size_t LargestCount = 4;
+
+  std::size_t count = 0;
+  std::array<double, LargestCount> strength{}; ///< p_i >= 0
+  std::array<double, LargestCount> time{};     ///< τ_i, s, > 0
+
+  bool relaxes() const noexcept { return this->total() > 0.0; }
+  /// P = Σ p_i: the instantaneous modulus is 1 + P times the slow one.
+  double total() const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < this->count; ++i)
+    {
+      sum += this->strength[i];
+    }
+    return sum;
+  }
+  void add(double branchStrength, double seconds) noexcept
+  {
+    this->strength[this->count] = branchStrength;
+    this->time[this->count] = seconds;
+    ++this->count;
+  }
+};
+
+/// What is wrong with it, naming the branch and the number; "" if nothing is. No branch at all is
+/// in order.
+PALPATE_EXPORT std::string faultOf(const PronySeries& series);
+
+/// ψ(t), t >= 0 in s.
+PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
+
+/// Force over slow force at the end of a press at constant speed that took so long, of a slow curve
+/// f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1; -t/τ_i), M Kummer's function ₁F₁. A modulus
+/// measured in such a press is the slow one times this.
+PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
+
+/// A servo loop of this period feels a spring of slow stiffness K as passive as an elastic one of
+/// K times this (Colgate and Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i).
+PALPATE_EXPORT double sampledStiffening(const PronySeries& series, double period);
+
+/// Reads "0.5:0.1,0.3:2", strength:seconds of each branch; "" is none. Returns what is wrong, or
+/// ""; then `series` has changed.
+PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);
+/// The same written, so that it reads back to the same bits.
+PALPATE_EXPORT std::string textOf(const PronySeries& series);
+} // namespace palpate
+
+#endif
