@@ -5,6 +5,7 @@
 #include "Contact/Edges/EdgeLaw.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
+#include "Contact/Relaxation/RelaxationTerms.h"
 #include "Contact/Prefetch.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseContract.h"
@@ -37,6 +38,7 @@ struct ResponseArrays
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
   EdgeTerms edges; ///< of all points; how the tool leaves over sharp edges, if they are felt
+  RelaxationTerms relaxation; ///< how the body relaxes, if it does
 
   /// δ_max of all points, mm; 0 without a response.
   double longestRange() const noexcept
