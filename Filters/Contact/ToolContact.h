@@ -41,6 +41,7 @@ public:
   }
 
   Contact update(const Vector3& tip) noexcept;
+  Contact update(const Vector3& tip, double) noexcept { return this->update(tip); }
   void reset() noexcept;
 
   /// Asks for the memory which the next update reads if the tip moves on as it did: for when the

@@ -15,7 +15,7 @@ using namespace palpate::testing;
 namespace
 {
 constexpr std::size_t HeaderSize = 408;
-constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyFile.cxx
+constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyHeader.h
 constexpr std::size_t ChecksumAt = 24;
 constexpr std::size_t CountsAt = 32;
 constexpr std::size_t OffsetsAt = 64;
