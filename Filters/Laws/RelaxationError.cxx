@@ -34,11 +34,12 @@ double errorAt(std::size_t column, double exponent)
   return a.error[column] + part * (b.error[column] - a.error[column]);
 }
 
+/// In two digits, or whole.
 std::string percent(double share)
 {
   std::ostringstream words;
-  words.precision(2);
-  words << 100.0 * share << " %";
+  words.precision(share < 0.995 ? 2 : 9);
+  words << (share < 0.995 ? 100.0 * share : std::round(100.0 * share)) << " %";
   return words.str();
 }
 } // namespace

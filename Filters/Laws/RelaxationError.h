@@ -11,15 +11,13 @@
 namespace palpate
 {
 /**
- * How far off the force of a body that relaxes may be, relative to the largest of the press, with
+ * How far off the force of a body that relaxes may be, relative to the largest of the motion, with
  * so many elements (0: the quasi-linear law) and a tool of F ∝ δ^m. The worst of ramps, holds,
  * triangles, sines, stop-and-go and presses at random down to the curve's last sample, of materials
- * with Σ p from 1 to 4, at 1 kHz, against 400 and more elements and Ting's solution
- * (Data/Reference/rate/tick_variants.csv). Not less for smaller Σ p, for which the table does not
- * speak, but never more than Σ p itself has. Between the table's m (1, 1.5, 2) linear, beyond it as
- * it goes on; between its numbers of elements (4, 8, 16) by a power, beyond 16 as from 8 to 16.
- * Presses a tenth as deep meet few of the elements: up to four times as much of their own largest
- * force with 16, ten times with 4.
+ * with Σ p from 1 to 4, at 1 kHz (Data/Reference/rate/tick_variants.csv). Not less for smaller Σ p,
+ * of which the table does not speak. Between its m (1, 1.5, 2) linear, above on as it goes; between
+ * its numbers of elements (4, 8, 16) by a power, above as from 8 to 16. Presses a tenth as deep
+ * meet few of the elements: up to four times as much of their own largest force with 16.
  *
  * The array Error of a response is that of its slow curve; this comes on top.
  */
