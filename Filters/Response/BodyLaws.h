@@ -9,11 +9,11 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Laws/BodyMaterial.h"              // For palpate::BodyMaterial
-#include "Laws/LawTerms.h"                  // For palpate::LawTerms
-#include "Response/Curves/BodyRelaxation.h" // For palpate::RelaxationRequest
-#include "Response/Curves/MaterialArrays.h" // For palpate::MaterialArrays
-#include "Response/Pieces/Ranks.h"          // For palpate::Ranks
+#include "Laws/BodyMaterial.h"                 // For palpate::BodyMaterial
+#include "Laws/LawTerms.h"                     // For palpate::LawTerms
+#include "Response/Curves/RelaxationRequest.h" // For palpate::RelaxationRequest
+#include "Response/Curves/MaterialArrays.h"    // For palpate::MaterialArrays
+#include "Response/Pieces/Ranks.h"             // For palpate::Ranks
 
 #include <functional> // For std::function
 #include <string>     // For std::string

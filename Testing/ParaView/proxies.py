@@ -201,6 +201,22 @@ def check_stack():
     assert np.allclose(*forces, rtol=1e-6), forces
 
 
+def check_relaxation():
+    """The table of relaxations reaches the filter, a relaxation by name takes its place."""
+    response = simple.ToolContactResponse(Input=simple.Triangulate(Input=simple.Plane()))
+    response.Relaxations = [0.5, 0.1, 0.3, 2]
+    expected = {"Custom": [0.5, 0.3], "Skin of a mouse": [2.57], "Soft tissue of a limb": [0.15],
+                "Rubber of the paper (assumed)": [0.05, 0.05]}
+    for name in (*expected, "Custom"):
+        response.Relaxation = name
+        response.UpdatePipeline()
+        body = servermanager.Fetch(response)
+        assert list(palpate.contract.relaxation(body)["strength"]) == expected[name], name
+    response.Relaxations = []
+    response.UpdatePipeline()
+    assert palpate.contract.relaxation(servermanager.Fetch(response)) is None
+
+
 def with_response(body):
     response = simple.ToolContactResponse(Input=body)
     response.Tool.Shape = "Paraboloid"                      # whose law the samples store exactly
@@ -475,6 +491,8 @@ check_friction()
 check_plane()
 check_tool()
 check_layer()
+check_stack()
+check_relaxation()
 check_compliance()
 check_true_shape()
 check_nodules()

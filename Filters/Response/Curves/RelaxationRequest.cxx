@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Curves/BodyRelaxation.h"
+#include "Response/Curves/RelaxationRequest.h"
 
 #include "Mechanics/JoinedText.h"
 #include "Response/Curves/RelaxationConversion.h"

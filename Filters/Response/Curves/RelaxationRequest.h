@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef BodyRelaxation_h
-#define BodyRelaxation_h
+#ifndef RelaxationRequest_h
+#define RelaxationRequest_h
 
 #include "palpateResponseModule.h"
 
