@@ -110,7 +110,7 @@ class ClosedForms(unittest.TestCase):
         body = palpate.response(plate(), tool=tool, young=YOUNG, poisson=POISSON, **options)
         tips = np.stack([0.3 + 0 * self.DEPTHS, 0.7 + 0 * self.DEPTHS, -self.DEPTHS], axis=1)
         forces, deflection, *rest = palpate.probe(body, tips)
-        self.assertEqual(len(rest), 7)
+        self.assertEqual(len(rest), 8)
         np.testing.assert_allclose(deflection, self.DEPTHS, rtol=1e-15)
         self.assertEqual(np.abs(forces[:, :2]).max(), 0.0)
         return forces[:, 2]
@@ -188,6 +188,15 @@ class ClosedForms(unittest.TestCase):
             felt = palpate.probe(body, tips, path=path)
             np.testing.assert_array_equal(felt.memory, 0)
             np.testing.assert_array_equal(felt.forces, palpate.probe(still, tips, path=path).forces)
+        # A flat end pressed at a speed (Lee and Radok 1960); steps of a hundredth of the time.
+        flat = palpate.response(plate(), tool="flat:2", relax=[(0.5, 0.1)])
+        time = np.arange(0, 0.2505, 0.001)
+        path = np.column_stack([np.full(time.size, 0.3), np.full(time.size, 0.7), -time])
+        felt = palpate.probe(flat, path, path=True, time=time)
+        slow = felt.normal_force - felt.memory
+        ramp = 0.5 * 0.1 / time[1:] * (1 - np.exp(-time[1:] / 0.1))
+        np.testing.assert_allclose(felt.memory[1:] / slow[1:], ramp, atol=1e-4)
+        np.testing.assert_allclose(slow, palpate.probe(flat, path, path=True).normal_force, atol=1e-12)
         local = np.linspace(0, 1, body.GetNumberOfPoints())
         body = palpate.response(plate(), relax=[(local, 0.1), (0.25, 2)], compliance=0.5, compliance_relaxes=False)
         read = palpate.contract.relaxation(body)
@@ -446,7 +455,7 @@ class Memory(unittest.TestCase):
             self.assertEqual(address(vtk_to_numpy(body.GetPointData().GetArray("YoungsModulus"))), address(young))
 
     def test_results_are_read_where_the_filter_wrote_them(self):
-        felt = palpate.probe(palpate.response(plate()), scattered(10))
+        felt = palpate.probe(palpate.response(plate(), relax=[(0.5, 0.1)]), scattered(10))
         for array in felt:
             self.assertFalse(array.flags.owndata)
 
@@ -557,7 +566,7 @@ class Probing(unittest.TestCase):
         body = palpate.response(plate())
         felt = palpate.probe(body, np.zeros((0, 3)))
         self.assertEqual([array.shape for array in felt],
-                         [(0, 3), (0,), (0,), (0, 3), (0, 3), (0, 3), (0,), (0,), (0,)])
+                         [(0, 3), (0,), (0,), (0, 3), (0, 3), (0, 3), (0,), (0,), (0,), (0,)])
         outside = palpate.probe(body, [0.3, 0.7, 2.0])
         self.assertEqual(outside.contact_cell.tolist(), [-1])
         self.assertEqual(outside.contact_state.tolist(), [0])

@@ -224,7 +224,7 @@ void checkChoice(vtkPolyData* body)
   choice->Update();
   const double last = 0.25 + 0.125 * static_cast<double>(2 * body->GetNumberOfPoints() - 1);
   char words[40];
-  std::snprintf(words, sizeof words, "%.0f %%", 100.0 * (2.0 * last - 0.125));
+  std::snprintf(words, sizeof words, "%ld %%", std::lround(100.0 * (2.0 * last - 0.125)));
   PALPATE_CHECK_TEXT(choice->GetReason(), words);
   // Without relaxation nothing is said.
   const Filter plain = filterOf(body, "sphere:5", 1.0);
