@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
+#include <numeric>
 
 namespace palpate
 {
@@ -146,6 +148,57 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Share of the force that is lost between two readings, between which the depth rests.
+double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
+{
+  constexpr std::size_t fewest = 5;
+  const std::size_t count = last - first + 1;
+  if (last < first + fewest)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto mean = [&](std::size_t from, std::size_t n)
+  {
+    const auto begin = curve.force.begin() + static_cast<std::ptrdiff_t>(from);
+    return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(n), 0.0) /
+      static_cast<double>(n);
+  };
+  const std::size_t start = 1 + count / 50;
+  const std::size_t end = 1 + count / 10;
+  const double before = mean(first, start);
+  return before > 0.0 ? 1.0 - mean(last + 1 - end, end) / before
+                      : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The largest loss of the holds that follow a loading, and where all segments turn.
+void judgeHolds(
+  const MeasuredCurve& curve, const std::vector<Segment>& segments, PreparedCurve& prepared)
+{
+  for (std::size_t s = 0; s < segments.size(); ++s)
+  {
+    prepared.turns.push_back(segments[s].first);
+    prepared.turns.push_back(segments[s].last);
+    if (segments[s].phase != CurvePhase::Loading)
+    {
+      continue;
+    }
+    // Recorded as one, or what lies between the branches.
+    const bool isNext = s + 1 < segments.size();
+    const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
+    const std::size_t end = isHeld ? segments[s + 1].last
+      : isNext                     ? segments[s + 1].first
+                                   : curve.force.size() - 1;
+    const double loss = lossOf(curve, segments[s].last, end);
+    if (!(std::abs(loss) <= std::abs(prepared.holdLoss)) && !std::isnan(loss))
+    {
+      prepared.holdLoss = loss;
+    }
+  }
+  std::sort(prepared.turns.begin(), prepared.turns.end());
+  prepared.turns.erase(
+    std::unique(prepared.turns.begin(), prepared.turns.end()), prepared.turns.end());
+}
+
 LoadingBranch copyBranch(const MeasuredCurve& curve, const Segment& loading)
 {
   LoadingBranch branch;
@@ -208,6 +261,8 @@ std::string prepareCurve(
   const std::vector<Segment> segments =
     recorded ? recordedSegments(curve.phase) : foundSegments(curve.deflection, range);
 
+  judgeHolds(curve, segments, prepared);
+
   std::vector<Segment> loadings;
   for (const Segment& segment : segments)
   {
@@ -240,5 +295,14 @@ std::string prepareCurve(
     return exceeds("the effect of speed", std::abs(prepared.rateEffect), limits.rateEffect);
   }
   return {};
+}
+
+bool relaxes(const PreparedCurve& prepared, const ElasticityLimits& limits)
+{
+  const bool contrary =
+    prepared.hysteresis < -limits.hysteresis || prepared.rateEffect < -limits.rateEffect;
+  return !contrary &&
+    (prepared.hysteresis > limits.hysteresis || prepared.rateEffect > limits.rateEffect ||
+      prepared.holdLoss > limits.rateEffect);
 }
 } // namespace palpate
