@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace palpate
 {
@@ -21,9 +22,16 @@ using Eigen::VectorXd;
 
 constexpr double BranchRatio = 9.210;  // χ² with two degrees of freedom, 1 %
 constexpr double LeastTimeRatio = 1.5; // of neighbours: closer ones are one
-constexpr double CoarseStep = 1e-4;
-constexpr double FineStep = 1e-7; // of a parameter: far below what noise leaves open
 constexpr std::size_t CoarseBlocks = 1;
+
+/// How far a minimum is followed: to steps that are so small, relative, or so many.
+struct Ending
+{
+  double tolerance;
+  int evaluations;
+};
+constexpr Ending Coarse{ 1e-4, 30 }; // too many branches creep forever
+constexpr Ending Fine{ 1e-7, 200 };  // far below what noise leaves open
 
 /// Where fits begin: the elastic body of the loads, and one that is nearly local.
 std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histories,
@@ -109,7 +117,7 @@ bool areApart(const PronySeries& series)
 
 /// Follows a start to its end; a sum of squares of +inf where there is none.
 RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const RelaxationProblem& problem,
-  const RelaxingBody& start, double tolerance)
+  const RelaxingBody& start, Ending ending)
 {
   RelaxationResiduals residuals(histories, problem);
   RelaxationFit fit;
@@ -123,7 +131,7 @@ RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const Relaxati
   {
     return fit;
   }
-  const Minimum minimum = minimize(residuals, p, tolerance);
+  const Minimum minimum = minimize(residuals, p, ending.tolerance, ending.evaluations);
   if (!p.allFinite())
   {
     return fit;
@@ -155,8 +163,11 @@ RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const Relaxati
   const Index first = residuals.firstStrength();
   fit.errorPerNoise.segment(materials, first - materials) *= residuals.depth();
   const auto branches = static_cast<Index>(problem.branches);
-  sortBranches(fit.series, fit.errorPerNoise.segment(first, branches),
-    fit.errorPerNoise.tail(branches));
+  if (branches > 0)
+  {
+    sortBranches(fit.series, fit.errorPerNoise.segment(first, branches),
+      fit.errorPerNoise.tail(branches));
+  }
   return fit;
 }
 } // namespace
@@ -202,7 +213,7 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
       start.body.compliance *= 1.0 + 0.5 * given.total();
     }
     problem.branches = spectrum.time.size();
-    RelaxationFit fit = fitFrom(histories, problem, start, CoarseStep);
+    RelaxationFit fit = fitFrom(histories, problem, start, Coarse);
     if (fit.sumOfSquares < best.sumOfSquares)
     {
       best = std::move(fit);
@@ -212,34 +223,33 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
   {
     return best;
   }
-  problem.blocks = RelaxationProblem().blocks;
-  RelaxingBody about{ best.body, best.series, best.contactOffset };
-  if (given.count > 0)
+  const RelaxingBody about{ best.body, best.series, best.contactOffset };
+  best.score = score(best);
+  if (given.count == 0)
   {
-    best = fitFrom(histories, problem, about, FineStep);
-    best.score = score(best);
-    return best;
-  }
-  const RelaxationSpectrum spectrum = spectrumAt(about);
-  RelaxationFit chosen;
-  chosen.sumOfSquares = std::numeric_limits<double>::infinity();
-  chosen.score = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k <= std::min(spectrum.time.size(), PronySeries::LargestCount); ++k)
-  {
-    problem.branches = k;
-    const bool isKnown = k == best.series.count; // from the coarse fit
-    RelaxationFit fit = fitFrom(histories, problem,
-      isKnown ? about : withSpectrum(about, spectrum.merged(k)), FineStep);
-    fit.score = score(fit);
-    const bool counts = fit.converged && fit.separation >= FitLimits::Inseparable &&
-      (k == 1 || areApart(fit.series));
-    if (k > 1 && !(counts && fit.score < chosen.score))
+    // How many branches: each that is added has to be worth it.
+    const RelaxationSpectrum spectrum = spectrumAt(about);
+    std::optional<RelaxationFit> chosen;
+    for (std::size_t k = 1; k <= std::min(spectrum.time.size(), PronySeries::LargestCount); ++k)
     {
-      break;
+      problem.branches = k;
+      RelaxationFit fit = k == best.series.count
+        ? best
+        : fitFrom(histories, problem, withSpectrum(about, spectrum.merged(k)), Coarse);
+      fit.score = score(fit);
+      if (chosen && !(fit.score < chosen->score && areApart(fit.series)))
+      {
+        break;
+      }
+      chosen = std::move(fit);
     }
-    chosen = std::move(fit);
+    best = chosen ? *chosen : best;
+    problem.branches = best.series.count;
   }
-  return chosen;
+  problem.blocks = RelaxationProblem().blocks;
+  best = fitFrom(histories, problem, { best.body, best.series, best.contactOffset }, Fine);
+  best.score = score(best);
+  return best;
 }
 
 double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,

@@ -158,30 +158,28 @@ private:
   std::string checkDetermined(double noise) const
   {
     const RelaxationFit& fit = *this->Fit;
+    const double longest = windowOf(this->Used, fit.contactOffset).longest;
+    const bool goesOn = !this->isGiven() && fit.series.count > 0 &&
+      fit.series.time[fit.series.count - 1] > 0.3 * longest;
+    const std::string advice = goesOn
+      ? ": the force has not come to rest after " + seconds(longest) + "; hold longer"
+      : std::string();
+    const std::string what = std::string("a relaxing ") + nameOf(fit.body.model);
     if (!fit.converged)
     {
-      return std::string("the fit of a relaxing ") + nameOf(fit.body.model) + " does not converge";
+      return "the fit of " + what + " does not converge" + advice;
     }
-    const double longest = windowOf(this->Used, fit.contactOffset).longest;
-    const std::string advice = this->isGiven()
-      ? std::string()
-      : ": the force has not come to rest after " + seconds(longest) + "; hold longer";
     if (fit.separation < FitLimits::Inseparable)
     {
       return this->isFlatOnly() && fit.body.model != BodyModel::HalfSpace
         ? std::string(FlatAlone)
-        : std::string("the curves do not tell the parameters of a relaxing ") +
-          nameOf(fit.body.model) + " apart" + advice;
+        : "the curves do not tell the parameters of " + what + " apart" + advice;
     }
-    const double error =
-      studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+    const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
     if (!(error <= this->Options.largestUncertainty))
     {
-      const bool goesOn =
-        fit.series.count > 0 && fit.series.time[fit.series.count - 1] > 0.3 * longest;
       return "the slow E* is known to " + shortly(100.0 * error) + " % only, where " +
-        shortly(100.0 * this->Options.largestUncertainty) + " % are asked for" +
-        (goesOn ? advice : std::string());
+        shortly(100.0 * this->Options.largestUncertainty) + " % are asked for" + advice;
     }
     return {};
   }
@@ -300,7 +298,7 @@ private:
       if (time.value > result.longestTime)
       {
         text += "; that of " + seconds(time.value) + " (" + seconds(time.lower) + " to " +
-          seconds(time.upper) + ") goes on beyond it, and E* is the slow end of a guess";
+          seconds(time.upper) + ") goes on beyond it, and E* hangs on a guess of its end";
       }
       else if (time.value < result.shortestTime)
       {
