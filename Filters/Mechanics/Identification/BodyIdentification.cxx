@@ -290,7 +290,8 @@ void BodyIdentification::report(const std::vector<IndentationCurve>& curves, boo
     : studentQuantile(fit.degreesOfFreedom) * std::max(result.misfit, floor);
   result.body = fit.body;
   result.spread = width * fit.spreadPerNoise;
-  result.reducedModulus = logarithmicEstimate(fit.body.reducedModulus, width * fit.errorPerNoise[0]);
+  result.reducedModulus =
+    logarithmicEstimate(fit.body.reducedModulus, width * fit.errorPerNoise[0]);
   Eigen::Index next = 1;
   if (fit.body.model == BodyModel::GlobalCompliance)
   {

@@ -45,8 +45,8 @@ struct IdentifiedBody
   std::vector<Estimate> contactOffset; ///< mm, of each curve
   /// How it relaxes, of which the numbers above are the slow end; no branch: an elastic body.
   PronySeries relaxation;
-  std::vector<Estimate> relaxationStrength; ///< p_i
-  std::vector<Estimate> relaxationTime;     ///< τ_i, s
+  std::vector<Estimate> relaxationStrength;                       ///< p_i
+  std::vector<Estimate> relaxationTime;                           ///< τ_i, s
   double shortestTime = std::numeric_limits<double>::quiet_NaN(); ///< that the test can tell, s
   double longestTime = std::numeric_limits<double>::quiet_NaN();  ///< likewise
   std::string remark; ///< what the test cannot tell of a body that relaxes

@@ -34,7 +34,8 @@ struct PreparedCurve
   /// Share of its force that a hold at the end of a loading loses: the largest one; NaN where
   /// nothing was held.
   double holdLoss = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::size_t> turns; ///< readings at which a branch or a hold begins or ends, ascending
+  std::vector<std::size_t>
+    turns; ///< readings at which a branch or a hold begins or ends, ascending
 };
 
 /// How far from elastic a curve may be, to be taken for elastic.

@@ -15,7 +15,7 @@ constexpr double DepthShare = 0.005;      // of the range, within which readings
 constexpr double TimeShare = 0.03;        // of the time since the last turn, likewise
 constexpr double StepShare = 0.02;        // of the range: farther points get others between them
 constexpr double RampShare = 1.0 / 15.0;  // of a press: what is faster is not told
-constexpr double LittleShare = 0.02;        // of the depth: a smaller step back is noise
+constexpr double LittleShare = 0.02;      // of the depth: a smaller step back is noise
 
 /// The loads of a curve, by depth.
 IndentationCurve loadingOf(const AxisymmetricTool& tool, const PreparedCurve& prepared)
@@ -102,8 +102,8 @@ PressHistory makeHistory(
   const double range = *high - *low;
   std::vector<std::size_t> starts(curve.time.size() + 1);
   std::iota(starts.begin(), starts.end(), std::size_t{ 0 });
-  for (double slack = 1.0; starts.size() > 2 * ManyReadings ||
-       (slack == 1.0 && starts.size() > ManyReadings + 1);
+  for (double slack = 1.0;
+       starts.size() > 2 * ManyReadings || (slack == 1.0 && starts.size() > ManyReadings + 1);
        slack *= 1.5)
   {
     starts = groupsOf(curve, prepared.turns, range, slack);
@@ -136,14 +136,13 @@ PressHistory makeHistory(
           0.0, 0.0);
       }
     }
-    append(history, time, deflection, mean(curve.force),
-      static_cast<double>(starts[g + 1] - starts[g]));
+    append(
+      history, time, deflection, mean(curve.force), static_cast<double>(starts[g + 1] - starts[g]));
   }
   return history;
 }
 
-TimeWindow windowOf(
-  const std::vector<PressHistory>& histories, const std::vector<double>& offsets)
+TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vector<double>& offsets)
 {
   TimeWindow window{ std::numeric_limits<double>::infinity(), 0.0 };
   for (std::size_t c = 0; c < histories.size(); ++c)
@@ -176,8 +175,7 @@ TimeWindow windowOf(
           arrived = history.time[k];
         }
       }
-      window.shortest =
-        std::min(window.shortest, std::max(RampShare * (arrived - began), closest));
+      window.shortest = std::min(window.shortest, std::max(RampShare * (arrived - began), closest));
       i = end;
     }
   }

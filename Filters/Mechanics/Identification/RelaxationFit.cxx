@@ -5,6 +5,7 @@
 #include "Mechanics/Identification/LeastSquares.h"
 #include "Mechanics/Identification/RelaxationResiduals.h"
 #include "Mechanics/Identification/RelaxationStart.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double BranchRatio = 9.210;  // χ² with two degrees of freedom, 1 %
+constexpr double BranchRatio = 9.210; // χ² with two degrees of freedom, 1 %
+constexpr double Doubt =
+  2.0 * BranchRatio;                   // once in a million: of branches that are not determined
 constexpr double LeastTimeRatio = 1.5; // of neighbours: closer ones are one
 constexpr std::size_t CoarseBlocks = 1;
 
@@ -82,8 +85,8 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
   return starts;
 }
 
-void sortBranches(PronySeries& series, Eigen::Ref<VectorXd> strengthErrors,
-  Eigen::Ref<VectorXd> timeErrors)
+void sortBranches(
+  PronySeries& series, Eigen::Ref<VectorXd> strengthErrors, Eigen::Ref<VectorXd> timeErrors)
 {
   std::vector<std::size_t> order(series.count);
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
@@ -113,6 +116,14 @@ bool areApart(const PronySeries& series)
     }
   }
   return true;
+}
+
+/// Whether the readings tell all its branches, to a factor of twenty.
+bool isDetermined(const RelaxationFit& fit, double noise)
+{
+  const auto branches = static_cast<Index>(fit.series.count);
+  return fit.converged && fit.separation >= FitLimits::Inseparable &&
+    fit.errorPerNoise.tail(2 * branches).maxCoeff() * noise * Normal95 < std::log(20.0);
 }
 
 /// Follows a start to its end; a sum of squares of +inf where there is none.
@@ -165,8 +176,8 @@ RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const Relaxati
   const auto branches = static_cast<Index>(problem.branches);
   if (branches > 0)
   {
-    sortBranches(fit.series, fit.errorPerNoise.segment(first, branches),
-      fit.errorPerNoise.tail(branches));
+    sortBranches(
+      fit.series, fit.errorPerNoise.segment(first, branches), fit.errorPerNoise.tail(branches));
   }
   return fit;
 }
@@ -237,7 +248,8 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
         ? best
         : fitFrom(histories, problem, withSpectrum(about, spectrum.merged(k)), Coarse);
       fit.score = score(fit);
-      if (chosen && !(fit.score < chosen->score && areApart(fit.series)))
+      const double doubt = isDetermined(fit, noise) ? 0.0 : Doubt;
+      if (chosen && !(fit.score + doubt < chosen->score && areApart(fit.series)))
       {
         break;
       }

@@ -95,8 +95,7 @@ VectorXd RelaxationResiduals::pack(const RelaxingBody& body) const
   const Index offsets = this->firstStrength() - this->materialCount();
   for (Index i = 0; i < offsets; ++i)
   {
-    p[this->materialCount() + i] =
-      body.contactOffset[static_cast<std::size_t>(i)] / this->Depth;
+    p[this->materialCount() + i] = body.contactOffset[static_cast<std::size_t>(i)] / this->Depth;
   }
   for (Index i = 0; i < this->branches(); ++i)
   {
@@ -134,8 +133,7 @@ RelaxingBody RelaxationResiduals::unpack(const VectorXd& p) const
   return body;
 }
 
-int RelaxationResiduals::evaluate(
-  const VectorXd& p, VectorXd* residuals, MatrixXd* jacobian) const
+int RelaxationResiduals::evaluate(const VectorXd& p, VectorXd* residuals, MatrixXd* jacobian) const
 {
   if (jacobian)
   {
@@ -181,9 +179,7 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t c, Ind
   };
   const auto weight = [&](std::size_t i) { return std::sqrt(history.readings[i]) / this->Force; };
   const auto setResidual = [&](Index at, std::size_t i, double force)
-  {
-    (*residuals)[at] = std::isfinite(force) ? weight(i) * (force - history.force[i]) : Astray;
-  };
+  { (*residuals)[at] = std::isfinite(force) ? weight(i) * (force - history.force[i]) : Astray; };
   if (!(depth > 0.0)) // touches nothing
   {
     if (residuals)
@@ -218,7 +214,8 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t c, Ind
   if (this->materialCount() > 1)
   {
     fill(1,
-      forces.col(2) * (this->Problem.model == BodyModel::GlobalCompliance ? this->compliance() : 1.0));
+      forces.col(2) *
+        (this->Problem.model == BodyModel::GlobalCompliance ? this->compliance() : 1.0));
   }
   curves.resize(1);
   if (this->Problem.findContact)

@@ -60,10 +60,7 @@ public:
 
   Eigen::Index inputs() const { return this->firstStrength() + 2 * this->branches(); }
   Eigen::Index values() const { return this->Count; }
-  Eigen::Index materialCount() const
-  {
-    return this->Problem.model == BodyModel::HalfSpace ? 1 : 2;
-  }
+  Eigen::Index materialCount() const { return this->Problem.model == BodyModel::HalfSpace ? 1 : 2; }
   /// Where the ln p_i begin.
   Eigen::Index firstStrength() const
   {

@@ -79,8 +79,8 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     double before = 0.0;
     for (std::size_t i = 0; i < history.size(); ++i)
     {
-      const double slow = bodyResponse(about.body, *history.tool, kernel,
-        history.deflection[i] - about.contactOffset[c])
+      const double slow = bodyResponse(
+        about.body, *history.tool, kernel, history.deflection[i] - about.contactOffset[c])
                             .force;
       const double seconds = i > 0 ? history.time[i] - history.time[i - 1] : 0.0;
       VectorXd row(branches + 1);
@@ -112,10 +112,9 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     columns.row(static_cast<Index>(i)) = rows[i].transpose();
   }
   const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
-  const VectorXd shares =
-    nonNegativeLeastSquares(columns * length.cwiseInverse().asDiagonal(),
-      Eigen::Map<const VectorXd>(forces.data(), static_cast<Index>(forces.size())))
-      .cwiseQuotient(length);
+  const VectorXd shares = nonNegativeLeastSquares(columns * length.cwiseInverse().asDiagonal(),
+    Eigen::Map<const VectorXd>(forces.data(), static_cast<Index>(forces.size())))
+                            .cwiseQuotient(length);
   spectrum.slow = shares[0];
   for (std::size_t k = 0; k < times.size(); ++k)
   {

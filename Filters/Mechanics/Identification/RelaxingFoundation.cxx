@@ -41,7 +41,8 @@ RelaxingFoundation::Prepared RelaxingFoundation::prepare(const SlowCurve& curve)
   double before = 0.0;
   for (Index j = 0; j + 1 < this->Depths.size(); ++j)
   {
-    const double slope = (curve.force[j + 1] - curve.force[j]) / (this->Depths[j + 1] - this->Depths[j]);
+    const double slope =
+      (curve.force[j + 1] - curve.force[j]) / (this->Depths[j + 1] - this->Depths[j]);
     const auto element = static_cast<std::size_t>(j);
     prepared.weights[element / BlockSize][element % BlockSize] = slope - before;
     before = slope;
@@ -79,8 +80,7 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
   std::vector<RelaxationElements> elements(blocks);
   std::vector<QuasiLinearElement> remainders(curves.size());
   std::vector<double> left(curves.size(), 0.0);
-  Eigen::MatrixXd forces(
-    static_cast<Index>(history.size()), static_cast<Index>(curves.size()));
+  Eigen::MatrixXd forces(static_cast<Index>(history.size()), static_cast<Index>(curves.size()));
   RelaxationStep step(series, 0.0);
   double lasts = 0.0; // s, of that step
   double before = 0.0;

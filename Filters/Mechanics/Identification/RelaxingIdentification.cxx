@@ -83,8 +83,7 @@ private:
         return "the curve has " + std::to_string(count) + " readings within small strain; " +
           std::to_string(BodyIdentification::FewestReadings) + " are needed";
       }
-      squares +=
-        history.noise.degreesOfFreedom * history.noise.deviation * history.noise.deviation;
+      squares += history.noise.degreesOfFreedom * history.noise.deviation * history.noise.deviation;
       freedom += history.noise.degreesOfFreedom;
     }
     if (!(this->LargestForce > 0.0))
@@ -200,10 +199,9 @@ private:
       const PressHistory& all = this->All[c];
       const double local = smallStrainDepth(
         *all.tool, body, this->Identification.kernel(), this->Options.largestStrain);
-      const double given = body.compliance > 0.0 && std::isfinite(local)
-        ? body.compliance *
+      const double given = body.compliance > 0.0 && std::isfinite(local) ? body.compliance *
           localContact(body, *all.tool, this->Identification.kernel(), local).force
-        : 0.0;
+                                                                         : 0.0;
       PressHistory& used = this->Used[c];
       for (std::size_t i = 0; i < all.size(); ++i)
       {
@@ -241,16 +239,17 @@ private:
     }
     for (const double offset : fit.contactOffset)
     {
-      result.contactOffset.push_back(
-        this->Options.findContact ? linearEstimate(offset, error(next++)) : linearEstimate(0.0, 0.0));
+      result.contactOffset.push_back(this->Options.findContact
+          ? linearEstimate(offset, error(next++))
+          : linearEstimate(0.0, 0.0));
     }
     result.relaxation = fit.series;
     const auto branches = static_cast<Index>(fit.series.count);
     for (Index i = 0; i < branches; ++i)
     {
       const auto branch = static_cast<std::size_t>(i);
-      result.relaxationStrength.push_back(logarithmicEstimate(
-        fit.series.strength[branch], this->isGiven() ? 0.0 : error(next + i)));
+      result.relaxationStrength.push_back(
+        logarithmicEstimate(fit.series.strength[branch], this->isGiven() ? 0.0 : error(next + i)));
       result.relaxationTime.push_back(logarithmicEstimate(
         fit.series.time[branch], this->isGiven() ? 0.0 : error(next + branches + i)));
     }
@@ -302,8 +301,9 @@ private:
       }
       else if (time.value < result.shortestTime)
       {
-        text += "; of that of " + seconds(time.value) + " little more than strength times time is "
-                "known";
+        text += "; of that of " + seconds(time.value) +
+          " little more than strength times time is "
+          "known";
       }
     }
     if (modulusError > WideInterval)

@@ -108,8 +108,8 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
   ASSERT_EQ(body.relaxation.count, 2U);
   EXPECT_TRUE(body.withinNoise);
   const double worst = worstRelaxation(body, UnitModulus, SheetSeries);
-  std::printf("  %s: %.2f %%; %s\n", textOf(body.relaxation).c_str(), 100.0 * worst,
-    body.remark.c_str());
+  std::printf(
+    "  %s: %.2f %%; %s\n", textOf(body.relaxation).c_str(), 100.0 * worst, body.remark.c_str());
   // The sheet's own fits stay within 1.0 % (the median of the worst).
   EXPECT_LT(worst, 0.01);
   EXPECT_TRUE(holds(body.reducedModulus, UnitModulus));
@@ -118,7 +118,7 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
     EXPECT_TRUE(holds(body.relaxationStrength[i], SheetSeries.strength[i])) << i;
     EXPECT_TRUE(holds(body.relaxationTime[i], SheetSeries.time[i])) << i;
   }
-  EXPECT_NEAR(body.noise, 0.0189143, 2e-3); // of 500 readings: a tenth
+  EXPECT_NEAR(body.noise, 0.0189143, 2e-3);          // of 500 readings: a tenth
   EXPECT_NEAR(body.shortestTime, 0.05 / 15.0, 2e-4); // 2 % of the depth is noise
   EXPECT_NEAR(body.longestTime, 10.0, 0.1);
 }
@@ -216,8 +216,8 @@ TEST(RelaxationIdentification, AnyToolFromAnyOffset)
     // 200 readings where the sheet has 500, and an offset: twice its 1 %.
     EXPECT_LT(worstRelaxation(body, modulus, truth), 0.02) << specification;
     // The data end where it was deepest, by the slow curve.
-    EXPECT_TRUE(agrees(body.endForce, body.reducedModulus.value / modulus *
-        law(1.5 + 0.37 - body.contactOffset[0].value), 1e-9));
+    EXPECT_TRUE(agrees(body.endForce,
+      body.reducedModulus.value / modulus * law(1.5 + 0.37 - body.contactOffset[0].value), 1e-9));
     EXPECT_LT(halfWidth(body.reducedModulus), 0.05);
   }
 }
@@ -293,8 +293,8 @@ TEST(RelaxationIdentification, ALoopAlone)
     const IdentifiedBody body = identified(specification, { curve }, halfSpace()).body;
     ASSERT_EQ(body.refusal, "") << specification;
     expectNear(body.reducedModulus, modulus, "E*");
-    EXPECT_NEAR(body.contactOffset[0].value, 0.15,
-      body.contactOffset[0].upper - body.contactOffset[0].lower);
+    EXPECT_NEAR(
+      body.contactOffset[0].value, 0.15, body.contactOffset[0].upper - body.contactOffset[0].lower);
     expectSeries(body, series({ { 0.8, 0.3 } }));
     EXPECT_NEAR(body.longestTime, 1.0, 0.03); // in contact until it turned back
   }
@@ -351,8 +351,8 @@ TEST(RelaxationIdentification, SaysWhatTheTestDoesNotTell)
   const auto law = [&](double d) { return tip->force(d, modulus); };
   const auto found = [&](const PronySeries& truth, double hold)
   {
-    return identified("paraboloid:6.35",
-      { pressAndHold(law, truth, 1.0, 0.1, hold, 0.0, 0.005, 3) }, halfSpace());
+    return identified(
+      "paraboloid:6.35", { pressAndHold(law, truth, 1.0, 0.1, hold, 0.0, 0.005, 3) }, halfSpace());
   };
   // Slower than the hold by three: E* is open, and it is said that the hold is too short.
   const MeasuredSite tooSlow = found(series({ { 1.0, 0.3 }, { 1.0, 30.0 } }), 5.0);
