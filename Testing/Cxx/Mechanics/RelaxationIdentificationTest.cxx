@@ -123,6 +123,58 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
   EXPECT_NEAR(body.longestTime, 10.0, 0.1);
 }
 
+/// Standard errors against the sheet's bounds of Cramér and Rao, 1 % of the peak, at the times of
+/// its 500 readings.
+TEST(RelaxationIdentification, IntervalsAreThoseOfCramerAndRao)
+{
+  std::vector<double> times;
+  std::ifstream file(PALPATE_DATA_DIR "/Reference/rate/ident_ramp_hold_noisy.csv");
+  std::string line;
+  std::getline(file, line);
+  std::getline(file, line);
+  while (std::getline(file, line))
+  {
+    times.push_back(std::stod(line));
+  }
+  const ReferenceTable table("rate/ident_crb.csv");
+  int checked = 0;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const auto at = [&](const char* name) { return table.number(row, name); };
+    if (table.text(row, "test(1% noise of peak,500 samples)") != "ramp-hold k=1" ||
+      at("t_ramp_s") != 0.05 || at("t_hold_s") != 10.0 || at("tau1_s") < 0.01 || at("tau1_s") > 3.0)
+    {
+      continue;
+    }
+    ++checked;
+    RampAndHold test;
+    test.series.add(at("p"), at("tau1_s"));
+    MeasuredCurve curve;
+    for (const double t : times)
+    {
+      curve.time.push_back(t);
+      curve.deflection.push_back(test.deflectionAt(t));
+      curve.force.push_back(test.forceAt(t));
+    }
+    IdentificationOptions options = halfSpace();
+    options.findContact = false;
+    options.noise = 0.01 * *std::max_element(curve.force.begin(), curve.force.end());
+    const IdentifiedBody body =
+      identified("paraboloid:6.35", { curve }, options, { 1e-3, 1e-3 }).body;
+    ASSERT_EQ(body.refusal, "") << at("tau1_s");
+    ASSERT_EQ(body.relaxation.count, 1U);
+    const auto error = [](const palpate::Estimate& estimate)
+    { return 0.5 * std::log(estimate.upper / estimate.lower) / palpate::Normal95; };
+    // 5 %: where the sheet takes its peak between two readings.
+    EXPECT_TRUE(agrees(error(body.reducedModulus), at("sd_ln_f"), 0.05)) << at("tau1_s");
+    EXPECT_TRUE(agrees(error(body.relaxationStrength[0]), at("sd_ln_p1"), 0.05)) << at("tau1_s");
+    EXPECT_TRUE(agrees(error(body.relaxationTime[0]), at("sd_ln_tau1(or tau1)"), 0.05))
+      << at("tau1_s");
+    EXPECT_TRUE(agrees(body.reducedModulus.value, UnitModulus, 1e-3)); // the elements
+  }
+  EXPECT_EQ(checked, 6);
+}
+
 TEST(RelaxationIdentification, TrianglesOfTheSheet)
 {
   const ReferenceTable table("rate/ident_triangles_noisy.csv");
