@@ -122,6 +122,11 @@ void identifySite(
     site.body = identification.identify(std::move(loadings));
     site.refusal = site.body.refusal;
     site.body.relaxation = given;
+    for (std::size_t i = 0; i < given.count; ++i)
+    {
+      site.body.relaxationStrength.push_back(linearEstimate(given.strength[i], 0.0));
+      site.body.relaxationTime.push_back(linearEstimate(given.time[i], 0.0));
+    }
     if (given.count > 0)
     {
       site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones";
