@@ -12,9 +12,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double TurnShare = 0.1;  // of the range of deflection: a smaller step back is noise
-constexpr double RestShare = 0.01; // of the range: within it of the turning point, it rests
-constexpr double SpeedRatio = 1.5; // below, two loads have the same speed
+constexpr double TurnShare = 0.1;    // of the range of deflection: a smaller step back is noise
+constexpr double RestShare = 0.01;   // of the range: within it of the turning point, it rests
+constexpr double NearlyShare = 0.03; // likewise: within it a hold may have begun
+constexpr double SpeedRatio = 1.5;   // below, two loads have the same speed
 
 /// Readings first..last, both included, all in one phase.
 struct Segment
@@ -152,43 +153,54 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;
-  const std::size_t count = last - first + 1;
   if (last < first + fewest)
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
+  const std::size_t count = last - first + 1;
   const auto mean = [&](std::size_t from, std::size_t n)
   {
     const auto begin = curve.force.begin() + static_cast<std::ptrdiff_t>(from);
     return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(n), 0.0) /
       static_cast<double>(n);
   };
-  const std::size_t start = 1 + count / 50;
+  const std::size_t few = 1 + count / 50;
+  double most = 0.0; // the depth may still rise a little at first
+  for (std::size_t i = first; i + few <= first + count / 2 + 1; ++i)
+  {
+    most = std::max(most, mean(i, few));
+  }
   const std::size_t end = 1 + count / 10;
-  const double before = mean(first, start);
-  return before > 0.0 ? 1.0 - mean(last + 1 - end, end) / before
-                      : std::numeric_limits<double>::quiet_NaN();
+  return most > 0.0 ? 1.0 - mean(last + 1 - end, end) / most
+                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The largest loss of the holds that follow a loading, and where all segments turn.
-void judgeHolds(
-  const MeasuredCurve& curve, const std::vector<Segment>& segments, PreparedCurve& prepared)
+/// The largest loss of the holds that end a loading, and where all segments turn.
+void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
+  PreparedCurve& prepared)
 {
   for (std::size_t s = 0; s < segments.size(); ++s)
   {
-    prepared.turns.push_back(segments[s].first);
-    prepared.turns.push_back(segments[s].last);
-    if (segments[s].phase != CurvePhase::Loading)
+    const Segment& segment = segments[s];
+    prepared.turns.push_back(segment.first);
+    prepared.turns.push_back(segment.last);
+    if (segment.phase != CurvePhase::Loading)
     {
       continue;
     }
-    // Recorded as one, or what lies between the branches.
+    // Recorded as one, or what lies between the branches, and what noise of the depth left in this.
     const bool isNext = s + 1 < segments.size();
     const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
     const std::size_t end = isHeld ? segments[s + 1].last
       : isNext                     ? segments[s + 1].first
                                    : curve.force.size() - 1;
-    const double loss = lossOf(curve, segments[s].last, end);
+    std::size_t start = segment.first;
+    while (start < segment.last &&
+      std::abs(curve.deflection[start] - curve.deflection[segment.last]) > NearlyShare * range)
+    {
+      ++start;
+    }
+    const double loss = lossOf(curve, start, end);
     if (!(std::abs(loss) <= std::abs(prepared.holdLoss)) && !std::isnan(loss))
     {
       prepared.holdLoss = loss;
@@ -261,7 +273,7 @@ std::string prepareCurve(
   const std::vector<Segment> segments =
     recorded ? recordedSegments(curve.phase) : foundSegments(curve.deflection, range);
 
-  judgeHolds(curve, segments, prepared);
+  judgeHolds(curve, segments, range, prepared);
 
   std::vector<Segment> loadings;
   for (const Segment& segment : segments)

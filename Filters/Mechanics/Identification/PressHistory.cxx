@@ -159,14 +159,15 @@ TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vecto
         ++i;
         continue;
       }
-      std::size_t end = i; // of this press
-      double deepest = deflection[i];
+      std::size_t end = i;                                       // of this press
+      double deepest = -std::numeric_limits<double>::infinity(); // of what is compared
       for (; end < history.size() && deflection[end] - offsets[c] > little; ++end)
       {
-        deepest = std::max(deepest, deflection[end]);
+        deepest = history.readings[end] > 0.0 ? std::max(deepest, deflection[end]) : deepest;
       }
       const double began = history.time[i > 0 ? i - 1 : 0];
       double arrived = began;
+      const bool isCompared = deepest > offsets[c];
       for (std::size_t k = end; k-- > i;)
       {
         if (deflection[k] >= deepest - little && history.readings[k] > 0.0)
@@ -175,7 +176,9 @@ TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vecto
           arrived = history.time[k];
         }
       }
-      window.shortest = std::min(window.shortest, std::max(RampShare * (arrived - began), closest));
+      window.shortest = !isCompared
+        ? window.shortest
+        : std::min(window.shortest, std::max(RampShare * (arrived - began), closest));
       i = end;
     }
   }

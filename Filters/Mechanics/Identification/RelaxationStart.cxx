@@ -18,8 +18,14 @@ constexpr double TimesPerDecade = 3.0;
 constexpr double LeastForce = 0.1;  // of the largest: less may be a contact that is about to end
 constexpr double LeastShare = 0.02; // of the whole response, of the slow one where none is found
 
+constexpr double SomeShare = 0.2; // of it, of a branch where none is found
+
 std::vector<double> timeGrid(const TimeWindow& window)
 {
+  if (!(window.longest > window.shortest))
+  {
+    return { window.longest };
+  }
   const double decades = std::log10(window.longest / window.shortest);
   const int count = std::clamp(static_cast<int>(std::ceil(TimesPerDecade * decades)), 1, 30);
   std::vector<double> times;
@@ -67,6 +73,10 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window)
 {
+  if (!(window.shortest > 0.0)) // nothing is touched
+  {
+    return {};
+  }
   const std::vector<double> times = timeGrid(window);
   const auto branches = static_cast<Index>(times.size());
   std::vector<VectorXd> rows;
@@ -125,6 +135,11 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     }
   }
   spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
+  if (spectrum.time.empty()) // for the fit to find that there is none
+  {
+    spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
+    spectrum.strength.push_back(SomeShare * spectrum.slow);
+  }
   return spectrum;
 }
 

@@ -54,6 +54,12 @@ public:
       result.largestForce = this->LargestForce;
       result.withinNoise = this->WithinNoise;
     }
+    if (this->isHoldTooDeep())
+    {
+      result.refusal += (result.refusal.empty() ? "" : "; ") +
+        std::string("its longest hold lies deeper than small strain allows, and without it E* is a "
+                    "guess: hold less deep, or allow more strain");
+    }
     if (result.refusal.empty())
     {
       this->report(result);
@@ -157,6 +163,10 @@ private:
   std::string checkDetermined(double noise) const
   {
     const RelaxationFit& fit = *this->Fit;
+    if (fit.contactOffset.size() != this->Used.size())
+    {
+      return "the readings are too few to tell how the body relaxes";
+    }
     const double longest = windowOf(this->Used, fit.contactOffset).longest;
     const bool goesOn = !this->isGiven() && fit.series.count > 0 &&
       fit.series.time[fit.series.count - 1] > 0.3 * longest;
@@ -212,6 +222,14 @@ private:
       }
     }
     return changed;
+  }
+
+  /// Whether small strain ends before most of the test's time is compared.
+  bool isHoldTooDeep() const
+  {
+    return !this->isGiven() && this->Fit && this->Fit->contactOffset.size() == this->All.size() &&
+      windowOf(this->Used, this->Fit->contactOffset).longest <
+      0.5 * windowOf(this->All, this->Fit->contactOffset).longest;
   }
 
   /// The numbers of the fit with their confidence intervals, and where the data end.

@@ -27,7 +27,8 @@ namespace palpate
  * shows where the force comes to rest, E* is refused as too uncertain, or has a wide interval.
  *
  * Readings deeper than small strain allows are not compared, but what was pressed there is
- * remembered. Cost: a tenth of a second, a second for a layer. From any number of threads.
+ * remembered; a site whose longest hold lies there is refused. Cost: a tenth of a second, a second
+ * for a layer. From any number of threads.
  */
 PALPATE_EXPORT IdentifiedBody identifyRelaxing(
   const BodyIdentification& identification, std::vector<PressHistory> histories);
