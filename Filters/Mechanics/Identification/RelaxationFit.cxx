@@ -41,6 +41,7 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
   std::vector<IndentationCurve> loads;
+  loads.reserve(histories.size());
   for (const PressHistory& history : histories)
   {
     loads.push_back(history.loading);

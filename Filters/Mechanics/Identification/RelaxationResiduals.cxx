@@ -159,11 +159,11 @@ int RelaxationResiduals::evaluate(const VectorXd& p, VectorXd* residuals, Matrix
 }
 
 /// The rows of one history, from `row` on.
-void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t c, Index row,
+void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index, Index row,
   VectorXd* residuals, MatrixXd* jacobian) const
 {
-  const PressHistory& history = this->Histories[c];
-  const double offset = trial.contactOffset[c];
+  const PressHistory& history = this->Histories[index];
+  const double offset = trial.contactOffset[index];
   const double depth =
     *std::max_element(history.deflection.begin(), history.deflection.end()) - offset;
   const auto scatter = [&](const auto& values, auto&& target)
@@ -223,7 +223,7 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t c, Ind
     const double step = OffsetStep * depth;
     const auto moved = [&](double by)
     { return foundation.follow(history, offset + by, trial.series, curves); };
-    fill(this->materialCount() + static_cast<Index>(c),
+    fill(this->materialCount() + static_cast<Index>(index),
       (moved(step) - moved(-step)).col(0) * (this->Depth / (2.0 * step)));
   }
   for (Index i = 0; i < 2 * this->branches(); ++i)

@@ -88,7 +88,7 @@ private:
   Eigen::Index branches() const { return static_cast<Eigen::Index>(this->Problem.branches); }
   int evaluate(
     const Eigen::VectorXd& p, Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const;
-  void fillRows(const RelaxingBody& trial, std::size_t history, Eigen::Index row,
+  void fillRows(const RelaxingBody& trial, std::size_t index, Eigen::Index row,
     Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const;
 
   const std::vector<PressHistory>& Histories;

@@ -106,7 +106,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
       if (history.readings[i] > 0.0 && history.force[i] > LeastForce * largest && row.allFinite())
       {
         const double weight = std::sqrt(history.readings[i]);
-        rows.push_back(weight * row);
+        rows.emplace_back(weight * row);
         forces.push_back(weight * history.force[i]);
       }
     }

@@ -73,6 +73,7 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
 {
   const std::size_t blocks = this->Gaps.size();
   std::vector<Prepared> prepared;
+  prepared.reserve(curves.size());
   for (const SlowCurve& curve : curves)
   {
     prepared.push_back(this->prepare(curve));
