@@ -198,8 +198,9 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
   return contractOf(array).named(response);
 }
 
-/// Components of a tuple of the array, in a response of so many samples and laws.
-constexpr int componentsOf(const ContractArray& array, int samples, int laws)
+/// Components of a tuple of the array, in a response of so many samples, laws and branches of the
+/// relaxation.
+constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0)
 {
   switch (array.width)
   {
@@ -213,6 +214,8 @@ constexpr int componentsOf(const ContractArray& array, int samples, int laws)
       return 2 * samples;
     case ContractArray::Width::Laws:
       return laws;
+    case ContractArray::Width::Branches:
+      return array.place == ContractArray::Place::Points ? branches : 1;
     default:
       return 1;
   }
