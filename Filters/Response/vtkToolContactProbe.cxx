@@ -31,14 +31,6 @@ namespace
 /// Of the progress, what building the kernel's copy of the body takes.
 constexpr double BuildShare = 0.9;
 
-/// Whether a response that has been read tells of relaxation.
-bool relaxes(vtkPolyData* body, const std::string& name)
-{
-  palpate::PronySeries series;
-  std::string error;
-  return palpate::relaxationOf(body, name, series, error) && series.count > 0;
-}
-
 /// Why the response of a piece cannot be read, or is of another kind than those of other pieces; ""
 /// if all can be. Collective; then `isSlow` is whether nothing relaxes.
 std::string checkPieces(
@@ -79,7 +71,7 @@ std::string checkPieces(
         "' of different samples, laws, exponent or relaxation: make them together";
     }
   }
-  isSlow = !ranks.any(terms.series.count > 0);
+  isSlow = !ranks.any(terms.areFelt());
   return ranks.firstFault(fault);
 }
 } // namespace
@@ -204,7 +196,7 @@ int vtkToolContactProbe::RequestData(
       return 0;
     }
     const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
-    palpate::ContactArrays arrays(tips->GetNumberOfPoints(), relaxes(body, this->ResponseName));
+    palpate::ContactArrays arrays(tips->GetNumberOfPoints(), this->Body->relaxation != nullptr);
     palpate::touchWithTips(*this->Body, tips, settings, this->Indentation,
       [&arrays, firstPoly](vtkIdType tip, const palpate::Contact& contact, const palpate::Vector3&)
       { arrays.store(tip, contact, firstPoly); });

@@ -2,7 +2,7 @@
 // Relaxation in a response: what is attached, what the chooser says, what becomes of it in files
 // and other forms, and what a probe makes of times.
 #include "FilterChecks.h"
-#include "RelaxingBodies.h"
+#include "RelaxingPlane.h"
 
 #include "Response/BodyConversion.h"
 #include "Response/FlatBodyConversion.h"
@@ -19,6 +19,8 @@
 namespace
 {
 using namespace palpate::testing;
+
+constexpr int Pressed = 200; // steps of a press
 
 std::string modelOf(vtkPolyData* body)
 {
@@ -231,6 +233,8 @@ void checkChoice(vtkPolyData* body)
   PALPATE_CHECK(choice->GetReason().find("elax") == std::string::npos);
 }
 
+/// A press at constant speed from 0.1 mm above to 0.5 mm deep, which then stays there for ten
+/// thousand times as long.
 vtkSmartPointer<vtkPolyData> press(bool hasTime, double seconds)
 {
   auto tips = vtkSmartPointer<vtkPolyData>::New();
@@ -239,14 +243,14 @@ vtkSmartPointer<vtkPolyData> press(bool hasTime, double seconds)
   vtkNew<vtkDoubleArray> time;
   time->SetName("Time");
   vtkNew<vtkCellArray> line;
-  constexpr int steps = 200;
-  line->InsertNextCell(steps + 1);
-  for (int i = 0; i <= steps; ++i)
+  line->InsertNextCell(Pressed + 2);
+  for (int i = 0; i <= Pressed; ++i)
   {
-    points->InsertNextPoint(0.1, 0.2, 0.1 - 0.6 * i / steps);
-    time->InsertNextValue(seconds * i / steps);
-    line->InsertCellPoint(i);
+    line->InsertCellPoint(points->InsertNextPoint(0.1, 0.2, 0.1 - 0.6 * i / Pressed));
+    time->InsertNextValue(3.0 + seconds * i / Pressed);
   }
+  line->InsertCellPoint(points->InsertNextPoint(points->GetPoint(Pressed)));
+  time->InsertNextValue(3.0 + 1e4 * seconds);
   tips->SetPoints(points);
   tips->SetLines(line);
   if (hasTime)
@@ -256,33 +260,102 @@ vtkSmartPointer<vtkPolyData> press(bool hasTime, double seconds)
   return tips;
 }
 
-/// Whatever the kernel makes of fast presses: without times, and for points, the force is the slow
-/// one to the bit; so it is at ten thousand times the longest relaxation, as near as that may be.
+vtkSmartPointer<vtkPolyData> probed(vtkPolyData* body, vtkPolyData* tips, int elements = 16)
+{
+  vtkNew<vtkToolContactProbe> probe;
+  probe->SetInputData(body);
+  probe->SetTipData(tips);
+  probe->SetRelaxationElements(elements);
+  probe->Update();
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(probe->GetOutput());
+  return result;
+}
+
+vtkDataArray* felt(vtkPolyData* tips, const char* name)
+{
+  return tips->GetPointData()->GetArray(name);
+}
+
+/// ∫ ψ(t - s) df at the end of a ramp of `seconds`, f = (s/t)^m (Lee and Radok 1960): by its middle
+/// points, to 1e-6.
+double leeRadok(double exponent, double seconds)
+{
+  constexpr int steps = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double at = (i + 0.5) / steps;
+    const double rest = seconds * (1.0 - at);
+    sum += (1.0 + 0.5 * std::exp(-rest / 0.1) + 0.3 * std::exp(-rest / 2.0)) * exponent *
+      std::pow(at, exponent - 1.0) / steps;
+  }
+  return sum;
+}
+
+/// At a speed: the force of the table's law, and of it what memory is; held, it is the slow one.
+void checkFastProbe(vtkPolyData* body)
+{
+  const struct
+  {
+    const char* tool;
+    double exponent;
+  } tools[] = { { "flat:1.6", 1.0 }, { "paraboloid:5", 1.5 }, { "cone:60", 2.0 } };
+  for (const auto& each : tools)
+  {
+    const Filter filter = relaxing(body, each.tool);
+    filter->SetCurvatureCorrection(false);
+    filter->Update();
+    for (const double seconds : { 0.06, 0.6, 6.0 })
+    {
+      const auto tips = press(true, seconds);
+      const auto result = probed(filter->GetOutput(), tips);
+      vtkDataArray* memory = felt(result, "MemoryForce");
+      vtkDataArray* force = felt(result, "NormalForce");
+      const double slow = force->GetTuple1(Pressed) - memory->GetTuple1(Pressed);
+      tips->GetPointData()->RemoveArray("Time");
+      const double expected =
+        felt(probed(filter->GetOutput(), tips), "NormalForce")->GetTuple1(Pressed);
+      PALPATE_CHECK_NEAR(slow / expected, 1.0, 1e-12);
+      // Steps are 1/500 to 1/5 of the shorter time; 1e-5 is the integral's.
+      PALPATE_CHECK_NEAR(force->GetTuple1(Pressed) / slow,
+        leeRadok(each.exponent, seconds / 0.6 * 0.5), seconds > 1.0 ? 2e-3 : 1e-4);
+      PALPATE_CHECK_NEAR(memory->GetTuple1(Pressed + 1), 0.0, 1e-9);
+      PALPATE_CHECK_NEAR(force->GetTuple1(Pressed + 1) / slow, 1.0, 1e-9);
+      PALPATE_CHECK(memory->GetTuple1(0) == 0.0);
+    }
+  }
+  // The setting reaches the kernel: as the tool comes out, elements matter.
+  const Filter filter = relaxing(body, "cone:60");
+  filter->Update();
+  const auto out = press(true, 0.6);
+  out->GetPoints()->SetPoint(Pressed + 1, 0.1, 0.2, -0.3);
+  felt(out, "Time")->SetTuple1(Pressed + 1, 3.61);
+  const auto forceWith = [&](int elements) {
+    return felt(probed(filter->GetOutput(), out, elements), "NormalForce")->GetTuple1(Pressed + 1);
+  };
+  PALPATE_CHECK(std::abs(forceWith(0) / forceWith(32) - 1.0) > 1e-3);
+  PALPATE_CHECK(
+    felt(probed(filter->GetOutput(), out), "MemoryForce")->GetTuple1(Pressed + 1) < 0.0);
+}
+
+/// Without times, and for points, the force is the slow one to the bit; so it is at ten thousand
+/// times the longest relaxation, as near as that may be.
 void checkSlowProbe(vtkPolyData* body)
 {
   const Filter plain = filterOf(body, "paraboloid:5", 1.0);
   plain->Update();
   const Filter filter = relaxing(body, "paraboloid:5");
   filter->Update();
-  const auto probe = [](vtkPolyData* of, vtkPolyData* tips)
-  {
-    vtkNew<vtkToolContactProbe> probed;
-    probed->SetInputData(of);
-    probed->SetTipData(tips);
-    probed->Update();
-    auto result = vtkSmartPointer<vtkPolyData>::New();
-    result->ShallowCopy(probed->GetOutput());
-    return result;
-  };
-  const auto without = probe(plain->GetOutput(), press(true, 1.0));
+  const auto without = probed(plain->GetOutput(), press(true, 1.0));
   PALPATE_CHECK(!without->GetPointData()->HasArray("MemoryForce"));
   vtkDataArray* slow = without->GetPointData()->GetArray("NormalForce");
-  const vtkIdType last = slow->GetNumberOfTuples() - 1;
+  const vtkIdType last = Pressed;
   PALPATE_CHECK(slow->GetTuple1(last) > 0.0);
-  const auto timeless = probe(filter->GetOutput(), press(false, 1.0));
+  const auto timeless = probed(filter->GetOutput(), press(false, 1.0));
   const auto points = press(true, 1.0);
   points->SetLines(nullptr);
-  const auto single = probe(filter->GetOutput(), points);
+  const auto single = probed(filter->GetOutput(), points);
   for (vtkPolyData* each : { timeless.Get(), single.Get() })
   {
     vtkDataArray* memory = each->GetPointData()->GetArray("MemoryForce");
@@ -294,7 +367,7 @@ void checkSlowProbe(vtkPolyData* body)
     }
   }
   // Σ p τ m/t = (0.5 0.1 + 0.3 2) 1.5/2e4 of the force is left of such a press (Lee and Radok).
-  const auto lasting = probe(filter->GetOutput(), press(true, 2e4));
+  const auto lasting = probed(filter->GetOutput(), press(true, 2e4));
   PALPATE_CHECK_NEAR(lasting->GetPointData()->GetArray("NormalForce")->GetTuple1(last),
     slow->GetTuple1(last), 1e-4 * slow->GetTuple1(last));
 }
@@ -309,5 +382,6 @@ int TestRelaxation(int argc, char* argv[])
   checkKept(body, argc > 1 ? argv[1] : ".");
   checkChoice(body);
   checkSlowProbe(body);
+  checkFastProbe(body);
   return palpate::testing::result();
 }

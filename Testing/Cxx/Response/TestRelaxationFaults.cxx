@@ -2,7 +2,7 @@
 // What is wrong with the relaxation of a response, or with what a filter is told of it, is said
 // with the array and the number.
 #include "FilterChecks.h"
-#include "RelaxingBodies.h"
+#include "RelaxingPlane.h"
 
 #include "Response/BodyConversion.h"
 
