@@ -54,6 +54,8 @@ struct Contact
   Vector3 force = Vector3::Zero();    ///< total, on the tool
   Vector3 friction = Vector3::Zero(); ///< its part that is friction
   double normalForce = 0.0;
+  double memory =
+    0.0; ///< what of normalForce is more than the slow response, of a body that relaxes
   double stiffness = 0.0; ///< Σ n_i dF_i/dδ
   double deflection = 0.0;
   Vector3 normal = Vector3::Zero(); ///< unit, outward, along which normalForce acts

@@ -4,6 +4,7 @@
 
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
+#include "Contact/Relaxation/BodyRelaxation.h"
 #include "Contact/ResponseField.h"
 #include "Contact/TriangleTree.h"
 
@@ -25,6 +26,7 @@ struct ContactBody
     , tree(surface)
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
+    , relaxation(relaxationOf(surface, response, responses))
   {
     if (progress)
     {
@@ -37,6 +39,7 @@ struct ContactBody
     , tree(same.tree, surface)
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
+    , relaxation(relaxationOf(surface, response, responses))
   {
   }
   ContactBody(const ContactBody&) = delete;
@@ -45,7 +48,8 @@ struct ContactBody
   const PackedMesh surface;
   const TriangleTree tree;
   const ResponseField response;
-  const std::unique_ptr<const BodyEdges> edges; ///< null: sharp edges are not felt
+  const std::unique_ptr<const BodyEdges> edges;           ///< null: sharp edges are not felt
+  const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes
 
 private:
   static double creaseTurn(const ResponseArrays& responses)
@@ -57,6 +61,13 @@ private:
   {
     return responses.edges.areFelt()
       ? std::make_unique<const BodyEdges>(surface, responses.edges, responses.longestRange())
+      : nullptr;
+  }
+  static std::unique_ptr<const BodyRelaxation> relaxationOf(
+    const PackedMesh& surface, const ResponseField& response, const ResponseArrays& responses)
+  {
+    return responses.relaxation.areFelt()
+      ? std::make_unique<const BodyRelaxation>(surface, response, responses)
       : nullptr;
   }
 };

@@ -61,6 +61,11 @@ struct ContactSettings
   ForceForm form = ForceForm::NormalizedDirection;
   ContactSurface surface = ContactSurface::Facets;
   FrictionSettings friction = {};
+  /// Elements side by side that a body which relaxes is felt with, 0 to MostRelaxationElements; 0:
+  /// one, quasi-linear. More are more exact when the tool comes out again: within 0.9 % of the
+  /// largest force with 16, 3 % with 8, 12 % with 0.
+  int relaxationElements = 16;
+  static constexpr int MostRelaxationElements = 32;
 };
 } // namespace palpate
 

@@ -1,105 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/FlatBodyFile.h"
 
+#include "Contact/FlatBodyHeader.h"
 #include "Mechanics/Files/WholeFile.h"
+#include "Mechanics/JoinedText.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace palpate
 {
 namespace
 {
-constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
-constexpr std::uint32_t ByteOrderMark = 0x01020304;
-constexpr std::uint64_t Alignment = 64;
-constexpr int LargestLawCount = 4096;
-
-enum Section : std::size_t
-{
-  Coordinates,
-  Corners,
-  Force,
-  Stiffness,
-  Basis,
-  Coefficient,
-  Normal,
-  Range,
-  Status,
-  Validity,
-  Limit,
-  SectionCount
-};
-
-/// The first bytes of the file. Fixed layout: only add behind, and raise the version.
-struct Header
-{
-  std::array<char, 8> magic;
-  std::uint32_t version;
-  std::uint32_t byteOrder;
-  std::uint64_t fileSize;
-  std::uint64_t checksum;
-  std::uint64_t points;
-  std::uint64_t triangles;
-  std::int32_t samples;
-  std::int32_t laws; ///< 0: per point; k: compact
-  double exponent;
-  std::array<std::uint64_t, SectionCount> offset; ///< from the start of the file; 0: absent
-  std::array<char, 128> tool;                     ///< ends with '\0'
-  std::array<char, 128> model;
-  std::int64_t modelParts; ///< since format 2
-  /// Since format 3, of EdgeTerms: exponent, 0 if there are none, radius, Poisson's ratio, extent,
-  /// and 1 if they are in the curves.
-  std::array<double, 5> edges;
-};
-static_assert(sizeof(Header) == 456, "the layout of a file is fixed");
-constexpr std::size_t FirstHeaderSize = 408;  ///< format 1
-constexpr std::size_t SecondHeaderSize = 416; ///< format 2
-
-std::size_t sizeOf(const Header& header)
-{
-  return header.version < 2 ? FirstHeaderSize
-    : header.version < 3    ? SecondHeaderSize
-                            : sizeof(Header);
-}
-
-EdgeTerms edgesOf(const Header& header)
-{
-  EdgeTerms edges;
-  if (header.version >= 3 && header.edges[0] != 0.0)
-  {
-    edges = { header.edges[0], header.edges[1], header.edges[2], header.edges[3],
-      header.edges[4] != 0.0 };
-  }
-  return edges;
-}
-
-/// Bytes of each section, from the counts alone.
-std::array<std::uint64_t, SectionCount> sectionSizes(const Header& header)
-{
-  const std::uint64_t n = header.points;
-  const auto samples = static_cast<std::uint64_t>(header.samples);
-  const auto laws = static_cast<std::uint64_t>(header.laws);
-  std::array<std::uint64_t, SectionCount> size{};
-  size[Coordinates] = n * 3 * sizeof(double);
-  size[Corners] = header.triangles * 3 * sizeof(std::int32_t);
-  size[Force] = laws > 0 ? 0 : n * samples * sizeof(float);
-  size[Stiffness] = size[Force];
-  size[Basis] = laws * 2 * samples * sizeof(float);
-  size[Coefficient] = n * laws * sizeof(float);
-  size[Normal] = n * 3 * sizeof(float);
-  size[Range] = n * sizeof(float);
-  size[Status] = n;
-  size[Validity] = n * sizeof(float);
-  size[Limit] = n;
-  return size;
-}
+using Header = FlatBodyHeader;
 
 std::uint64_t aligned(std::uint64_t offset)
 {
-  return (offset + Alignment - 1) / Alignment * Alignment;
+  return (offset + Header::Alignment - 1) / Header::Alignment * Header::Alignment;
 }
 
 /// FNV-1a over 64-bit words (Fowler, Noll, Vo), the rest byte by byte: finds damage, not malice.
@@ -132,15 +51,15 @@ private:
 };
 
 /// Over the header, its own field taken as 0, and the sections.
-std::uint64_t checksumOf(const std::array<const void*, SectionCount>& data, Header header)
+std::uint64_t checksumOf(const std::array<const void*, Header::SectionCount>& data, Header header)
 {
-  const auto sizes = sectionSizes(header);
+  const auto sizes = header.sectionSizes();
   header.checksum = 0;
   std::array<unsigned char, sizeof(Header)> head;
   std::memcpy(head.data(), &header, sizeof(Header));
   Checksum sum;
-  sum.add(head.data(), sizeOf(header));
-  for (std::size_t k = 0; k < SectionCount; ++k)
+  sum.add(head.data(), header.size());
+  for (std::size_t k = 0; k < Header::SectionCount; ++k)
   {
     sum.add(static_cast<const unsigned char*>(data[k]), sizes[k]);
   }
@@ -156,9 +75,9 @@ void copyText(const std::string& text, std::array<char, 128>& to)
 Header makeHeader(const FlatBody& body)
 {
   Header header{};
-  header.magic = Magic;
+  header.magic = Header::Magic;
   header.version = FlatBodyFile::Version;
-  header.byteOrder = ByteOrderMark;
+  header.byteOrder = Header::ByteOrderMark;
   header.points = body.points;
   header.triangles = body.triangles;
   header.samples = body.response.samples;
@@ -167,92 +86,47 @@ Header makeHeader(const FlatBody& body)
   copyText(body.tool, header.tool);
   copyText(body.model, header.model);
   header.modelParts = body.modelParts;
-  const EdgeTerms& edges = body.response.edges;
-  if (edges.areFelt())
-  {
-    header.edges = { edges.exponent, edges.radius, edges.poissonRatio, edges.extent,
-      edges.isInCurves ? 1.0 : 0.0 };
-  }
-  const auto sizes = sectionSizes(header);
+  header.setEdges(body.response.edges);
+  header.setRelaxation(body.response.relaxation);
+  const auto sizes = header.sectionSizes();
   std::uint64_t end = sizeof(Header);
-  for (std::size_t k = 0; k < SectionCount; ++k)
+  for (std::size_t k = 0; k < Header::SectionCount; ++k)
   {
-    header.offset[k] = sizes[k] > 0 ? aligned(end) : 0;
-    end = sizes[k] > 0 ? header.offset[k] + sizes[k] : end;
+    header.offset(k) = sizes[k] > 0 ? aligned(end) : 0;
+    end = sizes[k] > 0 ? header.offset(k) + sizes[k] : end;
   }
   header.fileSize = end;
   return header;
 }
 
-/// What keeps a file of `size` bytes that begins with `header` from being used, or "".
-std::string faultOf(const Header& header, std::uint64_t size)
-{
-  if (header.magic != Magic)
-  {
-    return "is not a Palpate body file";
-  }
-  if (header.byteOrder != ByteOrderMark)
-  {
-    return "was written on a machine of the other byte order";
-  }
-  if (header.version > FlatBodyFile::Version)
-  {
-    return "is of format " + std::to_string(header.version) +
-      ", newer than this program, which reads up to " + std::to_string(FlatBodyFile::Version);
-  }
-  if (header.fileSize != size)
-  {
-    return "has " + std::to_string(size) + " bytes instead of " + std::to_string(header.fileSize) +
-      ": it is truncated or damaged";
-  }
-  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
-  if (header.version < 1 || header.points == 0 || header.points > most || header.triangles == 0 ||
-    header.triangles > most / 3 || header.samples < 2 ||
-    header.samples > ResponseSampling::LargestCount || header.laws < 0 ||
-    header.laws > LargestLawCount || !(header.exponent > 0.0 && header.exponent <= 10.0) ||
-    header.tool.back() != '\0' || header.model.back() != '\0' ||
-    (header.version >= 3 && header.edges[0] != 0.0 && !faultOfEdges(edgesOf(header)).empty()))
-  {
-    return "has a damaged header";
-  }
-  const auto sizes = sectionSizes(header);
-  for (std::size_t k = 0; k < SectionCount; ++k)
-  {
-    const std::uint64_t offset = header.offset[k];
-    if (sizes[k] > 0 &&
-      (offset < sizeOf(header) || offset % Alignment != 0 || offset > size ||
-        sizes[k] > size - offset))
-    {
-      return "has a damaged header";
-    }
-  }
-  return {};
-}
-
 FlatBody view(const Header& header, const unsigned char* file)
 {
-  const auto sizes = sectionSizes(header); // the offset of an empty section may be anything
-  const auto at = [&](Section section) -> const void*
-  { return sizes[section] > 0 ? file + header.offset[section] : nullptr; };
+  const auto sizes = header.sectionSizes(); // the offset of an empty section may be anything
+  const auto at = [&](Header::Section section) -> const void*
+  { return sizes[section] > 0 ? file + header.offset(section) : nullptr; };
   FlatBody body;
   body.points = header.points;
   body.triangles = header.triangles;
-  body.coordinates = static_cast<const double*>(at(Coordinates));
-  body.corners = static_cast<const std::int32_t*>(at(Corners));
+  body.coordinates = static_cast<const double*>(at(Header::Coordinates));
+  body.corners = static_cast<const std::int32_t*>(at(Header::Corners));
   body.response.points = header.points;
   body.response.samples = header.samples;
   body.response.exponent = header.exponent;
   body.response.laws = header.laws;
-  body.response.force = static_cast<const float*>(at(Force));
-  body.response.stiffness = static_cast<const float*>(at(Stiffness));
-  body.response.basis = static_cast<const float*>(at(Basis));
-  body.response.coefficient = static_cast<const float*>(at(Coefficient));
-  body.response.normal = static_cast<const float*>(at(Normal));
-  body.response.range = static_cast<const float*>(at(Range));
-  body.response.status = static_cast<const std::uint8_t*>(at(Status));
-  body.response.edges = edgesOf(header);
-  body.validity = static_cast<const float*>(at(Validity));
-  body.limit = static_cast<const std::uint8_t*>(at(Limit));
+  body.response.force = static_cast<const float*>(at(Header::Force));
+  body.response.stiffness = static_cast<const float*>(at(Header::Stiffness));
+  body.response.basis = static_cast<const float*>(at(Header::Basis));
+  body.response.coefficient = static_cast<const float*>(at(Header::Coefficient));
+  body.response.normal = static_cast<const float*>(at(Header::Normal));
+  body.response.range = static_cast<const float*>(at(Header::Range));
+  body.response.status = static_cast<const std::uint8_t*>(at(Header::Status));
+  body.response.edges = header.edgeTerms();
+  body.response.relaxation = header.relaxationTerms();
+  body.response.relaxation.strength = static_cast<const float*>(at(Header::LocalRelaxation));
+  body.response.relaxation.elasticCompliance =
+    static_cast<const float*>(at(Header::ElasticCompliance));
+  body.validity = static_cast<const float*>(at(Header::Validity));
+  body.limit = static_cast<const std::uint8_t*>(at(Header::Limit));
   body.tool = header.tool.data();
   body.model = header.model.data();
   body.modelParts =
@@ -260,28 +134,45 @@ FlatBody view(const Header& header, const unsigned char* file)
   return body;
 }
 
-std::array<const void*, SectionCount> sectionsOf(const FlatBody& body)
+std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
 {
   const ResponseArrays& response = body.response;
   return { body.coordinates, body.corners, response.force, response.stiffness, response.basis,
     response.coefficient, response.normal, response.range, response.status, body.validity,
-    body.limit };
+    body.limit, response.relaxation.strength, response.relaxation.elasticCompliance };
+}
+
+/// What no tick is to meet: strengths or compliances that are not finite, or negative.
+std::string checkRelaxation(const FlatBody& body)
+{
+  const RelaxationTerms& terms = body.response.relaxation;
+  const auto check = [&body](const float* values, std::size_t components, const char* what)
+  {
+    const std::size_t count = values ? body.points * components : 0;
+    const float* wrong = std::find_if_not(
+      values, values + count, [](float value) { return value >= 0.0F && std::isfinite(value); });
+    return wrong == values + count ? std::string()
+                                   : joined("has ", what, " of ", *wrong, " at point ",
+                                       static_cast<std::size_t>(wrong - values) / components);
+  };
+  const std::string fault = check(terms.strength, terms.series.count, "a relaxation");
+  return fault.empty() ? check(terms.elasticCompliance, 1, "an elastic compliance") : fault;
 }
 
 void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
 {
   const auto data = sectionsOf(body);
-  const auto sizes = sectionSizes(header);
-  constexpr std::array<char, Alignment> padding{};
+  const auto sizes = header.sectionSizes();
+  constexpr std::array<char, Header::Alignment> padding{};
   std::uint64_t written = sizeof(Header);
   file.write(&header, sizeof(Header));
-  for (std::size_t k = 0; k < SectionCount; ++k)
+  for (std::size_t k = 0; k < Header::SectionCount; ++k)
   {
     if (sizes[k] == 0)
     {
       continue;
     }
-    const std::uint64_t gap = header.offset[k] - written;
+    const std::uint64_t gap = header.offset(k) - written;
     file.write(padding.data(), gap);
     file.write(data[k], sizes[k]);
     written += gap + sizes[k];
@@ -313,16 +204,15 @@ std::string FlatBodyFile::open(const std::string& path)
   }
   const std::size_t size = this->File.size();
   std::string fault = "is not a Palpate body file: it is too short or no file";
-  if (size >= FirstHeaderSize)
+  if (size >= Header::SmallestSize)
   {
-    Header header{};
-    std::memcpy(&header, this->File.bytes(), std::min(size, sizeof header));
-    fault = faultOf(header, size);
+    const Header header = Header::read(this->File.bytes(), size);
+    fault = header.fault(size);
     if (fault.empty())
     {
       this->Body = view(header, this->File.bytes());
       fault = checksumOf(sectionsOf(this->Body), header) == header.checksum
-        ? ""
+        ? checkRelaxation(this->Body)
         : "is damaged: its checksum is wrong";
     }
   }

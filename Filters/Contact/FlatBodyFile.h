@@ -33,16 +33,16 @@ struct FlatBody
  * A body file: header, then the arrays of a FlatBody, each aligned to 64 bytes, in the byte order
  * of the machine. It is mapped into memory, not read, and serves loops without VTK and as a cache.
  *
- * Header (see FlatBodyFile.cxx): magic "PALPATE", format version, byte-order mark, size of the
+ * Header (see FlatBodyHeader.h): magic "PALPATE", format version, byte-order mark, size of the
  * file, checksum of header and arrays, counts, and where each array begins. Files that
  * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
  * reason; nothing is half-loaded. Files of format 1, which has no model parts, are read: the parts
- * follow from the text; files of format 2 have no EdgeTerms.
+ * follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
 public:
-  static constexpr std::uint32_t Version = 3;
+  static constexpr std::uint32_t Version = 4;
 
   /// Writes a new file, then puts it in the place of an old one, so that a failure leaves the old
   /// one whole. Returns an error that names the file, or "".

@@ -91,7 +91,11 @@ enum class ResponseArray : std::uint8_t
   Model,
   ModelParts,
   Units,
-  Edges
+  Edges,
+  RelaxationStrength,
+  RelaxationTime,
+  LocalRelaxation,
+  ElasticCompliance
 };
 
 /// One array of a response: with the response's name before `suffix` it is the array's name.
@@ -120,7 +124,8 @@ struct ContractArray
     Five,
     Samples,
     TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
-    Laws
+    Laws,
+    Branches ///< of the relaxation; of a field array as many tuples of one
   };
   /// Who needs it.
   enum class Use : std::uint8_t
@@ -130,7 +135,8 @@ struct ContractArray
     Compact,    ///< evaluation where curves are combinations of laws
     Trust,      ///< how far the law holds
     Words,      ///< what the file says of itself
-    Edges       ///< how a contact leaves over sharp edges; may be absent
+    Edges,      ///< how a contact leaves over sharp edges; may be absent
+    Relaxation  ///< how the body relaxes; may be absent
   };
 
   ResponseArray array;
@@ -147,7 +153,7 @@ struct ContractArray
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 17> ResponseContract = { {
+constexpr std::array<ContractArray, 21> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -168,6 +174,10 @@ constexpr std::array<ContractArray, 17> ResponseContract = { {
   PALPATE_ARRAY(ModelParts,  Fields, UnsignedChar, One,        Words,      "",     "sum of ModelPart"),
   PALPATE_ARRAY(Units,       Fields, Text,         One,        Words,      "",     "\"mm,N,MPa\""),
   PALPATE_ARRAY(Edges,       Fields, Double,       Five,       Edges,      "",     "EdgeTerms: m, contact radius at 1 mm (mm), \u03bd, extent (mm), 1 if in the curves"),
+  PALPATE_ARRAY(RelaxationStrength, Fields, Double, Branches, Relaxation, "", "p_i of E(t)/E_\u221e = 1 + \u03a3 p_i exp(-t/\u03c4_i); the curves are the slow response"),
+  PALPATE_ARRAY(RelaxationTime,     Fields, Double, Branches, Relaxation, "s", "\u03c4_i"),
+  PALPATE_ARRAY(LocalRelaxation,    Points, Float,  Branches, Relaxation, "", "p_i of each point, instead of RelaxationStrength"),
+  PALPATE_ARRAY(ElasticCompliance,  Points, Float,  One,      Relaxation, "mm/N", "what is in series and does not relax"),
 #undef PALPATE_ARRAY
 } };
 // clang-format on
@@ -188,8 +198,9 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
   return contractOf(array).named(response);
 }
 
-/// Components of a tuple of the array, in a response of so many samples and laws.
-constexpr int componentsOf(const ContractArray& array, int samples, int laws)
+/// Components of a tuple of the array, in a response of so many samples, laws and branches of the
+/// relaxation.
+constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0)
 {
   switch (array.width)
   {
@@ -203,6 +214,8 @@ constexpr int componentsOf(const ContractArray& array, int samples, int laws)
       return 2 * samples;
     case ContractArray::Width::Laws:
       return laws;
+    case ContractArray::Width::Branches:
+      return array.place == ContractArray::Place::Points ? branches : 1;
     default:
       return 1;
   }

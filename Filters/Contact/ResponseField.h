@@ -5,6 +5,7 @@
 #include "Contact/Edges/EdgeLaw.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
+#include "Contact/Relaxation/RelaxationTerms.h"
 #include "Contact/Prefetch.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseContract.h"
@@ -37,6 +38,7 @@ struct ResponseArrays
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
   EdgeTerms edges; ///< of all points; how the tool leaves over sharp edges, if they are felt
+  RelaxationTerms relaxation; ///< how the body relaxes, if it does
 
   /// δ_max of all points, mm; 0 without a response.
   double longestRange() const noexcept
@@ -178,6 +180,18 @@ public:
   /// ∫₀^δ F of the blend, N mm.
   double energy(double deflection) const noexcept;
 
+  /// Whether all three curves have this range.
+  bool hasRange(double range) const noexcept
+  {
+    return this->Field.range(this->Points[0]) == range &&
+      this->Field.range(this->Points[1]) == range && this->Field.range(this->Points[2]) == range;
+  }
+  /// F, K of sample `lower` and of the next, blended: curves of one range.
+  Eigen::Vector4d samples(int lower) const noexcept
+  {
+    return this->Field.blendSamples(this->Points, this->Weights, lower);
+  }
+
 private:
   /// Where the three curves have one range, the sum of their samples does.
   bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
@@ -195,8 +209,7 @@ private:
 inline bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& sum) const noexcept
 {
   const double range = this->Field.range(this->Points[0]);
-  if (!(range > 0.0) || this->Field.range(this->Points[1]) != range ||
-    this->Field.range(this->Points[2]) != range)
+  if (!(range > 0.0) || !this->hasRange(range))
   {
     return false;
   }

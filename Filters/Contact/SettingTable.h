@@ -115,7 +115,7 @@ constexpr SettingRow choice(const SettingText& text, const SettingWords& words)
  * interface refuse by it, the program's options are made from it, and ParaView's properties are
  * tested against it.
  */
-inline constexpr std::array<SettingRow, 8> SettingTable = { {
+inline constexpr std::array<SettingRow, 9> SettingTable = { {
   setting::choice<&ContactSettings::form>(
     { "ForceForm", "force-form", "",
       "how the three curves of a triangle become one force. Paper: as printed, a little weaker "
@@ -154,6 +154,12 @@ inline constexpr std::array<SettingRow, 8> SettingTable = { {
   setting::number<&FrictionSettings::poissonRatio>(
     { "PoissonRatio", nullptr, "", "of the body; only used by the shape-derived friction" },
     SettingRange::between(0.0, 0.5, "Poisson's ratio, e.g. 0.45")),
+  setting::number<&ContactSettings::relaxationElements>(
+    { "RelaxationElements", "relaxation-elements", "",
+      "elements side by side that a body which relaxes is felt with, of which each touches and "
+      "lets go by itself; 0: one for all, the quasi-linear law" },
+    SettingRange::between(
+      0.0, ContactSettings::MostRelaxationElements, "a number of elements, e.g. 16")),
 } };
 
 /// The row of this name or, for what a command line calls it, of this option; null if there is

@@ -2,8 +2,10 @@
 #include "Contact/ToolContact.h"
 
 #include "Contact/BorderFade.h"
+#include "Contact/CappedResponse.h"
 #include "Contact/EnergyGradient.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -33,14 +35,22 @@ ContactState stateOf(ContactTracker::Outcome outcome) noexcept
 
 void ToolContact::reset() noexcept
 {
+  this->lose();
+  this->Relaxation.reset();
+}
+
+void ToolContact::lose() noexcept
+{
   this->Tracker.reset();
   this->Resistance.reset();
+  this->Relaxation.lose();
   this->LastWeights.setZero();
   this->IsLetGo = false;
 }
 
-Contact ToolContact::update(const Vector3& tip) noexcept
+Contact ToolContact::feel(const Vector3& tip, bool inTime) noexcept
 {
+  this->IsInTime = inTime;
   this->prefetchLast();
   this->LastStep = tip - this->LastTip;
   this->LastTip = tip;
@@ -78,6 +88,10 @@ Contact ToolContact::update(const Vector3& tip) noexcept
   {
     return this->end(ContactState::Invalid);
   }
+  if (result.state == ContactState::None)
+  {
+    return this->comeOff();
+  }
   this->addFriction(response, result);
   return result;
 }
@@ -85,7 +99,19 @@ Contact ToolContact::update(const Vector3& tip) noexcept
 Contact ToolContact::end(ContactState state) noexcept
 {
   this->Resistance.reset();
+  if (this->IsInTime && state != ContactState::Invalid)
+  {
+    this->Relaxation.lift();
+  }
   return withoutForce(state);
+}
+
+Contact ToolContact::comeOff() noexcept
+{
+  this->Resistance.reset();
+  this->Relaxation.lose();
+  this->LastWeights.setZero();
+  return withoutForce(ContactState::None);
 }
 
 EdgeEffect ToolContact::edgeEffect(const Vector3& tip, ContactPlace& place) const noexcept
@@ -134,6 +160,10 @@ Contact ToolContact::feelEdges(const Vector3& tip, ContactPlace& place) noexcept
   {
     return this->end(ContactState::Invalid);
   }
+  if (result.state == ContactState::None)
+  {
+    return this->comeOff();
+  }
   this->applyEdges(effect, response, result);
   this->addFriction(response, result);
   return result;
@@ -142,7 +172,9 @@ Contact ToolContact::feelEdges(const Vector3& tip, ContactPlace& place) noexcept
 void ToolContact::applyEdges(
   const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept
 {
-  const double work = response.energy(effect.depth);
+  const double work =
+    response.energy(effect.depth) + (this->IsInTime ? this->Relaxation.storedEnergy() : 0.0);
+  const double before = result.normalForce;
   const Vector3 beside = result.force - result.normalForce * result.normal; // of unlike curves
   const double force = result.normalForce * effect.share + work * effect.byDepth;
   result.stiffness = result.stiffness * effect.share + 2.0 * result.normalForce * effect.byDepth +
@@ -153,6 +185,7 @@ void ToolContact::applyEdges(
   result.normal /= length;
   result.normalForce = force * length;
   result.stiffness *= length * length;
+  result.memory *= before > 0.0 ? result.normalForce / before : 0.0;
 }
 
 Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
@@ -169,6 +202,11 @@ Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
   {
     return this->end(ContactState::LostAtBorder);
   }
+  if (result.state == ContactState::None)
+  {
+    return this->comeOff();
+  }
+  result.memory *= left.fraction;
   result.normalForce *= left.fraction;
   result.stiffness *= left.fraction;
   result.force *= left.fraction;
@@ -255,11 +293,15 @@ bool ToolContact::blend(
   result.normalForce = value.force;
   result.stiffness = value.stiffness;
   result.state = value.beyondRange ? ContactState::BeyondRange : ContactState::Slide;
+  if (this->IsInTime)
+  {
+    this->relax(place, value, result);
+  }
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
     result.normal = place.normal;
     result.force = EnergyGradient::force(result.normalForce, place.normal, place.weightGradients,
-      response.energies(result.deflection));
+      this->energies(response, result.deflection));
     return result.force.allFinite();
   }
   Vector3 direction = place.normal; // a smooth surface has one of its own
@@ -271,13 +313,53 @@ bool ToolContact::blend(
   {
     const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
     const Vector3 sum = this->sumOfNormals(place, { each[0].force, each[1].force, each[2].force });
-    result.normalForce = sum.norm();
+    const double memory = value.force > 0.0 ? result.normalForce / value.force : 1.0;
+    result.normalForce = memory * sum.norm();
     direction = result.normalForce > 0.0 ? sum : direction;
   }
   const double length = direction.norm();
   result.normal = direction / length;
   result.force = result.normalForce * result.normal;
   return length > 0.0 && result.force.allFinite(); // neither of them infinite
+}
+
+void ToolContact::relax(
+  const ContactPlace& place, const ResponseValue& slow, Contact& result) noexcept
+{
+  const ContactRelaxation::Force felt = this->Relaxation.press(
+    { this->LastCorners, this->LastWeights, place.projection.point, result.deflection }, slow);
+  result.normalForce = felt.total;
+  result.memory = felt.total - slow.force;
+  result.stiffness = felt.stiffness;
+  result.state = felt.isTouched ? result.state : ContactState::None;
+}
+
+Vector3 ToolContact::energies(const BlendedResponse& response, double deflection) const noexcept
+{
+  Vector3 energies = response.energies(deflection);
+  if (this->IsInTime)
+  {
+    // What memory stores is shared out among the corners as their slow work is: curves of one tool
+    // on bodies of unlike stiffness have one form.
+    const double work = energies.isZero(0.0) ? 0.0 : response.energy(deflection);
+    energies *= work > 0.0 ? 1.0 + this->Relaxation.storedEnergy() / work : 1.0;
+    energies += this->Relaxation.strengthEnergies();
+  }
+  return energies;
+}
+
+double ToolContact::cappedShare(const Contact& contact, double maximumStiffness) const noexcept
+{
+  const BlendedResponse response = this->response();
+  if (!this->IsInTime)
+  {
+    return CappedResponse(response, maximumStiffness).share(contact.deflection);
+  }
+  const double slowCap = maximumStiffness / this->Relaxation.stiffening();
+  const double whole = contact.normalForce;
+  const double capped = this->Relaxation.cappedForce(
+    CappedResponse(response, slowCap).evaluate(contact.deflection).force, slowCap);
+  return std::min(1.0, whole > 0.0 ? capped / this->Relaxation.force() : 1.0);
 }
 
 Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept
@@ -294,13 +376,18 @@ Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& fact
 
 void ToolContact::addFriction(const BlendedResponse& response, Contact& result) noexcept
 {
+  if (this->IsInTime)
+  {
+    result.friction = this->Relaxation.slide(result.contactPoint, result.normal);
+    result.force += result.friction;
+  }
   if (!(this->Settings.friction.coefficient > 0.0))
   {
     return;
   }
   const Friction::Result friction = this->Resistance.update(
     result.contactPoint, result.normal, result.normalForce, result.deflection, response);
-  result.friction = friction.force;
+  result.friction += friction.force;
   result.force += friction.force;
   if (!friction.sliding && result.state == ContactState::Slide)
   {

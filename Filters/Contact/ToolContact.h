@@ -7,6 +7,7 @@
 #include "Contact/ContactSettings.h"
 #include "Contact/ContactTracker.h"
 #include "Contact/Friction.h"
+#include "Contact/Relaxation/ContactRelaxation.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <cstdint>
@@ -22,7 +23,8 @@ namespace palpate
  * follows from how the contact point moves over the undeformed surface (Friction). Frictionless
  * contacts slide. Beyond an open border the contact is LostAtBorder and its force fades
  * (BorderFade). Over the sharp edges of a body whose response has EdgeTerms it leaves as BodyEdges
- * tells.
+ * tells. A body that relaxes is felt in time by an update that is told how long ago the last one
+ * was (ContactRelaxation); without a time it is its slow response.
  *
  * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
  * thread; the body may be shared and must outlive it.
@@ -37,11 +39,25 @@ public:
           ? ContactTracker(body.surface, body.tree, body.response)
           : ContactTracker(body.surface, body.tree))
     , Resistance(settings.friction)
+    , Relaxation(body.relaxation.get(), settings.relaxationElements)
   {
   }
 
-  Contact update(const Vector3& tip) noexcept;
+  /// The slow response; what the body remembers of time stays as it is.
+  Contact update(const Vector3& tip) noexcept { return this->feel(tip, false); }
+  /// `elapsed` s after the last of these. The first one that finds the tip in the body takes it to
+  /// have rested there.
+  Contact update(const Vector3& tip, double elapsed) noexcept
+  {
+    this->pass(elapsed);
+    return this->feel(tip, this->Relaxation.isFelt());
+  }
+  /// Time passes, and nobody knows where the tip is.
+  void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
+  /// All is forgotten.
   void reset() noexcept;
+  /// The contact and its friction are; what the body remembers of having been pressed is not.
+  void lose() noexcept;
 
   /// Asks for the memory which the next update reads if the tip moves on as it did: for when the
   /// force is sent and the loop has nothing to do. Changes nothing; takes 50 ns to some
@@ -55,7 +71,15 @@ public:
     return { this->Body.response, this->LastCorners, this->LastWeights };
   }
 
+  /// Of the force of that contact, friction included, so much may stay where the stiffness that a
+  /// loop feels is to be no larger than this, N/mm: 0 to 1 (CappedResponse). Of a body that relaxes
+  /// its instantaneous stiffness counts.
+  double cappedShare(const Contact& contact, double maximumStiffness) const noexcept;
+
 private:
+  Contact feel(const Vector3& tip, bool inTime) noexcept;
+  /// What memory makes of the slow response there.
+  void relax(const ContactPlace& place, const ResponseValue& slow, Contact& result) noexcept;
   /// The force where sharp edges are near, or beyond one (BodyEdges).
   Contact feelEdges(const Vector3& tip, ContactPlace& place) noexcept;
   EdgeEffect edgeEffect(const Vector3& tip, ContactPlace& place) const noexcept;
@@ -65,12 +89,17 @@ private:
   void applyEdges(
     const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept;
   Contact end(ContactState state) noexcept;
+  /// No contact, since the body has not yet come back to the tool.
+  Contact comeOff() noexcept;
+  /// Work of each corner's curve, and what memory stores there.
+  Vector3 energies(const BlendedResponse& response, double deflection) const noexcept;
   /// The force on a tip beyond an open border.
   Contact fade(const Vector3& tip, ContactPlace& place) noexcept;
   void prefetchLast() const noexcept;
   void prefetchResponses(std::int32_t triangle) const noexcept;
   bool hasResponse(const ContactPlace& place) const noexcept;
-  /// Fills everything but friction; false where the force is not finite or has no direction.
+  /// Fills everything but friction; false where the force is not finite or has no direction. The
+  /// state is None where a body that relaxes has not yet come back to the tool.
   bool blend(const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept;
   /// Σ n_i factor_i U_i.
   Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
@@ -87,6 +116,8 @@ private:
   bool IsLetGo = false;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
+  bool IsInTime = false;
+  ContactRelaxation Relaxation; ///< last: most bodies have none
 };
 } // namespace palpate
 

@@ -9,12 +9,14 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace palpate
@@ -36,6 +38,32 @@ void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseCho
     body->GetFieldData()->AddArray(exponent);
     const ResponseModel model = responseModel(body, name);
     describeModel(body, name, { model.text + "; as a spring per point", model.parts | SpringPart });
+  }
+}
+
+std::string capitalised(std::string words)
+{
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+/// How many elements the relaxation needs; or it is taken away, where it is not felt.
+void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
+  const RelaxationNeed& need)
+{
+  const std::string elementsName = name + "RelaxationElements";
+  body->GetFieldData()->RemoveArray(elementsName.c_str());
+  if (terms.series.count > 0 && !need.isFelt)
+  {
+    removeRelaxation(body, name);
+    return;
+  }
+  if (terms.series.count > 0)
+  {
+    vtkNew<vtkIntArray> elements;
+    elements->SetName(elementsName.c_str());
+    elements->InsertNextValue(need.elements);
+    body->GetFieldData()->AddArray(elements);
   }
 }
 
@@ -128,6 +156,12 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   attached.choice = chooseResponse(arrays, evidence, used);
   attached.numbersPerPointBefore = arrays.basis ? arrays.laws : 2 * arrays.samples;
   attached.reason = choiceReason(attached.choice, used, attached.numbersPerPointBefore);
+  RelaxationTerms& relaxation = arrays.relaxation;
+  relaxation.exponent =
+    attached.choice.need == ResponseNeed::PointForce ? 1.0 : relaxation.exponent;
+  attached.relaxation = relaxationNeed(relaxation, arrays.points, used.tolerance);
+  const std::string time = relaxationReason(attached.relaxation, relaxation.series, used.tolerance);
+  attached.reason += time.empty() ? time : ". " + capitalised(time);
   const std::string terms = termsReason(body, responseName);
   attached.reason += terms.empty() ? terms : ". Of its law: " + terms;
   copyWithOwnFields(body, output);
@@ -136,6 +170,7 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
     replaceCurves(output, responseName, attached.choice);
   }
   addText(output, responseName + "Choice", attached.reason);
+  keepRelaxation(output, responseName, relaxation, attached.relaxation);
   return {};
 }
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "palpateResponseModule.h" // For export macro
 
 #include "Contact/Reduction/ResponseChoice.h" // For palpate::ResponseChoice
+#include "Laws/RelaxationError.h"             // For palpate::RelaxationNeed
 
 #include <string> // For std::string
 
@@ -18,6 +19,7 @@ struct AttachedChoice
   ResponseChoice choice;
   std::string reason;
   int numbersPerPointBefore = 0;
+  RelaxationNeed relaxation; ///< of a body that relaxes
 };
 
 /// The body with the least form of its response, see vtkResponseChoice.

@@ -2,6 +2,7 @@
 #include "Response/BodyConversion.h"
 
 #include "Mechanics/JoinedText.h"
+#include "Response/ArrayFetch.h"
 #include "Response/FilterThreads.h"
 
 #include "vtkCellArray.h"
@@ -31,44 +32,6 @@ namespace
 {
 constexpr int EdgeComponents = componentsOf(contractOf(ResponseArray::Edges), 0, 0);
 
-std::string describe(vtkAbstractArray* array)
-{
-  return joined(array->GetDataTypeAsString(), " with ", array->GetNumberOfComponents(),
-    " components and ", array->GetNumberOfTuples(), " tuples");
-}
-
-const char* nameOf(ContractArray::Type type)
-{
-  return type == ContractArray::Type::Float ? "float" : "unsigned char";
-}
-
-/// The memory of an array of the response, or null with an error unless it has exactly the type and
-/// shape of the contract.
-template <class Array>
-const typename Array::ValueType* fetch(vtkPolyData* body, const std::string& name,
-  ResponseArray which, const ResponseArrays& arrays, std::string& error)
-{
-  const ContractArray& contract = contractOf(which);
-  const std::string full = contract.named(name);
-  const int components = componentsOf(contract, arrays.samples, arrays.laws);
-  const vtkIdType tuples = which == ResponseArray::Basis ? arrays.laws : body->GetNumberOfPoints();
-  vtkAbstractArray* found = placeOf(contract, body)->GetAbstractArray(full.c_str());
-  if (!found)
-  {
-    error = "array '" + full + "' is missing";
-    return nullptr;
-  }
-  Array* array = Array::FastDownCast(found);
-  if (!array || array->GetNumberOfComponents() != components ||
-    array->GetNumberOfTuples() != tuples)
-  {
-    error = joined("array '", full, "' must be ", nameOf(contract.type), " with ", components,
-      " components and ", tuples, " tuples, but is ", describe(found));
-    return nullptr;
-  }
-  return array->GetPointer(0);
-}
-
 bool fetchNumber(vtkPolyData* body, const std::string& response, ResponseArray which, double low,
   double high, double& value, std::string& error)
 {
@@ -94,7 +57,7 @@ bool fetchCurves(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
   const auto floats = [&](ResponseArray which)
-  { return fetch<vtkFloatArray>(body, name, which, arrays, error); };
+  { return fetchArray<vtkFloatArray>(body, name, which, arrays, error); };
   const std::string basisName = arrayName(name, ResponseArray::Basis);
   vtkAbstractArray* basis = body->GetFieldData()->GetAbstractArray(basisName.c_str());
   if (!basis)
@@ -254,7 +217,7 @@ bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std
   if (array->GetNumberOfComponents() != EdgeComponents || array->GetNumberOfTuples() != 1)
   {
     error = joined("field array '", full, "' must have ", EdgeComponents,
-      " components and one tuple, but is ", describe(array));
+      " components and one tuple, but is ", shapeOf(array));
     return false;
   }
   edges.exponent = array->GetComponent(0, 0);
@@ -287,21 +250,23 @@ bool viewResponse(
   {
     return false;
   }
-  arrays.normal = fetch<vtkFloatArray>(body, name, ResponseArray::Normal, arrays, error);
-  arrays.range =
-    arrays.normal ? fetch<vtkFloatArray>(body, name, ResponseArray::Range, arrays, error) : nullptr;
-  arrays.status = arrays.range
-    ? fetch<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
+  arrays.normal = fetchArray<vtkFloatArray>(body, name, ResponseArray::Normal, arrays, error);
+  arrays.range = arrays.normal
+    ? fetchArray<vtkFloatArray>(body, name, ResponseArray::Range, arrays, error)
     : nullptr;
-  return arrays.status && viewEdges(body, name, arrays.edges, error);
+  arrays.status = arrays.range
+    ? fetchArray<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
+    : nullptr;
+  return arrays.status && viewEdges(body, name, arrays.edges, error) &&
+    viewRelaxation(body, name, arrays, error);
 }
 
 bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,
   const unsigned char*& limit, std::string& error)
 {
-  validity = fetch<vtkFloatArray>(body, name, ResponseArray::Validity, {}, error);
-  limit =
-    validity ? fetch<vtkUnsignedCharArray>(body, name, ResponseArray::Limit, {}, error) : nullptr;
+  validity = fetchArray<vtkFloatArray>(body, name, ResponseArray::Validity, {}, error);
+  limit = validity ? fetchArray<vtkUnsignedCharArray>(body, name, ResponseArray::Limit, {}, error)
+                   : nullptr;
   return limit != nullptr;
 }
 

@@ -11,8 +11,9 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Contact/BodyMesh.h"    // For palpate::BodyMesh
-#include "Contact/ContactBody.h" // For palpate::ContactBody
+#include "Contact/BodyMesh.h"                     // For palpate::BodyMesh
+#include "Contact/ContactBody.h"                  // For palpate::ContactBody
+#include "Response/Curves/RelaxationConversion.h" // For palpate::describeRelaxation
 
 #include <cstdint> // For std::int32_t
 #include <memory>  // For std::shared_ptr

@@ -35,6 +35,8 @@ namespace palpate
 {
 namespace
 {
+constexpr std::size_t ComplianceArray = 2; // of MaterialArrays
+
 /// The correction by finite strain, null for none; or what is wrong.
 std::string findStrain(const LawRequest& request, const StrainLaw& law,
   const BodyMaterial& material, const std::function<bool(double)>& goOn,
@@ -137,6 +139,12 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
     fault =
       ranks.firstFault(hasPiece ? readMaterial(body, request.arrays, material) : std::string());
   }
+  const MaterialArray& compliance = request.arrays[ComplianceArray];
+  if (fault.empty())
+  {
+    fault = ranks.firstFault(
+      hasPiece ? checkRelaxation(body, request.relaxation, compliance) : std::string());
+  }
   if (!fault.empty())
   {
     return fault;
@@ -213,9 +221,11 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   storage.attach(output);
   const ResponseModel beyond = termsOf(terms);
   describeResponse(output, name,
-    { made.exponent, request.samples, tool.specification(), material.describe() + beyond.text,
+    { made.exponent, request.samples, tool.specification(),
+      material.describe() + beyond.text + relaxationInWords(request.relaxation, compliance),
       material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
+  attachRelaxation(request.relaxation, compliance, name, output);
   if (terms.edges)
   {
     describeEdges(output, name, edgesOf(tool, request.deflection, material, lengths.least));

@@ -9,10 +9,11 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Laws/BodyMaterial.h"              // For palpate::BodyMaterial
-#include "Laws/LawTerms.h"                  // For palpate::LawTerms
-#include "Response/Curves/MaterialArrays.h" // For palpate::MaterialArrays
-#include "Response/Pieces/Ranks.h"          // For palpate::Ranks
+#include "Laws/BodyMaterial.h"                 // For palpate::BodyMaterial
+#include "Laws/LawTerms.h"                     // For palpate::LawTerms
+#include "Response/Curves/RelaxationRequest.h" // For palpate::RelaxationRequest
+#include "Response/Curves/MaterialArrays.h"    // For palpate::MaterialArrays
+#include "Response/Pieces/Ranks.h"             // For palpate::Ranks
 
 #include <functional> // For std::function
 #include <string>     // For std::string
@@ -37,6 +38,7 @@ struct LawRequest
   int samples = 8;                             ///< of a response
   LawTerms terms = {};                         ///< of a response
   const MeasuredBodyError* measured = nullptr; ///< of a response whose material was measured
+  RelaxationRequest relaxation = {};           ///< of a response
 };
 
 /// What is wrong with the settings of a response, or "".

@@ -18,7 +18,7 @@ void allocate(vtkDataArray* array, const char* name, int components, vtkIdType t
 }
 } // namespace
 
-ContactArrays::ContactArrays(vtkIdType tips)
+ContactArrays::ContactArrays(vtkIdType tips, bool relaxes)
 {
   allocate(this->Force.Get(), "Force", 3, tips);
   allocate(this->NormalForce.Get(), "NormalForce", 1, tips);
@@ -28,6 +28,11 @@ ContactArrays::ContactArrays(vtkIdType tips)
   allocate(this->ContactPoint.Get(), "ContactPoint", 3, tips);
   allocate(this->ContactCell.Get(), "ContactCell", 1, tips);
   allocate(this->ContactState.Get(), "ContactState", 1, tips);
+  if (relaxes)
+  {
+    this->MemoryForce = vtkSmartPointer<vtkDoubleArray>::New();
+    allocate(this->MemoryForce, "MemoryForce", 1, tips);
+  }
 }
 
 void ContactArrays::store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly)
@@ -41,6 +46,10 @@ void ContactArrays::store(vtkIdType tip, const Contact& contact, vtkIdType first
   this->ContactCell->SetValue(
     tip, contact.triangle < 0 ? -1 : firstPoly + static_cast<vtkIdType>(contact.triangle));
   this->ContactState->SetValue(tip, static_cast<unsigned char>(contact.state));
+  if (this->MemoryForce)
+  {
+    this->MemoryForce->SetValue(tip, contact.memory);
+  }
 }
 
 void ContactArrays::attach(vtkPolyData* tips)
@@ -50,6 +59,10 @@ void ContactArrays::attach(vtkPolyData* tips)
       this->Deflection, this->Normal, this->ContactPoint, this->ContactCell, this->ContactState })
   {
     tips->GetPointData()->AddArray(array);
+  }
+  if (this->MemoryForce)
+  {
+    tips->GetPointData()->AddArray(this->MemoryForce);
   }
 }
 } // namespace palpate

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
  * The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
- * Deflection, Normal, ContactPoint, ContactCell, ContactState. What they mean stands in
- * vtkToolContactProbe.h.
+ * Deflection, Normal, ContactPoint, ContactCell, ContactState, and of a body that relaxes
+ * MemoryForce. What they mean stands in vtkToolContactProbe.h.
  */
 #ifndef ContactArrays_h
 #define ContactArrays_h
@@ -14,6 +14,7 @@
 #include "vtkDoubleArray.h"       // For vtkDoubleArray
 #include "vtkIdTypeArray.h"       // For vtkIdTypeArray
 #include "vtkNew.h"               // For vtkNew
+#include "vtkSmartPointer.h"      // For vtkSmartPointer
 #include "vtkUnsignedCharArray.h" // For vtkUnsignedCharArray
 
 class vtkPolyData;
@@ -25,7 +26,7 @@ class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
   /// Every tip must be stored before they are attached: the values are not set.
-  explicit ContactArrays(vtkIdType tips);
+  explicit ContactArrays(vtkIdType tips, bool relaxes = false);
 
   /// `firstPoly` is the cell id of the body's first triangle. May run for different tips at once.
   void store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly);
@@ -41,6 +42,7 @@ private:
   vtkNew<vtkDoubleArray> ContactPoint;
   vtkNew<vtkIdTypeArray> ContactCell;
   vtkNew<vtkUnsignedCharArray> ContactState;
+  vtkSmartPointer<vtkDoubleArray> MemoryForce; ///< null: nothing relaxes
 };
 } // namespace palpate
 

@@ -65,6 +65,26 @@ void addCurves(const FlatBody& flat, const std::string& name, vtkPolyData* body)
   body->GetPointData()->AddArray(copied<vtkFloatArray>(
     arrayName(name, ResponseArray::Stiffness), response.stiffness, response.samples, count));
 }
+
+void addRelaxation(const FlatBody& flat, const std::string& name, vtkPolyData* body)
+{
+  const RelaxationTerms& terms = flat.response.relaxation;
+  if (terms.series.count == 0)
+  {
+    return;
+  }
+  describeRelaxation(body, name, terms.series);
+  const auto add = [&](ResponseArray which, const float* values, std::size_t components)
+  {
+    if (values)
+    {
+      body->GetPointData()->AddArray(copied<vtkFloatArray>(arrayName(name, which), values,
+        static_cast<int>(components), static_cast<vtkIdType>(flat.points)));
+    }
+  };
+  add(ResponseArray::LocalRelaxation, terms.strength, terms.series.count);
+  add(ResponseArray::ElasticCompliance, terms.elasticCompliance, 1);
+}
 } // namespace
 
 std::string writeFlatBody(vtkPolyData* body, const std::string& name, const std::string& path)
@@ -146,6 +166,7 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
   {
     describeEdges(body, name, response.edges);
   }
+  addRelaxation(flat, name, body);
   return body;
 }
 } // namespace palpate

@@ -49,8 +49,10 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkAlgorithmOutput;
 class vtkContactTool;
@@ -155,6 +157,19 @@ public:
   ///@}
 
   ///@{
+  /**
+   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch with its strength p >= 0,
+   * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. As of
+   * vtkToolContactResponse, of the whole body: the curves are the slow response. Default none.
+   */
+  void AddRelaxation(double strength, double seconds);
+  void ClearRelaxations();
+  int GetNumberOfRelaxations();
+  double GetRelaxationStrength(int relaxation);
+  double GetRelaxationTime(int relaxation);
+  ///@}
+
+  ///@{
   /** Whether a simpler law's curve is kept where true shape changes the force by no more than
    * TermTolerance, point by point: that of a half-space of the material at the point, curved as the
    * surface is, or of a layer of LayerThickness on a rigid base. The point array
@@ -233,6 +248,7 @@ private:
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
   bool EdgeCorrection = false;
+  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   double LayerThickness = 0.0;

@@ -52,6 +52,7 @@ int vtkResponseChoice::RequestData(
   this->ShapelessShare = choice.shapelessShare;
   this->SpringLoss = choice.springLoss;
   this->BeyondValidityShare = choice.beyondShare;
+  this->RelaxationElements = attached.relaxation.elements;
   return 1;
 }
 

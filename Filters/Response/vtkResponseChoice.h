@@ -25,6 +25,12 @@
  * may be many times the Tolerance while the force there is a tenth. Without the regime, and for
  * half-spaces and layers, whose λ is never near 1, there is no point force.
  *
+ * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, its arrays taken away, where
+ * no press can feel more of it than `Tolerance`. Otherwise the field array
+ * `<name>RelaxationElements` (int) says with how many elements (vtkContactSettings) the force stays
+ * within it, of the largest of a press, by the worst of the study's motions
+ * (palpate/RelaxationError.h): how fast the tool will move is not known.
+ *
  * The choice in words, with its numbers: GetReason, and the field array `<name>Choice`. It also
  * tells where Deflection is beyond Validity: there the numbers of the law are kept, but the law is
  * not the body's.
@@ -114,6 +120,9 @@ public:
   vtkGetMacro(SpringLoss, double);
   vtkGetMacro(BeyondValidityShare, double);
   ///@}
+  /** Of the last execution: the elements that the body's relaxation needs (vtkContactSettings), 0,
+   * 4, 8, 16 or 32; 0 also where nothing relaxes, or not enough to be felt. */
+  vtkGetMacro(RelaxationElements, int);
 
 protected:
   vtkResponseChoice();
@@ -131,6 +140,7 @@ private:
   int MaximumNumberOfLaws = 8;
   std::string ResponseName = "Response";
 
+  int RelaxationElements = 0;
   int Verdict = PerVertex;
   std::string Reason;
   int NumbersPerPoint = 0;

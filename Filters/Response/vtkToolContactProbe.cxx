@@ -32,8 +32,9 @@ namespace
 constexpr double BuildShare = 0.9;
 
 /// Why the response of a piece cannot be read, or is of another kind than those of other pieces; ""
-/// if all can be. Collective.
-std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name)
+/// if all can be. Collective; then `isSlow` is whether nothing relaxes.
+std::string checkPieces(
+  const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name, bool& isSlow)
 {
   std::string fault;
   palpate::ResponseArrays arrays;
@@ -51,18 +52,26 @@ std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const s
   {
     return fault;
   }
-  using Kind = std::array<double, 3>;
-  const Kind own{ static_cast<double>(arrays.samples), static_cast<double>(arrays.laws),
-    arrays.exponent };
+  using Kind = std::array<double, 6 + 2 * palpate::PronySeries::LargestCount>;
+  const palpate::RelaxationTerms& terms = arrays.relaxation;
+  Kind own{ static_cast<double>(arrays.samples), static_cast<double>(arrays.laws), arrays.exponent,
+    static_cast<double>(terms.series.count), terms.strength ? 1.0 : 0.0,
+    terms.elasticCompliance ? 1.0 : 0.0 };
+  for (std::size_t i = 0; i < terms.series.count; ++i)
+  {
+    own[6 + 2 * i] = terms.series.strength[i];
+    own[7 + 2 * i] = terms.series.time[i];
+  }
   const auto all = ranks.gather(hasPiece ? std::vector<Kind>{ own } : std::vector<Kind>{});
   for (const std::vector<Kind>& each : all)
   {
     if (hasPiece && !each.empty() && each.front() != own)
     {
       fault = "the pieces of the body have responses '" + name +
-        "' of different samples, laws or exponent: make them together";
+        "' of different samples, laws, exponent or relaxation: make them together";
     }
   }
+  isSlow = !ranks.any(terms.areFelt());
   return ranks.firstFault(fault);
 }
 } // namespace
@@ -187,7 +196,7 @@ int vtkToolContactProbe::RequestData(
       return 0;
     }
     const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
-    palpate::ContactArrays arrays(tips->GetNumberOfPoints());
+    palpate::ContactArrays arrays(tips->GetNumberOfPoints(), this->Body->relaxation != nullptr);
     palpate::touchWithTips(*this->Body, tips, settings, this->Indentation,
       [&arrays, firstPoly](vtkIdType tip, const palpate::Contact& contact, const palpate::Vector3&)
       { arrays.store(tip, contact, firstPoly); });
@@ -208,7 +217,8 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
 {
   const auto own = palpate::ownPiece(body, ranks);
   const auto tips = palpate::ownPiece(givenTips, ranks);
-  std::string fault = checkPieces(ranks, own, this->ResponseName);
+  bool isSlow = true;
+  std::string fault = checkPieces(ranks, own, this->ResponseName, isSlow);
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong body: " << fault << ".");
@@ -238,7 +248,7 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
     vtkWarningMacro(<< "The mesh of the body around the tips is not sound: " << probe.defects()
                     << ".");
   }
-  palpate::ContactArrays arrays(tips->GetNumberOfPoints());
+  palpate::ContactArrays arrays(tips->GetNumberOfPoints(), !isSlow);
   vtkNew<vtkIntArray> rankOf;
   rankOf->SetName("ContactRank");
   for (std::size_t i = 0; i < touched.size(); ++i)

@@ -9,10 +9,13 @@
  * followed from point to point, with friction, as a tool that moves along it would feel it. A point
  * in several polylines holds the value of the last.
  *
- * An optional point array `Time` (s, one number per point) says when the tool is where. Nothing
- * felt here depends on the rate - friction follows the way, not the speed - so it passes through
- * and changes no force; but along each polyline it must be finite and not decrease, or the
- * trajectory was read wrongly: an error.
+ * An optional point array `Time` (s, one number per point) says when the tool is where. A body that
+ * relaxes (vtkToolContactResponse::AddRelaxation) is felt in time by it: along each polyline its
+ * memory begins at the first point, where it has none, and goes on from point to point, each time
+ * as if the tip had moved evenly. Without Time, and for single points, the force is the slow one
+ * that is left when a press has lasted. Nothing else felt here depends on the rate - friction
+ * follows the way, not the speed - and Time passes through; but along each polyline it must be
+ * finite and not decrease, or the trajectory was read wrongly: an error.
  *
  * Output: the tips, in input order, with their arrays and
  * - `Force` (double 3, N): total force on the tool: NormalForce along Normal, FrictionForce, and
@@ -26,6 +29,9 @@
  *   range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not finite, or
  * a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
  *   friction slides;
+ * - `MemoryForce` (double, N), where the body relaxes: what of NormalForce is more than the slow
+ *   response at this depth, less than 0 while the tool comes out; 0 for single points and without
+ *   Time;
  * - `RelativeError` (double), where the response keeps its error: the estimated error of Force,
  *   relative, blended as the force is; 0 without contact, NaN beyond range. On one process only.
  *
@@ -140,6 +146,8 @@ public:
   double GetFrictionStickRadius() { return this->Settings->GetFrictionStickRadius(); }
   void SetPoissonRatio(double ratio) { this->Settings->SetPoissonRatio(ratio); }
   double GetPoissonRatio() { return this->Settings->GetPoissonRatio(); }
+  void SetRelaxationElements(int elements) { this->Settings->SetRelaxationElements(elements); }
+  int GetRelaxationElements() { return this->Settings->GetRelaxationElements(); }
   void SetForceFormToPaper() { this->SetForceForm(Paper); }
   void SetForceFormToNormalizedDirection() { this->SetForceForm(NormalizedDirection); }
   void SetForceFormToEnergyConsistent() { this->SetForceForm(EnergyConsistent); }

@@ -64,22 +64,31 @@ int vtkToolContactResponse::RequestData(
   const palpate::Ranks ranks(this->Controller);
   const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  palpate::RelaxationRequest relaxation;
+  std::string fault = palpate::seriesOf(this->Relaxations, relaxation.series);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  const auto find = [this, &body](int index) { return this->GetInputArrayToProcess(index, body); };
+  relaxation.strength = palpate::arrayToProcess(this, palpate::RelaxationArrayIndex, find);
+  relaxation.complianceRelaxes = this->ComplianceRelaxes;
   const palpate::LawRequest request{ this->Tool, this->ResponseName, this->MaximumDeflection,
     palpate::layeredMaterial(
       { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
         this->LayerBase == 1 ? palpate::LayerBase::Slip : palpate::LayerBase::Bonded,
         this->ComplianceExcludesLayer },
       this->AddedLayers, this->LayerBase == 2, this->BaseYoungsModulus, this->BasePoissonRatio),
-    palpate::arraysToProcess(
-      this, [this, &body](int index) { return this->GetInputArrayToProcess(index, body); }),
-    this->NumberOfSamples,
+    palpate::arraysToProcess(this, find), this->NumberOfSamples,
     { this->CurvatureCorrection,
       { static_cast<palpate::StrainModel>(this->StrainModel),
         this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
       this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
-      this->EdgeCorrection } };
+      this->EdgeCorrection },
+    nullptr, relaxation };
   std::string warning;
-  const std::string fault = palpate::attachResponse(
+  fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
   this->TermReason = palpate::termsReason(output, this->ResponseName);
   if (!fault.empty())
@@ -115,6 +124,36 @@ int vtkToolContactResponse::GetNumberOfAddedLayers()
   return static_cast<int>(this->AddedLayers.size());
 }
 
+void vtkToolContactResponse::AddRelaxation(double strength, double seconds)
+{
+  this->Relaxations.push_back({ strength, seconds });
+  this->Modified();
+}
+
+void vtkToolContactResponse::ClearRelaxations()
+{
+  if (!this->Relaxations.empty())
+  {
+    this->Relaxations.clear();
+    this->Modified();
+  }
+}
+
+int vtkToolContactResponse::GetNumberOfRelaxations()
+{
+  return static_cast<int>(this->Relaxations.size());
+}
+
+double vtkToolContactResponse::GetRelaxationStrength(int relaxation)
+{
+  return palpate::branchAt(this->Relaxations, relaxation)[0];
+}
+
+double vtkToolContactResponse::GetRelaxationTime(int relaxation)
+{
+  return palpate::branchAt(this->Relaxations, relaxation)[1];
+}
+
 void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -130,6 +169,8 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
+  os << indent << "Relaxations: " << this->Relaxations.size() << "\n";
+  os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
   os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";

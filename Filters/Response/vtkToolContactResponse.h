@@ -38,7 +38,8 @@
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
  * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
- * array counts by its index, not by its name). Beside a global compliance the array of its name and
+ * array counts by its index, not by its name), 5 strengths of the relaxations, with a component for
+ * each (AddRelaxation), instead of theirs. Beside a global compliance the array of its name and
  * `Error`, if it is there, says by how many mm/N it may be off. An index that was never set, or set
  * to an empty name, means the constant property, whatever arrays the body has; one that was set but
  * is not there is an error. So is a value out of range, naming array, index and value.
@@ -195,6 +196,38 @@ public:
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
 
+  ///@{
+  /**
+   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch with its strength p >= 0,
+   * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. Default none.
+   *
+   * Poisson's ratio does not change, and the curves, YoungsModulus and Error are those of the slow
+   * response; what is felt in time is more than it, up to 1 + Σ p times (palpate/ToolContact.h). A
+   * literature's share g of the instantaneous modulus is p = g/(1 - Σ g); a modulus measured in a
+   * press at constant speed is above the slow one (palpate/PronySeries.h, rampFactor). The output
+   * tells it by the field arrays `<name>RelaxationStrength` and `<name>RelaxationTime` (double, a
+   * tuple each, s) and, where array to process 5 gives strengths, `<name>LocalRelaxation` (point
+   * data, float, a component each).
+   */
+  void AddRelaxation(double strength, double seconds);
+  void ClearRelaxations();
+  int GetNumberOfRelaxations();
+  double GetRelaxationStrength(int relaxation);
+  double GetRelaxationTime(int relaxation);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a global compliance is of the same material, and relaxes as it does. Default on; off:
+   * what it yields is elastic, a spring below a body that relaxes. It is then kept as point array
+   * `<name>ElasticCompliance` (float, mm/N) and must not be negative. Without effect where nothing
+   * relaxes.
+   */
+  vtkSetMacro(ComplianceRelaxes, bool);
+  vtkGetMacro(ComplianceRelaxes, bool);
+  vtkBooleanMacro(ComplianceRelaxes, bool);
+  ///@}
+
   /// Values of StrainModel.
   enum StrainModelType
   {
@@ -327,6 +360,8 @@ private:
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
+  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
+  bool ComplianceRelaxes = true;
   int StrainModel = SmallStrain;
   double OgdenExponent = 2.0;
   double DemirayExponent = 1.0;

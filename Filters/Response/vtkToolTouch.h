@@ -26,8 +26,9 @@
  * the law's first assumption breaks, the weakest of the triangle's corners; infinite if none does
  * or the response does not say) and `ForceScale` (mm/N).
  *
- * There is no friction: one touch has no history. A body without the response is an error that
- * names the missing array; an empty body gives empty output. Of several processes (the global
+ * There is no friction: one touch has no history. For the same reason a body that relaxes is felt
+ * as it is when the touch has lasted: its slow response. A body without the response is an error
+ * that names the missing array; an empty body gives empty output. Of several processes (the global
  * controller's) one must have the whole body, or it is an error; all must update the filter.
  *
  * Cost: once per state of the body the kernel's copy (vtkToolContactProbe) and the links of its

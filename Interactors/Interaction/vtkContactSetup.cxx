@@ -156,6 +156,36 @@ int vtkContactSetup::GetNumberOfAddedLayers()
   return static_cast<int>(this->Kept->added.size());
 }
 
+void vtkContactSetup::AddRelaxation(double strength, double seconds)
+{
+  this->Relaxations.push_back({ strength, seconds });
+  this->Modified();
+}
+
+void vtkContactSetup::ClearRelaxations()
+{
+  if (!this->Relaxations.empty())
+  {
+    this->Relaxations.clear();
+    this->Modified();
+  }
+}
+
+int vtkContactSetup::GetNumberOfRelaxations()
+{
+  return static_cast<int>(this->Relaxations.size());
+}
+
+double vtkContactSetup::GetRelaxationStrength(int relaxation)
+{
+  return palpate::branchAt(this->Relaxations, relaxation)[0];
+}
+
+double vtkContactSetup::GetRelaxationTime(int relaxation)
+{
+  return palpate::branchAt(this->Relaxations, relaxation)[1];
+}
+
 void vtkContactSetup::SetChosenTool(int tool)
 {
   this->ChosenTool = std::clamp(tool, 0, std::max(this->GetNumberOfTools() - 1, 0));
@@ -251,6 +281,13 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
     this->ErrorTolerance, true, this->AutomaticTerms,
     this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
     this->EdgeCorrection };
+  this->Error = palpate::seriesOf(this->Relaxations, request.relaxation.series);
+  if (!this->Error.empty())
+  {
+    vtkErrorMacro(<< this->Error << ".");
+    return false;
+  }
+  request.relaxation.complianceRelaxes = this->ComplianceRelaxes;
   request.tolerance = this->Tolerance;
   request.choiceDeflection = this->ChoiceDeflection;
   if (this->Model == Layer)
@@ -438,6 +475,8 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
+  os << indent << "Relaxations: " << this->Relaxations.size() << "\n";
+  os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "StrainExponent: " << this->StrainExponent << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";

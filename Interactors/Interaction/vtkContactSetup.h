@@ -24,8 +24,10 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkContactScene;
 class vtkContactSettings;
@@ -157,6 +159,18 @@ public:
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
   ///@{
+  /** How the body relaxes, up to four branches of strength and time (s), and whether the global
+   * compliance of Series does, too; see vtkToolContactResponse. Default none, and on. */
+  void AddRelaxation(double strength, double seconds);
+  void ClearRelaxations();
+  int GetNumberOfRelaxations();
+  double GetRelaxationStrength(int relaxation);
+  double GetRelaxationTime(int relaxation);
+  vtkSetMacro(ComplianceRelaxes, bool);
+  vtkGetMacro(ComplianceRelaxes, bool);
+  vtkBooleanMacro(ComplianceRelaxes, bool);
+  ///@}
+  ///@{
   /** How the body resists large strain, a value of vtkToolContactResponse::StrainModelType.
    * Default SmallStrain. */
   vtkSetClampMacro(StrainModel, int, 0, 3);
@@ -260,6 +274,8 @@ private:
   double ComplianceModulus = 0.0;
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
+  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
+  bool ComplianceRelaxes = true;
   int StrainModel = 0;
   double StrainExponent = 2.0;
   double ErrorTolerance = 0.05;

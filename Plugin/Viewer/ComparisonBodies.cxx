@@ -169,6 +169,7 @@ void describe(const ViewerOptions& options, TouchScene& scene)
   const bool given = options.youngsModulus || options.poissonsRatio;
   scene.poissonsRatio = options.poissonsRatio.value_or(PoissonRatio);
   scene.terms = options.terms;
+  scene.relaxation = options.relaxation;
   scene.youngsModulus =
     options.youngsModulus.value_or(ReducedModulus * (1.0 - PoissonRatio * PoissonRatio));
   scene.materialSource = given

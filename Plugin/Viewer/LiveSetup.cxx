@@ -68,6 +68,10 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetModel(modelOf(scene));
   setup->SetCurvatureCorrection(scene.terms.curvature);
   setup->SetEdgeCorrection(scene.terms.edges);
+  for (std::size_t i = 0; i < scene.relaxation.count; ++i)
+  {
+    setup->AddRelaxation(scene.relaxation.strength[i], scene.relaxation.time[i]);
+  }
   setup->SetStrainModel(static_cast<int>(scene.terms.strain.model));
   setup->SetStrainExponent(scene.terms.strain.parameter);
   setup->SetErrorTolerance(scene.terms.errorTolerance);

@@ -87,6 +87,7 @@ std::string refused(const ViewerOptions& options)
     : !options.measured.empty()            ? "--measured"
     : options.layer                        ? "--layer and --layers"
     : options.strainGiven                  ? "--strain"
+    : options.relaxation.count > 0         ? "--relax"
                                            : nullptr;
   return option ? joined("--scene phantom is solved by finite elements at small strain: ", option,
                     " cannot change it")

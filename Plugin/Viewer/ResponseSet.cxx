@@ -105,7 +105,7 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
   std::string warning;
   const std::string error = attachResponse(Ranks(), responses.body,
     { shape, name, maximumDeflection, materialOf(law), arraysOf(law, scene, responses.body), 8,
-      scene.terms },
+      scene.terms, nullptr, { scene.relaxation } },
     {}, body, warning);
   warn(warning);
   if (error.empty())

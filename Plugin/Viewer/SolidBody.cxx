@@ -117,6 +117,10 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
   pressed->SetMaximumDeflection(options.maximumDeflection);
   pressed->SetErrorTolerance(scene.terms.errorTolerance);
   pressed->SetEdgeCorrection(scene.terms.edges);
+  for (std::size_t i = 0; i < scene.relaxation.count; ++i)
+  {
+    pressed->AddRelaxation(scene.relaxation.strength[i], scene.relaxation.time[i]);
+  }
   pressed->SetSourceSpacing(sizes.sources);
   vtkSmartPointer<vtkPolyData> body = scene.body;
   vtkIdType solutions = 0;

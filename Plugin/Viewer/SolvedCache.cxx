@@ -58,6 +58,7 @@ std::string solvedKey(const ViewerOptions& options, const TouchScene& scene)
   {
     key += '|' + shortestDecimals(number);
   }
+  key += '|' + textOf(scene.relaxation);
   for (const std::string& tool : scene.tools)
   {
     key += '|' + tool;

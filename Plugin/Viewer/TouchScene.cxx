@@ -65,6 +65,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   scene.depth = options.depth.value_or(scene.depth);
   scene.terms = options.terms;
   scene.terms.changeTolerance = options.tolerance;
+  scene.relaxation = options.relaxation;
   const bool isHead = options.body.empty() && options.scene == "head";
   if (isHead && !options.strainGiven && options.automatic && !scene.layer.isStack())
   {
@@ -135,6 +136,12 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
     scene.materialSource = "not used: the file brings its response";
     scene.modelReason =
       "as stored in the file: " + responseText(scene.body, "Response", ResponseArray::Model);
+    if (options.relaxation.count > 0)
+    {
+      removeRelaxation(scene.body, "Response");
+      describeRelaxation(scene.body, "Response", options.relaxation);
+      scene.modelReason += "; how it relaxes is given on the command line";
+    }
   }
   scene.body->GetCenter(scene.center.data());
   scene.directions = { { 0.0, 0.0, 1.0 } };

@@ -24,9 +24,10 @@ struct TouchScene
   std::vector<std::string> notes; ///< what was done to get the body, a sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
-  LawTerms terms;       ///< of the law: strain, curvature, error
-  bool stored = false;  ///< the body brings the response "Response", to be used as it is
-  bool nodules = false; ///< stored; also the responses without its nodules, and how they are felt
+  LawTerms terms;         ///< of the law: strain, curvature, error
+  PronySeries relaxation; ///< of the body
+  bool stored = false;    ///< the body brings the response "Response", to be used as it is
+  bool nodules = false;   ///< stored; also the responses without its nodules, and how they are felt
   std::string materialSource;
   LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1
   std::string modelReason; ///< why this law, and how far to trust it

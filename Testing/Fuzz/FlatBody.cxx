@@ -14,11 +14,13 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr std::size_t HeaderSize = 408;
-constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyFile.cxx
+constexpr std::size_t HeaderSizes[] = { 408, 416, 456, 560 };
+constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyHeader.h
 constexpr std::size_t ChecksumAt = 24;
 constexpr std::size_t CountsAt = 32;
 constexpr std::size_t OffsetsAt = 64;
+constexpr std::size_t BranchesAt = 456;
+constexpr std::size_t LaterOffsetsAt = 544;
 
 std::uint64_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t place)
 {
@@ -62,14 +64,25 @@ void mend(std::vector<std::uint8_t>& bytes)
   {
     return;
   }
+  const std::uint64_t version = wordAt(bytes, 8) & 0xffffffffU;
+  const std::size_t header = version >= 1 && version <= 4 ? HeaderSizes[version - 1] : size + 1;
+  if (header > size)
+  {
+    return;
+  }
+  const std::uint64_t relaxation = version < 4 ? 0 : wordAt(bytes, BranchesAt);
+  const std::uint64_t branches = relaxation & 0xffU;
+  const std::uint64_t parts = relaxation >> 32;
   const std::uint64_t curves = laws > 0 ? 0 : 4 * n * samples;
   const std::uint64_t sizes[] = { 24 * n, 12 * triangles, curves, curves, 8 * laws * samples,
-    4 * n * laws, 12 * n, 4 * n, n, 4 * n, n };
+    4 * n * laws, 12 * n, 4 * n, n, 4 * n, n, (parts & 1U) != 0 ? 4 * n * branches : 0,
+    (parts & 2U) != 0 ? 4 * n : 0 };
   std::uint64_t sum = 0xcbf29ce484222325ULL;
-  add(sum, bytes, 0, HeaderSize);
-  for (std::size_t k = 0; k < 11; ++k)
+  add(sum, bytes, 0, header);
+  for (std::size_t k = 0; k < 13; ++k)
   {
-    const std::uint64_t offset = wordAt(bytes, OffsetsAt + 8 * k);
+    const std::uint64_t offset =
+      sizes[k] == 0 ? 0 : wordAt(bytes, k < 11 ? OffsetsAt + 8 * k : LaterOffsetsAt + 8 * (k - 11));
     if (offset > size || sizes[k] > size - offset)
     {
       return;
@@ -87,7 +100,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   std::vector<std::uint8_t> bytes(data + 1, data + size);
-  if ((data[0] & 1U) != 0 && bytes.size() >= HeaderSize)
+  if ((data[0] & 1U) != 0 && bytes.size() >= HeaderSizes[0])
   {
     mend(bytes);
   }

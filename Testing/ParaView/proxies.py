@@ -31,7 +31,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
-        "Curvature Correction": 1, "Edge Correction": 0, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
+        "Curvature Correction": 1, "Edge Correction": 0, "Relaxation": 0, "Relaxations": None,
+        "Relaxation Array": "None", "Compliance Relaxes": 1, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
         "Error Tolerance": 0.05, "Store Error": 1, "Least Law That Keeps Forces": 0, "Term Tolerance": 0.01,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
     ("filters", "ContactRegime"): {
@@ -44,7 +45,7 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "ToolContactProbe"): {
         "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Friction Coefficient": 0.0, "Friction Model": 0,
         "Tangential Stiffness (N/mm)": 1.0, "Friction Breakaway": 0.8, "Friction Stick Radius": 0.9,
-        "Poisson's Ratio": 0.5, "Force Form": 1, "Contact Surface": 0, "Response Name": "Response"},
+        "Poisson's Ratio": 0.5, "Relaxation Elements": 16, "Force Form": 1, "Contact Surface": 0, "Response Name": "Response"},
     ("filters", "ContactDeflection"): {
         "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Maximum Distance (mm)": 0.0,
         "Response Name": "Response"},
@@ -71,7 +72,7 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "ElasticContactResponse"): {
         "Input": None, "Surface": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
-        "Number Of Samples": 8, "Edge Correction": 0, "Error Tolerance": 0.05, "Store Error": 1, "Store Motion": 1,
+        "Number Of Samples": 8, "Edge Correction": 0, "Relaxations": None, "Error Tolerance": 0.05, "Store Error": 1, "Store Motion": 1,
         "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Least Law That Keeps Forces": 0,
         "Term Tolerance": 0.01, "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Memory Limit (MiB)": 0.0, "Solver": 0},
     ("filters", "NoduleMaterial"): {
@@ -198,6 +199,22 @@ def check_stack():
         assert response.GetClientSideObject().GetNumberOfAddedLayers() == len(below) // 4
         forces.append(fetched(response, "ResponseForce"))
     assert np.allclose(*forces, rtol=1e-6), forces
+
+
+def check_relaxation():
+    """The table of relaxations reaches the filter, a relaxation by name takes its place."""
+    response = simple.ToolContactResponse(Input=simple.Triangulate(Input=simple.Plane()))
+    response.Relaxations = [0.5, 0.1, 0.3, 2]
+    expected = {"Custom": [0.5, 0.3], "Skin of a mouse": [2.57], "Soft tissue of a limb": [0.15],
+                "Rubber of the paper (assumed)": [0.05, 0.05]}
+    for name in (*expected, "Custom"):
+        response.Relaxation = name
+        response.UpdatePipeline()
+        body = servermanager.Fetch(response)
+        assert list(palpate.contract.relaxation(body)["strength"]) == expected[name], name
+    response.Relaxations = []
+    response.UpdatePipeline()
+    assert palpate.contract.relaxation(servermanager.Fetch(response)) is None
 
 
 def with_response(body):
@@ -474,6 +491,8 @@ check_friction()
 check_plane()
 check_tool()
 check_layer()
+check_stack()
+check_relaxation()
 check_compliance()
 check_true_shape()
 check_nodules()

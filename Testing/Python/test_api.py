@@ -176,6 +176,30 @@ class ClosedForms(unittest.TestCase):
         plain = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False)
         self.assertIsNone(plain.GetFieldData().GetArray("ResponseEdges"))
 
+    def test_a_body_that_relaxes_says_so(self):
+        still = palpate.response(plate(), tool="paraboloid:5")
+        self.assertIsNone(palpate.contract.relaxation(still))
+        body = palpate.response(plate(), tool="paraboloid:5", relax=[(0.5, 0.1), (0.3, 2)])
+        read = palpate.contract.relaxation(body)
+        self.assertEqual((list(read["strength"]), list(read["time"]), read["elastic"]), ([0.5, 0.3], [0.1, 2.0], None))
+        # Without times, and for tips for themselves, the response is the slow one.
+        tips = np.column_stack([np.full(9, 0.3), np.full(9, 0.7), np.linspace(0.1, -0.7, 9)])
+        for path in (False, True):
+            felt = palpate.probe(body, tips, path=path)
+            np.testing.assert_array_equal(felt.memory, 0)
+            np.testing.assert_array_equal(felt.forces, palpate.probe(still, tips, path=path).forces)
+        local = np.linspace(0, 1, body.GetNumberOfPoints())
+        body = palpate.response(plate(), relax=[(local, 0.1), (0.25, 2)], compliance=0.5, compliance_relaxes=False)
+        read = palpate.contract.relaxation(body)
+        np.testing.assert_array_equal(read["strength"][:, 0], local.astype(np.float32))
+        np.testing.assert_array_equal(read["strength"][:, 1], 0.25)
+        np.testing.assert_array_equal(read["elastic"], 0.5)
+        for relax, words in (([(0.5,)], "relax.0."), ([(-1, 2)], "strength of relaxation 1.*-1"),
+                             ([(1, 0)], "time of relaxation 1"), ([(1, 1)] * 5, "at most 4"),
+                             ([("Nowhere", 1)], "Nowhere"), ([(-local, 1)], "of point 1 must")):
+            with self.assertRaisesRegex(ValueError, words):
+                palpate.response(plate(), relax=relax)
+
     def test_the_error_is_kept_where_it_has_a_tolerance(self):
         body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3, error_tolerance=0.03)
         data = body.GetPointData()

@@ -100,7 +100,7 @@ class AgainstTheTable(unittest.TestCase):
         header = os.path.join(os.path.dirname(__file__), "../../Filters/Contact/ResponseContract.h")
         with open(header, encoding="utf-8") as file:
             self.rows = self.ROW.findall(file.read())
-        self.assertEqual(len(self.rows), 17)
+        self.assertEqual(len(self.rows), 21)
 
     def test_filters_attach_what_the_table_says(self):
         ball = vtkSphereSource()
@@ -111,14 +111,25 @@ class AgainstTheTable(unittest.TestCase):
         response.SetErrorTolerance(0.05)
         response.StoreErrorOn()
         response.EdgeCorrectionOn()
-        response.SetInputConnection(ball.GetOutputPort())
+        response.AddRelaxation(0.5, 0.1)
+        response.AddRelaxation(0.25, 2.0)
+        response.ComplianceRelaxesOff()
+        ball.Update()
+        body = ball.GetOutput()
+        for index, name, values in ((2, "GlobalCompliance", np.full(body.GetNumberOfPoints(), 0.1)),
+                                    (5, "Strengths", np.full((body.GetNumberOfPoints(), 2), 0.75))):
+            array = numpy_to_vtk(values, deep=1)
+            array.SetName(name)
+            body.GetPointData().AddArray(array)
+            response.SetInputArrayToProcess(index, 0, 0, 0, name)
+        response.SetInputData(body)
         compact = vtkReducedContactResponse()
         compact.SetInputConnection(response.GetOutputPort())
         compact.Update()
         for filter, form, absent in ((response, "PerPoint", "Compact"), (compact, "Compact", "PerPoint")):
             body = filter.GetOutput()
             laws = body.GetFieldData().GetArray("ResponseBasis")
-            width = {"One": 1, "Three": 3, "Five": 5, "Samples": 7, "TwoSamples": 14,
+            width = {"One": 1, "Three": 3, "Five": 5, "Samples": 7, "TwoSamples": 14, "Branches": 2,
                      "Laws": laws.GetNumberOfTuples() if laws else 0}
             for name, place, kind, components, use in self.rows:
                 data = body.GetPointData() if place == "Points" else body.GetFieldData()
@@ -129,6 +140,9 @@ class AgainstTheTable(unittest.TestCase):
                         continue
                     self.assertIsNotNone(array)
                     self.assertEqual(array.GetDataTypeAsString(), self.TYPES[kind])
+                    if (place, components) == ("Fields", "Branches"):
+                        self.assertEqual((array.GetNumberOfComponents(), array.GetNumberOfTuples()), (1, 2))
+                        continue
                     self.assertEqual(array.GetNumberOfComponents(), width[components])
                     if place == "Points":
                         self.assertEqual(array.GetNumberOfTuples(), body.GetNumberOfPoints())
@@ -136,8 +150,27 @@ class AgainstTheTable(unittest.TestCase):
     def test_the_numpy_contract_reads_what_evaluation_needs(self):
         with open(contract.__file__, encoding="utf-8") as file:
             read = set(re.findall(r'fetch\(\w+, "(\w+)"\)', file.read()))
-        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact")}
+        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact", "Relaxation")}
         self.assertEqual(read, needed)
+
+
+class Relaxation(unittest.TestCase):
+    def test_it_reads_what_was_written(self):
+        body = random_body(np.random.default_rng(2), 1.5, 8)
+        self.assertIsNone(contract.relaxation(body))
+        add_array(body.GetFieldData(), "RelaxationStrength", np.array([[0.5, 0.25]]))     # one tuple of two
+        add_array(body.GetFieldData(), "RelaxationTime", np.array([0.1, 2.0]))
+        read = contract.relaxation(body)
+        self.assertEqual(list(read["strength"]), [0.5, 0.25])
+        self.assertEqual(list(read["time"]), [0.1, 2.0])
+        self.assertIsNone(read["elastic"])
+        count = body.GetNumberOfPoints()
+        local = np.random.default_rng(3).random((count, 2)).astype(np.float32)
+        add_array(body.GetPointData(), "LocalRelaxation", local)
+        add_array(body.GetPointData(), "ElasticCompliance", np.full(count, 0.25, np.float32))
+        read = contract.relaxation(body)
+        np.testing.assert_array_equal(read["strength"], local)
+        np.testing.assert_array_equal(read["elastic"], 0.25)
 
 
 class AgainstTheKernel(unittest.TestCase):

@@ -22,11 +22,15 @@ def table():
             for row in range(filled.GetNumberOfRows())]
 
 
+def is_whole(row):
+    return isinstance(getattr(vtkContactSettings(), "Get" + row["Name"])(), int)
+
+
 class Settings(unittest.TestCase):
     def test_defaults_are_those_of_the_table(self):
         settings = vtkContactSettings()
         self.assertEqual(settings.GetFault(), "")
-        self.assertEqual(len(table()), 8)
+        self.assertEqual(len(table()), 9)
         for row in table():
             self.assertEqual(getattr(settings, "Get" + row["Name"])(), row["Default"], row["Name"])
 
@@ -34,14 +38,15 @@ class Settings(unittest.TestCase):
         for kind in (vtkContactSettings, vtkToolContactProbe):
             for row in table():
                 felt = kind()
-                value = 0 if row["Values"] else row["Default"] + 0.125
+                value = 0 if row["Values"] else row["Default"] + (1 if is_whole(row) else 0.125)
+                value = int(value) if is_whole(row) else value
                 getattr(felt, "Set" + row["Name"])(value)
                 self.assertEqual(getattr(felt, "Get" + row["Name"])(), value, (kind, row["Name"]))
 
     def test_what_is_out_of_range_is_told_in_words(self):
         for row in table():
             name, least, most = row["Name"], row["Minimum"], row["Maximum"]
-            number = int if row["Values"] else float
+            number = int if is_whole(row) else float
             for value in [least - 1] + [most + 1] * math.isfinite(most) + [least] * (not row["IncludesMinimum"]):
                 settings = vtkContactSettings()
                 getattr(settings, "Set" + name)(number(value))
@@ -86,7 +91,7 @@ class ParaView(unittest.TestCase):
                     said = [entries[i].replace("-", "").replace(" ", "").lower() for i in range(len(entries))]
                     self.assertEqual(said, row["Values"].lower().split())
                 else:
-                    domain = shown.find("DoubleRangeDomain")
+                    domain = shown.find("IntRangeDomain" if is_whole(row) else "DoubleRangeDomain")
                     self.assertEqual(float(domain.get("min")), row["Minimum"])
                     self.assertEqual(float(domain.get("max", "inf")), row["Maximum"])
 

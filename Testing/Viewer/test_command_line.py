@@ -13,10 +13,11 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
            "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
-           "--no-curvature", "--edges")
+           "--no-curvature", "--edges", "--relax", "--relaxation-elements")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
-           "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance")
+           "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance",
+           "--relaxation-elements")
 
 
 class CommandLine(SessionCase):
@@ -81,6 +82,14 @@ class CommandLine(SessionCase):
                 (("--strain", "demiray:-1"), "Demiray's coefficient"),
                 (("--strain", "neo-hooke:2"), "has no exponent"),
                 (("--error-tolerance", "-0.1"), "-0.1"),
+                (("--relax", ""), "no relaxation"),
+                (("--relax", "0.5"), "'0.5' is no relaxation"),
+                (("--relax", "0.5:0.1,-0.3:2"), "the strength of relaxation 2"),
+                (("--relax", "0.5:0"), "the time of relaxation 1"),
+                (("--relax", "1:1,1:2,1:3,1:4,1:5"), "more than 4"),
+                (("--relax", "0.5:0.1", "--measured", "x.csv"), "--measured"),
+                (("--relaxation-elements", "33"), "--relaxation-elements"),
+                (("--relaxation-elements", "-1"), "--relaxation-elements"),
                 (("--layer", "0"), "--layer"),
                 (("--layer", "-3"), "-3"),
                 (("--layer", "5mm"), "5mm"),

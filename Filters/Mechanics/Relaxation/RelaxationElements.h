@@ -34,8 +34,8 @@ struct RelaxationStep
     for (std::size_t i = 0; i < this->count; ++i)
     {
       const double x = seconds / series.time[i];
-      this->decay[i] = std::exp(-x);
-      this->gain[i] = x > 0.0 ? -std::expm1(-x) / x : 1.0;
+      this->gain[i] = meanDecay(x);
+      this->decay[i] = x < Little ? 1.0 - x * this->gain[i] : std::exp(-x);
     }
     this->sum();
   }
@@ -46,7 +46,26 @@ struct RelaxationStep
     this->sum();
   }
 
+  /// (1 - e^-x)/x.
+  static double meanDecay(double x) noexcept
+  {
+    if (!(x < Little))
+    {
+      return (1.0 - std::exp(-x)) / x;
+    }
+    // In fours, which do not wait for each other; x^11/12! is 5e-16.
+    const double x2 = x * x;
+    const double x4 = x2 * x2;
+    const double low = (1.0 - x * (1.0 / 2)) + x2 * (1.0 / 6 - x * (1.0 / 24));
+    const double middle = (1.0 / 120 - x * (1.0 / 720)) + x2 * (1.0 / 5040 - x * (1.0 / 40320));
+    const double high = 1.0 / 362880 - x * (1.0 / 3628800) + x2 * (1.0 / 39916800);
+    return low + x4 * (middle + x4 * high);
+  }
+
 private:
+  /// Below it Taylor's polynomial is right to the last digit.
+  static constexpr double Little = 0.25;
+
   void sum() noexcept
   {
     this->stiffening = 0.0;
@@ -90,6 +109,7 @@ public:
   void reset() noexcept
   {
     this->Awake = 0;
+    this->Touched = 0;
     this->Depth.fill(0.0);
     this->Force.fill(0.0);
     for (Values& strain : this->Strain)
@@ -107,6 +127,7 @@ public:
       this->Depth[this->Awake] = depth - gaps[this->Awake];
       this->Force[this->Awake] = this->Depth[this->Awake];
     }
+    this->Touched = this->Awake;
   }
 
   /// Time passes, first part: where each element would be if nothing touched it. To be followed by
@@ -143,6 +164,10 @@ public:
     own = force;
     force = (1.0 + step.stiffening) * (own - free);
     this->fallAsleep();
+    for (this->Touched = 0; this->Touched<this->Awake&& this->Force[this->Touched]> 0.0;)
+    {
+      ++this->Touched;
+    }
   }
 
   /// Σ w_j q_j that press() would give at another depth, between relax() and it.
@@ -162,7 +187,7 @@ public:
   /// How many may carry something; the others are as they were made.
   std::size_t awake() const noexcept { return this->Awake; }
   /// Whether anything is touched: the first element is, when any is.
-  bool isTouched() const noexcept { return this->Awake > 0 && this->Force[0] > 0.0; }
+  bool isTouched() const noexcept { return this->Touched > 0; }
   /// q_j, mm; 0 of one that is not touched.
   const Values& force() const noexcept { return this->Force; }
 
@@ -181,12 +206,7 @@ public:
   /// Σ w_j over those that are touched, N/mm.
   double touchedStiffness(const Values& weights) const noexcept
   {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < this->Awake; ++j)
-    {
-      sum += this->Force[j] > 0.0 ? weights[j] : 0.0;
-    }
-    return sum;
+    return head(weights, static_cast<Eigen::Index>(this->Touched)).sum();
   }
   /// What the branches hold: Σ w_j Σ p_i s_i²/2, N mm.
   double storedEnergy(const Values& weights, const RelaxationStep& step) const noexcept
@@ -206,19 +226,21 @@ public:
     return 0.5 * (head(weights, n) * head(this->Strain[branch], n).square()).sum();
   }
 
-  /// How storedEnergy() grows with a share of new material, see exchange(); N mm.
-  double growthByExchange(const Values& weights, const RelaxationStep& step) const noexcept
+  /// How storedEnergy() grows with a share of new material under the tool, see exchange(), over
+  /// that share; N mm.
+  double growthByExchange(
+    const Values& weights, const RelaxationStep& step, double share) const noexcept
   {
+    const auto n = static_cast<Eigen::Index>(this->Touched);
+    const auto depth = head(this->Depth, n);
     double sum = 0.0;
     for (std::size_t i = 0; i < step.count; ++i)
     {
-      double grown = 0.0;
-      for (std::size_t j = 0; j < this->Awake; ++j)
-      {
-        const double strain = this->Strain[i][j];
-        grown += this->Force[j] > 0.0 ? weights[j] * strain * (this->Depth[j] - strain) : 0.0;
-      }
-      sum += step.strength[i] * grown;
+      const auto strain = head(this->Strain[i], n);
+      sum += step.strength[i] *
+        (head(weights, n) * (depth - strain) *
+          ((1.0 - 0.5 * share) * strain + (0.5 * share) * depth))
+          .sum();
     }
     return sum;
   }
@@ -227,17 +249,22 @@ public:
   /// is as good as pressed at once, beside it at rest.
   void exchange(double share) noexcept
   {
-    for (std::size_t j = 0; j < this->Awake; ++j)
+    const auto n = static_cast<Eigen::Index>(this->Touched);
+    for (Values& strain : this->Strain)
     {
-      const bool isTouched = this->Force[j] > 0.0;
-      for (Values& strain : this->Strain)
+      head(strain, n) += share * (head(this->Depth, n) - head(strain, n));
+      for (std::size_t j = this->Touched; j < this->Awake; ++j)
       {
-        strain[j] += share * ((isTouched ? this->Depth[j] : 0.0) - strain[j]);
+        strain[j] -= share * strain[j];
       }
-      this->Depth[j] -= isTouched ? 0.0 : share * this->Depth[j];
+    }
+    for (std::size_t j = this->Touched; j < this->Awake; ++j)
+    {
+      this->Depth[j] -= share * this->Depth[j];
     }
   }
 
+private:
 private:
   void wake(double depth, const Values& gaps, std::size_t count) noexcept
   {
@@ -270,10 +297,11 @@ private:
     }
   }
 
-  std::size_t Awake = 0; ///< elements that were touched, and have not come back yet
-  Values Depth{};        ///< u_j
-  Values Force{};        ///< q_j
-  Values Free{};         ///< u_j if nothing touched it
+  std::size_t Awake = 0;   ///< elements that were touched, and have not come back yet
+  std::size_t Touched = 0; ///< those that are: the first ones, since contact areas are nested
+  Values Depth{};          ///< u_j
+  Values Force{};          ///< q_j
+  Values Free{};           ///< u_j if nothing touched it
   std::array<Values, PronySeries::LargestCount> Strain{}; ///< s_i of each
 };
 
@@ -320,7 +348,8 @@ public:
     this->Force = (1.0 + step.stiffening) * (now - free);
     return this->Force;
   }
-  /// A step by an increment that may be of either sign: what memory adds. Without a limit.
+  /// Instead of press(): a step by an increment that may be of either sign, without a limit. What
+  /// memory adds.
   double follow(double increment, const RelaxationStep& step) noexcept
   {
     double sum = 0.0;
@@ -330,28 +359,57 @@ public:
       sum += step.strength[i] * this->Strain[i];
     }
     this->Slow += increment;
+    this->Force = 1.0; // pulls too
     return sum;
   }
 
-  bool isTouched() const noexcept { return this->Force > 0.0; }
-  /// y; of one that is not touched where it has crept to.
-  double slow() const noexcept { return this->Slow; }
-  double growthByExchange(const RelaxationStep& step) const noexcept
+  /// What follow() would give.
+  double foresee(double increment, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
     for (std::size_t i = 0; i < step.count; ++i)
     {
-      sum += step.strength[i] * this->Strain[i] * (this->Slow - this->Strain[i]);
+      sum += step.strength[i] * (this->Strain[i] * step.decay[i] + step.gain[i] * increment);
     }
     return sum;
   }
-  void exchange(double share, bool touched) noexcept
+
+  /// y; of one that is not touched where it has crept to.
+  double slow() const noexcept { return this->Slow; }
+  /// As of RelaxationElements, but times a stiffness: N².
+  double growthByExchange(const RelaxationStep& step, double share) const noexcept
   {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      const double missing = this->Slow - this->Strain[i];
+      sum += step.strength[i] * missing * (this->Strain[i] + 0.5 * share * missing);
+    }
+    return sum;
+  }
+  /// Σ p_i s_i²/2, N².
+  double storedEnergy(const RelaxationStep& step) const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      sum += 0.5 * step.strength[i] * this->Strain[i] * this->Strain[i];
+    }
+    return sum;
+  }
+  double energyByStrength(std::size_t branch) const noexcept
+  {
+    return 0.5 * this->Strain[branch] * this->Strain[branch];
+  }
+  /// As of RelaxationElements.
+  void exchange(double share) noexcept
+  {
+    const bool isTouched = this->Force > 0.0;
     for (double& strain : this->Strain)
     {
-      strain += share * ((touched ? this->Slow : 0.0) - strain);
+      strain += share * ((isTouched ? this->Slow : 0.0) - strain);
     }
-    this->Slow -= touched ? 0.0 : share * this->Slow;
+    this->Slow -= isTouched ? 0.0 : share * this->Slow;
   }
 
 private:

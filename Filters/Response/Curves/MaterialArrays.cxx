@@ -37,26 +37,31 @@ BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   return first;
 }
 
+MaterialArray arrayToProcess(
+  vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int)>& find)
+{
+  vtkInformationVector* wanted =
+    filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* which = wanted && index < wanted->GetNumberOfInformationObjects()
+    ? wanted->GetInformationObject(index)
+    : nullptr;
+  if (!which || !which->Has(vtkAlgorithm::INPUT_PORT()))
+  {
+    return {}; // never set: the constant property holds
+  }
+  const std::string name = which->Has(vtkDataObject::FIELD_NAME())
+    ? which->Get(vtkDataObject::FIELD_NAME())
+    : "active attribute";
+  return name.empty() ? MaterialArray{} // an empty name takes the setting back
+                      : MaterialArray{ name, find(index) };
+}
+
 MaterialArrays arraysToProcess(vtkAlgorithm* filter, const std::function<vtkDataArray*(int)>& find)
 {
   MaterialArrays arrays;
-  vtkInformationVector* wanted =
-    filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-  const int count = wanted ? wanted->GetNumberOfInformationObjects() : 0;
-  for (int index = 0; index < std::min(count, static_cast<int>(arrays.size())); ++index)
+  for (std::size_t index = 0; index < arrays.size(); ++index)
   {
-    vtkInformation* which = wanted->GetInformationObject(index);
-    if (!which->Has(vtkAlgorithm::INPUT_PORT()))
-    {
-      continue; // never set: the constant property holds
-    }
-    const std::string name = which->Has(vtkDataObject::FIELD_NAME())
-      ? which->Get(vtkDataObject::FIELD_NAME())
-      : "active attribute";
-    if (!name.empty()) // an empty name takes the setting back
-    {
-      arrays[static_cast<std::size_t>(index)] = { name, find(index) };
-    }
+    arrays[index] = arrayToProcess(filter, static_cast<int>(index), find);
   }
   return arrays;
 }

@@ -36,7 +36,10 @@ BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
   double baseRatio);
 
-/// Those that a filter was told to process; `find(index)` fetches one.
+/// One that a filter was told to process, without a name if it was not; `find(index)` fetches it.
+MaterialArray arrayToProcess(
+  vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int index)>& find);
+/// Those that a filter was told to process.
 MaterialArrays arraysToProcess(
   vtkAlgorithm* filter, const std::function<vtkDataArray*(int index)>& find);
 /// Those of these names; "" for one that is not wanted.

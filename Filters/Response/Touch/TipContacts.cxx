@@ -118,12 +118,14 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
   std::vector<char> inHistory(static_cast<std::size_t>(count), 0);
   vtkCellArray* lines = tips->GetLines();
   TriangleSearch search(body.tree);
+  vtkDataArray* times = tips->GetPointData()->GetArray("Time");
   for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
   {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     lines->GetCellAtId(line, size, points);
     ToolContact history(body, settings);
+    double before = 0.0;
     for (vtkIdType i = 0; i < size; ++i)
     {
       const vtkIdType tip = points[i];
@@ -131,7 +133,14 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       Vector3 position;
       tips->GetPoint(tip, position.data());
       const Vector3 pressed = pressedTip(body, search, position, indentation);
-      visit(tip, history.update(pressed), pressed);
+      if (!times)
+      {
+        visit(tip, history.update(pressed), pressed);
+        continue;
+      }
+      const double now = times->GetTuple1(tip);
+      visit(tip, history.update(pressed, i > 0 ? now - before : 0.0), pressed);
+      before = now;
     }
   }
   ContactSettings frictionless = settings;

@@ -23,8 +23,8 @@ using TipVisitor =
 
 /**
  * Touches a body with tips that have passed checkTips: those of a polyline as one history, with
- * friction, the others one by one, without. Each is first moved inward by `indentation` (mm) along
- * the blended normal at its closest point.
+ * friction, and in time where they have the array `Time`; the others one by one, without. Each is
+ * first moved inward by `indentation` (mm) along the blended normal at its closest point.
  */
 void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
   double indentation, const TipVisitor& visit);

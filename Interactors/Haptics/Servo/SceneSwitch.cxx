@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Servo/SceneSwitch.h"
 
-#include "Contact/CappedResponse.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,17 +34,17 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
   return contact.deflection * (1.0 + friction.coefficient * ratio);
 }
 
-SceneForce feel(ServoScene& scene, const Vector3& tip, double stiffnessLimit) noexcept
+SceneForce feel(
+  ServoScene& scene, const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
 {
   SceneForce felt;
-  felt.contact = scene.contact.update(tip);
+  felt.contact = scene.contact.update(tip, elapsed);
   felt.forceFactor = scene.forceFactor;
   felt.idealForce = felt.contact.force;
   felt.cappedForce = felt.contact.force;
   if (felt.contact.normalForce > 0.0 && !std::isinf(stiffnessLimit))
   {
-    const CappedResponse capped(scene.contact.response(), stiffnessLimit / scene.forceFactor);
-    felt.cappedForce *= capped.share(felt.contact.deflection);
+    felt.cappedForce *= scene.contact.cappedShare(felt.contact, stiffnessLimit / scene.forceFactor);
   }
   felt.reach = reachOf(felt.contact, scene.settings.friction);
   felt.outside = felt.contact.state == ContactState::None;
@@ -127,7 +125,22 @@ void SceneSwitch::forget() noexcept
   {
     this->end();
   }
+  this->Current->contact.lose();
+}
+
+void SceneSwitch::reset() noexcept
+{
+  this->forget();
   this->Current->contact.reset();
+}
+
+void SceneSwitch::pass(double elapsed) noexcept
+{
+  this->Current->contact.pass(elapsed);
+  if (this->Leaving)
+  {
+    this->Leaving->contact.pass(elapsed);
+  }
 }
 
 SceneForce SceneSwitch::update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
@@ -137,20 +150,20 @@ SceneForce SceneSwitch::update(const Vector3& tip, double elapsed, double stiffn
   {
     this->end();
   }
-  SceneForce felt =
-    this->Leaving ? this->blend(tip, stiffnessLimit) : feel(*this->Current, tip, stiffnessLimit);
+  SceneForce felt = this->Leaving ? this->blend(tip, elapsed, stiffnessLimit)
+                                  : feel(*this->Current, tip, elapsed, stiffnessLimit);
   felt.changing = moves;
   return felt;
 }
 
-SceneForce SceneSwitch::blend(const Vector3& tip, double stiffnessLimit) noexcept
+SceneForce SceneSwitch::blend(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
 {
-  const SceneForce before = feel(*this->Leaving, tip, stiffnessLimit);
+  const SceneForce before = feel(*this->Leaving, tip, elapsed, stiffnessLimit);
   if (std::exchange(this->Entering, false))
   {
     enter(this->Current->contact, before.contact, tip);
   }
-  SceneForce felt = feel(*this->Current, tip, stiffnessLimit);
+  SceneForce felt = feel(*this->Current, tip, elapsed, stiffnessLimit);
   const double way = this->Ramp.share();
   const double rest = (1.0 - way) * before.forceFactor;
   const double factor = rest + way * felt.forceFactor;

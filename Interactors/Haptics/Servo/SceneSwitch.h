@@ -119,15 +119,20 @@ public:
   /// What is no longer needed, as a list, or null; to be freed outside of the tick.
   std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
 
-  /// The contacts are over, and so is a ramp: the newest scene is the only one.
+  /// The contacts are over, and so is a ramp: the newest scene is the only one. What its body
+  /// remembers of having been pressed stays.
   void forget() noexcept;
+  /// That too is forgotten.
+  void reset() noexcept;
+  /// Time passes, s, and nobody knows where the tip is.
+  void pass(double elapsed) noexcept;
 
 private:
   void begin(std::unique_ptr<ServoScene> next) noexcept;
   /// Ends a ramp; one that waits begins.
   void end() noexcept;
   void retire(std::unique_ptr<ServoScene> scene) noexcept;
-  SceneForce blend(const Vector3& tip, double stiffnessLimit) noexcept;
+  SceneForce blend(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept;
 
   std::unique_ptr<ServoScene> Current;
   std::unique_ptr<ServoScene> Leaving; ///< null but during a ramp

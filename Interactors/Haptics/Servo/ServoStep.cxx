@@ -66,6 +66,10 @@ Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
     tick.velocity = this->Mapping.velocityToBody(sample.velocity);
     this->touch(elapsed, tick, input);
   }
+  else
+  {
+    this->Scenes.pass(elapsed);
+  }
   input.valid = tick.valid;
   const SafeForce safe = this->Chain.apply(input);
   tick.deviceForce = safe.force;
@@ -110,7 +114,7 @@ void ServoStep::reset() noexcept
 {
   this->Chain.reset();
   this->Hand.reset();
-  this->Scenes.forget();
+  this->Scenes.reset();
   this->LastTime = NotANumber;
 }
 } // namespace palpate

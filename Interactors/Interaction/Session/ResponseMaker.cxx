@@ -59,7 +59,7 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
       request.deeper, request.halfSpace },
     materialArrays(
       made.body, { "", request.thicknessArray, request.complianceArray, "", request.secondArray }),
-    8, request.terms };
+    8, request.terms, nullptr, request.relaxation };
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   made.error = attachResponse(

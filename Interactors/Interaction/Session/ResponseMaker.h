@@ -5,6 +5,7 @@
 #include "Interaction/Session/BodyKernels.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/LawTerms.h"
+#include "Response/Curves/RelaxationRequest.h"
 
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"
@@ -37,6 +38,7 @@ struct ResponseRequest
   std::string complianceArray;              ///< "": none
   double complianceFactor = 1.0; ///< the body's, by which compliance and modes are multiplied
   LawTerms terms;                ///< of the law
+  RelaxationRequest relaxation;  ///< of every tool's response
   double tolerance = 0.0;        ///< of the form that is felt; 0: the responses as they are
   double choiceDeflection = 0.0; ///< mm, that the form is chosen for; 0: half of the deepest
   /// Kernel of the same surface, to be spared making it again; may be null.

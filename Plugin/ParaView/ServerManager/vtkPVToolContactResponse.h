@@ -7,13 +7,15 @@
  * in any unit of length; vtkBodySurface makes triangles in mm of it. Settings and results are those
  * of the superclass; all lengths but the input's coordinates are in mm.
  * A Material by name takes the place of YoungsModulus and PoissonRatio, which are kept for Custom;
- * arrays per point still come first.
+ * arrays per point still come first. A Relaxation by name likewise, of the relaxations given one by
+ * one.
  */
 #ifndef vtkPVToolContactResponse_h
 #define vtkPVToolContactResponse_h
 
 #include "BodyInput.h"                  // For its macro
 #include "MaterialPreset.h"             // For its macro
+#include "RelaxationPreset.h"           // For its macro
 #include "palpateServerManagerModule.h" // For export macro
 #include "vtkToolContactResponse.h"
 
@@ -33,6 +35,7 @@ private:
 
   palpateBodyInputMacro();
   palpateMaterialPresetMacro();
+  palpateRelaxationPresetMacro();
 };
 
 #endif

@@ -31,12 +31,14 @@ class Probe(NamedTuple):
     contact_point: np.ndarray
     contact_cell: np.ndarray
     contact_state: np.ndarray
+    memory: np.ndarray
     error: np.ndarray
 
 
 def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffness=1.0,
           friction_model="elasto-plastic", friction_breakaway=0.8, friction_stick_radius=0.9, poisson=0.5,
-          force_form="normalized-direction", surface="facets", indentation=0.0, name="Response") -> Probe:
+          force_form="normalized-direction", surface="facets", indentation=0.0, name="Response",
+          relaxation_elements=16) -> Probe:
     """The contact force at given tool tips, by the kernel of the servo tick.
 
     Parameters
@@ -46,7 +48,8 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         float64 is read where it lies. Or a vtkPolyData, whose polylines are paths.
     path : False: each tip for itself, found in the whole body, without friction. True: the tips are one movement, in
         which the contact is followed from tip to tip, with friction.
-    time : of each tip of a path, s, shape (n,); must not decrease. No force depends on it.
+    time : of each tip of a path, s, shape (n,); must not decrease. A body that relaxes is felt in it; without times, and
+        for tips for themselves, as slow as can be. No other force depends on it.
     friction : Coulomb's coefficient, >= 0; of paths only.
     tangential_stiffness : of the stuck contact, N/mm, > 0.
     friction_model : "elasto-plastic", "dahl" or "shape-derived" (from the response itself).
@@ -57,6 +60,7 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     surface : "facets" (the triangles) or "smooth" (a patch through the normals of each).
     indentation : mm by which each tip is first moved inward, so that points on the surface press.
     name : prefix of the response arrays.
+    relaxation_elements : how finely a body that relaxes is felt, 0 (quasi-linear) to 32.
 
     Returns
     -------
@@ -70,6 +74,7 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         contact_cell (n,) : number of the triangle, -1 without contact;
         contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
             5 invalid (a tip that is not finite, or no response there);
+        memory (n,) : of a body that relaxes, the part of normal_force that is more than the slow response, N; else 0;
         error (n,) : estimated error of the force, a fraction of it (0.04 for 4 %); 0 without contact, NaN beyond the
             range and of a response that keeps none.
 
@@ -94,15 +99,17 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         felt.SetFrictionStickRadius(friction_stick_radius)
         felt.SetPoissonRatio(poisson)
         felt.SetIndentation(indentation)
+        felt.SetRelaxationElements(relaxation_elements)
         points = _filters.run(felt).GetOutput().GetPointData()
         arrays = [points.GetArray(array) for array in (
             "Force", "Deflection", "NormalForce", "FrictionForce", "Normal", "ContactPoint", "ContactCell",
-            "ContactState", "RelativeError")]
+            "ContactState", "MemoryForce", "RelativeError")]
     if arrays[0] is None:                               # no tips, or a body without points
         return _nothing(tips.GetNumberOfPoints())
-    if arrays[-1] is None:
-        return Probe(*map(_arrays.to_numpy, arrays[:-1]), np.full(tips.GetNumberOfPoints(), np.nan))
-    return Probe(*map(_arrays.to_numpy, arrays))
+    *others, memory, error = arrays
+    count = tips.GetNumberOfPoints()
+    return Probe(*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
+                 np.full(count, np.nan) if error is None else _arrays.to_numpy(error))
 
 
 def _as_tips(tips, path, time):
@@ -130,7 +137,7 @@ def _choose(argument, value):
 
 def _nothing(count):
     return Probe(*(np.zeros((count, 3) if isvector else count) for isvector in (1, 0, 0, 1, 1, 1)),
-                 np.full(count, -1), np.zeros(count, dtype=np.uint8), np.zeros(count))
+                 np.full(count, -1), np.zeros(count, dtype=np.uint8), np.zeros(count), np.zeros(count))
 
 
 class _prepared:

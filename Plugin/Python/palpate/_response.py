@@ -18,7 +18,8 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
 
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
-             strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False) -> vtkPolyData:
+             strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
+             relax=(), compliance_relaxes=True) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -53,6 +54,10 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         law as it is asked for.
     edges : whether sharp edges are felt by palpate.probe and in sessions: a contact beside one is softer, is pushed off
         the body, and leaves over it with its force going to nothing; False: the force drops where it passes an edge.
+    relax : how the body relaxes, up to four pairs (strength, seconds): E(t) = E (1 + sum of strength exp(-t/seconds)),
+        with E the slow modulus, that of `young` and of the curves. A strength may vary from point to point, as `young`
+        may. It is felt in time, by palpate.probe along paths with times and in sessions.
+    compliance_relaxes : whether what yields as a whole is of the same material; False: a `compliance` is elastic.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -79,6 +84,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made.SetResponseName(_text(name, "name"))
     made.SetCurvatureCorrection(bool(curvature))
     made.SetEdgeCorrection(bool(edges))
+    _set_relaxation(made, given, relax)
+    made.SetComplianceRelaxes(bool(compliance_relaxes))
     _set_strain(made, strain)
     tolerance = _number(error_tolerance, "error_tolerance")
     made.SetErrorTolerance(tolerance)
@@ -87,6 +94,29 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         if automatic is not True:
             made.SetTermTolerance(_number(automatic, "automatic"))
     return _filters.run(made, others=[tool]).GetOutput()
+
+
+def _set_relaxation(made, body, relax):
+    count = body.GetNumberOfPoints()
+    strengths = []
+    for i, pair in enumerate(relax):
+        what = "relax[%d]" % i
+        if not isinstance(pair, (tuple, list)) or len(pair) != 2:
+            raise ValueError("%s must be (strength, seconds), but is %r" % (what, pair))
+        strength, seconds = pair
+        if isinstance(strength, str):
+            array = body.GetPointData().GetArray(strength)
+            if array is None:
+                raise ValueError("%s: the body has no point array '%s'" % (what, strength))
+            strength = _arrays.to_numpy(array)
+        varies = np.ndim(strength) > 0
+        strengths.append(_arrays.reals(strength, what + ": strength", (count,)) if varies
+                         else _number(strength, what + ": strength"))
+        made.AddRelaxation(0.0 if varies else strengths[-1], _number(seconds, what + ": seconds"))
+    if any(np.ndim(strength) > 0 for strength in strengths):
+        local = np.column_stack([np.broadcast_to(strength, (count,)) for strength in strengths]).astype(float)
+        body.GetPointData().AddArray(_arrays.to_vtk(local, "RelaxationStrength"))
+        made.SetInputArrayToProcess(5, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "RelaxationStrength")
 
 
 def _set_strain(made, strain):

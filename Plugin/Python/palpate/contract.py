@@ -1,12 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The data contract of Palpate's response arrays, evaluated in numpy.
 
-For any Python and any ParaView, without the plugin. Units mm, N, MPa. One response is a set of arrays
-with a common prefix. Samples i = 1..n lie at d_i = range (i/n)^2. Between them
-F(d) = d^m r(s), s = sqrt(d/range), r the cubic Hermite interpolant of the samples; below d_1 the
-power start F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond range the last tangent.
+For any Python and any ParaView, without the plugin. Units mm, N, MPa. One response is a set of arrays with a common
+prefix. Samples i = 1..n lie at d_i = range (i/n)^2. Between them F(d) = d^m r(s), s = sqrt(d/range), r the cubic Hermite
+interpolant of the samples; below d_1 the power start F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond range the last tangent.
 """
 import numpy as np
+
+
+def _fetch(data, name, optional=False):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    array = data.GetArray(name)
+    if array is None and not optional:
+        raise KeyError("array '%s' is missing" % name)
+    return None if array is None else vtk_to_numpy(array)
 
 
 def load(body, prefix="Response"):
@@ -15,21 +22,12 @@ def load(body, prefix="Response"):
     Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
     status (points) and exponent m. KeyError names what is missing.
     """
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    def fetch(data, name):
-        array = data.GetArray(prefix + name)
-        if array is None:
-            raise KeyError("array '%s%s' is missing" % (prefix, name))
-        return vtk_to_numpy(array)
-
-    points, field = body.GetPointData(), body.GetFieldData()
+    points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name)
     n = int(fetch(field, "Samples")[0])
     if field.GetArray(prefix + "Basis") is not None:
         basis = fetch(field, "Basis").reshape(-1, 2 * n).astype(float)
         coefficient = fetch(points, "Coefficient").reshape(-1, len(basis)).astype(float)
-        curves = coefficient @ basis
-        force, stiffness = curves[:, :n], curves[:, n:]
+        force, stiffness = np.hsplit(coefficient @ basis, 2)
     else:
         force = fetch(points, "Force").reshape(-1, n).astype(float)
         stiffness = fetch(points, "Stiffness").reshape(-1, n).astype(float)
@@ -69,3 +67,14 @@ def evaluate(response, point, deflection):
     force = np.where(d >= reach, f[..., -1] + k[..., -1] * (d - reach), force)
     stiffness = np.where(d >= reach, k[..., -1], stiffness)
     return np.where(d <= 0, 0.0, force), np.where(d <= 0, 0.0, stiffness)
+
+
+def relaxation(body, prefix="Response"):
+    """"time" tau (s) and "strength" p (k, or points x k) of E(t) = E (1 + sum of p exp(-t/tau)), and what is in series
+    and "elastic" (points, mm/N, or None); None where nothing relaxes."""
+    points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
+    time, strength = fetch(field, "RelaxationTime"), fetch(field, "RelaxationStrength")
+    local = fetch(points, "LocalRelaxation")
+    return None if time is None else {
+        "time": time.ravel(), "strength": strength.ravel() if local is None else local.reshape(-1, time.size),
+        "elastic": fetch(points, "ElasticCompliance")}

@@ -337,6 +337,22 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "nothing instead of dropping it")
     ->excludes("--measured")
     ->disable_flag_override();
+  app
+    .add_option_function<std::string>(
+      "--relax",
+      [&options](const std::string& text) { parsePronySeries(text, options.relaxation); },
+      "how the body relaxes: strength:seconds,... of up to four branches, as 0.5:0.1,0.3:2; the "
+      "strength is relative to the slow response, which the modulus is of. A press is felt up to 1 "
+      "+ their sum times as stiff when it is fast")
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        PronySeries ignored;
+        return text.empty() ? std::string("no relaxation is given, e.g. 0.5:0.1,0.3:2")
+                            : parsePronySeries(text, ignored);
+      },
+      "P:S,..."))
+    ->excludes("--measured");
   app.add_option("--base", options.baseValue, "grey level below which a scan is bone")
     ->check(any("a grey level, e.g. 35"))
     ->capture_default_str();

@@ -5,6 +5,7 @@
 #include "Contact/ContactSettings.h"
 #include "Laws/LawTerms.h"
 #include "LayerChoice.h"
+#include "Mechanics/Relaxation/PronySeries.h"
 #include "TrialChoice.h"
 
 #include <array>
@@ -29,6 +30,7 @@ struct ViewerOptions
   double maximumDeflection = 2.0;
   LawTerms terms;                    ///< strain, curvature, error
   bool strainGiven = false;          ///< --strain
+  PronySeries relaxation;            ///< --relax
   std::optional<LayerChoice> layer;  ///< --layer or --layers
   double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
   std::vector<std::string> measured; ///< files of curves

@@ -94,6 +94,9 @@ TEST(ResponseContract, WidthsFollowSamplesAndLaws)
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::Coefficient), 8, 3), 3);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::Normal), 8, 3), 3);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::Status), 8, 3), 1);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::RelaxationTime), 8, 3, 2), 1);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::LocalRelaxation), 8, 3, 2), 2);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::ElasticCompliance), 8, 3, 2), 1);
 }
 
 // The texts that were written before there were parts.

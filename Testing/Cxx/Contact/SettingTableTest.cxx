@@ -56,6 +56,7 @@ TEST(SettingTable, RangesAreKept)
   check("FrictionBreakaway", { 0.0, 0.9 }, { -0.1, 1.1, NaN, Infinity });
   check("FrictionStickRadius", { 0.8, 1.0, 2.0 }, { 0.79, 0.0, -1.0, NaN, Infinity });
   check("PoissonRatio", { 0.0, 0.5 }, { -0.1, 0.51, NaN, Infinity });
+  check("RelaxationElements", { 0, 16, 32 }, { -1, 33 });
   ContactSettings creeping;
   creeping.friction.breakaway = 0.0;
   creeping.friction.stickRadius = 0.0;

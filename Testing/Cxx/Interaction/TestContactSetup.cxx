@@ -303,6 +303,42 @@ void checkChoice()
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Tolerance", "nan");
   PALPATE_CHECK_TEXT(series->GetChoice(1), "point force"); // as the output is
 }
+
+/// It is in every tool's response, and changes no curve.
+void checkRelaxation()
+{
+  const auto setup = makeSetup(planeBody(10.0, 10));
+  PALPATE_CHECK(setup->Update());
+  const double slow = deepest(setup, 0);
+  const auto timeOf = [&setup](int tool)
+  {
+    const std::string name = setup->GetResponseName(tool) + "RelaxationTime";
+    return setup->GetOutput()->GetFieldData()->GetArray(name.c_str());
+  };
+  PALPATE_CHECK(timeOf(0) == nullptr);
+  setup->AddRelaxation(0.5, 0.1);
+  setup->AddRelaxation(0.3, 2.0);
+  PALPATE_CHECK(setup->Update());
+  for (int tool = 0; tool < 2; ++tool)
+  {
+    PALPATE_CHECK(timeOf(tool) && timeOf(tool)->GetNumberOfTuples() == 2);
+    PALPATE_CHECK(timeOf(tool)->GetTuple1(1) == setup->GetRelaxationTime(1));
+  }
+  PALPATE_CHECK(deepest(setup, 0) == slow);
+  // The form that is felt says how finely.
+  setup->SetTolerance(0.005);
+  PALPATE_CHECK(setup->Update());
+  PALPATE_CHECK_TEXT(setup->GetChoice(0), "The body relaxes, in 16 elements");
+  PALPATE_CHECK_TEXT(setup->GetChoice(1), "quasi-linear suffices");
+  setup->ClearRelaxations();
+  setup->AddRelaxation(-1.0, 0.1);
+  Messages messages(setup.Get());
+  PALPATE_CHECK(!setup->Update());
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "strength of relaxation 1", "-1");
+  PALPATE_CHECK(timeOf(0) != nullptr); // the output stays
+  setup->ClearRelaxations();
+  PALPATE_CHECK(setup->Update() && timeOf(0) == nullptr);
+}
 } // namespace
 
 int TestContactSetup(int, char*[])
@@ -314,5 +350,6 @@ int TestContactSetup(int, char*[])
   checkSession();
   checkSettings();
   checkChoice();
+  checkRelaxation();
   return palpate::testing::result();
 }

@@ -100,6 +100,25 @@ Body bending(const Body& body)
   return bent;
 }
 
+/// The same relaxing, in each way there is.
+Body relaxing(const Body& body)
+{
+  Body relaxed = Body::New();
+  relaxed->DeepCopy(body);
+  palpate::PronySeries series;
+  series.add(0.5, 0.1);
+  series.add(0.25, 2.0);
+  palpate::describeRelaxation(relaxed, "Response", series);
+  vtkNew<vtkFloatArray> strength;
+  strength->SetName("ResponseLocalRelaxation");
+  strength->SetNumberOfComponents(2);
+  strength->SetNumberOfTuples(body->GetNumberOfPoints());
+  strength->Fill(0.75);
+  relaxed->GetPointData()->AddArray(strength);
+  pointArray<vtkFloatArray>(relaxed, "ResponseElasticCompliance", [](vtkIdType) { return 0.01F; });
+  return relaxed;
+}
+
 /// A response per point, or law and coefficients; with what makes a regime.
 std::vector<Body> soundBodies()
 {
@@ -108,7 +127,7 @@ std::vector<Body> soundBodies()
   const Body perPoint = withResponse(plane, "sphere:5");
   const Body round = withResponse(sphereBody(8.0, 0), "cone:60");
   return { perPoint, round, compacted(perPoint), compacted(round), onALayer(perPoint),
-    bending(round) };
+    bending(round), relaxing(perPoint), relaxing(compacted(round)) };
 }
 
 vtkSmartPointer<vtkAbstractArray> anotherType(Dice& dice)
@@ -283,6 +302,8 @@ Body soundTips()
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({ 0, 2, 4, 6, 8 });
   tips->SetLines(lines);
+  pointArray<vtkDoubleArray>(
+    tips, "Time", [](vtkIdType i) { return 0.05 * static_cast<double>(i); });
   return tips;
 }
 
@@ -308,9 +329,11 @@ public:
     this->Probe->SetForceForm(dice.below(3));
     this->Probe->SetContactSurface(dice.below(2));
     this->Probe->SetFrictionModel(dice.below(3));
+    this->Probe->SetRelaxationElements(dice.of({ 0, 3, 16, 32 }));
     this->Choose->SetShare(dice.of({ 1.0, 0.5 }));
     return this->update(this->Probe, body,
-             { "Force", "NormalForce", "FrictionForce", "Deflection", "Normal", "ContactPoint" }) &&
+             { "Force", "NormalForce", "FrictionForce", "MemoryForce", "Deflection", "Normal",
+               "ContactPoint" }) &&
       this->update(this->Field, body, { "ContactDisplacement" }) &&
       this->update(this->Regime, body, {}) && this->update(this->Reduce, body, {}) &&
       this->update(this->Choose, body, {}) && this->update(this->Curves, body, {}) &&

@@ -48,6 +48,7 @@ void checkDefaults()
   PALPATE_CHECK(probe->GetFrictionBreakaway() == kernel.friction.breakaway);
   PALPATE_CHECK(probe->GetFrictionStickRadius() == kernel.friction.stickRadius);
   PALPATE_CHECK(probe->GetPoissonRatio() == kernel.friction.poissonRatio);
+  PALPATE_CHECK(probe->GetRelaxationElements() == kernel.relaxationElements);
 }
 
 void checkNames()

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contact/FlatBodyHeader.h"
+
+#include "Contact/FlatBodyFile.h"
+#include "Contact/ResponseSampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr int LargestLawCount = 4096;
+constexpr std::array<std::size_t, 4> HeaderSizes = { FlatBodyHeader::SmallestSize, 416, 456,
+  sizeof(FlatBodyHeader) };
+static_assert(HeaderSizes.size() == FlatBodyFile::Version);
+} // namespace
+
+FlatBodyHeader FlatBodyHeader::read(const unsigned char* file, std::size_t size)
+{
+  FlatBodyHeader header{};
+  std::memcpy(&header, file, SmallestSize);
+  std::memcpy(&header, file, std::min(size, header.size()));
+  return header;
+}
+
+std::size_t FlatBodyHeader::size() const
+{
+  return HeaderSizes[std::clamp<std::size_t>(this->version, 1, HeaderSizes.size()) - 1];
+}
+
+FlatBodyHeader::Sections FlatBodyHeader::sectionSizes() const
+{
+  const std::uint64_t n = this->points;
+  const auto count = static_cast<std::uint64_t>(this->samples);
+  const auto rows = static_cast<std::uint64_t>(this->laws);
+  const auto has = [this](RelaxationPart part) { return (this->relaxationParts & part) != 0; };
+  Sections bytes{};
+  bytes[Coordinates] = n * 3 * sizeof(double);
+  bytes[Corners] = this->triangles * 3 * sizeof(std::int32_t);
+  bytes[Force] = rows > 0 ? 0 : n * count * sizeof(float);
+  bytes[Stiffness] = bytes[Force];
+  bytes[Basis] = rows * 2 * count * sizeof(float);
+  bytes[Coefficient] = n * rows * sizeof(float);
+  bytes[Normal] = n * 3 * sizeof(float);
+  bytes[Range] = n * sizeof(float);
+  bytes[Status] = n;
+  bytes[Validity] = n * sizeof(float);
+  bytes[Limit] = n;
+  bytes[LocalRelaxation] =
+    has(LocalPart) ? n * static_cast<std::uint64_t>(this->branches) * sizeof(float) : 0;
+  bytes[ElasticCompliance] = has(ElasticPart) ? n * sizeof(float) : 0;
+  return bytes;
+}
+
+void FlatBodyHeader::setEdges(const EdgeTerms& terms)
+{
+  if (terms.areFelt())
+  {
+    this->edges = { terms.exponent, terms.radius, terms.poissonRatio, terms.extent,
+      terms.isInCurves ? 1.0 : 0.0 };
+  }
+}
+
+EdgeTerms FlatBodyHeader::edgeTerms() const
+{
+  EdgeTerms terms;
+  if (this->edges[0] != 0.0)
+  {
+    terms = { this->edges[0], this->edges[1], this->edges[2], this->edges[3],
+      this->edges[4] != 0.0 };
+  }
+  return terms;
+}
+
+void FlatBodyHeader::setRelaxation(const RelaxationTerms& terms)
+{
+  if (terms.series.count > 0)
+  {
+    this->branches = static_cast<std::int32_t>(terms.series.count);
+    this->relaxationParts =
+      (terms.strength ? LocalPart : 0) | (terms.elasticCompliance ? ElasticPart : 0);
+    this->strength = terms.series.strength;
+    this->time = terms.series.time;
+    this->contact = { terms.exponent, terms.radius };
+  }
+}
+
+RelaxationTerms FlatBodyHeader::relaxationTerms() const
+{
+  RelaxationTerms terms;
+  if (this->branches > 0)
+  {
+    terms.series = { static_cast<std::size_t>(this->branches), this->strength, this->time };
+    terms.exponent = this->contact[0];
+    terms.radius = this->contact[1];
+  }
+  return terms;
+}
+
+std::string FlatBodyHeader::fault(std::uint64_t fileBytes) const
+{
+  if (this->magic != Magic)
+  {
+    return "is not a Palpate body file";
+  }
+  if (this->byteOrder != ByteOrderMark)
+  {
+    return "was written on a machine of the other byte order";
+  }
+  if (this->version > FlatBodyFile::Version)
+  {
+    return "is of format " + std::to_string(this->version) +
+      ", newer than this program, which reads up to " + std::to_string(FlatBodyFile::Version);
+  }
+  if (this->fileSize != fileBytes)
+  {
+    return "has " + std::to_string(fileBytes) + " bytes instead of " +
+      std::to_string(this->fileSize) + ": it is truncated or damaged";
+  }
+  if (!this->isSound())
+  {
+    return "has a damaged header";
+  }
+  const Sections bytes = this->sectionSizes();
+  for (std::size_t k = 0; k < SectionCount; ++k)
+  {
+    const std::uint64_t begin = this->offset(k);
+    if (bytes[k] > 0 &&
+      (begin < this->size() || begin % Alignment != 0 || begin > fileBytes ||
+        bytes[k] > fileBytes - begin))
+    {
+      return "has a damaged header";
+    }
+  }
+  return {};
+}
+
+bool FlatBodyHeader::isSound() const
+{
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  return this->version >= 1 && this->points > 0 && this->points <= most && this->triangles > 0 &&
+    this->triangles <= most / 3 && this->samples >= 2 &&
+    this->samples <= ResponseSampling::LargestCount && this->laws >= 0 &&
+    this->laws <= LargestLawCount && this->exponent > 0.0 && this->exponent <= 10.0 &&
+    this->tool.back() == '\0' && this->model.back() == '\0' &&
+    (this->edges[0] == 0.0 || faultOfEdges(this->edgeTerms()).empty()) && this->isRelaxationSound();
+}
+
+bool FlatBodyHeader::isRelaxationSound() const
+{
+  constexpr auto most = static_cast<std::int32_t>(PronySeries::LargestCount);
+  if (this->branches == 0)
+  {
+    return this->relaxationParts == 0;
+  }
+  return this->branches > 0 && this->branches <= most && this->relaxationParts >= 0 &&
+    this->relaxationParts <= (LocalPart | ElasticPart) &&
+    faultOf(this->relaxationTerms().series).empty() && this->contact[0] > 0.0 &&
+    this->contact[1] >= 0.0 && std::isfinite(this->contact[0]) && std::isfinite(this->contact[1]);
+}
+} // namespace palpate

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FlatBodyHeader_h
+#define palpate_FlatBodyHeader_h
+
+#include "Contact/Edges/EdgeLaw.h"
+#include "Contact/Relaxation/RelaxationTerms.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace palpate
+{
+/// The first bytes of a FlatBodyFile. Fixed layout: only add behind, and raise the version.
+struct FlatBodyHeader
+{
+  static constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
+  static constexpr std::uint32_t ByteOrderMark = 0x01020304;
+  static constexpr std::uint64_t Alignment = 64;
+  static constexpr std::size_t SmallestSize = 408; ///< of format 1
+
+  enum Section : std::size_t
+  {
+    Coordinates,
+    Corners,
+    Force,
+    Stiffness,
+    Basis,
+    Coefficient,
+    Normal,
+    Range,
+    Status,
+    Validity,
+    Limit,
+    LocalRelaxation, ///< since format 4
+    ElasticCompliance,
+    SectionCount
+  };
+  static constexpr std::size_t FirstSectionCount = LocalRelaxation;
+  using Sections = std::array<std::uint64_t, SectionCount>;
+
+  /// What of a relaxation there is besides the series.
+  enum RelaxationPart : std::int32_t
+  {
+    LocalPart = 1,
+    ElasticPart = 2
+  };
+
+  std::array<char, 8> magic;
+  std::uint32_t version;
+  std::uint32_t byteOrder;
+  std::uint64_t fileSize;
+  std::uint64_t checksum;
+  std::uint64_t points;
+  std::uint64_t triangles;
+  std::int32_t samples;
+  std::int32_t laws; ///< 0: per point; k: compact
+  double exponent;
+  /// From the start of the file; 0: absent.
+  std::array<std::uint64_t, FirstSectionCount> firstOffset;
+  std::array<char, 128> tool; ///< ends with '\0'
+  std::array<char, 128> model;
+  std::int64_t modelParts; ///< since format 2
+  /// Since format 3, of EdgeTerms: exponent, 0 if there are none, radius, Poisson's ratio, extent,
+  /// and 1 if they are in the curves.
+  std::array<double, 5> edges;
+  /// Since format 4, of RelaxationTerms: branches, sum of RelaxationPart, p_i, τ_i, exponent and
+  /// contact radius.
+  std::int32_t branches;
+  std::int32_t relaxationParts;
+  std::array<double, PronySeries::LargestCount> strength;
+  std::array<double, PronySeries::LargestCount> time;
+  std::array<double, 2> contact;
+  std::array<std::uint64_t, SectionCount - FirstSectionCount> laterOffset;
+
+  /// That of a file of at least SmallestSize; of a format of before, what it has not is 0.
+  static FlatBodyHeader read(const unsigned char* file, std::size_t size);
+
+  /// Bytes, in a file of this version.
+  std::size_t size() const;
+  std::uint64_t& offset(std::size_t section)
+  {
+    return section < FirstSectionCount ? this->firstOffset[section]
+                                       : this->laterOffset[section - FirstSectionCount];
+  }
+  std::uint64_t offset(std::size_t section) const
+  {
+    return section < FirstSectionCount ? this->firstOffset[section]
+                                       : this->laterOffset[section - FirstSectionCount];
+  }
+  /// Bytes of each section, from the counts alone.
+  Sections sectionSizes() const;
+
+  void setEdges(const EdgeTerms& terms);
+  EdgeTerms edgeTerms() const;
+  void setRelaxation(const RelaxationTerms& terms);
+  /// Without the arrays per point.
+  RelaxationTerms relaxationTerms() const;
+
+  /// What keeps a file of so many bytes that begins with it from being used, or "".
+  std::string fault(std::uint64_t fileBytes) const;
+
+private:
+  bool isSound() const;
+  bool isRelaxationSound() const;
+};
+static_assert(sizeof(FlatBodyHeader) == 560, "the layout of a file is fixed");
+} // namespace palpate
+
+#endif

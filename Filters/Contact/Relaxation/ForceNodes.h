@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ForceNodes_h
+#define palpate_ForceNodes_h
+
+#include "Contact/ResponseField.h"
+#include "Mechanics/Relaxation/RelaxationElements.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+/**
+ * Depths between which a curve is taken by its chords, for RelaxationElements: g_j = range (j/N)²,
+ * j = 0..N, where samples of curves of that range lie. With N = 16 and the usual 8 samples every
+ * other node is one, and those between are sums of two samples: a curve's chords take no root and
+ * no power. Curves of another range are evaluated node by node.
+ */
+class PALPATE_EXPORT ForceNodes
+{
+public:
+  using Values = RelaxationElements::Values;
+
+  /// None.
+  ForceNodes() = default;
+  /// `elements` from 1; `range` in mm.
+  ForceNodes(const ResponseSampling& sampling, double range, int elements) noexcept;
+
+  /// N + 1.
+  std::size_t count() const noexcept { return this->Count; }
+  const Values& gaps() const noexcept { return this->Gaps; }
+
+  /// The chords of a curve, f_N: each begins at a gap with a force, N, and has a slope, N/mm; none
+  /// is less steep than the one before. The steps of the slopes are the weights of elements.
+  struct Chords
+  {
+    Values force{};
+    Values slope{};
+    Values weight{};
+  };
+
+  /// The first `count` chords; the last of all is the tangent at the end.
+  void chordsOf(const BlendedResponse& curve, std::size_t count, Chords& chords) const noexcept;
+  /// The chord over a depth > 0.
+  std::size_t chordAt(double depth) const noexcept
+  {
+    const std::size_t last = this->Count - 1;
+    const double place = std::sqrt(depth * this->InverseRange) * static_cast<double>(last);
+    const std::size_t chord =
+      place < static_cast<double>(last) ? static_cast<std::size_t>(place) : last;
+    return depth > this->Gaps[chord] ? chord : chord - 1; // of two that meet, the first
+  }
+  /// f_N; 0 where nothing is pressed.
+  double slowForce(const Chords& chords, double depth) const noexcept
+  {
+    if (!(depth > 0.0))
+    {
+      return 0.0;
+    }
+    const std::size_t j = this->chordAt(depth);
+    return chords.force[j] + chords.slope[j] * (depth - this->Gaps[j]);
+  }
+
+private:
+  /// F at a node, from the forces and stiffnesses of sample `lower` and the next.
+  struct Node
+  {
+    int lower = 0;
+    Eigen::Vector4d shares = Eigen::Vector4d::Zero();
+  };
+
+  std::size_t Count = 0;
+  double Range = 0.0;
+  double InverseRange = 0.0;
+  Values Gaps{};
+  Values InverseWidth{};
+  std::array<Node, RelaxationElements::LargestCount> Nodes{};
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RelaxationRequest_h
+#define RelaxationRequest_h
+
+#include "palpateResponseModule.h"
+
+#include "Mechanics/Relaxation/PronySeries.h"
+#include "Response/Curves/MaterialArrays.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// Of the array to process with strengths per point.
+constexpr int RelaxationArrayIndex = 5;
+
+/// How a body is to relax; without branches it does not.
+struct RelaxationRequest
+{
+  PronySeries series;
+  MaterialArray strength = {};   ///< as many components as branches, instead of the series' own
+  bool complianceRelaxes = true; ///< the global compliance is of the same material
+};
+
+/// Strength and seconds of each branch, as a filter was told them.
+using Relaxations = std::vector<std::array<double, 2>>;
+
+/// One of them, zeros where there is none.
+inline std::array<double, 2> branchAt(const Relaxations& given, int place)
+{
+  return place >= 0 && place < static_cast<int>(given.size())
+    ? given[static_cast<std::size_t>(place)]
+    : std::array<double, 2>{};
+}
+
+/// Of those, the series. Returns what is wrong, naming the branch, or "".
+PALPATERESPONSE_EXPORT std::string seriesOf(const Relaxations& given, PronySeries& series);
+
+/// What is wrong with the request or with the arrays of a body that it names, or "".
+std::string checkRelaxation(
+  vtkPolyData* body, const RelaxationRequest& request, const MaterialArray& compliance);
+
+/// ", relaxing 0.5 in 0.1 s, 0.3 in 2 s"; "" where nothing does.
+std::string relaxationInWords(const RelaxationRequest& request, const MaterialArray& compliance);
+
+/// Attaches the arrays of the data contract in place of any there were, for a body that has passed
+/// checkRelaxation.
+void attachRelaxation(const RelaxationRequest& request, const MaterialArray& compliance,
+  const std::string& name, vtkPolyData* output);
+} // namespace palpate
+
+#endif

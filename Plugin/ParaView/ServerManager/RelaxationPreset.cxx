@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RelaxationPreset.h"
+
+namespace palpate
+{
+namespace
+{
+using Branches = std::vector<std::array<double, 2>>;
+
+const std::array<Branches, 4>& relaxations()
+{
+  static const std::array<Branches, 4> Published = { {
+    {}, // Custom: not used
+    // Wang et al. 2015, PLoS ONE 10(3):e0120897, mouse skin in compression: residual share 0.28 +-
+    // 0.13, so p = 0.72/0.28, and 0.19 +- 0.10 s.
+    { { 2.57, 0.19 } },
+    // Zheng and Mak 1999, J. Biomech. Eng. 121:330, indentation of limbs, quasi-linear: alpha 0.029
+    // to 0.277, so p = alpha/(1 - alpha) 0.03 to 0.38, and 0.05 to 8.93 s: of both the middle.
+    { { 0.15, 1.0 } },
+    // An assumption, not published: loops as narrow as in Mahvash and Hayward 2002.
+    { { 0.05, 0.1 }, { 0.05, 3.0 } },
+  } };
+  return Published;
+}
+} // namespace
+
+int RelaxationPreset::count()
+{
+  return static_cast<int>(relaxations().size());
+}
+
+void RelaxationPreset::choose(int relaxation)
+{
+  if (relaxation >= 0 && relaxation < RelaxationPreset::count())
+  {
+    this->Chosen = relaxation;
+  }
+}
+
+std::vector<std::array<double, 2>> RelaxationPreset::inForce() const
+{
+  return this->Chosen == Custom ? this->own : relaxations()[static_cast<std::size_t>(this->Chosen)];
+}
+} // namespace palpate

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a body file says of relaxation, and the formats before, which had less in their header.
+#include "Contact/FlatBodyFile.h"
+
+#include "SampleResponses.h"
+#include "ScratchFile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace
+{
+constexpr std::size_t ChecksumAt = 24; // places of the header's numbers, see FlatBodyHeader.h
+constexpr std::size_t EdgesAt = 416;
+constexpr std::size_t BranchesAt = 456;
+constexpr std::size_t TimesAt = 496;
+constexpr std::size_t ContactAt = 528;
+constexpr std::size_t LaterOffsetsAt = 544;
+constexpr std::size_t HeaderSize = 560;
+
+class FlatBodyFormatsTest : public ::testing::Test
+{
+protected:
+  FlatBodyFormatsTest()
+    : Ball(icosphere(20.0, 2))
+    , Store(this->Ball.points.size())
+    , Validity(this->Ball.points.size(), 0.5F)
+    , Limit(this->Ball.points.size(), 1)
+    , Strength(2 * this->Ball.points.size())
+    , Elastic(this->Ball.points.size(), 0.25F)
+  {
+    this->Store.normalsFromPoints(this->Ball);
+    this->Store.randomizeCurves(5);
+    for (std::size_t i = 0; i < this->Strength.size(); ++i)
+    {
+      this->Strength[i] = 0.125F * static_cast<float>(i);
+    }
+  }
+
+  FlatBody flat() const
+  {
+    FlatBody body;
+    body.points = this->Ball.points.size();
+    body.triangles = this->Ball.triangles.size();
+    body.coordinates = this->Ball.points.front().data();
+    body.corners = this->Ball.triangles.front().data();
+    body.response = this->Store.arrays();
+    body.validity = this->Validity.data();
+    body.limit = this->Limit.data();
+    body.tool = "sphere:6.35";
+    body.model = "half-space";
+    return body;
+  }
+  FlatBody relaxing() const
+  {
+    FlatBody body = this->flat();
+    RelaxationTerms& terms = body.response.relaxation;
+    terms.series.add(0.1, 0.3);
+    terms.series.add(0.7, 5.0);
+    terms.strength = this->Strength.data();
+    terms.elasticCompliance = this->Elastic.data();
+    terms.exponent = 1.4;
+    terms.radius = 2.5;
+    return body;
+  }
+
+  std::vector<unsigned char> bytes() const
+  {
+    std::ifstream file(this->Path, std::ios::binary);
+    return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  }
+  void replace(const std::vector<unsigned char>& content) const
+  {
+    std::ofstream file(this->Path, std::ios::binary | std::ios::trunc);
+    file.write(
+      reinterpret_cast<const char*>(content.data()), static_cast<std::streamsize>(content.size()));
+  }
+
+  /// Writes the checksum that a file of this header and these sections must have: FNV-1a over
+  /// words.
+  void mend(std::vector<unsigned char>& file, std::size_t header, std::size_t branches) const
+  {
+    const std::size_t n = this->Ball.points.size();
+    const std::size_t sizes[] = { 24 * n, 12 * this->Ball.triangles.size(), 32 * n, 32 * n, 0, 0,
+      12 * n, 4 * n, n, 4 * n, n, 4 * n * branches, branches > 0 ? 4 * n : 0 };
+    std::memset(file.data() + ChecksumAt, 0, 8);
+    std::uint64_t sum = 0xcbf29ce484222325ULL;
+    const auto mix = [&sum](std::uint64_t word)
+    {
+      sum = (sum ^ word) * 0x100000001b3ULL;
+      sum ^= sum >> 32;
+    };
+    const auto add = [&](std::size_t begin, std::size_t count)
+    {
+      std::size_t i = 0;
+      for (; i + 8 <= count; i += 8)
+      {
+        mix(this->wordAt(file, begin + i));
+      }
+      for (; i < count; ++i)
+      {
+        mix(file[begin + i]);
+      }
+    };
+    add(0, header);
+    for (std::size_t k = 0; k < 13; ++k)
+    {
+      if (sizes[k] > 0)
+      {
+        add(this->wordAt(file, k < 11 ? 64 + 8 * k : LaterOffsetsAt + 8 * (k - 11)), sizes[k]);
+      }
+    }
+    std::memcpy(file.data() + ChecksumAt, &sum, sizeof sum);
+  }
+  static std::uint64_t wordAt(const std::vector<unsigned char>& file, std::size_t place)
+  {
+    std::uint64_t word = 0;
+    std::memcpy(&word, file.data() + place, sizeof word);
+    return word;
+  }
+
+  /// What is said of a file in which a number of the header, or at another place, is another.
+  template <class Number>
+  std::string errorWith(std::size_t place, Number number) const
+  {
+    EXPECT_EQ(FlatBodyFile::write(this->Path, this->relaxing()), "");
+    std::vector<unsigned char> file = this->bytes();
+    std::memcpy(file.data() + place, &number, sizeof number);
+    this->mend(file, HeaderSize, 2);
+    this->replace(file);
+    FlatBodyFile opened;
+    const std::string error = opened.open(this->Path);
+    EXPECT_EQ(opened.body().points, error.empty() ? this->Ball.points.size() : 0U);
+    return error;
+  }
+
+  Surface Ball;
+  ResponseStore Store;
+  std::vector<float> Validity;
+  std::vector<std::uint8_t> Limit;
+  std::vector<float> Strength;
+  std::vector<float> Elastic;
+  ScratchFile File{ ".palpate" };
+  const std::string& Path = this->File.path();
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+TEST_F(FlatBodyFormatsTest, RelaxationComesBackToTheBit)
+{
+  ASSERT_EQ(FlatBodyFile::write(this->Path, this->relaxing()), "");
+  FlatBodyFile file;
+  ASSERT_EQ(file.open(this->Path), "");
+  const RelaxationTerms& read = file.body().response.relaxation;
+  ASSERT_EQ(read.series.count, 2U);
+  EXPECT_EQ(read.series.strength[0], 0.1);
+  EXPECT_EQ(read.series.strength[1], 0.7);
+  EXPECT_EQ(read.series.time[0], 0.3);
+  EXPECT_EQ(read.series.time[1], 5.0);
+  EXPECT_EQ(read.exponent, 1.4);
+  EXPECT_EQ(read.radius, 2.5);
+  ASSERT_NE(read.strength, nullptr);
+  ASSERT_NE(read.elasticCompliance, nullptr);
+  EXPECT_EQ(std::memcmp(read.strength, this->Strength.data(), 4 * this->Strength.size()), 0);
+  EXPECT_EQ(std::memcmp(read.elasticCompliance, this->Elastic.data(), 4 * this->Elastic.size()), 0);
+}
+
+TEST_F(FlatBodyFormatsTest, WithoutRelaxationThereIsNone)
+{
+  ASSERT_EQ(FlatBodyFile::write(this->Path, this->flat()), "");
+  FlatBodyFile file;
+  ASSERT_EQ(file.open(this->Path), "");
+  const RelaxationTerms& read = file.body().response.relaxation;
+  EXPECT_EQ(read.series.count, 0U);
+  EXPECT_EQ(read.strength, nullptr);
+  EXPECT_EQ(read.elasticCompliance, nullptr);
+  EXPECT_FALSE(read.areFelt());
+}
+
+// A file of before has something else where the header is longer now: here what nobody may read.
+TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
+{
+  FlatBody body = this->flat();
+  body.response.edges = { 1.5, 2.0, 0.4, 6.0, true };
+  ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
+  const std::vector<unsigned char> whole = this->bytes();
+  const std::size_t sizes[] = { 408, 416, 456 };
+  for (std::uint32_t version = 1; version <= 3; ++version)
+  {
+    std::vector<unsigned char> file = whole;
+    const std::size_t size = sizes[version - 1];
+    std::memcpy(file.data() + 8, &version, sizeof version);
+    std::memset(file.data() + size, 0xff, HeaderSize - size);
+    this->mend(file, size, 0);
+    this->replace(file);
+    FlatBodyFile read;
+    ASSERT_EQ(read.open(this->Path), "") << version;
+    EXPECT_EQ(read.body().points, body.points);
+    EXPECT_EQ(read.body().response.edges.areFelt(), version == 3);
+    EXPECT_EQ(read.body().response.edges.extent, version == 3 ? 6.0 : 0.0);
+    EXPECT_EQ(read.body().response.relaxation.series.count, 0U);
+    EXPECT_EQ(read.body().response.relaxation.elasticCompliance, nullptr);
+    EXPECT_EQ(std::memcmp(read.body().response.force, body.response.force, 32 * body.points), 0);
+  }
+}
+
+TEST_F(FlatBodyFormatsTest, WrongRelaxationIsRefused)
+{
+  EXPECT_EQ(this->errorWith(TimesAt, 4.0), "");
+  for (const std::int32_t count : { -1, 5, 1 << 30 })
+  {
+    EXPECT_TRUE(contains(this->errorWith(BranchesAt, count), "damaged header")) << count;
+  }
+  EXPECT_TRUE(contains(this->errorWith(BranchesAt + 4, std::int32_t{ 4 }), "damaged header"));
+  EXPECT_TRUE(contains(this->errorWith(BranchesAt + 8, -0.5), "damaged header"));
+  EXPECT_TRUE(contains(this->errorWith(BranchesAt + 8, std::nan("")), "damaged header"));
+  EXPECT_TRUE(contains(this->errorWith(TimesAt + 8, 0.0), "damaged header"));
+  EXPECT_TRUE(contains(this->errorWith(ContactAt, 0.0), "damaged header"));
+  EXPECT_TRUE(contains(this->errorWith(ContactAt + 8, -1.0), "damaged header"));
+  const std::vector<unsigned char> file = this->bytes();
+  const std::size_t strengths = this->wordAt(file, LaterOffsetsAt);
+  const std::size_t elastic = this->wordAt(file, LaterOffsetsAt + 8);
+  EXPECT_TRUE(contains(
+    this->errorWith(strengths + 4 * (2 * 7 + 1), -0.5F), "a relaxation of -0.5 at point 7"));
+  EXPECT_TRUE(
+    contains(this->errorWith(strengths, std::nanf("")), "a relaxation of nan at point 0"));
+  EXPECT_TRUE(
+    contains(this->errorWith(elastic + 4 * 9, -1.0F), "an elastic compliance of -1 at point 9"));
+  EXPECT_TRUE(contains(this->errorWith(EdgesAt, -1.0), "damaged header"));
+}
