@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Measured/MeasuredRelaxation.h"
 
+#include "Contact/ResponseContract.h"
 #include "Mechanics/Identification/CommonRelaxation.h"
+#include "Response/BodyConversion.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -20,18 +20,6 @@ namespace palpate
 {
 namespace
 {
-void addFieldArray(vtkPolyData* output, const std::string& name, const PronySeries& series,
-  const std::array<double, PronySeries::LargestCount>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  for (std::size_t i = 0; i < series.count; ++i)
-  {
-    array->InsertNextValue(values[i]);
-  }
-  output->GetFieldData()->AddArray(array);
-}
-
 std::string shortly(double value)
 {
   std::ostringstream text;
@@ -49,8 +37,7 @@ void attachMeasuredRelaxation(
   {
     return;
   }
-  addFieldArray(output, name + "RelaxationStrength", common.mean, common.mean.strength);
-  addFieldArray(output, name + "RelaxationTime", common.mean, common.mean.time);
+  describeRelaxation(output, name, common.mean);
   if (measurement.Used.size() == 1)
   {
     return;
@@ -64,7 +51,7 @@ void attachMeasuredRelaxation(
     }
   }
   vtkNew<vtkFloatArray> local;
-  local->SetName((name + "LocalRelaxation").c_str());
+  local->SetName(arrayName(name, ResponseArray::LocalRelaxation).c_str());
   local->SetNumberOfComponents(static_cast<int>(strengths.size()));
   local->SetNumberOfTuples(output->GetNumberOfPoints());
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
