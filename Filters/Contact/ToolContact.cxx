@@ -387,7 +387,7 @@ void ToolContact::addFriction(const BlendedResponse& response, Contact& result) 
   }
   const Friction::Result friction = this->Resistance.update(
     result.contactPoint, result.normal, result.normalForce, result.deflection, response);
-  result.friction += friction.force;
+  result.friction = this->IsInTime ? result.friction + friction.force : friction.force; // -0 stays
   result.force += friction.force;
   if (!friction.sliding && result.state == ContactState::Slide)
   {

@@ -150,6 +150,13 @@ int vtkContactHistory::RequestData(
   vtkDataArray* normal = find(tips, "NormalForce", 1);
   addForces(
     output, rows, "Normal Force", [normal](vtkIdType point) { return normal->GetTuple1(point); });
+  if (vtkDataArray* memory = find(tips, "MemoryForce", 1))
+  {
+    addForces(output, rows, "Slow Force",
+      [&](vtkIdType point) { return normal->GetTuple1(point) - memory->GetTuple1(point); });
+    addForces(
+      output, rows, "Memory Force", [memory](vtkIdType point) { return memory->GetTuple1(point); });
+  }
   const auto addMagnitude = [&](const char* name, vtkDataArray* array)
   {
     if (array)

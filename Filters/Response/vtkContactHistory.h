@@ -5,15 +5,18 @@
  *
  * Input: tips with what they feel: the output of vtkToolContactProbe, or of vtkTrajectoryReader for
  * a trajectory that was recorded with its forces. Required are the point arrays `Deflection` (mm)
- * and `NormalForce` (N); used if they are there are `Time` (s), `FrictionForce` (3, N), the total
- * `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N), what the device was told.
+ * and `NormalForce` (N); used if they are there are `Time` (s), `MemoryForce` (N), `FrictionForce`
+ * (3, N), the total `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N), what the device was
+ * told.
  *
  * Output: a vtkTable, a row per tip in the order of the polyline, of the points if there is none.
  * The first column is the Abscissa, `Time (s)` or `Deflection (mm)`; then come the other of the two
- * if it is known, and `Normal Force (N)`, and as far as they are there `Friction Force (N)`,
- * `Force (N)` and `Sent Force (N)`, magnitudes. With several polylines, each has its own rows and
- * its own columns of forces, named `Normal Force of line 2 (N)`, NaN in the rows of the others;
- * points of no line are then left out.
+ * if it is known, and `Normal Force (N)`; as far as they are there, of a body that relaxes `Slow
+ * Force (N)` and `Memory Force (N)`, whose sum is the normal force: over deflection the normal
+ * force makes a loop around the slow one; and `Friction Force (N)`, `Force (N)` and `Sent Force
+ * (N)`, magnitudes. With several polylines, each has its own rows and its own columns of forces,
+ * named `Normal Force of line 2 (N)`, NaN in the rows of the others; points of no line are then
+ * left out.
  *
  * Errors: a required array is missing or not a number per point (named, with what to apply first);
  * Abscissa is Time, but no `Time` is known.

@@ -13,10 +13,14 @@
  * For each site the loading branches are separated, hysteresis and the effect of speed judged, the
  * depth of first contact found, and the simplest elastic body identified that explains the readings
  * within their noise: a half-space (E*), one in series with a global compliance (E*, C_g), or a
- * layer on a rigid base (E*, h). See CurvePreparation.h, BodyIdentification.h. A site is refused,
- * with the reason, when it is not elastic, not fitted by any model, farther from the surface than
- * MaximumSiteDistance, or when its curves do not tell the parameters apart, as those of a flat
- * punch alone. Refused sites are named in a warning; if none is left, that is an error.
+ * layer on a rigid base (E*, h). See CurvePreparation.h, BodyIdentification.h. A site that shows a
+ * loop, a hold or an effect of speed beyond the limits, and whose curves have times, is identified
+ * as one that relaxes: E* and the rest are then the slow response, and strengths and times of up to
+ * four branches come with it, from loading, hold and unloading alike (RelaxingIdentification.h). A
+ * site is refused, with the reason, when it is not elastic and has no times, not fitted by any
+ * model, farther from the surface than MaximumSiteDistance, or when its curves do not tell the
+ * parameters apart, as those of a flat punch alone. Refused sites are named in a warning; if none
+ * is left, that is an error.
  *
  * Then any Tool follows from the identified bodies, spread over the surface (vtkShepardKernel)
  * within Reach mm of a site, connected over the surface and facing the same way, so never across a
@@ -33,19 +37,27 @@
  * - `Limit` 6, data: noise and sites leave most open; or beyond Validity the tool presses harder
  * (force) or strains more of the body (contact radius, see DataEnd.h) than any tool did when it was
  * measured;
+ * - `RelaxationStrength` and `RelaxationTime` (field data), where a site relaxes, beside which the
+ * curves are the slow response: the mean over the sites, at times that they share; with several
+ * sites point data `LocalRelaxation`, their strengths interpolated as E* is, 0 out of reach;
  * - field data `Model`: what was identified, from what; it says `synthetic` if a file does.
  * Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
  * Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance, Thickness,
  * ContactOffset, each with its 95 % confidence interval, Noise, Misfit, LargestForce (N),
- * WithinNoise, Hysteresis and RateEffect (shares of the energy; NaN where not recorded). Output
- * port 2: a vtkTable, a row per reading of a loading: Deflection (mm, from first contact), Force,
- * MonotoneForce (isotonic regression), ModelForce (N), Site, Tool.
+ * WithinNoise, Hysteresis and RateEffect (shares of the energy; NaN where not recorded); where a
+ * site relaxes also HoldLoss (share of the force), RelaxationStrength and RelaxationTime 1 to 4
+ * with their intervals, ShortestTime and LongestTime that the test can tell (s), and Remark, what
+ * it cannot. Output port 2: a vtkTable, a row per reading of a loading: Deflection (mm, from first
+ * contact), Force, MonotoneForce (isotonic regression), ModelForce (N), Site, Tool; of a site that
+ * relaxes a row per reading at all, in the order of time, with Time (s), and ModelForce along that
+ * history.
  *
  * @warning Small strain, frictionless tools, a body that is homogeneous under each site. A body is
  * identified by its behaviour under the measuring tools: E* of a site says nothing of layers
  * thinner than the contact radius that was reached. Force readings are taken to start at zero.
  *
- * Cost: up to a tenth of a second per site, on all cores, then that of vtkToolContactResponse.
+ * Cost: up to a tenth of a second per site, a second where it relaxes, on all cores, then that of
+ * vtkToolContactResponse.
  *
  * @sa vtkToolContactResponse
  */
@@ -56,6 +68,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
@@ -145,15 +158,35 @@ public:
   ///@}
 
   ///@{
-  /** Largest share of the loading's energy that unloading may keep. Default 0.2. */
+  /**
+   * Largest share of the loading's energy that unloading may keep, of an elastic body. Default 0.2;
+   * less, so that relaxation is identified that is weaker.
+   */
   vtkSetMacro(MaximumHysteresis, double);
   vtkGetMacro(MaximumHysteresis, double);
   ///@}
 
   ///@{
-  /** Largest difference in energy between a fast and a slow loading, relative. Default 0.1. */
+  /**
+   * Largest difference in energy between a fast and a slow loading, relative, and largest share of
+   * its force that a hold may lose, of an elastic body. Default 0.1.
+   */
   vtkSetMacro(MaximumRateEffect, double);
   vtkGetMacro(MaximumRateEffect, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the body relaxes, where that is known from elsewhere: E(t)/E∞ = 1 + Σ p exp(-t/τ), each
+   * branch with its strength p >= 0, relative to the slow modulus E∞, and its time τ > 0 in
+   * seconds; up to four. Then it is not identified, and the speed of the test is taken into account
+   * in E* and the rest; curves without times are taken for slow ones. Default none.
+   */
+  void AddRelaxation(double strength, double seconds);
+  void ClearRelaxations();
+  int GetNumberOfRelaxations();
+  double GetRelaxationStrength(int index);
+  double GetRelaxationTime(int index);
   ///@}
 
   ///@{
@@ -245,6 +278,7 @@ private:
   std::vector<std::string> FileNames;
   std::string MeasuringTool;
   std::string RegistrationFile;
+  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
   vtkSmartPointer<vtkContactTool> Tool;
   int BodyModel = Automatic;
   double PoissonRatio = 0.45;

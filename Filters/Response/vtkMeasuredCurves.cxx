@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -21,6 +22,7 @@ namespace
 {
 constexpr std::array<const char*, 5> Columns = { "Deflection (mm)", "Force (N)", "ModelForce (N)",
   "Site", "Tool" };
+constexpr const char* TimeColumn = "Time (s)"; // of readings some of which are histories
 
 /// The rows of one site and tool.
 struct Curve
@@ -86,6 +88,7 @@ int vtkMeasuredCurves::RequestData(
   }
   const auto number = [readings](vtkIdType row, const char* name)
   { return readings->GetValueByName(row, name).ToDouble(); };
+  const bool isTimed = readings->GetColumnByName(TimeColumn) != nullptr;
   std::vector<Curve> curves = collect(readings);
   std::set<std::string> tools;
   vtkNew<vtkDoubleArray> deflection;
@@ -93,8 +96,10 @@ int vtkMeasuredCurves::RequestData(
   for (Curve& curve : curves)
   {
     tools.insert(curve.tool);
+    const bool isHistory = isTimed && !std::isnan(number(curve.rows.front(), TimeColumn));
+    const char* by = isHistory ? TimeColumn : Columns[0];
     std::stable_sort(curve.rows.begin(), curve.rows.end(),
-      [&](vtkIdType a, vtkIdType b) { return number(a, Columns[0]) < number(b, Columns[0]); });
+      [&](vtkIdType a, vtkIdType b) { return number(a, by) < number(b, by); });
     for (const vtkIdType row : curve.rows)
     {
       deflection->InsertNextValue(number(row, Columns[0]));

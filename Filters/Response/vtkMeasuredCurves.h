@@ -9,8 +9,9 @@
  * Output: a vtkTable with `Deflection (mm)` from first contact, and for every site and tool, in the
  * order in which they come, `<site> measured (N)`, the readings, and `<site> model (N)`, what the
  * identified body gives there; with several tools `<site> measured with <tool> (N)`. The rows of a
- * site and tool stand together, in the order of their deflection; in the others' rows its columns
- * are NaN. A site that was refused has no model: NaN.
+ * site and tool stand together, in the order of their deflection, or, where the readings have a
+ * `Time (s)` because the body relaxes, in the order of time: drawn as lines they are the loops. In
+ * the others' rows its columns are NaN. A site that was refused has no model: NaN.
  *
  * Errors: a column is missing (named).
  */

@@ -72,6 +72,7 @@ void copy(const Tick& felt, palpate_tick* tick)
   copy(felt.contact.contactPoint, tick->contact_point);
   tick->triangle = felt.contact.triangle;
   tick->state = static_cast<int>(felt.contact.state);
+  tick->memory = felt.contact.memory;
   std::fill(std::begin(tick->reserved), std::end(tick->reserved), 0.0);
 }
 } // namespace palpate::c

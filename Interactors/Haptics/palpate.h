@@ -35,7 +35,7 @@
 #define PALPATE_VERSION_STRING "0.1.0"
 
 /* Of this header's interface: 1, 2, 3 ... */
-#define PALPATE_API_VERSION 2
+#define PALPATE_API_VERSION 3
 
 #ifdef __GNUC__
 #define PALPATE_API __attribute__((visibility("default")))
@@ -126,7 +126,8 @@ extern "C"
     double contact_point[3]; /* mm */
     int triangle;            /* of the body, -1 for none */
     int state;               /* enum palpate_state */
-    double reserved[8];
+    double memory;           /* N, what of normal_force a body that relaxes remembers (since 3) */
+    double reserved[7];
   } palpate_tick;
 
   /* Loads a file written by `palpate --export`. On failure returns null and writes the reason, cut

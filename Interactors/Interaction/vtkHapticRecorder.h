@@ -61,7 +61,7 @@ public:
 
   /** Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
    * `Time`, `AppliedForce` (3, N), `ForceFactor` and `SafetyLinks` (int; bits in the order of the
-   * chain). Cells are counted as in the newest body. */
+   * chain); `MemoryForce` where there was any. Cells are counted as in the newest body. */
   void GetRecording(vtkPolyData* recording);
   /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
    */
@@ -73,9 +73,10 @@ public:
   vtkIdType GetNumberOfLostTicks();
 
   /** One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
-   * (mm), median and 99th percentile of the time per tick (ns, wall clock, so they differ from run
-   * to run); with RealTime also ticks missed, samples invalid and repeated, forces refused, ticks
-   * not recorded, scene changes, and the device's own errors. */
+   * (mm), what of the peak force is memory (N), median and 99th percentile of the time per tick
+   * (ns, wall clock, so they differ from run to run); with RealTime also ticks missed, samples
+   * invalid and repeated, forces refused, ticks not recorded, scene changes, and the device's own
+   * errors. */
   void GetStatistics(vtkTable* statistics);
   /** Statistics and timing, in lines for a person. */
   std::string GetStatisticsText();

@@ -7,10 +7,12 @@
  * one above the other) and a session; call Update once a frame, before the window renders.
  *
  * - **Time**: the last Duration seconds, every tick seen: the ideal force, the applied one, and
- *   friction if there is any; lengths in N. Lines are drawn through the least and the largest of
- *   some ticks each, so that no peak is lost. A stretch without ticks is a gap.
+ *   if there is any friction, and memory of a body that relaxes; lengths in N. Lines are drawn
+ * through the least and the largest of some ticks each, so that no peak is lost. A stretch without
+ * ticks is a gap.
  * - **Deflection**: force over deflection since the tool touched last (mm, N), loading and
- *   unloading, ideal and applied.
+ *   unloading, ideal and applied; of a body that relaxes the slow force, too, around which the
+ *   ideal one makes its loop.
  * - **Curves**: the stored curves of the three corners of the touched triangle and their blend by
  *   area coordinates, dotted beyond Validity, with the normal force felt now as a running point.
  *   With AddComparedResponse: instead of the corners' the blended curve of each response, that is

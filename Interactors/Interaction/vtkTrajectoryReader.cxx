@@ -171,6 +171,10 @@ int vtkTrajectoryReader::RequestData(
     give("ContactPoint", 3, [](const Row& row) { return row.contact.contactPoint.data(); });
     give("Deflection", 1, [](const Row& row) { return &row.contact.deflection; });
     give("NormalForce", 1, [](const Row& row) { return &row.contact.normalForce; });
+    if (this->Known->hasMemory)
+    {
+      give("MemoryForce", 1, [](const Row& row) { return &row.contact.memory; });
+    }
     give("FrictionForce", 3, [](const Row& row) { return row.contact.friction.data(); });
     give("IdealForce", 1, [](const Row& row) { return &row.idealForce; });
     vtkNew<vtkUnsignedCharArray> states;

@@ -8,9 +8,10 @@
  *
  * Output: the tips in order, mm, body frame, as one polyline with the point arrays `Time` (double,
  * s) and, as far as the file has them, `ContactPoint` (3, mm), `Deflection` (mm), `NormalForce`
- * (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total), `ContactState` (uint8, as
- * of vtkToolContactProbe); of the device, in its own frame, `DevicePosition` (3, m) and `SentForce`
- * (3, N). Ticks without a valid sample have no tip and are left out.
+ * (N) and its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the
+ * total), `ContactState` (uint8, as of vtkToolContactProbe); of the device, in its own frame,
+ * `DevicePosition` (3, m) and `SentForce` (3, N). Ticks without a valid sample have no tip and are
+ * left out.
  *
  * Time: the file's times are announced, FrameRate per second, and the output asked for at a time t
  * ends with the last tip that is not after t, which is the present one; vtkToolContactProbe,

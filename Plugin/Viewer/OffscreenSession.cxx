@@ -5,6 +5,7 @@
 #include "ModelChoice.h"
 #include "Pictures.h"
 #include "Contact/ResponseContract.h"
+#include "Interaction/Display/MemoryText.h"
 #include "Response/Curves/StoredError.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
@@ -165,6 +166,11 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
     value("Ticks"), session->GetRate(), value("TicksInContact"));
   std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),
     value("PeakDeflection (mm)"));
+  const std::string memory = memoryInWords(value("PeakForce (N)"), value("MemoryAtPeak (N)"));
+  if (!memory.empty())
+  {
+    std::printf("  relaxation  %s\n", memory.c_str());
+  }
   const std::string friction = describeFriction(options, scene);
   if (!friction.empty())
   {

@@ -41,6 +41,32 @@ double wholeDepth(const ResponseField& whole, std::int32_t point, double complia
     },
     local, whole.range(point), local + compliance * whole.evaluate(point, local).force);
 }
+
+/// Whether a curve gets no less stiff with depth, but for noise.
+bool isConvex(const ResponseField& curves, std::int32_t point)
+{
+  constexpr int chords = 16;
+  constexpr double noise = 0.01; // of the steepest
+  const double range = curves.range(point);
+  double depth = 0.0;
+  double force = 0.0;
+  double slope = 0.0;
+  double steepest = 0.0;
+  double falls = 0.0;
+  for (int j = 1; j <= chords; ++j)
+  {
+    const double share = static_cast<double>(j) / chords;
+    const double next = range * (share * share);
+    const double forceThere = curves.evaluate(point, next).force;
+    const double chord = (forceThere - force) / (next - depth);
+    falls += j > 1 ? std::max(slope - chord, 0.0) : 0.0;
+    steepest = std::max(steepest, chord);
+    depth = next;
+    force = forceThere;
+    slope = chord;
+  }
+  return falls <= noise * steepest;
+}
 } // namespace
 
 BodyRelaxation::BodyRelaxation(
@@ -53,7 +79,6 @@ BodyRelaxation::BodyRelaxation(
   , Exponent(arrays.relaxation.exponent)
   , Radius(arrays.relaxation.radius)
   , Range(arrays.longestRange())
-  , AreConvex(true)
 {
   if (std::any_of(
         this->Compliance.begin(), this->Compliance.end(), [](float c) { return c > 0.0F; }))
@@ -64,7 +89,7 @@ BodyRelaxation::BodyRelaxation(
   {
     this->Compliance.clear();
   }
-  this->AreConvex = this->findConvexity();
+  this->compareCurves();
 }
 
 void BodyRelaxation::separate(const PackedMesh& mesh, const ResponseArrays& arrays)
@@ -113,47 +138,36 @@ void BodyRelaxation::separate(const PackedMesh& mesh, const ResponseArrays& arra
   this->Range = local.longestRange();
 }
 
-bool BodyRelaxation::findConvexity() const
+void BodyRelaxation::compareCurves()
 {
-  constexpr int elements = 16;
-  constexpr double noise = 0.01; // of the largest slope
   const ResponseField& curves = this->curves();
-  std::atomic<bool> areConvex{ true };
+  const auto count = static_cast<std::int32_t>(curves.pointCount());
+  std::int32_t first = 0;
+  while (first < count && !curves.isValid(first))
+  {
+    ++first;
+  }
+  if (first == count)
+  {
+    return;
+  }
+  std::atomic<bool> areConvex{ isConvex(curves, first) };
+  std::atomic<bool> areSame{ true };
   forRanges(curves.pointCount(),
-    [&](std::size_t first, std::size_t last)
+    [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = first; i < last && areConvex; ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         const auto point = static_cast<std::int32_t>(i);
-        if (!curves.isValid(point))
+        if (curves.isValid(point) && !curves.haveSameCurve(first, point))
         {
-          continue;
-        }
-        const double range = curves.range(point);
-        double depth = 0.0;
-        double force = 0.0;
-        double slope = 0.0;
-        double steepest = 0.0;
-        double falls = 0.0;
-        for (int j = 1; j <= elements; ++j)
-        {
-          const double share = static_cast<double>(j) / elements;
-          const double next = range * (share * share);
-          const double forceThere = curves.evaluate(point, next).force;
-          const double chord = (forceThere - force) / (next - depth);
-          falls += j > 1 ? std::max(slope - chord, 0.0) : 0.0;
-          steepest = std::max(steepest, chord);
-          depth = next;
-          force = forceThere;
-          slope = chord;
-        }
-        if (falls > noise * steepest)
-        {
-          areConvex = false;
+          areSame = false;
+          areConvex = areConvex && isConvex(curves, point);
         }
       }
     });
-  return areConvex;
+  this->AreConvex = areConvex;
+  this->Same = areSame ? first : -1;
 }
 
 RelaxationStep::Branches BodyRelaxation::strength(std::int32_t point) const noexcept

@@ -38,6 +38,8 @@ public:
   /// Whether all of these get stiffer with depth, by more than noise would have it: others are only
   /// felt as one element (QuasiLinearElement).
   bool areConvex() const noexcept { return this->AreConvex; }
+  /// A point with a curve, where all have the same; else -1.
+  std::int32_t sameEverywhere() const noexcept { return this->Same; }
   bool isPerPoint() const noexcept { return !this->Strength.empty(); }
 
   /// m of F ∝ δ^m, about.
@@ -45,6 +47,10 @@ public:
   /// Contact radius at a depth, mm; 0: unknown.
   double contactRadius(double depth) const noexcept
   {
+    if (this->Exponent == 1.5)
+    {
+      return this->Radius * std::sqrt(depth);
+    }
     return this->Radius > 0.0 ? this->Radius * std::pow(depth, this->Exponent - 1.0) : 0.0;
   }
   /// p_i at a point.
@@ -57,7 +63,7 @@ public:
 
 private:
   void separate(const PackedMesh& mesh, const ResponseArrays& arrays);
-  bool findConvexity() const;
+  void compareCurves();
 
   const ResponseField& Whole;
   std::unique_ptr<const ResponseField> Local;
@@ -67,7 +73,8 @@ private:
   double Exponent;
   double Radius;
   double Range;
-  bool AreConvex;
+  bool AreConvex = true;
+  std::int32_t Same = -1;
 };
 } // namespace palpate
 

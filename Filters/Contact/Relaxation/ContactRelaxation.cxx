@@ -13,10 +13,11 @@ namespace
 {
 constexpr double Nowhere = -std::numeric_limits<double>::infinity();
 
-/// Of new material, over a way at a contact radius.
+/// Of new material, over a way at a contact radius: 1 - e^(-way/2a).
 double shareOfWay(double way, double radius) noexcept
 {
-  return -std::expm1(-0.5 * way / radius);
+  const double x = 0.5 * way / radius;
+  return x * RelaxationStep::meanDecay(x);
 }
 } // namespace
 
@@ -26,6 +27,13 @@ ContactRelaxation::ContactRelaxation(const BodyRelaxation* body, int elements) n
                : ForceNodes())
   , IsOne(elements <= 0 || (body && !body->areConvex()))
 {
+  const std::int32_t same = body && !this->IsOne ? body->sameEverywhere() : -1;
+  if (same >= 0)
+  {
+    const BlendedResponse curve(body->curves(), { same, same, same }, { 1.0, 0.0, 0.0 });
+    this->Nodes.chordsOf(curve, this->Nodes.count(), this->Chords);
+    this->HasChords = true;
+  }
 }
 
 void ContactRelaxation::reset() noexcept
@@ -108,6 +116,7 @@ ContactRelaxation::Force ContactRelaxation::press(
     this->One.rest(slow.force);
     this->Depth = this->OneDepth = depth;
     this->OneSlow = slow.force;
+    this->LastRest = this->HasChords ? this->restAt(curve, depth) : 0.0;
     this->HasBegun = true;
   }
   else if (!this->WasTouched)
@@ -122,7 +131,7 @@ ContactRelaxation::Force ContactRelaxation::press(
   }
   else
   {
-    this->pressElements(curve, compliance);
+    this->pressElements(curve, compliance, slow);
   }
   this->WasTouched = this->Now.isTouched;
   if (compliance > 0.0)
@@ -132,39 +141,40 @@ ContactRelaxation::Force ContactRelaxation::press(
   return this->Now;
 }
 
-void ContactRelaxation::pressElements(const BlendedResponse& curve, double compliance) noexcept
+void ContactRelaxation::pressElements(
+  const BlendedResponse& curve, double compliance, const ResponseValue& slow) noexcept
 {
   const double tip = this->Last.deflection;
   this->Elements.relax(this->Step);
-  std::size_t used = this->Elements.awake();
-  while (used < this->Nodes.count() && tip > this->Nodes.gaps()[used])
+  double before = this->LastRest;
+  if (!this->HasChords)
   {
-    ++used;
+    std::size_t used = this->Elements.awake();
+    while (used < this->Nodes.count() && tip > this->Nodes.gaps()[used])
+    {
+      ++used;
+    }
+    this->Nodes.chordsOf(curve, used, this->Chords);
+    // Of the curve that is here now: what differs from the one before is no increment.
+    before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   }
-  this->Nodes.slopes(curve, used, this->Slopes);
-  ForceNodes::steps(this->Slopes, used, this->Weights);
-  std::fill(this->Weights.begin() + static_cast<std::ptrdiff_t>(used), this->Weights.end(), 0.0);
-
-  const double before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   this->LastRest = before;
   this->Depth = compliance > 0.0 ? this->localDepth(curve, compliance) : tip;
-  const ResponseValue value = curve.evaluate(this->Depth);
+  const ResponseValue value = this->Body->isInSeries() ? curve.evaluate(this->Depth) : slow;
   this->Slow = value.force;
   this->Stiffness = value.stiffness;
-  this->LastRest = value.force - this->Nodes.slowForce(this->Weights, this->Depth);
+  this->LastRest = value.force - this->Nodes.slowForce(this->Chords, this->Depth);
   this->RestMemory = this->Rest.follow(this->LastRest - before, this->Step);
   this->Elements.press(this->Depth, this->Nodes.gaps(), this->Nodes.count(), this->Step);
-  const double force = this->Elements.forceOf(this->Weights) + this->LastRest + this->RestMemory;
+  const double force =
+    this->Elements.forceOf(this->Chords.weight) + this->LastRest + this->RestMemory;
   if (!this->Elements.isTouched())
   {
     return;
   }
-  double chord = 0.0; // f_N' there
-  for (std::size_t j = 0; j<used&& this->Depth> this->Nodes.gaps()[j]; ++j)
-  {
-    chord += this->Weights[j];
-  }
-  const double touched = this->Elements.touchedStiffness(this->Weights);
+  const double touched = this->Elements.touchedStiffness(this->Chords.weight);
+  const double chord =
+    this->Depth > 0.0 ? this->Chords.slope[this->Nodes.chordAt(this->Depth)] : 0.0;
   this->Now = { std::max(force, 0.0),
     (1.0 + this->Step.stiffening) * (touched + value.stiffness - chord), true };
 }
@@ -176,7 +186,7 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve, double compli
   {
     const double rest = this->restAt(curve, depth);
     const double force = this->Elements.forceAt(depth, this->Nodes.gaps(), this->Nodes.count(),
-                           this->Weights, this->Step) +
+                           this->Chords.weight, this->Step) +
       rest + this->Rest.foresee(rest - this->LastRest, this->Step);
     return std::max(force, 0.0);
   };
@@ -275,12 +285,12 @@ Vector3 ContactRelaxation::slide(const Vector3& contactPoint, const Vector3& nor
   const double share = shareOfWay(way, radius);
   const double growth = this->IsOne
     ? this->One.growthByExchange(this->Step, share) * this->secantCompliance()
-    : this->Elements.growthByExchange(this->Weights, this->Step, share);
+    : this->Elements.growthByExchange(this->Chords.weight, this->Step, share);
   const double limit = std::max(growth, 0.0) / (2.0 * radius);
   const double slid = this->Drag.slide(limit, tangential * this->Stiffness);
   if (slid > 0.0)
   {
-    this->exchange(shareOfWay(slid, radius));
+    this->exchange(slid == way ? share : shareOfWay(slid, radius));
   }
   return this->Drag.force();
 }
@@ -302,14 +312,14 @@ double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness
       1.0 - most * this->Body->elasticCompliance(this->Last.corners, this->Last.weights);
     most = soft > 0.0 ? most / soft : std::numeric_limits<double>::infinity();
   }
-  RelaxationElements::Values slopes;
   RelaxationElements::Values weights;
-  const std::size_t awake = this->Elements.awake();
-  for (std::size_t j = 0; j < awake; ++j)
+  double before = 0.0;
+  for (std::size_t j = 0; j < this->Elements.awake(); ++j)
   {
-    slopes[j] = std::min(this->Slopes[j], most);
+    const double slope = std::min(this->Chords.slope[j], most);
+    weights[j] = slope - before;
+    before = slope;
   }
-  ForceNodes::steps(slopes, awake, weights);
   const double memory = this->Elements.memoryOf(weights, this->Depth, this->Nodes.gaps()) +
     this->RestMemory * std::min(1.0, cappedSlow / this->Slow);
   return std::clamp(cappedSlow + memory, 0.0, this->Now.total);
@@ -325,7 +335,7 @@ double ContactRelaxation::stiffening() const noexcept
 double ContactRelaxation::storedEnergy() const noexcept
 {
   return this->IsOne ? this->One.storedEnergy(this->Step) * this->secantCompliance()
-                     : this->Elements.storedEnergy(this->Weights, this->Step);
+                     : this->Elements.storedEnergy(this->Chords.weight, this->Step);
 }
 
 Vector3 ContactRelaxation::strengthEnergies() const noexcept
@@ -338,7 +348,7 @@ Vector3 ContactRelaxation::strengthEnergies() const noexcept
   for (std::size_t i = 0; i < this->Step.count; ++i)
   {
     const double stored = this->IsOne ? this->One.energyByStrength(i) * this->secantCompliance()
-                                      : this->Elements.energyByStrength(this->Weights, i);
+                                      : this->Elements.energyByStrength(this->Chords.weight, i);
     for (std::size_t k = 0; k < 3; ++k)
     {
       energies[static_cast<Eigen::Index>(k)] +=

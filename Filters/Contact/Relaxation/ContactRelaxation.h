@@ -97,14 +97,15 @@ private:
   /// To another place, without having been in touch on the way.
   void jumpTo(const Place& place) noexcept;
   void exchange(double share) noexcept;
-  void pressElements(const BlendedResponse& curve, double compliance) noexcept;
+  void pressElements(
+    const BlendedResponse& curve, double compliance, const ResponseValue& slow) noexcept;
   void pressOne(const BlendedResponse& curve, double compliance) noexcept;
   /// The local depth at which the elements, with a compliance in series, are at the tip's.
   double localDepth(const BlendedResponse& curve, double compliance) const noexcept;
   /// f - f_N of a curve.
   double restAt(const BlendedResponse& curve, double depth) const noexcept
   {
-    return curve.evaluate(depth).force - this->Nodes.slowForce(this->Weights, depth);
+    return curve.evaluate(depth).force - this->Nodes.slowForce(this->Chords, depth);
   }
   /// Of QuasiLinearElement: 1/K, so that squares of forces are energies.
   double secantCompliance() const noexcept;
@@ -131,8 +132,8 @@ private:
   double LastRest = 0.0;   ///< f - f_N there
   double RestMemory = 0.0; ///< what memory adds to it
   Force Now;
-  RelaxationElements::Values Slopes{};
-  RelaxationElements::Values Weights{};
+  ForceNodes::Chords Chords;
+  bool HasChords = false; ///< all of them, the same everywhere
   SlidingDrag Drag;
 };
 } // namespace palpate

@@ -9,6 +9,7 @@ namespace palpate
 ForceNodes::ForceNodes(const ResponseSampling& sampling, double range, int elements) noexcept
   : Count(std::min(static_cast<std::size_t>(elements) + 1, RelaxationElements::LargestCount))
   , Range(range)
+  , InverseRange(1.0 / range)
 {
   const double last = static_cast<double>(this->Count - 1);
   for (std::size_t j = 1; j < this->Count; ++j)
@@ -32,37 +33,42 @@ ForceNodes::ForceNodes(const ResponseSampling& sampling, double range, int eleme
   }
 }
 
-void ForceNodes::slopes(
-  const BlendedResponse& curve, std::size_t count, Values& slopes) const noexcept
+void ForceNodes::chordsOf(
+  const BlendedResponse& curve, std::size_t count, Chords& chords) const noexcept
 {
   const bool isSampled = curve.hasRange(this->Range);
-  const std::size_t chords = std::min(count, this->Count - 1);
-  double before = 0.0;
+  const std::size_t last = this->Count - 1;
+  double before = 0.0; // the curve's own force
+  double begin = 0.0;  // the chord's
+  double slope = 0.0;
   int lower = -1;
   Eigen::Vector4d samples = Eigen::Vector4d::Zero();
-  for (std::size_t j = 0; j < chords; ++j)
+  for (std::size_t j = 0; j < count; ++j)
   {
-    double force = 0.0;
-    if (isSampled)
+    double steep = 0.0;
+    if (j == last)
+    {
+      steep = curve.evaluate(this->Range).stiffness;
+    }
+    else
     {
       const Node& node = this->Nodes[j + 1];
-      if (node.lower != lower)
+      if (isSampled && node.lower != lower)
       {
         lower = node.lower;
         samples = curve.samples(lower);
       }
-      force = node.shares.dot(samples);
+      const double force =
+        isSampled ? node.shares.dot(samples) : curve.evaluate(this->Gaps[j + 1]).force;
+      steep = (force - before) * this->InverseWidth[j];
+      before = force;
     }
-    else
-    {
-      force = curve.evaluate(this->Gaps[j + 1]).force;
-    }
-    slopes[j] = (force - before) * this->InverseWidth[j];
-    before = force;
-  }
-  if (count == this->Count)
-  {
-    slopes[count - 1] = curve.evaluate(this->Range).stiffness;
+    const double step = std::max(steep - slope, 0.0);
+    slope += step;
+    chords.force[j] = begin;
+    chords.slope[j] = slope;
+    chords.weight[j] = step;
+    begin += j < last ? slope * (this->Gaps[j + 1] - this->Gaps[j]) : 0.0;
   }
 }
 } // namespace palpate

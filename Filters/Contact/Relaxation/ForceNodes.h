@@ -6,6 +6,7 @@
 #include "Mechanics/Relaxation/RelaxationElements.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace palpate
@@ -30,28 +31,35 @@ public:
   std::size_t count() const noexcept { return this->Count; }
   const Values& gaps() const noexcept { return this->Gaps; }
 
-  /// The slopes of the first `count` chords, N/mm; the last of all is the tangent at the end.
-  void slopes(const BlendedResponse& curve, std::size_t count, Values& slopes) const noexcept;
-  /// Their steps, of which none is negative: the weights of the elements.
-  static void steps(const Values& slopes, std::size_t count, Values& weights) noexcept
+  /// The chords of a curve, f_N: each begins at a gap with a force, N, and has a slope, N/mm; none
+  /// is less steep than the one before. The steps of the slopes are the weights of elements.
+  struct Chords
   {
-    double before = 0.0;
-    for (std::size_t j = 0; j < count; ++j)
-    {
-      const double step = slopes[j] - before;
-      weights[j] = step > 0.0 ? step : 0.0;
-      before = slopes[j];
-    }
+    Values force{};
+    Values slope{};
+    Values weight{};
+  };
+
+  /// The first `count` chords; the last of all is the tangent at the end.
+  void chordsOf(const BlendedResponse& curve, std::size_t count, Chords& chords) const noexcept;
+  /// The chord over a depth > 0.
+  std::size_t chordAt(double depth) const noexcept
+  {
+    const std::size_t last = this->Count - 1;
+    const double place = std::sqrt(depth * this->InverseRange) * static_cast<double>(last);
+    const std::size_t chord =
+      place < static_cast<double>(last) ? static_cast<std::size_t>(place) : last;
+    return depth > this->Gaps[chord] ? chord : chord - 1; // of two that meet, the first
   }
-  /// f_N, the slow force of elements of these weights.
-  double slowForce(const Values& weights, double depth) const noexcept
+  /// f_N; 0 where nothing is pressed.
+  double slowForce(const Chords& chords, double depth) const noexcept
   {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < this->Count && depth > this->Gaps[j]; ++j)
+    if (!(depth > 0.0))
     {
-      sum += weights[j] * (depth - this->Gaps[j]);
+      return 0.0;
     }
-    return sum;
+    const std::size_t j = this->chordAt(depth);
+    return chords.force[j] + chords.slope[j] * (depth - this->Gaps[j]);
   }
 
 private:
@@ -64,8 +72,9 @@ private:
 
   std::size_t Count = 0;
   double Range = 0.0;
+  double InverseRange = 0.0;
   Values Gaps{};
-  std::array<double, RelaxationElements::LargestCount> InverseWidth{};
+  Values InverseWidth{};
   std::array<Node, RelaxationElements::LargestCount> Nodes{};
 };
 } // namespace palpate

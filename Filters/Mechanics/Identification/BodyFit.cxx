@@ -2,10 +2,9 @@
 #include "Mechanics/Identification/BodyFit.h"
 
 #include "Mechanics/Identification/FitResiduals.h"
+#include "Mechanics/Identification/FitVerdict.h"
+#include "Mechanics/Identification/LeastSquares.h"
 #include "Mechanics/Layers/LayerContact.h"
-
-#include <Eigen/QR>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,6 @@ namespace palpate
 {
 namespace
 {
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -97,25 +95,6 @@ std::vector<BodyParameters> startingBodies(BodyModel model, const IndentationCur
   return starts;
 }
 
-struct Minimum
-{
-  double squares;
-  bool converged;
-};
-
-/// Moves p to the least squares near it; `tolerance` is that of a step, relative.
-Minimum minimize(FitResiduals& residuals, VectorXd& p, double tolerance)
-{
-  using Status = Eigen::LevenbergMarquardtSpace::Status;
-  Eigen::LevenbergMarquardt<FitResiduals> method(residuals);
-  method.parameters.ftol = 1e-2 * tolerance;
-  method.parameters.xtol = tolerance;
-  method.parameters.maxfev = 200;
-  const Status status = method.minimize(p);
-  return { method.fvec.squaredNorm(),
-    status != Status::TooManyFunctionEvaluation && status != Status::ImproperInputParameters };
-}
-
 /// Some of the readings, evenly, the deepest among them.
 IndentationCurve thin(const IndentationCurve& curve)
 {
@@ -129,39 +108,6 @@ IndentationCurve thin(const IndentationCurve& curve)
     few.force.push_back(curve.force[i]);
   }
   return few;
-}
-
-/// What a Jacobian says of the packed parameters, per unit residual.
-struct JacobianVerdict
-{
-  VectorXd error;  ///< standard errors
-  MatrixXd spread; ///< S, S Sᵀ their covariance; empty where they are not determined
-  double separation = 0.0;
-};
-
-JacobianVerdict judgeJacobian(const MatrixXd& jacobian)
-{
-  const Index n = jacobian.cols();
-  const VectorXd length = jacobian.colwise().norm();
-  JacobianVerdict verdict;
-  verdict.error = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
-  if (!(length.minCoeff() > 0.0) || !jacobian.allFinite())
-  {
-    return verdict;
-  }
-  const MatrixXd unit = jacobian * length.cwiseInverse().asDiagonal();
-  const MatrixXd r = MatrixXd(unit.householderQr().matrixQR().topRows(n));
-  if (!(r.diagonal().cwiseAbs().minCoeff() > 0.0))
-  {
-    return verdict;
-  }
-  const MatrixXd inverse =
-    r.triangularView<Eigen::Upper>().solve(MatrixXd(MatrixXd::Identity(n, n)));
-  const VectorXd error = inverse.rowwise().norm();
-  verdict.separation = 1.0 / error.maxCoeff();
-  verdict.error = error.cwiseQuotient(length);
-  verdict.spread = length.cwiseInverse().asDiagonal() * inverse;
-  return verdict;
 }
 } // namespace
 

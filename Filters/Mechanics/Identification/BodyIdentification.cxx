@@ -1,37 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/BodyIdentification.h"
 
+#include "Mechanics/Identification/FitVerdict.h"
 #include "Mechanics/Identification/StrainWindow.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <numeric>
 
 namespace palpate
 {
 namespace
 {
-constexpr std::size_t LargestGroupCount = 200;
-constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
-constexpr double LeastNoise = 0.003;      // of the largest force: no law is truer, nor instrument
-constexpr int LargestPassCount = 6;
-constexpr double Inseparable = 1e-4; // sine of an angle that rounding and a kink can give
+using FitLimits::Inseparable;
+using FitLimits::LargestPassCount;
+using FitLimits::LeastNoise;
+using FitLimits::LikelihoodRatio;
 
-/// The 97.5 % quantile of Student's t (Abramowitz and Stegun 26.7.5; 1e-3 from ν = 5 on).
-double studentQuantile(double freedom)
-{
-  const double z = Normal95;
-  const double z3 = z * z * z;
-  const double z5 = z3 * z * z;
-  const double z7 = z5 * z * z;
-  const double n = freedom;
-  return z + (z3 + z) / (4.0 * n) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n) +
-    (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * n * n * n);
-}
+constexpr std::size_t LargestGroupCount = 200;
 
 void sortByDepth(IndentationCurve& curve)
 {
@@ -89,18 +77,6 @@ ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
   return { std::sqrt(squares / freedom), freedom };
 }
 
-const char* const FlatAlone =
-  "a flat punch feels a straight line whatever the body: E* cannot be told from the global "
-  "compliance or the thickness; measure with a sphere as well";
-
-/// Three digits are enough to explain a refusal.
-std::string shortly(double value)
-{
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
-  return buffer.data();
-}
-
 std::string checkCurve(const IndentationCurve& curve)
 {
   if (curve.force.size() < BodyIdentification::FewestReadings)
@@ -121,18 +97,7 @@ std::string checkCurve(const IndentationCurve& curve)
 bool isFlatOnly(const std::vector<IndentationCurve>& curves)
 {
   return std::all_of(curves.begin(), curves.end(),
-    [](const IndentationCurve& curve)
-    { return !(curve.tool->largestContactRadius() > curve.tool->smallestContactRadius()); });
-}
-
-Estimate logarithmic(double value, double error)
-{
-  return { value, value * std::exp(-error), value * std::exp(error) };
-}
-
-Estimate linear(double value, double error)
-{
-  return { value, value - error, value + error };
+    [](const IndentationCurve& curve) { return isFlat(*curve.tool); });
 }
 } // namespace
 
@@ -185,21 +150,15 @@ std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curv
   const IdentificationOptions& options = this->Options;
   const auto fitted = [&](BodyModel model)
   { return fitBody(curves, model, options.findContact, this->Kernel); };
-  const auto isNoise = [&](const BodyFit& fit)
-  {
-    const double ratio = fit.residual() / noise.deviation;
-    const double spread = 2.0 / fit.degreesOfFreedom + 2.0 / noise.degreesOfFreedom;
-    return ratio * ratio <= 1.0 + 3.0 * std::sqrt(spread);
-  };
   if (options.model)
   {
     chosen = fitted(*options.model);
-    withinNoise = isNoise(chosen);
+    withinNoise = leavesNoise(chosen, noise);
     return {};
   }
 
   chosen = fitted(BodyModel::HalfSpace);
-  withinNoise = isNoise(chosen);
+  withinNoise = leavesNoise(chosen, noise);
   std::vector<BodyFit> richer;
   for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
   {
@@ -224,13 +183,13 @@ std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curv
       : isFlatOnly(curves)                     ? std::string(FlatAlone)
                            : "the curves do not tell E* from a global compliance";
   }
-  if (richer.size() > 1 && isNoise(richer[0]) && isNoise(richer[1]) &&
+  if (richer.size() > 1 && leavesNoise(richer[0], noise) && leavesNoise(richer[1], noise) &&
     richer[1].sumOfSquares - richer[0].sumOfSquares < significant)
   {
     return "the curves do not tell a global compliance from a layer";
   }
   chosen = richer.front();
-  withinNoise = isNoise(chosen);
+  withinNoise = leavesNoise(chosen, noise);
   return {};
 }
 
@@ -331,22 +290,23 @@ void BodyIdentification::report(const std::vector<IndentationCurve>& curves, boo
     : studentQuantile(fit.degreesOfFreedom) * std::max(result.misfit, floor);
   result.body = fit.body;
   result.spread = width * fit.spreadPerNoise;
-  result.reducedModulus = logarithmic(fit.body.reducedModulus, width * fit.errorPerNoise[0]);
+  result.reducedModulus =
+    logarithmicEstimate(fit.body.reducedModulus, width * fit.errorPerNoise[0]);
   Eigen::Index next = 1;
   if (fit.body.model == BodyModel::GlobalCompliance)
   {
-    result.compliance = linear(fit.body.compliance, width * fit.errorPerNoise[next++]);
+    result.compliance = linearEstimate(fit.body.compliance, width * fit.errorPerNoise[next++]);
   }
   else if (fit.body.model == BodyModel::Layer)
   {
-    result.thickness = logarithmic(fit.body.thickness, width * fit.errorPerNoise[next++]);
+    result.thickness = logarithmicEstimate(fit.body.thickness, width * fit.errorPerNoise[next++]);
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     const double offset = fit.contactOffset[i];
     result.contactOffset.push_back(this->Options.findContact
-        ? linear(offset, width * fit.errorPerNoise[next++])
-        : linear(0.0, 0.0));
+        ? linearEstimate(offset, width * fit.errorPerNoise[next++])
+        : linearEstimate(0.0, 0.0));
     const SeriesPoint end =
       bodyResponse(fit.body, *curves[i].tool, this->Kernel, curves[i].deflection.back() - offset);
     result.endForce = std::max(result.endForce, end.force);

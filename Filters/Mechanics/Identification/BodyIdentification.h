@@ -3,8 +3,10 @@
 #define palpate_BodyIdentification_h
 
 #include "Mechanics/Identification/BodyFit.h"
+#include "Mechanics/Identification/Estimate.h"
 #include "Mechanics/Identification/ForceNoise.h"
 #include "Mechanics/PalpateExport.h"
+#include "Mechanics/Relaxation/PronySeries.h"
 
 #include <limits>
 #include <memory>
@@ -14,14 +16,6 @@
 
 namespace palpate
 {
-/// A number and its 95 % confidence interval.
-struct Estimate
-{
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double lower = std::numeric_limits<double>::quiet_NaN();
-  double upper = std::numeric_limits<double>::quiet_NaN();
-};
-
 /// What is known beforehand, and when a fit is good enough.
 struct IdentificationOptions
 {
@@ -34,6 +28,8 @@ struct IdentificationOptions
   double largestStrain = 0.4;      ///< contact radius over tip radius: deeper readings are not used
   double largestMisfit = 0.02;     ///< share of the largest force
   double largestUncertainty = 0.5; ///< of E*: half the confidence interval, relative
+  /// How the body relaxes, where that is known from elsewhere; no branch: it is identified.
+  PronySeries relaxation;
 };
 
 /// A body as one site shows it.
@@ -47,6 +43,13 @@ struct IdentifiedBody
   Estimate compliance;                 ///< mm/N, of BodyModel::GlobalCompliance
   Estimate thickness;                  ///< mm, of BodyModel::Layer
   std::vector<Estimate> contactOffset; ///< mm, of each curve
+  /// How it relaxes, of which the numbers above are the slow end; no branch: an elastic body.
+  PronySeries relaxation;
+  std::vector<Estimate> relaxationStrength;                       ///< p_i
+  std::vector<Estimate> relaxationTime;                           ///< τ_i, s
+  double shortestTime = std::numeric_limits<double>::quiet_NaN(); ///< that the test can tell, s
+  double longestTime = std::numeric_limits<double>::quiet_NaN();  ///< likewise
+  std::string remark; ///< what the test cannot tell of a body that relaxes
   /// A row each for ln E* and for C_g or ln h: S Sᵀ is their covariance, times the square of what
   /// makes a standard error the half-width of a 95 % interval.
   Eigen::MatrixXd spread;

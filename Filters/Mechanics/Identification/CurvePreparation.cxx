@@ -5,14 +5,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
+#include <numeric>
 
 namespace palpate
 {
 namespace
 {
-constexpr double TurnShare = 0.1;  // of the range of deflection: a smaller step back is noise
-constexpr double RestShare = 0.01; // of the range: within it of the turning point, it rests
-constexpr double SpeedRatio = 1.5; // below, two loads have the same speed
+constexpr double TurnShare = 0.1;    // of the range of deflection: a smaller step back is noise
+constexpr double RestShare = 0.01;   // of the range: within it of the turning point, it rests
+constexpr double NearlyShare = 0.03; // likewise: within it a hold may have begun
+constexpr double SpeedRatio = 1.5;   // below, two loads have the same speed
 
 /// Readings first..last, both included, all in one phase.
 struct Segment
@@ -146,6 +149,68 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Share of the force that is lost between two readings, between which the depth rests.
+double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
+{
+  constexpr std::size_t fewest = 5;
+  if (last < first + fewest)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::size_t count = last - first + 1;
+  const auto mean = [&](std::size_t from, std::size_t n)
+  {
+    const auto begin = curve.force.begin() + static_cast<std::ptrdiff_t>(from);
+    return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(n), 0.0) /
+      static_cast<double>(n);
+  };
+  const std::size_t few = 1 + count / 50;
+  double most = 0.0; // the depth may still rise a little at first
+  for (std::size_t i = first; i + few <= first + count / 2 + 1; ++i)
+  {
+    most = std::max(most, mean(i, few));
+  }
+  const std::size_t end = 1 + count / 10;
+  return most > 0.0 ? 1.0 - mean(last + 1 - end, end) / most
+                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The largest loss of the holds that end a loading, and where all segments turn.
+void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
+  PreparedCurve& prepared)
+{
+  for (std::size_t s = 0; s < segments.size(); ++s)
+  {
+    const Segment& segment = segments[s];
+    prepared.turns.push_back(segment.first);
+    prepared.turns.push_back(segment.last);
+    if (segment.phase != CurvePhase::Loading)
+    {
+      continue;
+    }
+    // Recorded as one, or what lies between the branches, and what noise of the depth left in this.
+    const bool isNext = s + 1 < segments.size();
+    const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
+    const std::size_t end = isHeld ? segments[s + 1].last
+      : isNext                     ? segments[s + 1].first
+                                   : curve.force.size() - 1;
+    std::size_t start = segment.first;
+    while (start < segment.last &&
+      std::abs(curve.deflection[start] - curve.deflection[segment.last]) > NearlyShare * range)
+    {
+      ++start;
+    }
+    const double loss = lossOf(curve, start, end);
+    if (!(std::abs(loss) <= std::abs(prepared.holdLoss)) && !std::isnan(loss))
+    {
+      prepared.holdLoss = loss;
+    }
+  }
+  std::sort(prepared.turns.begin(), prepared.turns.end());
+  prepared.turns.erase(
+    std::unique(prepared.turns.begin(), prepared.turns.end()), prepared.turns.end());
+}
+
 LoadingBranch copyBranch(const MeasuredCurve& curve, const Segment& loading)
 {
   LoadingBranch branch;
@@ -208,6 +273,8 @@ std::string prepareCurve(
   const std::vector<Segment> segments =
     recorded ? recordedSegments(curve.phase) : foundSegments(curve.deflection, range);
 
+  judgeHolds(curve, segments, range, prepared);
+
   std::vector<Segment> loadings;
   for (const Segment& segment : segments)
   {
@@ -240,5 +307,14 @@ std::string prepareCurve(
     return exceeds("the effect of speed", std::abs(prepared.rateEffect), limits.rateEffect);
   }
   return {};
+}
+
+bool relaxes(const PreparedCurve& prepared, const ElasticityLimits& limits)
+{
+  const bool contrary =
+    prepared.hysteresis < -limits.hysteresis || prepared.rateEffect < -limits.rateEffect;
+  return !contrary &&
+    (prepared.hysteresis > limits.hysteresis || prepared.rateEffect > limits.rateEffect ||
+      prepared.holdLoss > limits.rateEffect);
 }
 } // namespace palpate

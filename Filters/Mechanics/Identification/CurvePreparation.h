@@ -5,6 +5,7 @@
 #include "Mechanics/Identification/MeasuredCurve.h"
 #include "Mechanics/PalpateExport.h"
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -30,13 +31,18 @@ struct PreparedCurve
   /// Relative difference in energy, over the depths they share, between the fastest and the slowest
   /// loading; NaN where no two speeds differ by half.
   double rateEffect = std::numeric_limits<double>::quiet_NaN();
+  /// Share of its force that a hold at the end of a loading loses: the largest one; NaN where
+  /// nothing was held.
+  double holdLoss = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::size_t>
+    turns; ///< readings at which a branch or a hold begins or ends, ascending
 };
 
 /// How far from elastic a curve may be, to be taken for elastic.
 struct ElasticityLimits
 {
   double hysteresis = 0.2;
-  double rateEffect = 0.1;
+  double rateEffect = 0.1; ///< and of the force that a hold loses
 };
 
 /**
@@ -50,6 +56,10 @@ struct ElasticityLimits
  */
 PALPATE_EXPORT std::string prepareCurve(
   const MeasuredCurve& curve, const ElasticityLimits& limits, PreparedCurve& prepared);
+
+/// Whether a prepared curve is beyond the limits as that of a body is that relaxes: it loses energy
+/// in loops, is stiffer when pressed faster, or its force falls while it is held.
+PALPATE_EXPORT bool relaxes(const PreparedCurve& prepared, const ElasticityLimits& limits);
 } // namespace palpate
 
 #endif

@@ -1,66 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/FitResiduals.h"
 
-#include "Mechanics/Layers/LayerContact.h"
-
-#include <optional>
+#include "Mechanics/Identification/TrialLaw.h"
 
 namespace palpate
 {
-namespace
-{
-constexpr double ThicknessStep = 1e-5; // of ln h; the law is smooth to 1e-10
-
-/// The law of one tool on a body that is being fitted.
-class TrialLaw
-{
-public:
-  TrialLaw(const BodyParameters& body, const AxisymmetricTool& tool,
-    const std::shared_ptr<const LayerKernel>& kernel)
-    : Body(body)
-    , Tool(tool)
-  {
-    if (body.model == BodyModel::Layer)
-    {
-      this->Layer.emplace(tool, kernel, body.thickness);
-      this->Thicker.emplace(tool, kernel, body.thickness * std::exp(ThicknessStep));
-    }
-  }
-
-  Sensitivity at(double deflection) const
-  {
-    Sensitivity result;
-    const double modulus = this->Body.reducedModulus;
-    if (!(deflection > 0.0))
-    {
-      return result;
-    }
-    if (this->Body.model == BodyModel::Layer)
-    {
-      const IndentationPoint point = this->Layer->evaluate(deflection, modulus);
-      const double thicker = this->Thicker->evaluate(deflection, modulus).force;
-      result = { point.force, point.stiffness, point.force,
-        (thicker - point.force) / ThicknessStep };
-    }
-    else
-    {
-      const double compliance = this->Body.compliance;
-      const SeriesPoint point = seriesResponse(this->Tool, modulus, compliance, deflection);
-      // With K the local stiffness, S = K/(1+CK): dF/d ln E* = F/(1+CK), dF/dC = -F S.
-      result = { point.force, point.stiffness, point.force * (1.0 - compliance * point.stiffness),
-        -point.force * point.stiffness };
-    }
-    return result;
-  }
-
-private:
-  BodyParameters Body;
-  const AxisymmetricTool& Tool;
-  std::optional<LayerContact> Layer;
-  std::optional<LayerContact> Thicker;
-};
-} // namespace
-
 int FitResiduals::evaluate(
   const Eigen::VectorXd& p, Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const
 {

@@ -3,6 +3,7 @@
 #define palpate_FitResiduals_h
 
 #include "Mechanics/Identification/BodyFit.h"
+#include "Mechanics/Identification/TrialLaw.h"
 
 #include <Eigen/Core>
 
@@ -14,15 +15,6 @@
 
 namespace palpate
 {
-/// Force and its derivatives by the parameters, at one depth below first contact.
-struct Sensitivity
-{
-  double force = 0.0;
-  double stiffness = 0.0;
-  double byLogModulus = 0.0;
-  double bySecond = 0.0; ///< by C_g, or ln h
-};
-
 /**
  * The residuals for Eigen's LevenbergMarquardt. Parameters, all of order one: ln E*, then C_g over
  * a reference or ln h, then the offsets over a reference depth. Residuals over the largest force.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/MeasuredSite.h"
 
+#include "Mechanics/Identification/RelaxingIdentification.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -40,10 +42,49 @@ std::string collectSites(const std::vector<MeasuredCurves>& files, std::vector<M
   return {};
 }
 
+namespace
+{
+bool hasTimes(const SiteCurve& curve)
+{
+  const std::vector<double>& time = curve.curve.time;
+  return time.size() > 1 && time.back() > time.front();
+}
+
+/// The body as one that relaxes; why not, where its curves do not say when they were taken.
+void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
+{
+  std::vector<PressHistory> histories;
+  for (const SiteCurve& curve : site.curves)
+  {
+    histories.push_back(makeHistory(*curve.tool, curve.curve, curve.prepared));
+  }
+  site.body = identifyRelaxing(identification, std::move(histories));
+  site.refusal = site.body.refusal;
+}
+
+/// Loops, holds and speeds as they tell that the site relaxes; "" if none does.
+std::string flowOf(const MeasuredSite& site, const ElasticityLimits& limits)
+{
+  for (const SiteCurve& curve : site.curves)
+  {
+    const PreparedCurve& prepared = curve.prepared;
+    if (relaxes(prepared, limits))
+    {
+      return prepared.hysteresis > limits.hysteresis ? "its loop shows"
+        : prepared.rateEffect > limits.rateEffect    ? "its effect of speed shows"
+                                                     : "its hold shows";
+    }
+  }
+  return {};
+}
+} // namespace
+
 void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<IndentationCurve> loadings;
+  bool isJudged = true; // whether every refusal is one of a body that relaxes
+  bool areTimed = true;
   for (SiteCurve& curve : site.curves)
   {
     const std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
@@ -51,6 +92,8 @@ void identifySite(
     {
       site.refusal = fault;
     }
+    isJudged = isJudged && (fault.empty() || relaxes(curve.prepared, limits));
+    areTimed = areTimed && hasTimes(curve);
     IndentationCurve loading;
     loading.tool = curve.tool.get();
     for (const LoadingBranch& load : curve.prepared.loads)
@@ -61,10 +104,33 @@ void identifySite(
     }
     loadings.push_back(std::move(loading));
   }
+  const PronySeries& given = identification.options().relaxation;
+  const std::string flow = flowOf(site, limits);
+  if (isJudged && areTimed && (!flow.empty() || given.count > 0))
+  {
+    identifyFlow(identification, site);
+    return;
+  }
+  if (isJudged && !flow.empty())
+  {
+    site.refusal += (site.refusal.empty() ? "" : "; ") + flow +
+      " that the body relaxes, which only curves with time_s tell: record the time of every "
+      "reading, with a hold at depth until the force has come to rest";
+  }
   if (site.refusal.empty())
   {
     site.body = identification.identify(std::move(loadings));
     site.refusal = site.body.refusal;
+    site.body.relaxation = given;
+    for (std::size_t i = 0; i < given.count; ++i)
+    {
+      site.body.relaxationStrength.push_back(linearEstimate(given.strength[i], 0.0));
+      site.body.relaxationTime.push_back(linearEstimate(given.time[i], 0.0));
+    }
+    if (given.count > 0)
+    {
+      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones";
+    }
   }
 }
 } // namespace palpate

@@ -38,7 +38,10 @@ struct MeasuredSite
 PALPATE_EXPORT std::string collectSites(
   const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
 
-/// Prepares the curves of the site and identifies its body; sets `refusal` where that fails.
+/// Prepares the curves of the site and identifies its body; sets `refusal` where that fails. A site
+/// that shows a loop, a hold or an effect of speed beyond the limits is identified as one that
+/// relaxes (RelaxingIdentification.h), if all its curves have times; so is every one with times if
+/// the identification is given a relaxation.
 PALPATE_EXPORT void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site);
 } // namespace palpate

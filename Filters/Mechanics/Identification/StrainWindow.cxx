@@ -10,10 +10,7 @@
 
 namespace palpate
 {
-namespace
-{
-/// The local depth, mm, up to which the law is trusted; +inf if at every depth.
-double deepest(const AxisymmetricTool& tool, const BodyParameters& body,
+double smallStrainDepth(const AxisymmetricTool& tool, const BodyParameters& body,
   const std::shared_ptr<const LayerKernel>& kernel, double strain)
 {
   const double depth = tool.depthAtStrain(strain);
@@ -34,12 +31,11 @@ double deepest(const AxisymmetricTool& tool, const BodyParameters& body,
   const double reached = LayerContact(tool, kernel, body.thickness).depthAtContactRadius(radius);
   return std::isfinite(reached) ? std::min(reached, compressed) : compressed;
 }
-} // namespace
 
 IndentationCurve readingsWithin(const IndentationCurve& curve, const BodyParameters& body,
   double contactOffset, const std::shared_ptr<const LayerKernel>& kernel, double strain)
 {
-  const double limit = deepest(*curve.tool, body, kernel, strain);
+  const double limit = smallStrainDepth(*curve.tool, body, kernel, strain);
   IndentationCurve kept;
   kept.tool = curve.tool;
   kept.readings = curve.readings;

@@ -8,10 +8,15 @@
 
 namespace palpate
 {
+/// The local depth (without a compliance in series), mm, up to which a linear law is trusted: where
+/// the contact radius reaches `strain` times the tip radius and, on a layer, half of `strain` times
+/// its thickness. +inf if at every depth.
+double smallStrainDepth(const AxisymmetricTool& tool, const BodyParameters& body,
+  const std::shared_ptr<const LayerKernel>& kernel, double strain);
+
 /**
  * The readings of a curve that a linear law may explain, if the body is as it is taken to be: those
- * up to the depth at which the contact radius reaches `strain` times the tip radius
- * (AxisymmetricTool::depthAtStrain) and, on a layer, up to half of `strain` times its thickness.
+ * up to smallStrainDepth.
  *
  * Tools that exceed the strain from first touch on, as a cone does, keep all their readings: they
  * have none that is better.

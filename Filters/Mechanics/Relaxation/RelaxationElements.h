@@ -46,10 +46,6 @@ struct RelaxationStep
     this->sum();
   }
 
-private:
-  /// Below it Taylor's polynomial is right to the last digit.
-  static constexpr double Little = 0.25;
-
   /// (1 - e^-x)/x.
   static double meanDecay(double x) noexcept
   {
@@ -65,6 +61,10 @@ private:
     const double high = 1.0 / 362880 - x * (1.0 / 3628800) + x2 * (1.0 / 39916800);
     return low + x4 * (middle + x4 * high);
   }
+
+private:
+  /// Below it Taylor's polynomial is right to the last digit.
+  static constexpr double Little = 0.25;
 
   void sum() noexcept
   {

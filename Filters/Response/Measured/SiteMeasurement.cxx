@@ -3,6 +3,7 @@
 
 #include "Response/FilterThreads.h"
 #include "Contact/TriangleTree.h"
+#include "Response/Measured/MeasuredRelaxation.h"
 
 #include <cmath>
 #include <limits>
@@ -82,8 +83,8 @@ std::string SiteMeasurement::describe() const
       made += (made.empty() ? "; synthetic: " : ", ") + file.synthetic;
     }
   }
-  return text + ", identified from " + (made.empty() ? "measured" : "synthetic") + " curves of " +
-    tools + " at " + std::to_string(this->Used.size()) +
-    (this->Used.size() == 1 ? " site" : " sites") + made;
+  return text + relaxationInWords(*this) + ", identified from " +
+    (made.empty() ? "measured" : "synthetic") + " curves of " + tools + " at " +
+    std::to_string(this->Used.size()) + (this->Used.size() == 1 ? " site" : " sites") + made;
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Identification/IsotonicRegression.h"
+#include "Mechanics/Identification/RelaxationFit.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -81,7 +82,32 @@ struct Reading
   double force;
   double monotone;
   double model;
+  double time;
 };
+
+/// All readings of a body that relaxes, in the order in which they were taken.
+void appendHistory(const PlacedSite& site, std::size_t index,
+  const std::shared_ptr<const LayerKernel>& kernel, std::vector<Reading>& readings)
+{
+  const SiteCurve& curve = site.measured.curves[index];
+  const IdentifiedBody& body = site.measured.body;
+  const double offset = body.contactOffset[index].value;
+  PressHistory history;
+  history.tool = curve.tool.get();
+  history.time = curve.curve.time;
+  history.deflection = curve.curve.deflection;
+  const std::vector<double> model = forcesOver(history, body.body, body.relaxation, kernel, offset);
+  for (std::size_t i = 0; i < model.size(); ++i)
+  {
+    readings.push_back({ &site, &curve, history.deflection[i] - offset, curve.curve.force[i],
+      NotANumber, model[i], history.time[i] });
+  }
+}
+
+bool doesRelax(const PlacedSite& site)
+{
+  return site.measured.refusal.empty() && site.measured.body.relaxation.relaxes();
+}
 
 void appendReadings(const PlacedSite& site, std::size_t index,
   const std::shared_ptr<const LayerKernel>& kernel, std::vector<Reading>& readings)
@@ -89,6 +115,11 @@ void appendReadings(const PlacedSite& site, std::size_t index,
   const SiteCurve& curve = site.measured.curves[index];
   const IdentifiedBody& body = site.measured.body;
   const bool known = site.measured.refusal.empty();
+  if (doesRelax(site) && !curve.curve.time.empty())
+  {
+    appendHistory(site, index, kernel, readings);
+    return;
+  }
   const double offset = known ? body.contactOffset[index].value : 0.0;
   for (const LoadingBranch& load : curve.prepared.loads)
   {
@@ -106,9 +137,40 @@ void appendReadings(const PlacedSite& site, std::size_t index,
     {
       const double depth = load.deflection[order[i]] - offset;
       readings.push_back({ &site, &curve, depth, forces[i], monotone[i],
-        known ? bodyResponse(body.body, *curve.tool, kernel, depth).force : NotANumber });
+        known ? bodyResponse(body.body, *curve.tool, kernel, depth).force : NotANumber,
+        NotANumber });
     }
   }
+}
+/// Of sites of which at least one relaxes.
+void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
+{
+  std::size_t branches = 0;
+  for (const PlacedSite& site : sites)
+  {
+    branches = std::max(branches, doesRelax(site) ? site.measured.body.relaxation.count : 0);
+  }
+  if (branches == 0)
+  {
+    return;
+  }
+  addNumbers(table, "HoldLoss", sites,
+    [](const PlacedSite& s) { return most(s, [](const PreparedCurve& p) { return p.holdLoss; }); });
+  for (std::size_t i = 0; i < branches; ++i)
+  {
+    const auto estimate = [i](const std::vector<Estimate>& estimates)
+    { return i < estimates.size() ? estimates[i] : Estimate(); };
+    addEstimate(table, "RelaxationStrength " + std::to_string(i + 1), "", sites,
+      [&](const PlacedSite& s) { return estimate(s.measured.body.relaxationStrength); });
+    addEstimate(table, "RelaxationTime " + std::to_string(i + 1), " (s)", sites,
+      [&](const PlacedSite& s) { return estimate(s.measured.body.relaxationTime); });
+  }
+  addNumbers(table, "ShortestTime (s)", sites,
+    [](const PlacedSite& s) { return s.measured.body.shortestTime; });
+  addNumbers(table, "LongestTime (s)", sites,
+    [](const PlacedSite& s) { return s.measured.body.longestTime; });
+  addColumn<vtkStringArray>(
+    table, "Remark", sites, [](const PlacedSite& s) { return s.measured.body.remark; });
 }
 } // namespace
 
@@ -155,6 +217,7 @@ void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table)
   addNumbers(table, "RateEffect", sites,
     [](const PlacedSite& s)
     { return most(s, [](const PreparedCurve& p) { return p.rateEffect; }); });
+  addRelaxation(table, sites);
 }
 
 void tabulateCurves(const std::vector<PlacedSite>& sites,
@@ -175,6 +238,10 @@ void tabulateCurves(const std::vector<PlacedSite>& sites,
   number("Force (N)", &Reading::force);
   number("MonotoneForce (N)", &Reading::monotone);
   number("ModelForce (N)", &Reading::model);
+  if (std::any_of(sites.begin(), sites.end(), doesRelax))
+  {
+    number("Time (s)", &Reading::time);
+  }
   addColumn<vtkStringArray>(
     table, "Site", readings, [](const Reading& r) { return r.site->measured.name; });
   addColumn<vtkStringArray>(

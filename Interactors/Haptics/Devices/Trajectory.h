@@ -15,7 +15,7 @@ struct TrajectoryRow
   double time = 0.0;                             ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< body frame, mm
 
-  /// Of a file only point, deflection, normal force, friction and state.
+  /// Of a file only point, deflection, normal force and its memory, friction and state.
   Contact contact;
   double idealForce = 0.0; ///< magnitude of the total, before any limit of the device, N
 
@@ -37,6 +37,7 @@ struct Trajectory
   std::vector<TrajectoryRow> rows;
   bool hasContact = false; ///< rows tell of the contact
   bool hasDevice = false;  ///< rows tell of the device
+  bool hasMemory = false;  ///< rows tell of the contact, and what of its force is memory
 };
 } // namespace palpate
 

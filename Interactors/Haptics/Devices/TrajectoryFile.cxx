@@ -22,7 +22,9 @@ constexpr std::size_t Block = 65536; // bytes that are written at once
 bool isWritten(const Trajectory& trajectory, std::size_t column)
 {
   return column < ContactBegin ||
-    (column < DeviceBegin ? trajectory.hasContact : trajectory.hasDevice);
+    (column < DeviceBegin      ? trajectory.hasContact
+        : column < MemoryBegin ? trajectory.hasDevice
+                               : trajectory.hasMemory);
 }
 
 TrajectoryRow rowOf(const Tick& tick)
@@ -69,7 +71,8 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   if (csv.header({ Names.begin(), Names.end() }, ContactBegin))
   {
     read.hasContact = csv.hasColumns(ContactBegin, DeviceBegin);
-    read.hasDevice = csv.hasColumns(DeviceBegin, ColumnCount);
+    read.hasDevice = csv.hasColumns(DeviceBegin, MemoryBegin);
+    read.hasMemory = read.hasContact && csv.hasColumn(MemoryBegin);
   }
   while (csv.next())
   {
@@ -119,6 +122,7 @@ std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ti
   for (const Tick& tick : ticks)
   {
     trajectory.rows.push_back(rowOf(tick));
+    trajectory.hasMemory = trajectory.hasMemory || trajectory.rows.back().contact.memory != 0.0;
   }
   return writeTrajectory(path, trajectory);
 }

@@ -24,7 +24,8 @@ enum Column : std::size_t
   Valid = 21,
   Fresh = 22,
   SentForce = 23,
-  Taken = 26
+  Taken = 26,
+  Memory = 27
 };
 
 void put(const Eigen::Vector3d& vector, Column column, Numbers& numbers)
@@ -48,7 +49,7 @@ const std::array<std::string_view, ColumnCount> Names = { "time_s", "tip_x_mm", 
   "tip_z_mm", "contact_x_mm", "contact_y_mm", "contact_z_mm", "deflection_mm", "normal_force_N",
   "friction_x_N", "friction_y_N", "friction_z_N", "ideal_force_N", "state", "device_x_m",
   "device_y_m", "device_z_m", "velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s", "buttons",
-  "valid", "fresh", "sent_x_N", "sent_y_N", "sent_z_N", "taken" };
+  "valid", "fresh", "sent_x_N", "sent_y_N", "sent_z_N", "taken", "memory_force_N" };
 
 Numbers numbersOf(const TrajectoryRow& row)
 {
@@ -68,6 +69,7 @@ Numbers numbersOf(const TrajectoryRow& row)
   numbers[Fresh] = row.sample.fresh ? 1.0 : 0.0;
   put(row.sentForce, SentForce, numbers);
   numbers[Taken] = row.isTaken ? 1.0 : 0.0;
+  numbers[Memory] = row.contact.memory;
   return numbers;
 }
 
@@ -84,6 +86,7 @@ std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, Traje
     row.contact.contactPoint = get(numbers, ContactPoint);
     row.contact.deflection = numbers[Deflection];
     row.contact.normalForce = numbers[NormalForce];
+    row.contact.memory = numbers[Memory];
     row.contact.friction = get(numbers, Friction);
     row.idealForce = numbers[IdealForce];
     row.contact.state = static_cast<ContactState>(static_cast<int>(numbers[State]));

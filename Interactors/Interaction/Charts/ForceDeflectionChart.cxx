@@ -13,10 +13,13 @@ constexpr const char* DeflectionColumn = "Deflection (mm)";
 
 ForceDeflectionChart::ForceDeflectionChart()
   : LiveChart("Force over deflection, this touch", DeflectionColumn, "Force (N)")
+  , Slow(DeflectionColumn, "Slow force (N)")
   , Ideal(DeflectionColumn, "Ideal force (N)")
   , Applied(DeflectionColumn, "Applied force (N)")
   , Now(DeflectionColumn, "Ideal force now (N)")
 {
+  this->SlowPlot = this->Slow.addLine(this->chart(), "Slow", NormalForceColor, 2.0F);
+  this->SlowPlot->SetVisible(false);
   this->Ideal.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
   this->AppliedPlot = this->Applied.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);
   this->AppliedPlot->SetVisible(false);
@@ -32,7 +35,8 @@ bool ForceDeflectionChart::isNear(const Point& one, const Point& other) const
     !(std::abs(one.applied - other.applied) >= up); // NaN: nothing is applied
 }
 
-void ForceDeflectionChart::add(bool touches, double deflection, double ideal, double applied)
+void ForceDeflectionChart::add(
+  bool touches, double deflection, double ideal, double applied, double slow)
 {
   if (touches && !this->Touches)
   {
@@ -47,7 +51,11 @@ void ForceDeflectionChart::add(bool touches, double deflection, double ideal, do
   {
     return;
   }
-  const Point point{ deflection, ideal, applied };
+  if (slow != ideal)
+  {
+    this->SlowPlot->SetVisible(true);
+  }
+  const Point point{ deflection, ideal, applied, slow };
   const std::size_t count = this->Way.size();
   if (count > 1 && this->isNear(this->Way[count - 2], point))
   {
@@ -62,7 +70,7 @@ void ForceDeflectionChart::add(bool touches, double deflection, double ideal, do
     this->Way.pop_front();
   }
   this->LargestDeflection = std::max(this->LargestDeflection, deflection);
-  this->LargestForce = std::max({ this->LargestForce, ideal, applied });
+  this->LargestForce = std::max({ this->LargestForce, ideal, applied, slow });
 }
 
 void ForceDeflectionChart::clear()
@@ -70,6 +78,7 @@ void ForceDeflectionChart::clear()
   this->Way.clear();
   this->Touches = false;
   this->AppliedPlot->SetVisible(false);
+  this->SlowPlot->SetVisible(false);
   this->LargestDeflection = this->LargestForce = 0.0;
   this->show();
 }
@@ -78,13 +87,16 @@ void ForceDeflectionChart::show()
 {
   this->growAcross(this->LargestDeflection);
   this->growUp(this->LargestForce);
+  this->Slow.begin();
   this->Ideal.begin();
   this->Applied.begin();
   for (const Point& point : this->Way)
   {
+    this->Slow.add(point.deflection, point.slow);
     this->Ideal.add(point.deflection, point.ideal);
     this->Applied.add(point.deflection, point.applied);
   }
+  this->Slow.end();
   this->Ideal.end();
   this->Applied.end();
   this->Now.begin();

@@ -10,7 +10,8 @@
 namespace palpate
 {
 /**
- * Ideal and applied force (N) over the deflection (mm) since the tool touched last.
+ * Ideal and applied force (N) over the deflection (mm) since the tool touched last, and where the
+ * body relaxes the slow force at these depths, around which the ideal one makes a loop.
  *
  * A way is kept in points that are Resolution of an axis apart, in deflection or a force; of a
  * touch of more than LargestCount of them the last ones.
@@ -23,7 +24,8 @@ public:
 
   ForceDeflectionChart();
 
-  void add(bool touches, double deflection, double ideal, double applied);
+  /// `slow`: what of the ideal force is not memory.
+  void add(bool touches, double deflection, double ideal, double applied, double slow);
   void clear();
   void show();
 
@@ -33,12 +35,15 @@ private:
     double deflection = 0.0;
     double ideal = 0.0;
     double applied = 0.0;
+    double slow = 0.0;
   };
   bool isNear(const Point& one, const Point& other) const;
 
+  PlotTable Slow;
   PlotTable Ideal;
   PlotTable Applied;
   PlotTable Now;
+  vtkPlot* SlowPlot;     ///< visible where it is another than the ideal one
   vtkPlot* AppliedPlot;  ///< visible where a force is applied
   std::deque<Point> Way; ///< the last point is the newest, whatever its distance
   bool Touches = false;

@@ -39,6 +39,7 @@ ForceTimeChart::ForceTimeChart(double seconds)
   , Ideal(seconds, "Ideal force (N)")
   , Applied(seconds, "Applied force (N)")
   , Friction(seconds, "Friction (N)")
+  , Memory(seconds, "Memory (N)")
 {
   // The applied force lies on the ideal one, of which it leaves the borders to be seen.
   this->Ideal.table.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
@@ -46,12 +47,13 @@ ForceTimeChart::ForceTimeChart(double seconds)
     this->Applied.table.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);
   this->FrictionPlot =
     this->Friction.table.addLine(this->chart(), "Friction", FrictionForceColor, 2.0F);
+  this->MemoryPlot = this->Memory.table.addLine(this->chart(), "Memory", MemoryForceColor, 2.0F);
   this->setSeconds(seconds);
 }
 
 void ForceTimeChart::setSeconds(double seconds)
 {
-  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction })
+  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction, &this->Memory })
   {
     line->signal = SignalEnvelope(seconds, Bins);
   }
@@ -59,11 +61,12 @@ void ForceTimeChart::setSeconds(double seconds)
   this->clear();
 }
 
-void ForceTimeChart::add(double time, double ideal, double applied, double friction)
+void ForceTimeChart::add(double time, double ideal, double applied, double friction, double memory)
 {
   this->Ideal.signal.add(time, ideal);
   this->Applied.signal.add(time, applied);
   this->Friction.signal.add(time, friction);
+  this->Memory.signal.add(time, memory);
   this->Largest = std::max({ this->Largest, ideal, applied });
   if (std::isfinite(applied))
   {
@@ -73,24 +76,29 @@ void ForceTimeChart::add(double time, double ideal, double applied, double frict
   {
     this->FrictionPlot->SetVisible(true);
   }
+  if (memory != 0.0)
+  {
+    this->MemoryPlot->SetVisible(true);
+  }
 }
 
 void ForceTimeChart::clear()
 {
-  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction })
+  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction, &this->Memory })
   {
     line->signal.clear();
     line->show(0.0);
   }
   this->AppliedPlot->SetVisible(false);
   this->FrictionPlot->SetVisible(false);
+  this->MemoryPlot->SetVisible(false);
   this->Largest = 0.0;
 }
 
 void ForceTimeChart::show(long long lostTicks)
 {
   const double now = this->Ideal.signal.newest();
-  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction })
+  for (Line* line : { &this->Ideal, &this->Applied, &this->Friction, &this->Memory })
   {
     line->show(now);
   }

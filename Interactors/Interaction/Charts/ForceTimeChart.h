@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Ideal, applied and friction force (N) over the last seconds; the latter two from when there is
-/// one.
+/// Ideal, applied and friction force, and what of the force is memory (N), over the last seconds;
+/// the latter three from when there is one. Memory that takes from the force is below the axis.
 class ForceTimeChart : public LiveChart
 {
 public:
@@ -17,7 +17,7 @@ public:
 
   void setSeconds(double seconds);
   double seconds() const { return this->Ideal.signal.seconds(); }
-  void add(double time, double ideal, double applied, double friction);
+  void add(double time, double ideal, double applied, double friction, double memory);
   void clear();
   /// Of what was added; `lostTicks` is told in the title.
   void show(long long lostTicks);
@@ -35,8 +35,10 @@ private:
   Line Ideal;
   Line Applied;
   Line Friction;
+  Line Memory;
   vtkPlot* AppliedPlot;
   vtkPlot* FrictionPlot;
+  vtkPlot* MemoryPlot;
   double Largest = 0.0;
   long long LostTicks = 0;
 };

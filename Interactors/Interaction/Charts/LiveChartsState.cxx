@@ -68,10 +68,10 @@ void vtkLiveCharts::Parts::add(const palpate::Tick& felt)
   const double applied = felt.appliedForce.norm();
   if (std::isfinite(felt.time))
   {
-    this->time.add(felt.time, ideal, applied, felt.contact.friction.norm());
+    this->time.add(felt.time, ideal, applied, felt.contact.friction.norm(), felt.contact.memory);
   }
   const bool touches = felt.contact.triangle >= 0;
-  this->way.add(touches, felt.contact.deflection, ideal, applied);
+  this->way.add(touches, felt.contact.deflection, ideal, applied, ideal - felt.contact.memory);
   this->touched = touches ? felt : this->touched;
 }
 

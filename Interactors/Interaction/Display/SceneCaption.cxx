@@ -3,6 +3,7 @@
 
 #include "Interaction/Display/DisplayColors.h"
 #include "Contact/ResponseContract.h"
+#include "Interaction/Display/MemoryText.h"
 #include "Interaction/Display/ShownContact.h"
 #include "Response/Curves/StoredError.h"
 
@@ -109,6 +110,13 @@ void SceneCaption::describe(
       ? ": normal " + newtons(contact.tick.idealForce - contact.tick.contact.friction) +
         ", friction " + newtons(contact.tick.contact.friction)
       : "";
+    std::string memory =
+      memoryInWords(contact.tick.contact.normalForce, contact.tick.contact.memory);
+    if (!memory.empty())
+    {
+      memory.front() = 'O';
+      text += "\n" + memory;
+    }
   }
   if (contact.appliedDiffers())
   {

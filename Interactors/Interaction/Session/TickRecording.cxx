@@ -43,6 +43,7 @@ void addSummary(const TickSummary& summary, std::uint64_t ticks, vtkTable* table
   addColumn(table, "PeakAppliedForce (N)", summary.peakApplied);
   addColumn(table, "PeakFriction (N)", summary.peakFriction);
   addColumn(table, "PeakDeflection (mm)", summary.peakDeflection);
+  addColumn(table, "MemoryAtPeak (N)", summary.memoryAtPeak);
 }
 } // namespace
 
@@ -70,7 +71,12 @@ void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
   vtkNew<vtkIntArray> links;
   links->SetName("SafetyLinks");
   links->SetNumberOfTuples(count);
-  ContactArrays contacts(count);
+  bool remembers = false;
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+  {
+    remembers = remembers || ticks[i].contact.memory != 0.0;
+  }
+  ContactArrays contacts(count, remembers);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Tick& tick = ticks[static_cast<std::size_t>(i)];
@@ -132,6 +138,7 @@ bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tic
   double links = 0.0;
   read("Normal", contact.normal.data());
   read("NormalForce", &contact.normalForce);
+  read("MemoryForce", &contact.memory);
   read("FrictionForce", contact.friction.data());
   read("ContactState", &state);
   contact.state = static_cast<ContactState>(static_cast<int>(state));

@@ -16,7 +16,8 @@ class vtkTable;
 namespace palpate
 {
 /// The ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s),
-/// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink).
+/// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink);
+/// `MemoryForce` where any tick has memory.
 /// `firstPoly` is the cell id of the body's first triangle.
 void fillRecording(const std::vector<Tick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording);

@@ -17,6 +17,7 @@ struct TickSummary
   std::uint64_t ticks = 0;
   std::uint64_t inContact = 0;
   double peakForce = 0.0;      ///< ideal, N
+  double memoryAtPeak = 0.0;   ///< what of it is memory, N
   double peakApplied = 0.0;    ///< N
   double peakFriction = 0.0;   ///< N
   double peakDeflection = 0.0; ///< mm
@@ -26,7 +27,9 @@ struct TickSummary
   {
     this->ticks += 1;
     this->inContact += tick.contact.triangle >= 0 ? 1 : 0;
-    this->peakForce = std::max(this->peakForce, tick.contact.force.norm());
+    const double force = tick.contact.force.norm();
+    this->memoryAtPeak = force > this->peakForce ? tick.contact.memory : this->memoryAtPeak;
+    this->peakForce = std::max(this->peakForce, force);
     this->peakApplied = std::max(this->peakApplied, tick.appliedForce.norm());
     this->peakFriction = std::max(this->peakFriction, tick.contact.friction.norm());
     this->peakDeflection = std::max(this->peakDeflection, tick.contact.deflection);

@@ -4,6 +4,7 @@
 #include "Contact/ResponseContract.h"
 #include "Haptics/Devices/DeviceList.h"
 #include "Haptics/Servo/ServoStep.h"
+#include "Interaction/Display/MemoryText.h"
 #include "Response/Curves/StoredError.h"
 #include "TouchSession.h"
 #include "TouchSource.h"
@@ -99,6 +100,7 @@ TouchForm::TouchForm(QWidget* contents)
   , force(named<QLabel>("force", "The force the device applies, N."))
   , limit(named<QLabel>("limit", "The largest force of the device, N."))
   , error(named<QLabel>("error", "How far the ideal force may be off, by the response's estimate."))
+  , memory(wrapped("memory", "Of a body that relaxes: how much of the ideal force is memory."))
   , deflection(named<QLabel>("deflection", "How deep the tip is in the undeformed body, mm."))
   , servo(named<QLabel>("servo", "Ticks of the servo loop, and how many were missed."))
   , grant(wrapped("grant", "What the system granted the servo thread, and why not more."))
@@ -137,6 +139,7 @@ TouchForm::TouchForm(QWidget* contents)
   rows->addRow("", this->remark);
   rows->addRow("Force", felt);
   rows->addRow("Error", this->error);
+  rows->addRow("Memory", this->memory);
   rows->addRow("Limit", this->limit);
   rows->addRow("Deflection", this->deflection);
   rows->addRow("Servo", this->servo);
@@ -216,6 +219,9 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   this->bar->setForce(vtkMath::Norm(applied), vtkMath::Norm(ideal));
   set(this->force, QString("%1 N").arg(vtkMath::Norm(applied), 0, 'f', 3));
   set(this->error, errorOf(session));
+  const Contact contact = session->GetNewestTick().contact;
+  const std::string memory = memoryInWords(contact.normalForce, contact.memory);
+  set(this->memory, memory.empty() ? QString("–") : text(memory));
   set(this->limit, QString("%1 N").arg(most, 0, 'g', 3));
   set(this->deflection, QString("%1 mm").arg(session->GetDeflection(), 0, 'f', 3));
   set(this->servo,
@@ -233,8 +239,8 @@ void TouchForm::showRest(const TouchSession& touch, bool canStart, const QString
   set(this->state, isPreparing ? "preparing body and device …" : "stopped");
   set(this->remark, fault);
   this->bar->setForce(0.0, 0.0);
-  for (QLabel* label :
-    { this->force, this->error, this->limit, this->deflection, this->servo, this->grant })
+  for (QLabel* label : { this->force, this->error, this->memory, this->limit, this->deflection,
+         this->servo, this->grant })
   {
     set(label, "–");
   }

@@ -37,6 +37,7 @@ struct TouchForm
   QLabel* force;      ///< N, applied
   QLabel* limit;      ///< N
   QLabel* error;      ///< of the ideal force, relative
+  QLabel* memory;     ///< what of the ideal force a body that relaxes adds
   QLabel* deflection; ///< mm
   QLabel* servo;      ///< ticks per second, and missed
   QLabel* grant;      ///< what the system granted the servo thread

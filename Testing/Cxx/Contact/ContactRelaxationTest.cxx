@@ -5,7 +5,7 @@
 #include "Contact/Relaxation/ContactRelaxation.h"
 
 #include "ReferenceTable.h"
-#include "RelaxingBodies.h"
+#include "RelaxingPlate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tick touches no heap: not on onset, sliding, leaving, at borders, beyond range, on NaN.
 #include "AllocationCount.h"
+#include "RelaxingPlate.h"
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -159,6 +160,47 @@ TEST(TickAllocation, EveryFormSurfaceAndFriction)
         EXPECT_EQ(allocationCount(), before);
         EXPECT_GT(inside, Ticks / 40);
       }
+    }
+  }
+}
+
+TEST(TickAllocation, OfABodyThatRelaxes)
+{
+  RelaxingPlate plate(1.5, relaxation({ { 1.0, 0.02 }, { 0.5, 0.5 } }));
+  plate.terms.radius = 2.0;
+  std::vector<float> strength(2 * plate.surface.points.size(), 0.5F);
+  const std::vector<float> compliance(plate.surface.points.size(), 0.2F);
+  for (const int kind : { 0, 1, 2 })
+  {
+    plate.terms.strength = kind == 1 ? strength.data() : nullptr;
+    plate.terms.elasticCompliance = kind == 2 ? compliance.data() : nullptr;
+    const auto body = plate.body();
+    for (const int elements : { 0, 16, 32 })
+    {
+      palpate::ContactSettings settings;
+      settings.form = palpate::ForceForm::EnergyConsistent;
+      settings.friction.coefficient = 0.3;
+      settings.relaxationElements = elements;
+      ToolContact contact(*body, settings);
+      States states{};
+      int remembered = 0;
+      const long before = allocationCount();
+      for (int tick = 0; tick < Ticks; ++tick)
+      {
+        const Vector3d tip = 6.0 * pathOf(tick) + Vector3d(0.0, 0.0, -5.6);
+        const palpate::Contact felt = contact.update(tip, 1e-3);
+        remembered += felt.memory > 0.0;
+        const double share = contact.cappedShare(felt, 1.0);
+        met(states, share >= 0.0 ? felt.state : ContactState::Stick);
+        if (tick % 700 == 0)
+        {
+          contact.lose();
+          contact.pass(1e-3);
+        }
+      }
+      EXPECT_EQ(allocationCount(), before);
+      EXPECT_GT(remembered, 100);
+      EXPECT_GT(states[static_cast<std::size_t>(ContactState::None)], 20);
     }
   }
 }

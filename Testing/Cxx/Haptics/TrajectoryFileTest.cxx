@@ -55,6 +55,7 @@ Trajectory anyTrajectory(bool hasContact, bool hasDevice)
   Trajectory trajectory;
   trajectory.hasContact = hasContact;
   trajectory.hasDevice = hasDevice;
+  trajectory.hasMemory = hasContact && hasDevice;
   double time = -1.0;
   for (int i = 0; i < 500; ++i)
   {
@@ -69,6 +70,7 @@ Trajectory anyTrajectory(bool hasContact, bool hasDevice)
       row.contact.normalForce = anyNumber(random);
       row.contact.friction = anyVector(random);
       row.idealForce = anyNumber(random);
+      row.contact.memory = trajectory.hasMemory ? anyNumber(random) : 0.0;
       row.contact.state = static_cast<ContactState>(random() % 6);
     }
     if (hasDevice)
@@ -102,11 +104,11 @@ bool same(const TrajectoryRow& a, const TrajectoryRow& b)
     same(a.contact.contactPoint, b.contact.contactPoint) &&
     same(a.contact.deflection, b.contact.deflection) &&
     same(a.contact.normalForce, b.contact.normalForce) &&
-    same(a.contact.friction, b.contact.friction) && same(a.idealForce, b.idealForce) &&
-    a.contact.state == b.contact.state && same(a.sample.position, b.sample.position) &&
-    same(a.sample.velocity, b.sample.velocity) && a.sample.buttons == b.sample.buttons &&
-    a.sample.valid == b.sample.valid && a.sample.fresh == b.sample.fresh &&
-    same(a.sentForce, b.sentForce) && a.isTaken == b.isTaken;
+    same(a.contact.memory, b.contact.memory) && same(a.contact.friction, b.contact.friction) &&
+    same(a.idealForce, b.idealForce) && a.contact.state == b.contact.state &&
+    same(a.sample.position, b.sample.position) && same(a.sample.velocity, b.sample.velocity) &&
+    a.sample.buttons == b.sample.buttons && a.sample.valid == b.sample.valid &&
+    a.sample.fresh == b.sample.fresh && same(a.sentForce, b.sentForce) && a.isTaken == b.isTaken;
 }
 
 std::string firstLine(const std::string& path)
@@ -151,6 +153,7 @@ TEST(TrajectoryFile, ReadsWhatItWroteToTheSameBits)
       ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
       EXPECT_EQ(read.hasContact, hasContact);
       EXPECT_EQ(read.hasDevice, hasDevice);
+      EXPECT_EQ(read.hasMemory, written.hasMemory);
       ASSERT_EQ(read.rows.size(), written.rows.size());
       for (std::size_t i = 0; i < read.rows.size(); ++i)
       {
@@ -197,6 +200,27 @@ TEST(TrajectoryFile, TicksOfAServoStep)
   EXPECT_FALSE(read.rows[2].hasTip());
   EXPECT_FALSE(read.rows[3].hasTip());
   EXPECT_EQ(read.rows[1].idealForce, 5.0);
+  EXPECT_FALSE(read.hasMemory);
+}
+
+TEST(TrajectoryFile, TellsMemoryWhereTheBodyRelaxes)
+{
+  std::vector<Tick> ticks(2);
+  ticks[1].time = 0.001;
+  ticks[1].contact.state = ContactState::Slide;
+  ticks[1].contact.force = Vector3d(0.0, 0.0, 4.0);
+  ticks[1].contact.normalForce = 4.0;
+  ticks[1].contact.memory = -1.25;
+  const ScratchFile file(".csv");
+  ASSERT_EQ(palpate::writeTrajectory(file.path(), ticks), "");
+  EXPECT_EQ(firstLine(file.path()), Columns + ",memory_force_N");
+  Trajectory read;
+  ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
+  EXPECT_TRUE(read.hasMemory);
+  EXPECT_EQ(read.rows[0].contact.memory, 0.0);
+  EXPECT_EQ(read.rows[1].contact.memory, -1.25);
+  EXPECT_EQ(faultOf(Columns + ",memory_force_N\n0,0,0,0,0,0,0,0,0,0,0,0,0,5,nan\n"),
+    "t.csv:2: memory_force_N: 'nan' is not a finite number");
 }
 
 TEST(TrajectoryFile, FilesOfOthers)

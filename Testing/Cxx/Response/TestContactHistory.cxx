@@ -188,6 +188,32 @@ void checkProbe()
   }
   PALPATE_CHECK(value(table, 8, "Friction Force (N)") > 0.0);
 }
+
+/// Of a body that relaxes: normal force 3 i, of it i memory.
+void checkMemory()
+{
+  vtkNew<vtkContactHistory> history;
+  Messages messages(history);
+  const Body felt = tips({ { 0, 1, 2 } }, 3, false);
+  vtkNew<vtkDoubleArray> memory;
+  memory->SetName("MemoryForce");
+  for (const double value : { 0.0, 1.0, 2.0 })
+  {
+    memory->InsertNextValue(value);
+  }
+  felt->GetPointData()->AddArray(memory);
+  history->SetInputData(felt);
+  history->Update();
+  vtkTable* table = history->GetOutput();
+  PALPATE_CHECK((names(table) ==
+    std::vector<std::string>{
+      "Deflection (mm)", "Normal Force (N)", "Slow Force (N)", "Memory Force (N)" }));
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    PALPATE_CHECK(value(table, i, "Slow Force (N)") == 2.0 * static_cast<double>(i));
+    PALPATE_CHECK(value(table, i, "Memory Force (N)") == static_cast<double>(i));
+  }
+}
 } // namespace
 
 int TestContactHistory(int, char*[])
@@ -195,5 +221,6 @@ int TestContactHistory(int, char*[])
   checkOneLine();
   checkSeveralLines();
   checkProbe();
+  checkMemory();
   return result();
 }

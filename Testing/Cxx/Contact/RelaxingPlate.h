@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_testing_RelaxingBodies_h
-#define palpate_testing_RelaxingBodies_h
+#ifndef palpate_testing_RelaxingPlate_h
+#define palpate_testing_RelaxingPlate_h
 
 #include "Contact/ContactBody.h"
 #include "Contact/ToolContact.h"

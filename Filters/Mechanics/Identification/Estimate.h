@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_Estimate_h
+#define palpate_Estimate_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <limits>
+
+namespace palpate
+{
+/// A number and its 95 % confidence interval.
+struct Estimate
+{
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double lower = std::numeric_limits<double>::quiet_NaN();
+  double upper = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// `error` is half the interval: of ln value, or of value.
+PALPATE_EXPORT Estimate logarithmicEstimate(double value, double error);
+PALPATE_EXPORT Estimate linearEstimate(double value, double error);
+
+/// The 97.5 % quantile of Student's t (Abramowitz and Stegun 26.7.5; 1e-3 from ν = 5 on).
+PALPATE_EXPORT double studentQuantile(double degreesOfFreedom);
+} // namespace palpate
+
+#endif

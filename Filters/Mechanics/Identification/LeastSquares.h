@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_LeastSquares_h
+#define palpate_LeastSquares_h
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+namespace palpate
+{
+struct Minimum
+{
+  double squares;
+  bool converged;
+};
+
+/// Moves p to the least squares near it (Levenberg and Marquardt); `tolerance` is that of a step,
+/// relative, `evaluations` how many there may be.
+template <class Residuals>
+Minimum minimize(Residuals& residuals, Eigen::VectorXd& p, double tolerance, int evaluations = 200)
+{
+  using Status = Eigen::LevenbergMarquardtSpace::Status;
+  Eigen::LevenbergMarquardt<Residuals> method(residuals);
+  method.parameters.ftol = 1e-2 * tolerance;
+  method.parameters.xtol = tolerance;
+  method.parameters.maxfev = evaluations;
+  const Status status = method.minimize(p);
+  return { method.fvec.squaredNorm(),
+    status != Status::TooManyFunctionEvaluation && status != Status::ImproperInputParameters };
+}
+} // namespace palpate
+
+#endif

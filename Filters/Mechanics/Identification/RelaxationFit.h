@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RelaxationFit_h
+#define palpate_RelaxationFit_h
+
+#include "Mechanics/Identification/BodyFit.h"
+#include "Mechanics/Identification/PressHistory.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Relaxation/PronySeries.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// A body that relaxes, fitted to histories. `errorPerNoise` goes on after the offsets: of the ln
+/// p_i, then of the ln τ_i, if they were fitted.
+struct PALPATE_EXPORT RelaxationFit : BodyFit
+{
+  PronySeries series; ///< of ascending times
+  double score = 0.0; ///< what noise leaves of it, and 1 % of what parameters take, per σ²
+};
+
+/**
+ * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, the depths of
+ * first contact, and strengths and times of up to four branches; as many as take more away from
+ * what is left than noise would give (`noise`, N; a likelihood ratio at 1 %), and stay apart. It
+ * starts from the elastic fit of the loads and a spectrum (RelaxationStart.h). With `given`, a
+ * series of at least one branch, this is not fitted.
+ */
+PALPATE_EXPORT RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories,
+  BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel, double noise,
+  const PronySeries& given);
+
+/// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
+PALPATE_EXPORT double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
+  const RelaxationFit& halfSpace, bool findContact, bool isSeriesGiven);
+
+/// The forces of a relaxing body at the points of a history, N; `offset` as of
+/// RelaxingFoundation::follow.
+PALPATE_EXPORT std::vector<double> forcesOver(const PressHistory& history,
+  const BodyParameters& body, const PronySeries& series,
+  const std::shared_ptr<const LayerKernel>& kernel, double offset);
+} // namespace palpate
+
+#endif

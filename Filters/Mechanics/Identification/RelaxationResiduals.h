@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RelaxationResiduals_h
+#define palpate_RelaxationResiduals_h
+
+#include "Mechanics/Identification/PressHistory.h"
+#include "Mechanics/Identification/RelaxingFoundation.h"
+#include "Mechanics/Relaxation/PronySeries.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// A body that relaxes, and where each history first touches it.
+struct RelaxingBody
+{
+  BodyParameters body; ///< slow
+  PronySeries series;
+  std::vector<double> contactOffset; ///< mm
+};
+
+/// What is fitted: the model, how many branches (0: as the series is given), how finely.
+struct RelaxationProblem
+{
+  BodyModel model = BodyModel::HalfSpace;
+  bool findContact = true;
+  std::shared_ptr<const LayerKernel> kernel;
+  std::size_t branches = 0;
+  PronySeries given; ///< where branches is 0
+  std::size_t blocks = 3;
+};
+
+/**
+ * The residuals of histories for Eigen's LevenbergMarquardt. Parameters, all of order one: ln E*,
+ * then C_g over a reference or ln h, then the offsets over a reference depth, then ln p_i, then ln
+ * τ_i. Residuals over the largest force.
+ *
+ * Derivatives: by the body exactly (the elements do not depend on it); by offsets, strengths and
+ * times by differences.
+ */
+class RelaxationResiduals
+{
+public:
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  /// As Eigen's optimisers ask for it.
+  enum
+  {
+    InputsAtCompileTime = Eigen::Dynamic,
+    ValuesAtCompileTime = Eigen::Dynamic
+  };
+
+  /// `histories` must outlive this.
+  RelaxationResiduals(const std::vector<PressHistory>& histories, const RelaxationProblem& problem);
+
+  Eigen::Index inputs() const { return this->firstStrength() + 2 * this->branches(); }
+  Eigen::Index values() const { return this->Count; }
+  Eigen::Index materialCount() const { return this->Problem.model == BodyModel::HalfSpace ? 1 : 2; }
+  /// Where the ln p_i begin.
+  Eigen::Index firstStrength() const
+  {
+    return this->materialCount() +
+      (this->Problem.findContact ? static_cast<Eigen::Index>(this->Histories.size()) : 0);
+  }
+  double force() const { return this->Force; }
+  double depth() const { return this->Depth; }
+  /// C_g that yields the whole depth under the whole force.
+  double compliance() const { return this->Depth / this->Force; }
+
+  Eigen::VectorXd pack(const RelaxingBody& body) const;
+  RelaxingBody unpack(const Eigen::VectorXd& p) const;
+
+  int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& residuals) const
+  {
+    return this->evaluate(p, &residuals, nullptr);
+  }
+  int df(const Eigen::VectorXd& p, Eigen::MatrixXd& jacobian) const
+  {
+    return this->evaluate(p, nullptr, &jacobian);
+  }
+
+private:
+  Eigen::Index branches() const { return static_cast<Eigen::Index>(this->Problem.branches); }
+  int evaluate(
+    const Eigen::VectorXd& p, Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const;
+  void fillRows(const RelaxingBody& trial, std::size_t index, Eigen::Index row,
+    Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const;
+
+  const std::vector<PressHistory>& Histories;
+  RelaxationProblem Problem;
+  Eigen::Index Count = 0;
+  double Force = 0.0; ///< largest, N
+  double Depth = 0.0; ///< largest range of a history, mm
+};
+
+/// The slow curve of a body at the depths of a foundation; then what it grows by per unit of ln E*,
+/// and, if the model has it, of C_g or ln h.
+std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body,
+  const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
+  const RelaxingFoundation& foundation);
+} // namespace palpate
+
+#endif

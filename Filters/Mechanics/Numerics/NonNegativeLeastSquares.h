@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_NonNegativeLeastSquares_h
+#define palpate_NonNegativeLeastSquares_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+/// The x >= 0 that makes |A x - b| least (Lawson and Hanson 1974, chapter 23). A has at least as
+/// many rows as columns, and columns of similar length.
+PALPATE_EXPORT Eigen::VectorXd nonNegativeLeastSquares(
+  const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MemoryText_h
+#define MemoryText_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace palpate
+{
+/// How much of a normal force (N) is memory (N): "of 3.20 N 0.900 N are memory (28 %)", or of the
+/// slow force while a tool comes out: "of 3.20 N memory takes 0.900 N (28 %)". "" where it is less
+/// than a hundredth: of a body that does not relax.
+inline std::string memoryInWords(double normalForce, double memory)
+{
+  constexpr double Least = 0.01;
+  const double whole = std::max(normalForce, normalForce - memory);
+  const double share = std::abs(memory) / whole;
+  if (!(share >= Least))
+  {
+    return {};
+  }
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(),
+    memory > 0.0 ? "of %#.3g N %#.3g N are memory (%.0f %%)"
+                 : "of %#.3g N memory takes %#.3g N (%.0f %%)",
+    whole, std::abs(memory), 100.0 * share);
+  return text.data();
+}
+} // namespace palpate
+
+#endif
