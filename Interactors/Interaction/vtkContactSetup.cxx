@@ -17,6 +17,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -162,6 +164,21 @@ void vtkContactSetup::AddRelaxation(double strength, double seconds)
   this->Modified();
 }
 
+void vtkContactSetup::SetRelaxation(int relaxation, double strength, double seconds)
+{
+  const std::array<double, 2> next{ strength, seconds };
+  if (relaxation == this->GetNumberOfRelaxations())
+  {
+    this->AddRelaxation(strength, seconds);
+  }
+  else if (relaxation >= 0 && relaxation < this->GetNumberOfRelaxations() &&
+    this->Relaxations[static_cast<std::size_t>(relaxation)] != next)
+  {
+    this->Relaxations[static_cast<std::size_t>(relaxation)] = next;
+    this->Modified();
+  }
+}
+
 void vtkContactSetup::ClearRelaxations()
 {
   if (!this->Relaxations.empty())
@@ -281,7 +298,10 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
     this->ErrorTolerance, true, this->AutomaticTerms,
     this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
     this->EdgeCorrection };
-  this->Error = palpate::seriesOf(this->Relaxations, request.relaxation.series);
+  std::vector<std::array<double, 2>> felt;
+  std::copy_if(this->Relaxations.begin(), this->Relaxations.end(), std::back_inserter(felt),
+    [](const auto& each) { return each[0] != 0.0; });
+  this->Error = palpate::seriesOf(felt, request.relaxation.series);
   if (!this->Error.empty())
   {
     vtkErrorMacro(<< this->Error << ".");

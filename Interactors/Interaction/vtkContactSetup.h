@@ -160,8 +160,11 @@ public:
   ///@}
   ///@{
   /** How the body relaxes, up to four branches of strength and time (s), and whether the global
-   * compliance of Series does, too; see vtkToolContactResponse. Default none, and on. */
+   * compliance of Series does, too; see vtkToolContactResponse. A strength of 0 is none. Default
+   * none, and on. */
   void AddRelaxation(double strength, double seconds);
+  /** Another strength and time of one, from 0; of the one after the last: adds it. */
+  void SetRelaxation(int relaxation, double strength, double seconds);
   void ClearRelaxations();
   int GetNumberOfRelaxations();
   double GetRelaxationStrength(int relaxation);

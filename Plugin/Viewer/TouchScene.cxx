@@ -66,6 +66,10 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   scene.terms = options.terms;
   scene.terms.changeTolerance = options.tolerance;
   scene.relaxation = options.relaxation;
+  if (!scene.stored && scene.relaxation.count > 0)
+  {
+    scene.materialSource += "; relaxing " + textOf(scene.relaxation) + " (strength:seconds)";
+  }
   const bool isHead = options.body.empty() && options.scene == "head";
   if (isHead && !options.strainGiven && options.automatic && !scene.layer.isStack())
   {

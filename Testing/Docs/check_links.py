@@ -35,9 +35,11 @@ def study_names():
 
 
 def viewer_options():
-    """The names in the strings of what reads the command line, and CLI11's own."""
+    """The names in the strings of what reads the command line, those of the contact's settings, and CLI11's own."""
     source = (TOP / "Plugin/Viewer/CommandLine/ViewerOptions.cxx").read_text(encoding="utf-8")
-    return set(re.findall(r"--[a-z][a-z-]+", source)) | {"--help"}
+    table = (TOP / "Filters/Contact/SettingTable.h").read_text(encoding="utf-8")
+    settings = {"--" + name for name in re.findall(r'\{ "[A-Z]\w+", "([a-z-]+)", "', table)}
+    return set(re.findall(r"--[a-z][a-z-]+", source)) | settings | {"--help"}
 
 
 def check_targets(page, text):

@@ -205,6 +205,36 @@ def check_history(body):
     check_axes(view, "Time (s)")
 
 
+def check_loop():
+    """A slab of liver pressed at 1 mm/s, probed in its times: the loop over deflection, memory over time."""
+    slab = simple.Triangulate(Input=simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0)))
+    response = simple.ToolContactResponse(Input=slab, YoungsModulusMPa=0.01, PoissonsRatio=0.5, LayerThicknessmm=10,
+                                          MaximumDeflectionmm=5, NumberOfSamples=16, Relaxations=[0.5, 0.5, 0.5, 10])
+    response.Tool.Shape, response.Tool.Radiusmm = "Paraboloid", 6.35
+    way = simple.Line(Point1=(0.3, 0.2, 0), Point2=(10.3, 0.2, 0), Resolution=2000) # x - 0.3 is the time
+    time = simple.Calculator(Input=way, ResultArrayName="Time", Function="coordsX - 0.3")
+    tips = simple.Calculator(Input=time, CoordinateResults=1, ResultArrayName="tips",
+                             Function="0.3*iHat + 0.2*jHat + (abs(Time - 5) - 5)*kHat")
+    probe = simple.ToolContactProbe(Body=response, Tips=tips)
+    history = simple.ContactHistory(Tips=probe)
+    view, shown = opened(history)
+    check_axes(view, "Time (s)")
+    assert {"Normal Force (N)", "Slow Force (N)", "Memory Force (N)"} <= visible(shown), visible(shown)
+    picture(view, "chart_memory.png")
+    history.Abscissa = "Deflection (mm)"
+    check_axes(view, "Deflection (mm)")
+    picture(view, "chart_loop.png")
+    deflection, felt, slow = (column(history, name) for name in ("Deflection (mm)", "Normal Force (N)", "Slow Force (N)"))
+    np.testing.assert_allclose(felt - slow, column(history, "Memory Force (N)"), atol=1e-12)
+    touches = np.flatnonzero(felt)
+    way = np.diff(deflection[touches[0]:touches[-1] + 1])
+    work = way * (felt[touches[0]:touches[-1]] + felt[touches[0] + 1:touches[-1] + 1]) / 2
+    # Data/Reference/rate/loops_paper.csv
+    assert abs(work.sum() / work[way > 0].sum() - 0.2434) < 0.01, work.sum() / work[way > 0].sum()
+    assert abs(felt.max() / slow.max() - 1.514) < 0.01, felt.max() / slow.max()
+    assert abs(deflection[touches[-1]] / 5 - 0.1417) < 0.005, deflection[touches[-1]]
+
+
 def check_measured():
     """Readings as points beside the lines of the identified bodies."""
     file = os.path.join(FOLDER, "charted.csv")
@@ -234,4 +264,5 @@ curves, view = check_selected(body)
 check_several(body, curves, view)
 check_band()
 check_history(body)
+check_loop()
 check_measured()

@@ -126,6 +126,19 @@ def friction_loop():
         close(friction[turn + 1] - friction[turn], 0.8 * (xs[turn] - xs[turn + 1]), 2e-4)
 
 
+def liver_loop():
+    if not os.environ.get("DISPLAY"):
+        print("no DISPLAY: nothing was drawn")
+        sys.exit(77)
+    (OUTPUT / "loop.png").unlink(missing_ok=True)
+    (loss,), (force, times), (end,) = map(numbers, run("liver_loop.py", "loop.png"))
+    close(loss, 24.3, 1)                                    # Data/Reference/rate/loops_paper.csv, R = 6.35
+    close(times, 1.514, 0.01)
+    close(force, 1.514 * 1.2126, 0.02)                      # liver_slab_h10.csv: 2.421 times Hertz's
+    close(end, 5 * 0.1417, 0.03)
+    assert (OUTPUT / "loop.png").stat().st_size > 5000
+
+
 def deflection_picture():
     if not os.environ.get("DISPLAY"):
         print("no DISPLAY: nothing was drawn")
@@ -237,7 +250,7 @@ def head_of_tissues():
     assert tissues > 1.2 * skin, (tissues, skin)
 
 
-CHECKS = [first_force, tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop,
+CHECKS = [first_force, tool_curves, attach_responses, read_contract, probe_trajectory, friction_loop, liver_loop,
           deflection_picture, touch_window, in_paraview, compare_global_local, measured_curves,
           feel_a_nodule, press_a_horn, head_of_tissues]
 ELSEWHERE = {"many_tools_mpi"}                              # many_tools.py runs it under mpiexec

@@ -13,16 +13,16 @@ constexpr const char* DeflectionColumn = "Deflection (mm)";
 
 ForceDeflectionChart::ForceDeflectionChart()
   : LiveChart("Force over deflection, this touch", DeflectionColumn, "Force (N)")
-  , Slow(DeflectionColumn, "Slow force (N)")
   , Ideal(DeflectionColumn, "Ideal force (N)")
   , Applied(DeflectionColumn, "Applied force (N)")
+  , Slow(DeflectionColumn, "Slow force (N)")
   , Now(DeflectionColumn, "Ideal force now (N)")
 {
-  this->SlowPlot = this->Slow.addLine(this->chart(), "Slow", NormalForceColor, 2.0F);
-  this->SlowPlot->SetVisible(false);
   this->Ideal.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
   this->AppliedPlot = this->Applied.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);
   this->AppliedPlot->SetVisible(false);
+  this->SlowPlot = this->Slow.addLine(this->chart(), "Slow", NormalForceColor, 2.0F);
+  this->SlowPlot->SetVisible(false);
   this->Now.addMarker(this->chart(), "Now", ForceColor, 11.0F);
 }
 

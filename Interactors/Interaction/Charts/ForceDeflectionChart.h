@@ -39,12 +39,12 @@ private:
   };
   bool isNear(const Point& one, const Point& other) const;
 
-  PlotTable Slow;
   PlotTable Ideal;
   PlotTable Applied;
+  PlotTable Slow;
   PlotTable Now;
-  vtkPlot* SlowPlot;     ///< visible where it is another than the ideal one
   vtkPlot* AppliedPlot;  ///< visible where a force is applied
+  vtkPlot* SlowPlot;     ///< visible where it is another than the ideal one
   std::deque<Point> Way; ///< the last point is the newest, whatever its distance
   bool Touches = false;
   double LargestDeflection = 0.0;

@@ -22,6 +22,9 @@ constexpr PanelScale RadiusScale{ 0.5, 20.0, true, 0.01 };
 constexpr PanelScale AngleScale{ 10.0, 85.0, false, 1.0 };
 constexpr PanelScale ModulusScale{ 0.001, 10.0, true, 0.01 };
 constexpr PanelScale PoissonScale{ 0.0, 0.5, false, 0.01 };
+constexpr PanelScale StrengthScale{ 0.0, 3.0, false, 0.05 };
+constexpr PanelScale SecondsScale{ 0.01, 100.0, true, 0.01 };
+constexpr double FirstSeconds = 1.0; ///< of a relaxation that comes to a body without one
 constexpr PanelScale FrictionScale{ 0.0, 1.0, false, 0.01 };
 constexpr PanelScale ExaggerationScale{ 1.0, 64.0, true, 0.1 };
 
@@ -73,6 +76,14 @@ std::string angleText(double value)
 std::string ratioText(double value)
 {
   return decimals(value, 2);
+}
+std::string strengthText(double value)
+{
+  return value > 0.0 ? decimals(value, 2) : "none";
+}
+std::string secondsText(double value)
+{
+  return digits(value, 3) + " s";
 }
 std::string exaggerationText(double value)
 {
@@ -143,6 +154,7 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
     rows.emplace_back(ControlQuantity{ "Poisson's ratio", PoissonScale, ratioText,
       [setup] { return setup->GetPoissonRatio(); },
       [setup](double value) { setup->SetPoissonRatio(value); }, true });
+    this->addRelaxation(rows);
   }
   else
   {
@@ -176,6 +188,29 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
     }
   }
   rows.emplace_back(std::move(models));
+}
+
+/// Of several the first.
+void ContactControls::addRelaxation(std::vector<ControlRow>& rows)
+{
+  vtkContactSetup* setup = this->Setup;
+  const int count = setup->GetNumberOfRelaxations();
+  const std::string which = count > 1 ? " 1 of " + std::to_string(count) : "";
+  const auto strength = [setup]
+  { return setup->GetNumberOfRelaxations() > 0 ? setup->GetRelaxationStrength(0) : 0.0; };
+  const auto seconds = [setup]
+  { return setup->GetNumberOfRelaxations() > 0 ? setup->GetRelaxationTime(0) : FirstSeconds; };
+  rows.emplace_back(ControlQuantity{ "Relaxation" + which, StrengthScale, strengthText, strength,
+    [setup, strength, seconds](double value)
+    {
+      if (value != strength())
+      {
+        setup->SetRelaxation(0, value, seconds());
+      }
+    } });
+  rows.emplace_back(ControlQuantity{ "Relaxation time" + which, SecondsScale, secondsText, seconds,
+    [setup, strength](double value) { setup->SetRelaxation(0, strength(), value); }, false,
+    [strength] { return strength() > 0.0; } });
 }
 
 void ContactControls::addView(std::vector<ControlRow>& rows)

@@ -77,6 +77,7 @@ private:
   vtkHapticSession* session() const;
   vtkContactScene* scene() const;
   void addContact(std::vector<ControlRow>& rows);
+  void addRelaxation(std::vector<ControlRow>& rows);
   void addView(std::vector<ControlRow>& rows);
   void addSession(std::vector<ControlRow>& rows);
 

@@ -4,6 +4,8 @@
 #include "Picture.h"
 #include "SceneBodies.h"
 
+#include "Haptics/Servo/ServoStep.h"
+
 #include "vtkContactPanel.h"
 #include "vtkContactScene.h"
 #include "vtkContactSetup.h"
@@ -14,6 +16,7 @@
 
 #include "vtkRenderWindowInteractor.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -220,6 +223,36 @@ void checkModel(Window& w)
   w.settle();
 }
 
+/// Nothing relaxes, until it is given a strength; then it does in its time.
+void checkRelaxation(Window& w)
+{
+  int nowhere[2];
+  PALPATE_CHECK(!w.panel->FindSlider("Relaxation time", 1.0, nowhere));
+  w.drag("Relaxation", 0.0, 1.0);
+  PALPATE_CHECK(w.setup->GetNumberOfRelaxations() == 1);
+  PALPATE_CHECK_NEAR(w.setup->GetRelaxationStrength(0), 1.0, 0.05);
+  w.drag("Relaxation time", 1.0, 0.1);
+  PALPATE_CHECK_NEAR(w.setup->GetRelaxationTime(0), 0.1, 0.01);
+  // What had lasted has relaxed; a lift, and another press of which half is memory at first.
+  w.arrive();
+  PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, 0.01);
+  const double above[3] = { 0.3, 0.2, 1.0 };
+  const double tip[3] = { 0.3, 0.2, -Depth };
+  w.session->GetDevice()->SteerTo(above);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+  w.session->GetDevice()->SteerTo(tip);
+  double most = 0.0;
+  for (int i = 0; i < 500; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    most = std::max(most, w.session->GetNewestTick().contact.memory);
+  }
+  PALPATE_CHECK(most > 0.05 * w.expected());
+  w.setup->SetRelaxation(0, 0.0, 0.1);
+  w.settle();
+  PALPATE_CHECK(!w.panel->FindSlider("Relaxation time", 0.1, nowhere));
+}
+
 void checkSession(Window& w)
 {
   const auto folder = std::filesystem::current_path() / "TestContactPanel";
@@ -247,9 +280,11 @@ int TestContactPanel(int argc, char* argv[])
   checkMaterial(window);
   checkTools(window);
   checkModel(window);
+  checkRelaxation(window);
   checkSession(window);
   // The panel alone is the picture: the scene is that of other tests.
   window.setup->SetYoungsModulus(0.035);
+  window.setup->SetRelaxation(0, 0.5, 0.2);
   window.setup->SetChosenTool(0);
   window.setup->SetToolSize(6.35);
   window.session->GetSettings()->SetFrictionCoefficient(0.3);

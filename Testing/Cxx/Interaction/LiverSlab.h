@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A slab of liver that relaxes, pressed by a sphere at 1 mm/s, and what its loop must be
+// (Data/Reference/rate/loops_paper.csv: p = 0.5, 0.5, tau = 0.5, 10 s).
+#ifndef palpate_testing_LiverSlab_h
+#define palpate_testing_LiverSlab_h
+
+#include "LiveChartChecks.h"
+
+#include "vtkHapticSession.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace palpate::testing
+{
+constexpr double SlabPress = 5.0;  // mm deep, in as many seconds
+constexpr double SlabAbove = 0.25; // mm over the surface, where it begins and ends
+constexpr double SlabDuration = 2.0 * (SlabPress + SlabAbove);
+
+/// 10 mm thick, bonded, incompressible.
+inline Body liverSlab(double radius, bool relaxes = true)
+{
+  const auto filter = filterOf(planeBody(20.0, 4), "paraboloid:1", SlabPress);
+  filter->GetTool()->SetRadius(radius);
+  filter->SetYoungsModulus(0.01);
+  filter->SetPoissonRatio(0.5);
+  filter->SetLayerThickness(10.0);
+  filter->SetNumberOfSamples(16);
+  if (relaxes)
+  {
+    filter->AddRelaxation(0.5, 0.5);
+    filter->AddRelaxation(0.5, 10.0);
+  }
+  filter->Update();
+  return filter->GetOutput();
+}
+
+inline vtkSmartPointer<vtkHapticSession> slabSession(vtkPolyData* slab)
+{
+  auto session = vtkSmartPointer<vtkHapticSession>::New();
+  session->SetBody(slab);
+  session->GetDevice()->SetPath(timedPath({ { 0.3, 0.2, SlabAbove, 0.0 },
+    { 0.3, 0.2, -SlabPress, SlabPress + SlabAbove }, { 0.3, 0.2, SlabAbove, SlabDuration } }));
+  return session;
+}
+
+/// What a press and its way back make, of rows of deflection and force in their order.
+struct Loop
+{
+  double peak = 0.0; ///< N
+  double work = 0.0; ///< of the way in, N mm
+  double loss = 0.0; ///< of it
+  double end = 0.0;  ///< mm: where the tool was let go
+
+  explicit Loop(const std::vector<Row>& rows)
+  {
+    for (std::size_t i = 1; i < rows.size(); ++i)
+    {
+      const double way = rows[i].first - rows[i - 1].first;
+      const double done = 0.5 * (rows[i].second + rows[i - 1].second) * way;
+      this->peak = std::max(this->peak, rows[i].second);
+      this->work += way > 0.0 ? done : 0.0;
+      this->loss += done;
+    }
+    this->end = rows.empty() ? 0.0 : rows.back().first;
+  }
+};
+
+/// `peak` and `loss` of loops_paper.csv; what is felt, and the slow force.
+inline void checkLoop(const Loop& felt, const Loop& slow, double peak, double loss)
+{
+  PALPATE_CHECK_NEAR(felt.loss / felt.work, loss, 0.01);
+  PALPATE_CHECK_NEAR(felt.peak / slow.peak, peak, 0.01);
+  PALPATE_CHECK_NEAR(felt.end / SlabPress, 0.1417, 0.005);
+}
+} // namespace palpate::testing
+
+#endif
