@@ -94,7 +94,7 @@ void ContactRelaxation::exchange(double share) noexcept
     this->One.exchange(share);
     return;
   }
-  this->Elements.exchange(share);
+  this->Elements.exchange(share, this->Step.count);
   this->Rest.exchange(share);
 }
 

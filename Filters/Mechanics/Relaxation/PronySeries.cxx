@@ -42,7 +42,7 @@ double kummer(double m, double x)
 }
 } // namespace
 
-std::string faultOf(const PronySeries& series)
+std::string faultOfRelaxation(const PronySeries& series)
 {
   if (series.count > PronySeries::LargestCount)
   {
@@ -118,7 +118,7 @@ std::string parsePronySeries(const std::string& text, PronySeries& series)
     }
     read.add(strength, time);
   }
-  const std::string fault = faultOf(read);
+  const std::string fault = faultOfRelaxation(read);
   if (fault.empty())
   {
     series = read;

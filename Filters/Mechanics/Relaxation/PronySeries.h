@@ -44,7 +44,7 @@ struct PronySeries
 
 /// What is wrong with it, naming the branch and the number; "" if nothing is. No branch at all is
 /// in order.
-PALPATE_EXPORT std::string faultOf(const PronySeries& series);
+PALPATE_EXPORT std::string faultOfRelaxation(const PronySeries& series);
 
 /// ψ(t), t >= 0 in s.
 PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);

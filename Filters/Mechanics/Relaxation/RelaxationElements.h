@@ -247,11 +247,12 @@ public:
 
   /// A share of the material, 0 to 1, is replaced by such as was never touched: under the tool it
   /// is as good as pressed at once, beside it at rest.
-  void exchange(double share) noexcept
+  void exchange(double share, std::size_t branches) noexcept
   {
     const auto n = static_cast<Eigen::Index>(this->Touched);
-    for (Values& strain : this->Strain)
+    for (std::size_t i = 0; i < branches; ++i)
     {
+      Values& strain = this->Strain[i];
       head(strain, n) += share * (head(this->Depth, n) - head(strain, n));
       for (std::size_t j = this->Touched; j < this->Awake; ++j)
       {
@@ -264,7 +265,6 @@ public:
     }
   }
 
-private:
 private:
   void wake(double depth, const Values& gaps, std::size_t count) noexcept
   {

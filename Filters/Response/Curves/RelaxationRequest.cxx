@@ -110,7 +110,7 @@ std::string seriesOf(const Relaxations& given, PronySeries& series)
     {
       series.add(strength, seconds);
     }
-    fault = faultOf(series);
+    fault = faultOfRelaxation(series);
   }
   return fault.empty() ? fault : "Relaxations: " + fault;
 }

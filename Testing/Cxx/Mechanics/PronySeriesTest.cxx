@@ -106,13 +106,13 @@ TEST(PronySeries, IsReadAndWritten)
 TEST(PronySeries, FaultsAreNamed)
 {
   PronySeries series = seriesOf("0.5 0.3", "0.1 2");
-  EXPECT_EQ(palpate::faultOf(series), "");
+  EXPECT_EQ(palpate::faultOfRelaxation(series), "");
   series.strength[1] = -0.1;
-  EXPECT_NE(palpate::faultOf(series).find("relaxation 2"), std::string::npos);
-  EXPECT_NE(palpate::faultOf(series).find("-0.1"), std::string::npos);
+  EXPECT_NE(palpate::faultOfRelaxation(series).find("relaxation 2"), std::string::npos);
+  EXPECT_NE(palpate::faultOfRelaxation(series).find("-0.1"), std::string::npos);
   series.strength[1] = 0.1;
   series.time[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(palpate::faultOf(series).find("relaxation 1"), std::string::npos);
+  EXPECT_NE(palpate::faultOfRelaxation(series).find("relaxation 1"), std::string::npos);
   series.count = 5;
-  EXPECT_NE(palpate::faultOf(series).find("5"), std::string::npos);
+  EXPECT_NE(palpate::faultOfRelaxation(series).find("5"), std::string::npos);
 }
