@@ -159,7 +159,7 @@ bool FlatBodyHeader::isRelaxationSound() const
   }
   return this->branches > 0 && this->branches <= most && this->relaxationParts >= 0 &&
     this->relaxationParts <= (LocalPart | ElasticPart) &&
-    faultOf(this->relaxationTerms().series).empty() && this->contact[0] > 0.0 &&
+    faultOfRelaxation(this->relaxationTerms().series).empty() && this->contact[0] > 0.0 &&
     this->contact[1] >= 0.0 && std::isfinite(this->contact[0]) && std::isfinite(this->contact[1]);
 }
 } // namespace palpate

@@ -67,6 +67,7 @@ public:
     Vector3 point = Vector3::Zero();
     double deflection = 0.0;
   };
+  /// What is felt there.
   struct Force
   {
     double total = 0.0;     ///< N
