@@ -153,14 +153,14 @@ def make(folder, quick):
 
 
 def write_curves(folder, curves):
-    """Every 20th tick."""
+    """Every 100th tick."""
     columns = {"figure": [], "body": [], "tool": [], "displacement_mm": [], "force": []}
     for (figure, body, tool), (depths, forces) in curves.items():
-        columns["figure"] += [figure] * len(depths[::20])
-        columns["body"] += [body] * len(depths[::20])
-        columns["tool"] += [tool.key] * len(depths[::20])
-        columns["displacement_mm"] += list(depths[::20])
-        columns["force"] += list(forces[::20])
+        columns["figure"] += [figure] * len(depths[::100])
+        columns["body"] += [body] * len(depths[::100])
+        columns["tool"] += [tool.key] * len(depths[::100])
+        columns["displacement_mm"] += list(depths[::100])
+        columns["force"] += list(forces[::100])
     results.write_table(folder / "flowing_curves.csv", columns)
 
 

@@ -4,6 +4,7 @@
 
 #include "ResponseModels.h"
 
+#include "Contact/ContactSettings.h"
 #include "Mechanics/Relaxation/PronySeries.h"
 
 #include <memory>
