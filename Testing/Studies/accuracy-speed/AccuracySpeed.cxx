@@ -4,6 +4,7 @@
 #include "ColdRead.h"
 #include "MethodErrors.h"
 #include "MethodTimer.h"
+#include "RelaxationTruth.h"
 #include "StrainTruth.h"
 #include "StudyConvergence.h"
 #include "StudyScene.h"
@@ -36,6 +37,7 @@ struct Options
   bool isTimed = true;
   bool withFinite = true;
   std::string strain;
+  std::string relaxation;
   bool isDeep = false;
 };
 
@@ -183,6 +185,11 @@ void study(const Options& options, std::ostream& stream)
     studyStrain(stream, options.strain, options.isDeep, timer.get());
     return;
   }
+  if (!options.relaxation.empty())
+  {
+    studyRelaxation(stream, options.relaxation, timer.get());
+    return;
+  }
   Report report(stream);
   const std::vector<StudyScene> scenes = makeScenes(options, effort);
   for (const StudyScene& scene : scenes)
@@ -209,6 +216,8 @@ int main(int argc, char* argv[])
   app.add_flag("!--no-times", options.isTimed, "errors only");
   app.add_flag("!--no-finite", options.withFinite, "without finite elements beside the tick");
   app.add_option("--strain", options.strain, "folder Data: instead, against finite strain");
+  app.add_option(
+    "--relaxation", options.relaxation, "folder Data: instead, bodies that relax in time");
   app.add_flag("--deep", options.isDeep, "--strain also where the solver is asked");
   CLI11_PARSE(app, argc, argv);
   try

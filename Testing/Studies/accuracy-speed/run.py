@@ -3,14 +3,16 @@
 """Ways to render a contact: how true, how fast, how large.
 
     ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...] [--only-strain]
-                               [--only-shape]
+                               [--only-shape] [--only-relaxation]
 
 Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
 convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the same as tables), and with
 matplotlib accuracy-speed.png and convergence.png. Then the same for finite strain itself as the truth: finite-strain.csv,
 finite-strain.md, finite-strain.png (--only-strain: these alone). Then an edge, a horn and a nodule, through the VTK filters:
-shape.csv, shape.md, shape.png (--only-shape: these alone). Times are of this machine; all else is the same everywhere.
+shape.csv, shape.md, shape.png (--only-shape: these alone). Then bodies that relax, against exact theory: relaxation.csv,
+relaxation-curves.csv, relaxation.md, relaxation.png (--only-relaxation). Times are of this machine; all else is the same
+everywhere.
 """
 import argparse
 import csv
@@ -21,6 +23,7 @@ import sys
 
 import head
 import pictures
+import relaxation
 import rows as study
 import shape
 import strain
@@ -133,6 +136,22 @@ def report_strain(program, quick, folder):
     print(strain.tables(rows))
 
 
+def measure_relaxation(program, options):
+    return subprocess.run([str(program), "--relaxation", str(DATA)] + list(options), check=True, stdout=subprocess.PIPE,
+                          universal_newlines=True).stdout
+
+
+def report_relaxation(program, quick, folder):
+    rows = relaxation.read(measure_relaxation(program, ["--quick"] if quick else []))
+    write(folder / "relaxation.csv", [row for row in rows if row["part"] != "curve"], relaxation.FORCE_COLUMNS)
+    columns, curves = relaxation.curves(rows)
+    write(folder / "relaxation-curves.csv", curves, columns)
+    (folder / "relaxation.md").write_text(relaxation.tables(rows), encoding="utf-8")
+    if not relaxation.draw(rows, folder / "relaxation.png"):
+        print("no relaxation.png: no matplotlib", file=sys.stderr)
+    print(relaxation.tables(rows))
+
+
 def report_shape(quick, folder):
     try:
         import palpate  # noqa: F401
@@ -157,12 +176,17 @@ def main():
     parser.add_argument("--redraw", type=pathlib.Path, help="rows of an earlier run (rows.csv) instead of a new one")
     parser.add_argument("--only-strain", action="store_true", help="against finite strain alone")
     parser.add_argument("--only-shape", action="store_true", help="on an edge, a horn and a nodule alone")
+    parser.add_argument("--only-relaxation", action="store_true", help="bodies that relax alone")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     if arguments.only_shape:
         return report_shape(arguments.quick, arguments.output)
     if not arguments.program.exists() and not arguments.redraw:
         parser.error("there is no {}: was it left out of the build?".format(arguments.program))
+    if not arguments.redraw and not arguments.only_strain:
+        report_relaxation(arguments.program, arguments.quick, arguments.output)
+    if arguments.only_relaxation:
+        return
     if not arguments.redraw:
         report_strain(arguments.program, arguments.quick, arguments.output)
     if arguments.only_strain:

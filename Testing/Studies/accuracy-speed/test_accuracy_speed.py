@@ -18,6 +18,8 @@ import sys
 import tempfile
 import unittest
 
+import relaxation
+import relaxation_checks
 import run
 import rows as study
 import shape
@@ -235,6 +237,19 @@ class StrainCommitted(StrainChecks, unittest.TestCase):
         # One kernel, other numbers: what a busy machine scatters.
         for method in strain.METHODS:
             self.assertAlmostEqual(median(method) / median("small strain"), 1, delta=0.1)
+
+
+class Relaxation(relaxation_checks.RelaxationChecks, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rows = relaxation.read(run.measure_relaxation(PROGRAM, ["--no-times"]))
+
+
+class RelaxationCommitted(relaxation_checks.RelaxationChecks, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        file = run.DATA / "Studies" / "accuracy-speed" / "relaxation.csv"
+        cls.rows = relaxation.read(file.read_text(encoding="utf-8"))
 
 
 def shape_table(name):

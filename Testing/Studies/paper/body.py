@@ -5,7 +5,8 @@ import numpy as np
 from palpate import contract, vtkHapticSession, vtkPressPath, vtkToolContactResponse
 from setting import SPEED, contact_tool
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
@@ -37,8 +38,10 @@ def material(filters, modulus, poisson_ratio, layer=0.0, compliance=None):
         filters.SetInputArrayToProcess(2, 0, 0, 0, compliance)
 
 
-def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compliance=None, samples=8, strain="small"):
-    """The body with the response of a tool to `depth` mm; `strain`: "small" or "neohooke"."""
+def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compliance=None, samples=8, strain="small",
+            relaxations=()):
+    """The body with the response of a tool to `depth` mm; `strain`: "small" or "neohooke"; `relaxations`: pairs of strength
+    and seconds."""
     response = vtkToolContactResponse()
     response.SetInputData(body)
     response.SetTool(contact_tool(specification))
@@ -48,6 +51,8 @@ def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compl
     response.SetErrorTolerance(0)      # validity by contact radius, as small strain is spoken of
     response.SetStrainModel(response.NeoHooke if strain == "neohooke" else response.SmallStrain)
     material(response, modulus, poisson_ratio, layer, compliance)
+    for strength, seconds in relaxations:
+        response.AddRelaxation(strength, seconds)
     response.Update()
     output = vtkPolyData()
     output.ShallowCopy(response.GetOutput())
@@ -66,7 +71,7 @@ def validity(responding, point):
 
 
 def press(responding, depth, approach):
-    """A tool pressed down the z axis at the paper's speed and lifted again, at 1 kHz.
+    """A tool pressed down the z axis at the paper's speed, held for half a second and lifted again, at 1 kHz.
 
     Returns time (s), displacement of the tip (mm, > 0 into the body) and normal force (N) of each tick.
     """
@@ -79,10 +84,33 @@ def press(responding, depth, approach):
     path.SetApproach(approach)
     path.SetPressSpeed(SPEED)
     path.Update()
+    return follow(responding, path.GetOutput())
+
+
+def press_and_lift(responding, depth, approach, speed):
+    """The same without a rest, at another speed (mm/s)."""
+    top = responding.GetBounds()[5]
+    path, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for height in (approach, -depth, approach):
+        points.InsertNextPoint(0, 0, top + height)
+    lines.InsertNextCell(3, (0, 1, 2))
+    path.SetPoints(points)
+    path.SetLines(lines)
+    once = (approach + depth) / speed
+    add_array(path, "Time", [0, once, 2 * once])
+    add_array(path, "Inward", [(0, 0, -1)] * 3)
+    return follow(responding, path, elements=32)
+
+
+def follow(responding, path, elements=16):
+    """As press(), along a path of vtkPressPath's kind; `elements` of a body that relaxes."""
+    top = responding.GetBounds()[5]
     session = vtkHapticSession()
     session.SetBody(responding)
+    session.GetSettings().SetRelaxationElements(elements)
     session.GetDevice().Open("simulated")
-    session.GetDevice().SetPath(path.GetOutput())
+    session.GetDevice().SetPath(path)
     if not session.Start():
         raise RuntimeError("the session does not start")
     session.Step(session.GetDevice().GetPathDuration())

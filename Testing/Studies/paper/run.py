@@ -13,6 +13,7 @@ import sys
 
 import castigliano
 import finite_strain
+import flowing
 import friction
 import liver_slab
 import local_rubber
@@ -23,7 +24,7 @@ import st_venant
 
 PARTS = {"st_venant": st_venant, "castigliano": castigliano, "rubber_on_edges": rubber_on_edges,
          "local_rubber": local_rubber, "liver_slab": liver_slab, "friction": friction,
-         "sliding": sliding, "finite_strain": finite_strain}
+         "sliding": sliding, "finite_strain": finite_strain, "flowing": flowing}
 
 
 def main():

@@ -21,6 +21,7 @@ DATA = HERE.parents[2] / "Data"
 sys.path.append(str(HERE.parent / "calculix"))
 
 import castigliano          # noqa: E402
+import flowing_checks       # noqa: E402
 import local_rubber         # noqa: E402
 import results              # noqa: E402
 import sliding              # noqa: E402
@@ -30,7 +31,7 @@ FOLDER = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
 E_STAR = 3.45
 SHAPES = {"sphere12.7": ("sphere", 6.35), "sphere3.2": ("sphere", 1.6), "flat3.2": ("flat", 1.6)}
 PICTURES = ("figure1_st_venant", "equation1_castigliano", "figure5_rubber_on_edges", "figure6_local_rubber",
-            "figure7_liver_slab", "figure8_sliding", "figure6_finite", "figure7_finite")
+            "figure7_liver_slab", "figure8_sliding", "figure6_finite", "figure7_finite", "flowing_loops")
 close = np.testing.assert_allclose
 
 
@@ -47,7 +48,7 @@ def at(table, name, value):
     return where[0]
 
 
-class StudyChecks:
+class StudyChecks(flowing_checks.FlowingChecks):
     def table(self, name):
         return results.read_table(self.folder / (name + ".csv"))
 

@@ -4,11 +4,16 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 
 namespace palpate::testing
 {
-double largestPole(const std::vector<double>& readings, int order)
+namespace
+{
+Eigen::VectorXcd polesOf(const std::vector<double>& readings, int order)
 {
   const auto count = static_cast<Eigen::Index>(readings.size());
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(readings.data(), count);
@@ -26,6 +31,22 @@ double largestPole(const std::vector<double>& readings, int order)
   solver.setThreshold(1e-11);
   solver.compute(past);
   companion.row(order - 1) = solver.solve(d.tail(rows)).transpose();
-  return companion.eigenvalues().cwiseAbs().maxCoeff();
+  return companion.eigenvalues();
+}
+} // namespace
+
+double largestPole(const std::vector<double>& readings, int order)
+{
+  return polesOf(readings, order).cwiseAbs().maxCoeff();
+}
+
+double largestSwingingPole(const std::vector<double>& readings, int order)
+{
+  double largest = 0.0;
+  for (const std::complex<double>& pole : polesOf(readings, order))
+  {
+    largest = std::abs(std::arg(pole)) > 0.01 ? std::max(largest, std::abs(pole)) : largest;
+  }
+  return largest;
 }
 } // namespace palpate::testing

@@ -13,6 +13,9 @@ namespace palpate::testing
  * Needs 2 order + 1 readings; a few more average rounding out.
  */
 double largestPole(const std::vector<double>& readings, int order);
+/// The same of the poles that swing by more than 0.01 rad a tick; 0 if none does. What creeps, as a
+/// body that relaxes, has poles so near 1 that rounding tells nothing of them.
+double largestSwingingPole(const std::vector<double>& readings, int order);
 } // namespace palpate::testing
 
 #endif

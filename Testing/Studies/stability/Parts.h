@@ -14,6 +14,9 @@ void holdLeak(bool isQuick);
 void frictionInTheLoop(bool isQuick);
 void unkindGeometry(bool isQuick);
 void deviceFailures(bool isQuick);
+void relaxingLimits(bool isQuick);
+void relaxingPress(bool isQuick);
+void relaxingPaths(bool isQuick);
 } // namespace palpate::testing
 
 #endif

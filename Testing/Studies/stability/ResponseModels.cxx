@@ -4,6 +4,7 @@
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/SeriesCompliance.h"
 #include "Mechanics/Tools/ToolSpecification.h"
+#include "RelaxingModels.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -129,13 +130,35 @@ std::shared_ptr<const ContactBody> bodyOf(
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-std::shared_ptr<const ContactBody> plateOf(const ResponseModel& model)
+namespace
+{
+Surface plateAroundOrigin()
 {
   Surface plate = openPlate(40.0, 2);
   for (Vector3& point : plate.points)
   {
     point -= Vector3(17.0, 19.0, 0.0);
   }
+  return plate;
+}
+} // namespace
+
+std::shared_ptr<const ContactBody> plateOf(const ResponseModel& model)
+{
+  const Surface plate = plateAroundOrigin();
   return bodyOf(plate, storedAt(plate, model), model);
+}
+
+std::shared_ptr<const ContactBody> relaxingPlate(
+  const ResponseModel& model, const PronySeries& series)
+{
+  const Surface plate = plateAroundOrigin();
+  const ResponseStore store = storedAt(plate, model);
+  ResponseArrays arrays = store.arrays();
+  arrays.exponent = model.exponent;
+  arrays.relaxation.series = series;
+  arrays.relaxation.exponent = model.exponent;
+  return std::make_shared<const ContactBody>(plate.points.front().data(), plate.points.size(),
+    plate.triangles.front().data(), plate.triangles.size(), arrays);
 }
 } // namespace palpate::testing

@@ -14,7 +14,8 @@ int main(int argc, char* argv[])
   const std::map<std::string, void (*)(bool)> parts{ { "limits", stiffnessLimits },
     { "encoder", encoderLimits }, { "press", pressedUntilItBuzzes },
     { "cylinder", cylinderSettings }, { "leak", holdLeak }, { "friction", frictionInTheLoop },
-    { "geometry", unkindGeometry }, { "faults", deviceFailures } };
+    { "geometry", unkindGeometry }, { "faults", deviceFailures }, { "relaxing", relaxingLimits },
+    { "relaxing-press", relaxingPress }, { "relaxing-paths", relaxingPaths } };
   const auto part = parts.find(argc > 1 ? argv[1] : "");
   if (part == parts.end())
   {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of the stability study: stability.png (parts a and b, and the table of verdicts), details.png (the rest)."""
+"""The pictures of the stability study: stability.png (parts a and b, and the table of verdicts), details.png (the rest), and
+relaxing.png (bodies that relax)."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -214,7 +215,57 @@ def details(tables, path):
     pyplot.close(figure)
 
 
+def relaxing_limits(axes, rows):
+    materials = [row["material"] for row in select(rows, rate_Hz=1000.0, delay_ticks=0.0, elements=16.0)
+                 if " " not in row["material"]]
+    taus = [10 ** (-3 + 0.1 * i) for i in range(41)]
+    for delay, colour, mark in ((0.0, BLUE, "o"), (1.0, ORANGE, "v")):
+        label = "no delay" if delay == 0 else "1 tick late"
+        exact = [theory.relaxing_limit(f"1:{tau:.6g}", theory.MASS, 1.0, 1e-3, delay) / 1000 for tau in taus]
+        axes.loglog(taus, exact, color=colour, lw=1)
+        axes.axhline(theory.exact_limit(theory.MASS, 1.0, 1e-3, delay) / 1000, color=colour, lw=1, ls=":")
+        for elements, size in ((16.0, 9), (0.0, 4.5)):
+            mine = [select(rows, rate_Hz=1000.0, delay_ticks=delay, elements=elements, material=each)[0] for each in materials]
+            axes.plot([theory.branches_of(row["material"])[0][1] for row in mine],
+                      [row["limit_N_per_m"] / 1000 for row in mine], mark, color=colour, ms=size, fillstyle="none",
+                      label=f"{label}, {verdicts.ELEMENTS[elements]}")
+    axes.loglog(taus, [theory.passive_relaxing(f"1:{tau:.6g}", 1.0, 1e-3) / 1000 for tau in taus], color=GREEN, lw=1.5,
+                label="passive, whatever the hand")
+    axes.plot([], [], color=GREY, lw=1, label="exact theory")
+    axes.plot([], [], color=GREY, lw=1, ls=":", label="elastic")
+    axes.set_xlabel("τ, s (p = 1)")
+    axes.set_ylabel("largest stable slow stiffness, N/mm")
+    axes.set_title("A spring that relaxes: 0.1 kg, 1 N s/m, 1 kHz", loc="left")
+    axes.legend(fontsize=8, frameon=False)
+
+
+def relaxing_paths(axes, rows):
+    paths = list(dict.fromkeys(row["path"] for row in rows))
+    for shift, (form, elements, colour, fill) in zip((-0.3, -0.1, 0.1, 0.3), (
+            ("EnergyConsistent", 16.0, GREEN, 0.8), ("EnergyConsistent", 0.0, GREEN, 0.35),
+            ("NormalizedDirection", 16.0, BLUE, 0.8), ("NormalizedDirection", 0.0, BLUE, 0.35))):
+        mine = [select(rows, path=path, form=form, elements=elements)[0] for path in paths]
+        axes.barh([i + shift for i in range(len(paths))], [100 * row["loop_gain"] for row in mine], 0.19, color=colour,
+                  alpha=fill, label=f"{form}, {verdicts.ELEMENTS[elements]}")
+    axes.axvline(0, color="k", lw=0.8)
+    axes.set_yticks(range(len(paths)))
+    axes.set_yticklabels(paths)
+    axes.invert_yaxis()
+    axes.set_xlabel("energy got out over force times way, % (left: taken)")
+    axes.set_title("Closed paths over a body that differs", loc="left")
+    axes.legend(fontsize=8, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.13), ncol=2)
+
+
+def relaxing_picture(tables, path):
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
+    relaxing_limits(left, tables["relaxing"])
+    relaxing_paths(right, tables["relaxing-paths"])
+    figure.savefig(path, dpi=90, metadata={"Software": None}, pil_kwargs={"optimize": True})
+    pyplot.close(figure)
+
+
 def draw(tables, cells, output):
     pyplot.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.axisbelow": True})
     main_picture(tables, cells, output / "stability.png")
     details(tables, output / "details.png")
+    relaxing_picture(tables, output / "relaxing.png")

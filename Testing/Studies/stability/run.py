@@ -5,8 +5,8 @@
     ./run study stability [--quick] [--output DIR] [--program FILE]
 
 Runs the parts of palpateStability, two at a time, and leaves in DIR (default build/studies/stability): a CSV per
-part with theory beside it, verdicts.csv and verdicts.md (method by failure), and with matplotlib stability.png and
-details.png. All in virtual time, the same everywhere. Columns and units: README.md.
+part with theory beside it, verdicts.csv and verdicts.md (method by failure), and with matplotlib stability.png,
+details.png and relaxing.png. All in virtual time, the same everywhere. Columns and units: README.md.
 """
 import argparse
 import concurrent.futures
@@ -20,8 +20,10 @@ import theory
 import verdicts
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-PARTS = ("press", "cylinder", "limits", "encoder", "leak", "friction", "geometry", "faults")  # the longest first
-WORDS = {"model", "evaluated", "control", "start", "tool", "body", "form", "surface", "edges", "what", "method", "failure"}
+PARTS = ("press", "cylinder", "limits", "encoder", "leak", "friction", "geometry", "faults",
+         "relaxing", "relaxing-press", "relaxing-paths")  # the longest first
+WORDS = {"model", "evaluated", "control", "start", "tool", "body", "form", "surface", "edges", "what", "method", "failure",
+         "material", "path"}
 
 
 def measure(program, part, is_quick):
@@ -81,7 +83,16 @@ def leak_with_theory(rows):
                                                  row["delay_ticks"])
 
 
-THEORY = {"limits": limits_with_theory, "encoder": encoder_with_theory, "press": press_with_theory,
+def relaxing_with_theory(rows):
+    for row in rows:
+        period, damping = 1 / row["rate_Hz"], row["damping_Ns_per_m"]
+        row["exact_N_per_m"] = theory.relaxing_limit(row["material"], row["mass_kg"], damping, period, row["delay_ticks"])
+        row["elastic_N_per_m"] = theory.exact_limit(row["mass_kg"], damping, period, row["delay_ticks"])
+        row["passive_N_per_m"] = theory.passive_relaxing(row["material"], damping, period)
+        row["error"] = row["limit_N_per_m"] / row["exact_N_per_m"] - 1
+
+
+THEORY = {"relaxing": relaxing_with_theory, "limits": limits_with_theory, "encoder": encoder_with_theory, "press": press_with_theory,
           "cylinder": cylinder_with_theory, "leak": leak_with_theory}
 
 

@@ -6,6 +6,9 @@ m v' = F - (b + b_h) v - k_h x; the force F = -K x_k is held for a period T and 
 
 exact_limit     largest stable K: the spectral radius of the matrix from tick to tick is one
 closed_limit    the same without hand and delay: b (1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m)
+relaxing_limit  the same of a spring that relaxes, F = -K (x + Σ h_i), h_i ← e_i h_i + c_i Δx, e_i = exp(-T/τ_i),
+                c_i = p_i (1 - e_i) τ_i/T: exact where the tip moves evenly in a tick
+passive_relaxing 2b/T over 1 + Σ p_i tanh(x_i)/x_i, x_i = T/2τ_i: the instantaneous stiffness counts
 passive_limit   2b/T: no hand, however it moves, can get energy out (Colgate and Schenkel 1997)
 delay_bound     b/(T/2 + t_d): of a continuous loop with the delay of hold and transport; a rule of thumb
 encoder_bound   min(2b/T, 2 f_c/Δ): rounding to Δ is held by friction f_c (Diolaiti et al. 2006)
@@ -73,6 +76,47 @@ def exact_limit(mass, damping, period, delay=0.0, hand_stiffness=0.0, hand_dampi
         else:
             high = middle
     return low
+
+
+def branches_of(material):
+    """[(p, τ)] of "1:0.1 0.5:2"; of "elastic" none."""
+    return [] if material == "elastic" else [tuple(map(float, each.split(":"))) for each in material.split()]
+
+
+def relaxing_matrix(spring, branches, mass, damping, period, delay):
+    """As tick_matrix, without a hand: from (x, v, h_i as they decayed, F on their way) to the same a tick later."""
+    kept = [math.exp(-period / tau) for _, tau in branches]
+    added = [spring * p * (1 - e) * tau / period for (p, tau), e in zip(branches, kept)]
+    whole, n = int(round(delay)), len(branches)
+    moved, push = held(mass, damping, 0.0, period)
+    matrix = np.zeros((2 + n + whole, 2 + n + whole))
+    matrix[:2, :2] = moved
+    now = np.zeros(2 + n + whole)
+    now[0] = -spring - sum(added)
+    now[2:2 + n] = -1
+    for i in range(n):                               # h_i = (as it decayed) + c_i x; later e_i h_i - c_i x
+        matrix[2 + i, 2 + i] = kept[i]
+        matrix[2 + i, 0] = (kept[i] - 1) * added[i]
+    sent = [np.eye(2 + n + whole)[2 + n + i] for i in range(whole)] + [now]
+    matrix[:2] += np.outer(push, sent[0])
+    for i in range(whole):
+        matrix[2 + n + i] = sent[i + 1]
+    return matrix
+
+
+@functools.lru_cache(None)
+def relaxing_limit(material, mass, damping, period, delay=0.0):
+    low, high = 0.0, 400 * damping / period
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        matrix = relaxing_matrix(middle, branches_of(material), mass, damping, period, delay)
+        low, high = (middle, high) if np.abs(np.linalg.eigvals(matrix)).max() < 1 else (low, middle)
+    return low
+
+
+def passive_relaxing(material, damping, period):
+    x = [(p, period / (2 * tau)) for p, tau in branches_of(material)]
+    return passive_limit(damping, period) / (1 + sum(p * math.tanh(each) / each for p, each in x))
 
 
 def closed_limit(mass, damping, period):

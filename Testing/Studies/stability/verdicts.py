@@ -133,6 +133,42 @@ def geometry_cells(rows):
                controlled, "mJ")
 
 
+ELEMENTS = {16.0: "16 elements", 0.0: "quasi-linear"}
+
+
+def material_name(material):
+    return "elastic" if material == "elastic" else "three branches" if " " in material else f"τ = {material.split(':')[1]} s"
+
+
+def relaxing_cells(tables):
+    """A spring, and the 6.35 mm sphere under 10 N, on bodies that relax; and closed paths over one that differs."""
+    for material in dict.fromkeys(row["material"] for row in tables["relaxing-press"]):
+        for elements, way in ELEMENTS.items():
+            method = material_name(material) + (f", {way}" if material != "elastic" else "")
+            if material == "elastic" and elements == 0:
+                continue
+            for late, title in ((0.0, "stable slow stiffness, of theory's"), (1.0, "the same, 1 tick late")):
+                row = first(tables["relaxing"], material=material, elements=elements, rate_Hz=RATE, delay_ticks=late)
+                if row is not None:
+                    yield cell("relaxing", method, title, SURVIVES if abs(row["error"]) < 1e-3 else FAILS,
+                               row["limit_N_per_m"] / row["exact_N_per_m"], "×")
+            for control in ("none", "cap", "passivity", "chain at 2b/T", "chain"):
+                row = first(tables["relaxing-press"], model="sphere:6.35", material=material, elements=elements,
+                            rate_Hz=RATE, control=control)
+                if row["rests"]:
+                    yield cell("relaxing", method, f"10 N: {control}", SURVIVES, row["last_speed_mm_s"], "mm/s")
+                else:
+                    quiet = row["generated_mJ"] <= NO_ENERGY
+                    yield cell("relaxing", method, f"10 N: {control}", BOUNDED if quiet else FAILS, row["last_speed_mm_s"],
+                               "mm/s ring")
+    for form in dict.fromkeys(row["form"] for row in tables["relaxing-paths"]):
+        for elements, way in ELEMENTS.items():
+            for row in tables["relaxing-paths"]:
+                if row["form"] == form and row["elements"] == elements:
+                    verdict = SURVIVES if row["loop_gain"] <= QUADRATURE else BOUNDED if row["loop_gain"] <= 1e-3 else FAILS
+                    yield cell("relaxing paths", f"{form}, {way}", row["path"], verdict, 100 * row["loop_gain"], "%")
+
+
 def judge(tables):
     cells = []
     for method in RENDERINGS:
@@ -140,6 +176,7 @@ def judge(tables):
         cells += [fault_cell(tables["faults"], method, failure) for failure in FAULTS]
     cells += friction_cells(tables["friction"])
     cells += geometry_cells(tables["geometry"])
+    cells += relaxing_cells(tables)
     return cells
 
 
@@ -153,13 +190,13 @@ def grid(cells, group):
 def words(c):
     if c is None:
         return "–"
-    number = "0" if c["number"] == 0 else "< 0.001" if c["number"] < 1e-3 else f"{c['number']:.3g}"
+    number = "0" if c["number"] == 0 else "< 0.001" if 0 < c["number"] < 1e-3 else f"{c['number']:.3g}"
     return f"{number} {c['unit']}"
 
 
 def markdown(cells):
     lines = []
-    for group in ("rendering", "friction", "geometry"):
+    for group in ("rendering", "friction", "geometry", "relaxing", "relaxing paths"):
         methods, failures, found = grid(cells, group)
         lines += ["", f"| {group} | " + " | ".join(failures) + " |", "|---" * (len(failures) + 1) + "|"]
         for method in methods:

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What test_accuracy_speed.py asks of the rows of bodies that relax."""
+import relaxation
+import rows as study
+
+
+class RelaxationChecks:
+    """Errors that hold on every machine: those that the sheet's own runs have (8.3, tick_battery.csv, tick_variants.csv)."""
+
+    def error(self, method, tool, **wanted):
+        return relaxation.worst(self.rows, method=method, tool=tool, **wanted)["error"]
+
+    def test_all_is_there(self):
+        rows = study.select(self.rows, part="force")
+        self.assertEqual(study.distinct(rows, "path"),
+                         ["stop and go", "Ting", "hold and release", "two triangles", "sine", "random presses"])
+        self.assertEqual(study.distinct(rows, "method"), list(relaxation.METHODS))
+        self.assertEqual({row["tool"] for row in rows}, set(relaxation.TOOLS))
+
+    def test_the_foundation_is_the_theory(self):
+        # Against tables of another code: 256 elements at one step a tick, of second order each: (16/256)² of 16's 0.26 %, and
+        # (T/τ)²/12 of a sharp turn, τ = 20 ms.
+        for path in ("stop and go", "Ting"):
+            for tool in relaxation.TOOLS:
+                self.assertLess(self.error("exact: 256 elements", tool, path=path), 2e-4)
+
+    def test_elements(self):
+        for tool, sixteen, eight in (("flat", 2e-4, 2e-4), ("sphere", 4e-3, 1.3e-2), ("cone", 9.1e-3, 3e-2)):
+            self.assertLess(self.error("16 elements", tool), 1.2 * sixteen)
+            self.assertLess(self.error("8 elements", tool), 1.2 * eight)
+        for tool in ("sphere", "cone"):
+            errors = [self.error("{} elements".format(count), tool) for count in (4, 8, 16, 32)]
+            for fewer, more in zip(errors, errors[1:]):
+                self.assertLess(more, 0.6 * fewer)   # nearly second order
+
+    def test_one_sided(self):
+        # 0.01 % flat, 10 % sphere, 12 % cone; other presses than the sheet's.
+        self.assertLess(self.error("quasi-linear, one-sided", "flat"), 2e-4)
+        self.assertLess(self.error("quasi-linear, one-sided", "sphere"), 0.13)
+        self.assertLess(self.error("quasi-linear, one-sided", "cone"), 0.15)
+
+    def test_clamped(self):
+        # One press of a flat is right; the next one remembers a pull that nobody felt. Of rounded tools the first is wrong.
+        self.assertLess(self.error("quasi-linear, clamped", "flat", path="Ting"), 2e-4)
+        self.assertLess(self.error("quasi-linear, clamped", "flat", path="hold and release"), 2e-4)
+        for tool in relaxation.TOOLS:
+            self.assertGreater(self.error("quasi-linear, clamped", tool), 0.2)
+            self.assertLess(self.error("16 elements", tool), 0.05 * self.error("quasi-linear, clamped", tool))
