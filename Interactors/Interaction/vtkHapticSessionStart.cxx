@@ -171,7 +171,7 @@ bool vtkHapticSession::FitToDevice(
     if (!peaks)
     {
       palpate::DeviceFit one(device);
-      one.include(body->response, depth);
+      one.include(*body, depth);
       peaks = { one.peakForce(), one.peakStiffness() };
     }
     all.include(peaks->first, peaks->second);

@@ -170,6 +170,26 @@ void BodyRelaxation::compareCurves()
   this->Same = areSame ? first : -1;
 }
 
+double BodyRelaxation::strongest() const noexcept
+{
+  if (!this->isPerPoint())
+  {
+    return this->Series.total();
+  }
+  double strongest = 0.0;
+  const std::size_t branches = this->Series.count;
+  for (std::size_t i = 0; i < this->Strength.size(); i += branches)
+  {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < branches; ++k)
+    {
+      sum += static_cast<double>(this->Strength[i + k]);
+    }
+    strongest = std::max(strongest, sum);
+  }
+  return strongest;
+}
+
 RelaxationStep::Branches BodyRelaxation::strength(std::int32_t point) const noexcept
 {
   if (!this->isPerPoint())

@@ -53,6 +53,8 @@ public:
     }
     return this->Radius > 0.0 ? this->Radius * std::pow(depth, this->Exponent - 1.0) : 0.0;
   }
+  /// The largest Σ p_i of a point.
+  double strongest() const noexcept;
   /// p_i at a point.
   RelaxationStep::Branches strength(std::int32_t point) const noexcept;
   /// The same, blended.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Devices/DeviceFit.h"
 
+#include "Contact/ContactBody.h"
 #include "Contact/ParallelRanges.h"
 #include "Contact/ResponseField.h"
 #include "Haptics/Devices/WorkspaceMapping.h"
@@ -71,6 +72,21 @@ void DeviceFit::include(const ResponseField& response, double depth)
       const std::lock_guard<std::mutex> lock(mutex);
       this->include(force, stiffness);
     });
+}
+
+void DeviceFit::include(const ContactBody& body, double depth)
+{
+  if (!body.relaxation)
+  {
+    this->include(body.response, depth);
+    return;
+  }
+  DeviceFit slow(*this);
+  slow.PeakForce = 0.0;
+  slow.PeakStiffness = 0.0;
+  slow.include(body.response, depth);
+  const double instantaneous = 1.0 + body.relaxation->strongest();
+  this->include(instantaneous * slow.PeakForce, instantaneous * slow.PeakStiffness);
 }
 
 double DeviceFit::factor() const noexcept

@@ -8,6 +8,7 @@
 namespace palpate
 {
 class ResponseField;
+struct ContactBody;
 
 /**
  * One force factor for all tools that are to be compared, so that a device can render the strongest
@@ -31,6 +32,9 @@ public:
   /// up to `depth` (mm, > 0), and at that. Below the first sample, where a law may begin infinitely
   /// stiff, the first sample counts. In parallel; not for the tick.
   void include(const ResponseField& response, double depth);
+  /// A tool on a body: of one that relaxes its instantaneous response, 1 + Σ p_i times the slow
+  /// one.
+  void include(const ContactBody& body, double depth);
 
   double peakForce() const noexcept { return this->PeakForce; }         ///< N
   double peakStiffness() const noexcept { return this->PeakStiffness; } ///< N/mm

@@ -104,7 +104,7 @@ void makeKernels(
     {
       surface = kernel;
       DeviceFit peaks(DeviceSpecification{});
-      peaks.include(kernel->response, request.maximumDeflection);
+      peaks.include(*kernel, request.maximumDeflection);
       made.kernels.peaks[{ name, request.maximumDeflection }] = { peaks.peakForce(),
         peaks.peakStiffness() };
     }

@@ -64,7 +64,7 @@ void makeKernel(PreparedTouch& made)
     return;
   }
   DeviceFit fit(DeviceSpecification{});
-  fit.include(kernel->response, made.range);
+  fit.include(*kernel, made.range);
   made.peak = fit.peakForce();
   made.kernels.peaks[{ name, made.range }] = { fit.peakForce(), fit.peakStiffness() };
   made.kernels.read[name] = kernel;

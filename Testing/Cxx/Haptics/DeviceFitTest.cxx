@@ -3,6 +3,7 @@
 #include "Haptics/Devices/DeviceFit.h"
 
 #include "Contact/CappedResponse.h"
+#include "RelaxingPlate.h"
 #include "SampleResponses.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
@@ -159,4 +160,20 @@ TEST(DeviceFit, PeaksOfABodyAreThoseOfItsWorstPoint)
   // The same places but for rounding.
   EXPECT_NEAR(fit.peakForce(), force, 1e-12 * force);
   EXPECT_NEAR(fit.peakStiffness(), stiffness, 1e-12 * stiffness);
+}
+
+TEST(DeviceFit, OfABodyThatRelaxesTheInstantaneousResponseCounts)
+{
+  RelaxingPlate plate(1.0, relaxation({ { 0.5, 0.1 }, { 1.0, 2.0 } }));
+  DeviceFit fit(device(1.0, 1e9));
+  fit.include(*plate.body(), 1.0);
+  EXPECT_NEAR(fit.peakForce(), 2.5, 1e-6);
+  EXPECT_NEAR(fit.peakStiffness(), 2.5, 1e-6);
+  EXPECT_NEAR(fit.factor(), 0.4, 1e-6);
+  std::vector<float> strength(2 * plate.surface.points.size(), 0.25F);
+  strength[7] = 3.0F;
+  plate.terms.strength = strength.data();
+  DeviceFit strongest(device(1.0, 1e9));
+  strongest.include(*plate.body(), 1.0);
+  EXPECT_NEAR(strongest.peakForce(), 4.25, 1e-6);
 }
