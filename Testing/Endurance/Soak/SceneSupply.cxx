@@ -12,6 +12,8 @@
 #include "vtkPoints.h"
 #include "vtkToolContactResponse.h"
 
+#include <array>
+
 namespace palpate::endurance
 {
 namespace
@@ -19,6 +21,8 @@ namespace
 constexpr double PoissonRatio = 0.45;
 constexpr double Reach = 6.0;            // mm, deeper than any device goes
 constexpr const char* Modulus = "Young"; // point array
+// Strength, s: within a press, and within a visit.
+constexpr std::array<std::array<double, 2>, 2> Relaxations = { { { 0.6, 0.03 }, { 0.4, 0.5 } } };
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const RoundBody& body)
 {
@@ -76,7 +80,7 @@ void shape(vtkContactTool* tool, const ToolLaw& law)
 }
 } // namespace
 
-SceneSupply::SceneSupply(unsigned seed)
+SceneSupply::SceneSupply(unsigned seed, Supplied bodies)
   : Centre(12.5, -7.25, 3.125)
   , Tools({ { ToolLaw::Flat, 3.0 }, { ToolLaw::Paraboloid, 6.35 }, { ToolLaw::Cone, 70.0 },
       { ToolLaw::Sphere, 12.0 } })
@@ -86,24 +90,29 @@ SceneSupply::SceneSupply(unsigned seed)
   const std::vector<BodyForm> forms = { { this->Centre, { r, r, r }, 0.0, 0.1, 0.0 },
     { this->Centre, { r - 1.0, r + 1.0, r + 0.5 }, 0.0, 0.06, 0.3 },
     { this->Centre, { r, r, r }, 0.5, 0.12, 0.2 },
-    { this->Centre, { r - 0.5, r - 0.5, r - 0.5 }, 0.0, 0.3, 0.5 } };
+    { this->Centre, { r - 0.5, r - 0.5, r - 0.5 }, 0.0, 0.3, 0.5 },
+    { this->Centre, { r, r - 0.5, r }, 0.2, 0.08, 0.2 } }; // the last one relaxes
   for (const BodyForm& form : forms)
   {
     constexpr int times = 3; // 1280 triangles of some 7 mm
     this->Bodies.push_back(std::make_shared<RoundBody>(form, times));
     this->Shapes.push_back(polyDataOf(*this->Bodies.back()));
   }
+  this->From = bodies == Supplied::Relaxing ? forms.size() - 1 : 0;
+  this->Count = bodies == Supplied::Relaxing ? 1 : forms.size();
+  this->Count -= bodies == Supplied::Elastic ? 1 : 0;
 }
 
 SuppliedScene SceneSupply::make()
 {
   // One of all pairs but the last.
-  const std::size_t pairs = this->Bodies.size() * this->Tools.size();
+  const std::size_t pairs = this->Count * this->Tools.size();
   this->Last = (this->Last + 1 + this->draw(pairs - 1)) % pairs;
-  const std::size_t body = this->Last / this->Tools.size();
+  const std::size_t body = this->From + this->Last / this->Tools.size();
   const ToolLaw& law = this->Tools[this->Last % this->Tools.size()];
   SuppliedScene made;
-  made.felt = { this->Bodies[body], law, this->draw(2) == 0 ? 0.0 : 0.4 };
+  made.felt = { this->Bodies[body], law, this->draw(2) == 0 ? 0.0 : 0.4, 0.0, 16 };
+  const bool relaxes = body + 1 == this->Bodies.size();
 
   vtkNew<vtkContactTool> tool;
   shape(tool, law);
@@ -115,6 +124,15 @@ SuppliedScene SceneSupply::make()
   response->SetResponseName(ResponseName);
   response->CurvatureCorrectionOff(); // the closed form of a flat body
   response->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, Modulus);
+  for (const auto& [strength, seconds] : Relaxations)
+  {
+    if (relaxes)
+    {
+      response->AddRelaxation(strength, seconds);
+      made.felt.relaxation += strength;
+    }
+  }
+  made.felt.elements = relaxes && this->draw(2) == 0 ? 0 : 16; // quasi-linear
   response->Update();
   made.body = vtkSmartPointer<vtkPolyData>::New();
   made.body->DeepCopy(response->GetOutput());

@@ -28,12 +28,20 @@ struct SuppliedScene
   std::string error;
 };
 
+/// Which bodies are supplied.
+enum class Supplied
+{
+  All,
+  Elastic, ///< those that do not relax
+  Relaxing ///< the one that does
+};
+
 /// Several bodies about the same place under several tools, with and without friction; responses
 /// by vtkToolContactResponse, kernel by the session's own conversion, both anew each time.
 class SceneSupply
 {
 public:
-  explicit SceneSupply(unsigned seed);
+  explicit SceneSupply(unsigned seed, Supplied bodies = Supplied::All);
 
   /// Another one than the last, in body or tool.
   SuppliedScene make();
@@ -53,6 +61,8 @@ private:
   std::vector<vtkSmartPointer<vtkPolyData>> Shapes;
   std::vector<ToolLaw> Tools;
   std::mt19937 Random;
+  std::size_t From; ///< of the bodies, which is supplied first
+  std::size_t Count;
   std::size_t Last = 0;
 };
 } // namespace palpate::endurance

@@ -106,6 +106,8 @@ void SoakResult::print(std::ostream& out) const
       << " of these the force of the tick before would have been refused; "
       << percent(t.limited, t.felt) << " bounded from above only; " << percent(t.changing, t.felt)
       << " of two bodies\n"
+      << "  relaxing    " << t.relaxing << " ticks of a body that relaxes, within bounds; "
+      << t.visits << " visits, which got out " << t.largestGain << " of force times way at most\n"
       << "  swaps       " << this->swapsAsked << " asked, " << this->swapsSeen << " seen, "
       << this->swapsLate << " late; bodies not freed: " << this->bodiesKept << ", after the end "
       << this->bodiesAlive << "\n"
@@ -153,6 +155,9 @@ void SoakResult::writeJson(std::ostream& out) const
   figure("ticks_with_two_bodies", t.changing);
   figure("ticks_bounded_only", t.limited);
   figure("ticks_where_stale_shows", t.staleSeen);
+  figure("ticks_relaxing", t.relaxing);
+  figure("visits_relaxing", t.visits);
+  figure("largest_gain_relaxing", t.largestGain);
   figure("ticks_outside", t.free);
   figure("ticks_without_sample", t.lost);
   figure("ticks_silent_too_long", t.silent);

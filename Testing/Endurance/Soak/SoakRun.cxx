@@ -74,6 +74,7 @@ std::string SoakRun::start()
   this->Session->SetBody(first.body, kernelsOf(first));
   this->Session->SetResponseName(SceneSupply::ResponseName);
   this->Session->GetSettings()->SetFrictionCoefficient(first.felt.friction);
+  this->Session->GetSettings()->SetRelaxationElements(first.felt.elements);
   const Vector3 right = this->Frame.axes.col(0);
   const Vector3 up = this->Frame.axes.col(1);
   this->Session->GetDevice()->SetRight(right.x(), right.y(), right.z());
@@ -148,6 +149,7 @@ void SoakRun::swap()
   this->Checker->offer(next.felt);
   this->Session->SetBody(next.body, kernelsOf(next));
   this->Session->GetSettings()->SetFrictionCoefficient(next.felt.friction);
+  this->Session->GetSettings()->SetRelaxationElements(next.felt.elements);
   if (!this->Session->ApplyChanges())
   {
     this->Result.faults.emplace_back("a swap was refused");

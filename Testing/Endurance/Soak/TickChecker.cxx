@@ -20,6 +20,10 @@ constexpr double TipRounding = 1e-10;
 /// Of a force: normals are stored as float32 (1e-7), and the place is off by up to 1e-5 mm on
 /// facets of some mm, between whose corners normal and modulus change by a fifth.
 constexpr double DirectionError = 2e-6;
+/// Of the instantaneous force at some depth: elements take chords for curves, and what is left of a
+/// curve remembers its deepest press for a while.
+constexpr double ChordError = 0.01;
+constexpr double ChordDepth = 2.0; // mm
 
 template <class... Parts>
 TickVerdict fault(TickFault kind, const TickFacts& tick, const Parts&... parts)
@@ -52,6 +56,8 @@ const char* nameOf(TickFault fault)
       return "contact force";
     case TickFault::AfterLoss:
       return "force after a loss";
+    case TickFault::Energy:
+      return "energy";
     default:
       return "force sent";
   }
@@ -137,6 +143,7 @@ void TickChecker::lose()
 {
   this->Scenes.lose();
   this->Gate.lose();
+  this->Visit.lose();
   this->HasSent = false;
   this->Sent.setZero();
 }
@@ -160,6 +167,17 @@ TickChecker::Fit TickChecker::fit(
     const double along = force.dot(touch.normal);
     const double across = (force - along * touch.normal).norm();
     fit.error = std::max(std::abs(along - normal), across - scene.friction * normal);
+    if (scene.relaxation > 0.0)
+    {
+      // Drag: what new material stores over a way, at most Σ w u²/4 P/2a, and Σ w u² <= δ f.
+      const double radius = scene.tool.contactRadius(depth);
+      const double drag = radius > 0.0 ? scene.relaxation * depth * normal / (8.0 * radius) : 0.0;
+      const double instant = (1.0 + scene.relaxation) * normal;
+      const double error = ChordError * share * scene.tool.force(ChordDepth + depth, touch.modulus);
+      fit.tolerance = (1.0 + scene.relaxation) * (fit.tolerance + error);
+      fit.error = std::max(
+        { -along, along - instant, across - scene.friction * std::max(along, 0.0) - drag });
+    }
     fit.excess = fit.error - fit.tolerance;
     fit.cap =
       normal > 0.0 ? share * scene.tool.cappedForce(depth, touch.modulus, most) / normal : 1.0;
@@ -215,6 +233,34 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   const double nothing = RoundBody::DepthTolerance;
   expected.isInside = newer.depth > nothing || (older.depth > nothing && 1.0 - share > 1e-6);
   expected.isOutside = newer.depth < -nothing && older.depth < -nothing;
+  expected.isBound = this->Scenes.newer().relaxation > 0.0 ||
+    (share < 1.0 && this->Scenes.current() > 0 && this->Scenes.older().relaxation > 0.0);
+  if (expected.isBound)
+  {
+    expected.force = this->Frame.axes.transpose() * tick.idealForce;
+    expected.isInside = false; // whether the body is felt there is its own affair
+    return this->checkVisit(tick, expected.isOutside && share == 1.0);
+  }
+  this->Visit.lose();
+  return {};
+}
+
+TickVerdict TickChecker::checkVisit(const TickFacts& tick, bool isOutside)
+{
+  if (this->Scenes.isChanging())
+  {
+    this->Visit.lose();
+  }
+  else if (this->Visit.move(tick.tip, tick.contactForce, isOutside))
+  {
+    ++this->Tally.visits;
+    this->Tally.largestGain = std::max(this->Tally.largestGain, this->Visit.gain());
+    if (!(this->Visit.gain() <= VisitLedger::Allowed))
+    {
+      return fault(
+        TickFault::Energy, tick, "a visit gave ", this->Visit.gain(), " of force times way");
+    }
+  }
   return {};
 }
 
@@ -239,12 +285,31 @@ TickVerdict TickChecker::checkNothing(const TickFacts& tick, const char* reason)
   return {};
 }
 
+TickVerdict TickChecker::checkBound(const TickFacts& tick, const Expected& expected)
+{
+  const double before = this->HasSent ? this->Sent.norm() : 0.0;
+  const double rise = this->HasSent ? this->Limits.forceRate * (tick.time - this->SentTime) : 0.0;
+  const double most =
+    std::min({ this->Limits.force, before + rise, std::max(expected.force.norm(), before) });
+  this->Tally.relaxing += (tick.sent.array() != 0.0).any() ? 1 : 0;
+  if (!(tick.sent.norm() <= most + Rounding))
+  {
+    return fault(tick.sent.allFinite() ? TickFault::Sent : TickFault::NotFinite, tick,
+      tick.sent.transpose(), " N, of at most ", most);
+  }
+  return {};
+}
+
 TickVerdict TickChecker::checkSent(const TickFacts& tick, const Expected& expected)
 {
   this->Gate.see(expected.isInside, expected.isOutside);
   const bool isNothing = (tick.sent.array() == 0.0).all();
   TickVerdict verdict;
-  if (!this->Gate.mayPass())
+  if (expected.isBound)
+  {
+    verdict = this->checkBound(tick, expected);
+  }
+  else if (!this->Gate.mayPass())
   {
     ++this->Tally.shut;
     verdict = this->checkNothing(tick, "the tip has not been outside since the last loss");

@@ -6,6 +6,7 @@
 #include "OutsideRule.h"
 #include "SceneRule.h"
 #include "TickFacts.h"
+#include "VisitLedger.h"
 
 #include <cstdint>
 #include <string>
@@ -35,7 +36,8 @@ enum class TickFault : std::uint8_t
   Scene,     ///< one that was never offered, passed over, or felt with a wrong share
   Contact,   ///< not the force of this body at this place: stale, wrong body, not in the cone
   AfterLoss, ///< a force without a sample, after a failure, or before the tip was outside again
-  Sent       ///< not what the limits make of the contact force
+  Sent,      ///< not what the limits make of the contact force
+  Energy     ///< a visit to a body that relaxes gave more than was put in
 };
 const char* nameOf(TickFault fault);
 
@@ -59,10 +61,14 @@ struct TickTally
   std::uint64_t changing = 0;  ///< of these: of two scenes
   std::uint64_t limited = 0;   ///< of these: an upper bound only, the passivity control at work
   std::uint64_t staleSeen = 0; ///< of these: the force of the tick before would have been refused
-  double largestForce = 0.0;   ///< N
-  double largestStep = 0.0;    ///< N, between two ticks with a force
-  double largestExcess = 0.0;  ///< N, beyond what is allowed
-  double nearest = 0.0;        ///< the largest difference from the model over its tolerance
+  std::uint64_t relaxing =
+    0;                       ///< with a force, in part or whole of a body that relaxes; not in felt
+  std::uint64_t visits = 0;  ///< to such a body, whose energy was judged
+  double largestGain = -1.0; ///< of these, got out over force times way
+  double largestForce = 0.0; ///< N
+  double largestStep = 0.0;  ///< N, between two ticks with a force
+  double largestExcess = 0.0; ///< N, beyond what is allowed
+  double nearest = 0.0;       ///< the largest difference from the model over its tolerance
 };
 
 /**
@@ -75,6 +81,11 @@ struct TickTally
  * on the place (it must lie in the cone and in the tangent plane), and whether the passivity
  * control acted (then the force must have the direction and at most the size of the model's). All
  * else is two-sided, so that a force which was right for the sample before is found out.
+ *
+ * Of a body that relaxes the force hangs on all that was done to it, and only bounds are told:
+ * along the normal from nothing to the instantaneous force, across it within the cone and the drag;
+ * what is sent no more than that, and rising no faster than allowed. But over a visit, from outside
+ * to outside, no energy may have been got out (VisitLedger).
  */
 class TickChecker
 {
@@ -96,6 +107,7 @@ private:
     double tolerance = 0.0;
     bool isInside = false;  ///< of a body, for certain
     bool isOutside = false; ///< of all
+    bool isBound = false;   ///< of a body that relaxes: the force is the most that it may be
   };
   /// How well a force fits one scene at the tip, or the best of several places as near.
   struct Fit
@@ -112,6 +124,8 @@ private:
   TickVerdict checkSent(const TickFacts& tick, const Expected& expected);
   TickVerdict checkNothing(const TickFacts& tick, const char* reason);
   TickVerdict compare(const TickFacts& tick, const Vector3& allowed, double tolerance);
+  TickVerdict checkBound(const TickFacts& tick, const Expected& expected);
+  TickVerdict checkVisit(const TickFacts& tick, bool isOutside);
   Vector3 limited(const Vector3& wanted, double time) const;
   void lose();
 
@@ -120,6 +134,7 @@ private:
   SceneRule Scenes;
   LossRule Loss;
   OutsideRule Gate;
+  VisitLedger Visit;
   TickTally Tally;
 
   bool HasTime = false;

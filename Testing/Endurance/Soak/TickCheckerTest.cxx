@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -243,10 +244,79 @@ TEST(TickChecker, FindsFrictionOutOfTheCone)
   EXPECT_GT(tried, 5U);
 }
 
+TEST(TickChecker, AcceptsBodiesThatRelax)
+{
+  std::uint64_t relaxing = 0;
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    const TickSeries series(seed, true, -1.0, 0.0, seed < 6 ? Supplied::Relaxing : Supplied::All);
+    const TickSeries::Finding found = series.firstFault();
+    EXPECT_EQ(found.fault, TickFault::None)
+      << seed << ": tick " << found.tick << ", " << found.text;
+    relaxing += series.tally().relaxing;
+  }
+  EXPECT_GT(relaxing, TickSeries::Length);
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    const TickSeries series(seed, false, -1.0, 0.0, Supplied::Relaxing);
+    const TickSeries::Finding found = series.firstFault();
+    EXPECT_EQ(found.fault, TickFault::None) << seed << ": " << found.text;
+    EXPECT_EQ(series.tally().visits, 2U);
+    EXPECT_LT(series.tally().largestGain, 0.0); // what flows takes
+  }
+}
+
+TEST(TickChecker, FindsMoreThanABodyThatRelaxesCanGive)
+{
+  for (unsigned seed = 0; seed < 4; ++seed)
+  {
+    const TickSeries series(seed, false, 0.0, 0.0, Supplied::Relaxing);
+    std::size_t tried = 0;
+    for (std::size_t i = 1; i < TickSeries::Absent; i += 311)
+    {
+      const TickFacts& tick = series.ticks[i];
+      if (tick.sent.norm() < 0.02 || tick.sceneShare < 1.0)
+      {
+        continue;
+      }
+      ++tried;
+      TickSeries more(series);
+      more.ticks[i].contactForce *= 2.2; // P = 1
+      more.ticks[i].idealForce *= 2.2;
+      EXPECT_EQ(more.firstFault().fault, TickFault::Contact) << seed << " " << i;
+      TickSeries pull(series);
+      pull.ticks[i].contactForce *= -1.0;
+      pull.ticks[i].idealForce *= -1.0;
+      expectFound(pull, TickFault::Contact, i);
+      TickSeries sent(series);
+      sent.send(i, 2.5 * tick.idealForce.norm() * tick.sent.normalized());
+      expectFound(sent, TickFault::Sent, i);
+    }
+    EXPECT_GT(tried, 4U);
+  }
+}
+
+TEST(TickChecker, FindsEnergyThatABodyThatRelaxesGives)
+{
+  // The force of the way in, on the way out, and the other way round: within all bounds, tick by
+  // tick.
+  TickSeries series(1, false, 0.0, 0.0, Supplied::Relaxing);
+  for (std::size_t i = 1; i < TickSeries::Length; ++i)
+  {
+    TickFacts& tick = series.ticks[i];
+    const Vector3 way = tick.tip - series.ticks[i - 1].tip;
+    const double share = tick.contactForce.dot(way) > 0.0 ? 1.0 : 0.4;
+    tick.contactForce *= share;
+    tick.idealForce *= share;
+    series.send(i, Vector3::Zero());
+  }
+  EXPECT_EQ(series.firstFault().fault, TickFault::Energy);
+}
+
 TEST(TickChecker, FindsAForceThatRisesTooFast)
 {
   // 1 mm deeper from one tick to the next: what the contact gives comes at 40 N/s only.
-  SceneSupply supply(1);
+  SceneSupply supply(1, Supplied::Elastic);
   const SuppliedScene scene = supply.make();
   ServoStep step(std::make_unique<ServoScene>(scene.kernel),
     WorkspaceMapping(

@@ -22,6 +22,9 @@ struct FeltScene
   std::shared_ptr<const RoundBody> body;
   ToolLaw tool{ ToolLaw::Flat, 1.0 };
   double friction = 0.0; ///< Coulomb's coefficient
+  /// P, by which the instantaneous modulus of a body that relaxes exceeds the slow one; 0: elastic.
+  double relaxation = 0.0;
+  int elements = 16; ///< with which it is felt
 };
 
 /// From the device's frame to the body's: x = axes (1000 scale x_device) + origin.

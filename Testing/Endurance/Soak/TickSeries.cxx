@@ -37,13 +37,18 @@ double height(double time)
   return from.height + way * (to.height - from.height) + 0.2 * std::sin(40.0 * time);
 }
 
-DeviceSample sampleAt(std::size_t tick, const Vector3& centre)
+DeviceSample sampleAt(std::size_t tick, const Vector3& centre, bool withLosses)
 {
   const double time = static_cast<double>(tick) / TickSeries::Rate;
   const Vector3 direction(std::cos(0.8 * time), std::sin(0.8 * time), 0.2 * std::sin(5.0 * time));
   DeviceSample sample;
   sample.position = TickSeries::frame().position(
     centre + (SceneSupply::Radius + height(time)) * direction.normalized());
+  sample.valid = true;
+  if (!withLosses)
+  {
+    return sample;
+  }
   sample.valid = !(tick >= TickSeries::Absent && tick < TickSeries::Absent + TickSeries::Gap);
   if (tick == TickSeries::Broken)
   {
@@ -51,7 +56,7 @@ DeviceSample sampleAt(std::size_t tick, const Vector3& centre)
   }
   if (tick > TickSeries::Silent && tick <= TickSeries::Silent + TickSeries::Gap)
   {
-    sample = sampleAt(TickSeries::Silent, centre);
+    sample = sampleAt(TickSeries::Silent, centre, true);
     sample.fresh = false;
   }
   return sample;
@@ -61,6 +66,7 @@ std::unique_ptr<ServoScene> servoScene(const SuppliedScene& supplied)
 {
   ContactSettings settings;
   settings.friction.coefficient = supplied.felt.friction;
+  settings.relaxationElements = supplied.felt.elements;
   return std::make_unique<ServoScene>(supplied.kernel, settings);
 }
 } // namespace
@@ -79,8 +85,8 @@ SafetySettings TickSeries::safety()
   return SafetySettings::of(specificationOf(DeviceLimits{}, Rate));
 }
 
-TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin)
-  : Supply(seed)
+TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin, Supplied bodies)
+  : Supply(seed, bodies)
   , First(this->Supply.make())
   , Second(this->Supply.make())
 {
@@ -98,7 +104,8 @@ TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin)
       step.change(servoScene(this->Second));
     }
     const double time = begin + static_cast<double>(i) / Rate;
-    const DeviceSample sample = sampleAt(i, this->Supply.centre());
+    const DeviceSample sample =
+      sampleAt(i, this->Supply.centre(), swaps || bodies != Supplied::Relaxing);
     const Tick made = step.step(sample, time);
     this->ticks.push_back(factsOf(time, sample, made.deviceForce, made));
   }

@@ -34,9 +34,11 @@ public:
   static DeviceFrame frame();
   static SafetySettings safety();
 
+  /// Of the body that relaxes, without swaps, there are no losses either: its visits are whole.
   /// Without `swaps` the first scene is felt throughout; a `friction` of its own for both scenes,
   /// if it is not negative.
-  explicit TickSeries(unsigned seed, bool swaps = true, double friction = -1.0, double begin = 0.0);
+  explicit TickSeries(unsigned seed, bool swaps = true, double friction = -1.0, double begin = 0.0,
+    Supplied bodies = Supplied::Elastic);
 
   /// Sent, and said so.
   void send(std::size_t tick, const Vector3& force)
