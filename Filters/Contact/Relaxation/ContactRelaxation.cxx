@@ -329,7 +329,10 @@ double ContactRelaxation::stiffening() const noexcept
 {
   PronySeries now = this->Body->series();
   now.strength = this->Step.strength;
-  return this->StepTime > 0.0 ? sampledStiffening(now, this->StepTime) : 1.0 + now.total();
+  const double felt =
+    this->StepTime > 0.0 ? sampledStiffening(now, this->StepTime) : 1.0 + now.total();
+  // One element's force is scaled by what a cap leaves of the slow one: m times as stiff a memory.
+  return this->IsOne ? 1.0 + std::max(this->Body->exponent(), 1.0) * (felt - 1.0) : felt;
 }
 
 double ContactRelaxation::storedEnergy() const noexcept

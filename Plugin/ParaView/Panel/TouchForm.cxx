@@ -220,8 +220,8 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   set(this->force, QString("%1 N").arg(vtkMath::Norm(applied), 0, 'f', 3));
   set(this->error, errorOf(session));
   const Contact contact = session->GetNewestTick().contact;
-  const std::string memory = memoryInWords(contact.normalForce, contact.memory);
-  set(this->memory, memory.empty() ? QString("–") : text(memory));
+  const std::string told = memoryInWords(contact.normalForce, contact.memory);
+  set(this->memory, told.empty() ? QString("–") : text(told));
   set(this->limit, QString("%1 N").arg(most, 0, 'g', 3));
   set(this->deflection, QString("%1 mm").arg(session->GetDeflection(), 0, 'f', 3));
   set(this->servo,
