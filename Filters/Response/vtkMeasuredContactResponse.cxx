@@ -259,7 +259,8 @@ std::string vtkMeasuredContactResponse::CheckProperties()
     fault << "A relaxation has at most " << palpate::PronySeries::LargestCount
           << " branches, but there are " << this->Relaxations.size();
   }
-  return fault.str().empty() ? palpate::faultOfRelaxation(seriesFrom(this->Relaxations)) : fault.str();
+  return fault.str().empty() ? palpate::faultOfRelaxation(seriesFrom(this->Relaxations))
+                             : fault.str();
 }
 
 std::string vtkMeasuredContactResponse::ReadSites(

@@ -104,7 +104,7 @@ void checkTable()
   vtkNew<vtkTable> table;
   vtkContactSettings::GetTable(table);
   vtkContactSettings::GetTable(table); // anew
-  PALPATE_CHECK(table->GetNumberOfRows() == 8 && table->GetNumberOfColumns() == 8);
+  PALPATE_CHECK(table->GetNumberOfRows() == 9 && table->GetNumberOfColumns() == 8);
   const auto text = [&](int row, const char* column)
   { return table->GetValueByName(row, column).ToString(); };
   const auto number = [&](int row, const char* column)
@@ -115,6 +115,8 @@ void checkTable()
   PALPATE_CHECK(number(4, "Minimum") == 0.0 && number(4, "IncludesMinimum") == 0.0);
   PALPATE_CHECK(std::isinf(number(4, "Maximum")) && text(4, "Values").empty());
   PALPATE_CHECK_TEXT(text(7, "Help"), "of the body");
+  PALPATE_CHECK(text(8, "Name") == "RelaxationElements" && number(8, "Default") == 16.0);
+  PALPATE_CHECK(number(8, "Minimum") == 0.0 && number(8, "Maximum") == 32.0);
 }
 
 /// Two probes and a touch with one object: what is set at one is felt at all.
