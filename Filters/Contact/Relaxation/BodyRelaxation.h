@@ -6,7 +6,7 @@
 #include "Contact/PackedMesh.h"
 #include "Contact/ResponseField.h"
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/Relaxation/RelaxationElements.h"
+#include "Mechanics/Relaxation/RelaxationStep.h"
 
 #include <cmath>
 #include <memory>

@@ -66,7 +66,7 @@ void ContactRelaxation::lift() noexcept
   {
     this->beginTick();
     this->Elements.relax(this->Step);
-    this->Elements.press(Nowhere, this->Nodes.gaps(), this->Nodes.count(), this->Step);
+    this->Elements.press(Nowhere, this->Nodes.gaps(), this->Step);
     this->Rest.follow(-this->LastRest, this->Step);
     this->One.press(0.0, this->Step);
   }
@@ -112,7 +112,7 @@ ContactRelaxation::Force ContactRelaxation::press(
   if (!this->HasBegun)
   {
     const double depth = place.deflection - compliance * slow.force;
-    this->Elements.rest(depth, this->Nodes.gaps(), this->Nodes.count());
+    this->Elements.rest(depth, this->Nodes.gaps());
     this->One.rest(slow.force);
     this->Depth = this->OneDepth = depth;
     this->OneSlow = slow.force;
@@ -165,7 +165,7 @@ void ContactRelaxation::pressElements(
   this->Stiffness = value.stiffness;
   this->LastRest = value.force - this->Nodes.slowForce(this->Chords, this->Depth);
   this->RestMemory = this->Rest.follow(this->LastRest - before, this->Step);
-  this->Elements.press(this->Depth, this->Nodes.gaps(), this->Nodes.count(), this->Step);
+  this->Elements.press(this->Depth, this->Nodes.gaps(), this->Step);
   const double force =
     this->Elements.forceOf(this->Chords.weight) + this->LastRest + this->RestMemory;
   if (!this->Elements.isTouched())
@@ -185,9 +185,9 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve, double compli
   const auto forceAt = [&](double depth)
   {
     const double rest = this->restAt(curve, depth);
-    const double force = this->Elements.forceAt(depth, this->Nodes.gaps(), this->Nodes.count(),
-                           this->Chords.weight, this->Step) +
-      rest + this->Rest.foresee(rest - this->LastRest, this->Step);
+    const double force =
+      this->Elements.forceAt(depth, this->Nodes.gaps(), this->Chords.weight, this->Step) + rest +
+      this->Rest.foresee(rest - this->LastRest, this->Step);
     return std::max(force, 0.0);
   };
   const double atTip = forceAt(tip);
@@ -312,7 +312,7 @@ double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness
       1.0 - most * this->Body->elasticCompliance(this->Last.corners, this->Last.weights);
     most = soft > 0.0 ? most / soft : std::numeric_limits<double>::infinity();
   }
-  RelaxationElements::Values weights;
+  RelaxationElements::Values weights{};
   double before = 0.0;
   for (std::size_t j = 0; j < this->Elements.awake(); ++j)
   {

@@ -6,6 +6,7 @@
 #include "Contact/Relaxation/ForceNodes.h"
 #include "Contact/Relaxation/SlidingDrag.h"
 #include "Mechanics/PalpateExport.h"
+#include "Mechanics/Relaxation/QuasiLinearElement.h"
 #include "Mechanics/Relaxation/RelaxationElements.h"
 
 namespace palpate

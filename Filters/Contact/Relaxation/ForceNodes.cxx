@@ -12,10 +12,11 @@ ForceNodes::ForceNodes(const ResponseSampling& sampling, double range, int eleme
   , InverseRange(1.0 / range)
 {
   const double last = static_cast<double>(this->Count - 1);
+  this->Gaps.add(0.0);
   for (std::size_t j = 1; j < this->Count; ++j)
   {
     const double share = static_cast<double>(j) / last;
-    this->Gaps[j] = range * (share * share);
+    this->Gaps.add(range * (share * share));
     this->InverseWidth[j - 1] = 1.0 / (this->Gaps[j] - this->Gaps[j - 1]);
     const ResponseSampling::Place at = sampling.place(range, this->Gaps[j]);
     Node& node = this->Nodes[j];

@@ -29,7 +29,7 @@ public:
 
   /// N + 1.
   std::size_t count() const noexcept { return this->Count; }
-  const Values& gaps() const noexcept { return this->Gaps; }
+  const RelaxationElements::Gaps& gaps() const noexcept { return this->Gaps; }
 
   /// The chords of a curve, f_N: each begins at a gap with a force, N, and has a slope, N/mm; none
   /// is less steep than the one before. The steps of the slopes are the weights of elements.
@@ -73,7 +73,7 @@ private:
   std::size_t Count = 0;
   double Range = 0.0;
   double InverseRange = 0.0;
-  Values Gaps{};
+  RelaxationElements::Gaps Gaps;
   Values InverseWidth{};
   std::array<Node, RelaxationElements::LargestCount> Nodes{};
 };

@@ -2,6 +2,7 @@
 #include "Mechanics/Identification/RelaxationStart.h"
 
 #include "Mechanics/Numerics/NonNegativeLeastSquares.h"
+#include "Mechanics/Relaxation/QuasiLinearElement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/RelaxingFoundation.h"
 
+#include "Mechanics/Relaxation/QuasiLinearElement.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,7 @@ RelaxingFoundation::RelaxingFoundation(double depth, std::size_t blocks)
   }
   for (std::size_t j = 0; j < blocks * BlockSize; ++j)
   {
-    this->Gaps[j / BlockSize][j % BlockSize] = this->Depths[static_cast<Index>(j)];
+    this->Gaps[j / BlockSize].add(this->Depths[static_cast<Index>(j)]);
   }
 }
 
@@ -104,7 +106,7 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
     for (std::size_t b = 0; b < blocks; ++b)
     {
       elements[b].relax(step);
-      elements[b].press(depth, this->Gaps[b], BlockSize, step);
+      elements[b].press(depth, this->Gaps[b], step);
     }
     for (std::size_t c = 0; c < curves.size(); ++c)
     {

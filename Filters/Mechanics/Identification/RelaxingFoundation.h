@@ -51,7 +51,7 @@ private:
   double remainder(const SlowCurve& curve, double depth) const;
 
   Eigen::VectorXd Depths;
-  std::vector<RelaxationElements::Values> Gaps;
+  std::vector<RelaxationElements::Gaps> Gaps;
 };
 } // namespace palpate
 

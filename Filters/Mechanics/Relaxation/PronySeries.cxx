@@ -118,7 +118,7 @@ std::string parsePronySeries(const std::string& text, PronySeries& series)
     }
     read.add(strength, time);
   }
-  const std::string fault = faultOfRelaxation(read);
+  std::string fault = faultOfRelaxation(read);
   if (fault.empty())
   {
     series = read;

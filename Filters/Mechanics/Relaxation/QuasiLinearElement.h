@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_QuasiLinearElement_h
+#define palpate_QuasiLinearElement_h
+
+#include "Mechanics/Relaxation/RelaxationStep.h"
+
+#include <cstddef>
+
+namespace palpate
+{
+/**
+ * RelaxationElements as one, in the force of the curve itself: y = f(δ) instead of a depth
+ * (quasi-linear, Fung). Right for a flat-ended tool and on loading, within 10 to 12 % of the
+ * largest force else; for curves that are not convex, or where few operations matter more.
+ */
+class QuasiLinearElement
+{
+public:
+  void reset() noexcept { *this = {}; }
+  /// As if the force had been this for long.
+  void rest(double force) noexcept
+  {
+    this->reset();
+    this->Slow = force;
+  }
+  /// To another curve, which is so many times as stiff.
+  void scale(double factor) noexcept
+  {
+    this->Slow *= factor;
+    for (double& strain : this->Strain)
+    {
+      strain *= factor;
+    }
+  }
+  /// A step of time to a slow force f(δ), N; 0 where nothing is touched. The force.
+  double press(double slow, const RelaxationStep& step) noexcept
+  {
+    double free = step.stiffening * this->Slow;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      this->Strain[i] *= step.decay[i];
+      free -= step.strength[i] * this->Strain[i];
+    }
+    free /= 1.0 + step.stiffening;
+    const double now = slow > free ? slow : free;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      this->Strain[i] += step.gain[i] * (now - this->Slow);
+    }
+    this->Slow = now;
+    this->Force = (1.0 + step.stiffening) * (now - free);
+    return this->Force;
+  }
+  /// Instead of press(): a step by an increment that may be of either sign, without a limit. What
+  /// memory adds.
+  double follow(double increment, const RelaxationStep& step) noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      this->Strain[i] = this->Strain[i] * step.decay[i] + step.gain[i] * increment;
+      sum += step.strength[i] * this->Strain[i];
+    }
+    this->Slow += increment;
+    this->Force = 1.0; // pulls too
+    return sum;
+  }
+
+  /// What follow() would give.
+  double foresee(double increment, const RelaxationStep& step) const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      sum += step.strength[i] * (this->Strain[i] * step.decay[i] + step.gain[i] * increment);
+    }
+    return sum;
+  }
+
+  /// y; of one that is not touched where it has crept to.
+  double slow() const noexcept { return this->Slow; }
+  /// As of RelaxationElements, but times a stiffness: N².
+  double growthByExchange(const RelaxationStep& step, double share) const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      const double missing = this->Slow - this->Strain[i];
+      sum += step.strength[i] * missing * (this->Strain[i] + 0.5 * share * missing);
+    }
+    return sum;
+  }
+  /// Σ p_i s_i²/2, N².
+  double storedEnergy(const RelaxationStep& step) const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step.count; ++i)
+    {
+      sum += 0.5 * step.strength[i] * this->Strain[i] * this->Strain[i];
+    }
+    return sum;
+  }
+  double energyByStrength(std::size_t branch) const noexcept
+  {
+    return 0.5 * this->Strain[branch] * this->Strain[branch];
+  }
+  /// As of RelaxationElements.
+  void exchange(double share) noexcept
+  {
+    const bool isTouched = this->Force > 0.0;
+    for (double& strain : this->Strain)
+    {
+      strain += share * ((isTouched ? this->Slow : 0.0) - strain);
+    }
+    this->Slow -= isTouched ? 0.0 : share * this->Slow;
+  }
+
+private:
+  double Slow = 0.0;
+  double Force = 0.0;
+  RelaxationStep::Branches Strain{};
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RelaxationStep_h
+#define palpate_RelaxationStep_h
+
+#include "Mechanics/Relaxation/PronySeries.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+/// What a stretch of time does to the branches of a material whose depth moves evenly in it.
+struct RelaxationStep
+{
+  using Branches = std::array<double, PronySeries::LargestCount>;
+
+  std::size_t count = 0;
+  Branches decay{};        ///< e_i = e^(-T/τ_i)
+  Branches gain{};         ///< (τ_i/T)(1 - e_i): of an increment, what is left of it at the end
+  Branches strength{};     ///< p_i
+  double stiffening = 0.0; ///< Σ p_i gain_i: an increment feels 1 + this times as stiff
+
+  RelaxationStep() = default;
+  /// `seconds` >= 0; at 0 all of an increment is left.
+  RelaxationStep(const PronySeries& series, double seconds) noexcept
+    : count(series.count)
+    , strength(series.strength)
+  {
+    for (std::size_t i = 0; i < this->count; ++i)
+    {
+      const double x = seconds / series.time[i];
+      this->gain[i] = meanDecay(x);
+      this->decay[i] = x < Little ? 1.0 - x * this->gain[i] : std::exp(-x);
+    }
+    this->sum();
+  }
+  /// The same of other strengths.
+  void setStrength(const Branches& strengths) noexcept
+  {
+    this->strength = strengths;
+    this->sum();
+  }
+
+  /// (1 - e^-x)/x.
+  static double meanDecay(double x) noexcept
+  {
+    if (!(x < Little))
+    {
+      return (1.0 - std::exp(-x)) / x;
+    }
+    // In fours, which do not wait for each other; x^11/12! is 5e-16.
+    const double x2 = x * x;
+    const double x4 = x2 * x2;
+    const double low = (1.0 - x * (1.0 / 2)) + x2 * (1.0 / 6 - x * (1.0 / 24));
+    const double middle = (1.0 / 120 - x * (1.0 / 720)) + x2 * (1.0 / 5040 - x * (1.0 / 40320));
+    const double high = 1.0 / 362880 - x * (1.0 / 3628800) + x2 * (1.0 / 39916800);
+    return low + x4 * (middle + x4 * high);
+  }
+
+private:
+  /// Below it Taylor's polynomial is right to the last digit.
+  static constexpr double Little = 0.25;
+
+  void sum() noexcept
+  {
+    this->stiffening = 0.0;
+    for (std::size_t i = 0; i < this->count; ++i)
+    {
+      this->stiffening += this->strength[i] * this->gain[i];
+    }
+  }
+};
+} // namespace palpate
+
+#endif
