@@ -3,7 +3,7 @@
 
 #include "RelaxationFoundation.h"
 #include "RelaxationPaths.h"
-#include "RelaxingBodies.h"
+#include "RelaxingPlate.h"
 
 #include <algorithm>
 #include <array>

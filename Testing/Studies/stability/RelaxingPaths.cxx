@@ -2,7 +2,7 @@
 // Part e of a body that relaxes, unlike from point to point in curve and strength: energy on closed
 // paths and jumps of the force, by force form.
 #include "Parts.h"
-#include "RelaxingBodies.h"
+#include "RelaxingPlate.h"
 #include "RelaxingModels.h"
 #include "Renderings.h"
 
