@@ -123,7 +123,7 @@ std::string vtkElasticContactResponse::CheckProperties()
     fault = palpate::joined("TermTolerance must be 0 or positive, but is ", this->TermTolerance);
   }
   palpate::PronySeries series;
-  fault = fault.empty() ? palpate::seriesOf(this->Relaxations, series) : fault;
+  fault = fault.empty() ? this->Relaxations.fillSeries(series) : fault;
   fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
                         : fault;
   return fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
@@ -223,7 +223,7 @@ std::string vtkElasticContactResponse::Respond(
     }
   }
   palpate::RelaxationRequest relaxation;
-  palpate::seriesOf(this->Relaxations, relaxation.series); // CheckProperties found no fault
+  this->Relaxations.fillSeries(relaxation.series); // CheckProperties found no fault
   palpate::copyWithOwnFields(surface, output);
   storage.attach(output);
   palpate::attachRelaxation(relaxation, {}, this->ResponseName, output);
@@ -260,36 +260,6 @@ std::string vtkElasticContactResponse::KeepSimplerLaw(
   return fault;
 }
 
-void vtkElasticContactResponse::AddRelaxation(double strength, double seconds)
-{
-  this->Relaxations.push_back({ strength, seconds });
-  this->Modified();
-}
-
-void vtkElasticContactResponse::ClearRelaxations()
-{
-  if (!this->Relaxations.empty())
-  {
-    this->Relaxations.clear();
-    this->Modified();
-  }
-}
-
-int vtkElasticContactResponse::GetNumberOfRelaxations()
-{
-  return static_cast<int>(this->Relaxations.size());
-}
-
-double vtkElasticContactResponse::GetRelaxationStrength(int relaxation)
-{
-  return palpate::branchAt(this->Relaxations, relaxation)[0];
-}
-
-double vtkElasticContactResponse::GetRelaxationTime(int relaxation)
-{
-  return palpate::branchAt(this->Relaxations, relaxation)[1];
-}
-
 void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -305,7 +275,7 @@ void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.size() << "\n";
+  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
   os << indent << "TermTolerance: " << this->TermTolerance << "\n";
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";

@@ -45,14 +45,13 @@
 #ifndef vtkElasticContactResponse_h
 #define vtkElasticContactResponse_h
 
-#include "palpateResponseModule.h" // For export macro
+#include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
+#include "palpateResponseModule.h"          // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
-#include <vector> // For std::vector
 
 class vtkAlgorithmOutput;
 class vtkContactTool;
@@ -162,11 +161,21 @@ public:
    * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. As of
    * vtkToolContactResponse, of the whole body: the curves are the slow response. Default none.
    */
-  void AddRelaxation(double strength, double seconds);
-  void ClearRelaxations();
-  int GetNumberOfRelaxations();
-  double GetRelaxationStrength(int relaxation);
-  double GetRelaxationTime(int relaxation);
+  void AddRelaxation(double strength, double seconds)
+  {
+    this->Relaxations.add(strength, seconds);
+    this->Modified();
+  }
+  void ClearRelaxations()
+  {
+    if (this->Relaxations.clear())
+    {
+      this->Modified();
+    }
+  }
+  int GetNumberOfRelaxations() { return this->Relaxations.count(); }
+  double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
+  double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
   ///@}
 
   ///@{
@@ -248,7 +257,7 @@ private:
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
   bool EdgeCorrection = false;
-  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
+  palpate::RelaxationList Relaxations;
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   double LayerThickness = 0.0;

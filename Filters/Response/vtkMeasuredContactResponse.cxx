@@ -36,17 +36,6 @@
 namespace
 {
 constexpr double IdentifiedShare = 0.5; // of the work, as progress tells it
-
-/// Of no more branches than a series has.
-palpate::PronySeries seriesFrom(const std::vector<std::array<double, 2>>& relaxations)
-{
-  palpate::PronySeries series;
-  for (const auto& [strength, seconds] : relaxations)
-  {
-    series.add(strength, seconds);
-  }
-  return series;
-}
 } // namespace
 
 /// Everything between the files and the response.
@@ -94,40 +83,6 @@ std::string vtkMeasuredContactResponse::GetFileName(int index)
 void vtkMeasuredContactResponse::AddCurvesConnection(vtkAlgorithmOutput* table)
 {
   this->AddInputConnection(1, table);
-}
-
-void vtkMeasuredContactResponse::AddRelaxation(double strength, double seconds)
-{
-  this->Relaxations.push_back({ strength, seconds });
-  this->Modified();
-}
-
-void vtkMeasuredContactResponse::ClearRelaxations()
-{
-  if (!this->Relaxations.empty())
-  {
-    this->Relaxations.clear();
-    this->Modified();
-  }
-}
-
-int vtkMeasuredContactResponse::GetNumberOfRelaxations()
-{
-  return static_cast<int>(this->Relaxations.size());
-}
-
-double vtkMeasuredContactResponse::GetRelaxationStrength(int index)
-{
-  return index >= 0 && index < this->GetNumberOfRelaxations()
-    ? this->Relaxations[static_cast<std::size_t>(index)][0]
-    : 0.0;
-}
-
-double vtkMeasuredContactResponse::GetRelaxationTime(int index)
-{
-  return index >= 0 && index < this->GetNumberOfRelaxations()
-    ? this->Relaxations[static_cast<std::size_t>(index)][1]
-    : 0.0;
 }
 
 void vtkMeasuredContactResponse::SetTool(vtkContactTool* tool)
@@ -254,13 +209,8 @@ std::string vtkMeasuredContactResponse::CheckProperties()
   {
     return "The MeasuringTool of the table of curves is required, as 'sphere:6.35'";
   }
-  if (fault.str().empty() && this->Relaxations.size() > palpate::PronySeries::LargestCount)
-  {
-    fault << "A relaxation has at most " << palpate::PronySeries::LargestCount
-          << " branches, but there are " << this->Relaxations.size();
-  }
-  return fault.str().empty() ? palpate::faultOfRelaxation(seriesFrom(this->Relaxations))
-                             : fault.str();
+  palpate::PronySeries series;
+  return fault.str().empty() ? this->Relaxations.fillSeries(series) : fault.str();
 }
 
 std::string vtkMeasuredContactResponse::ReadSites(
@@ -316,7 +266,7 @@ std::string vtkMeasuredContactResponse::ReadSites(
   options.largestStrain = this->MaximumStrain;
   options.largestMisfit = this->MaximumMisfit;
   options.largestUncertainty = this->MaximumUncertainty;
-  options.relaxation = seriesFrom(this->Relaxations);
+  this->Relaxations.fillSeries(options.relaxation); // CheckProperties found no fault
   measurement.Identification = std::make_unique<palpate::BodyIdentification>(options);
   return fault;
 }
@@ -442,7 +392,7 @@ void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Noise: " << this->Noise << " N\n";
   os << indent << "MaximumHysteresis: " << this->MaximumHysteresis << "\n";
   os << indent << "MaximumRateEffect: " << this->MaximumRateEffect << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.size() << "\n";
+  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "MaximumStrain: " << this->MaximumStrain << "\n";
   os << indent << "MaximumMisfit: " << this->MaximumMisfit << "\n";
   os << indent << "MaximumUncertainty: " << this->MaximumUncertainty << "\n";

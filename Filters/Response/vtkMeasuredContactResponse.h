@@ -64,11 +64,11 @@
 #ifndef vtkMeasuredContactResponse_h
 #define vtkMeasuredContactResponse_h
 
-#include "palpateResponseModule.h" // For export macro
+#include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
+#include "palpateResponseModule.h"          // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
@@ -182,11 +182,21 @@ public:
    * seconds; up to four. Then it is not identified, and the speed of the test is taken into account
    * in E* and the rest; curves without times are taken for slow ones. Default none.
    */
-  void AddRelaxation(double strength, double seconds);
-  void ClearRelaxations();
-  int GetNumberOfRelaxations();
-  double GetRelaxationStrength(int index);
-  double GetRelaxationTime(int index);
+  void AddRelaxation(double strength, double seconds)
+  {
+    this->Relaxations.add(strength, seconds);
+    this->Modified();
+  }
+  void ClearRelaxations()
+  {
+    if (this->Relaxations.clear())
+    {
+      this->Modified();
+    }
+  }
+  int GetNumberOfRelaxations() { return this->Relaxations.count(); }
+  double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
+  double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
   ///@}
 
   ///@{
@@ -278,7 +288,7 @@ private:
   std::vector<std::string> FileNames;
   std::string MeasuringTool;
   std::string RegistrationFile;
-  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
+  palpate::RelaxationList Relaxations;
   vtkSmartPointer<vtkContactTool> Tool;
   int BodyModel = Automatic;
   double PoissonRatio = 0.45;

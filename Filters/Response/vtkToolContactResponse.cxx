@@ -65,7 +65,7 @@ int vtkToolContactResponse::RequestData(
   const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   palpate::RelaxationRequest relaxation;
-  std::string fault = palpate::seriesOf(this->Relaxations, relaxation.series);
+  std::string fault = this->Relaxations.fillSeries(relaxation.series);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
@@ -124,36 +124,6 @@ int vtkToolContactResponse::GetNumberOfAddedLayers()
   return static_cast<int>(this->AddedLayers.size());
 }
 
-void vtkToolContactResponse::AddRelaxation(double strength, double seconds)
-{
-  this->Relaxations.push_back({ strength, seconds });
-  this->Modified();
-}
-
-void vtkToolContactResponse::ClearRelaxations()
-{
-  if (!this->Relaxations.empty())
-  {
-    this->Relaxations.clear();
-    this->Modified();
-  }
-}
-
-int vtkToolContactResponse::GetNumberOfRelaxations()
-{
-  return static_cast<int>(this->Relaxations.size());
-}
-
-double vtkToolContactResponse::GetRelaxationStrength(int relaxation)
-{
-  return palpate::branchAt(this->Relaxations, relaxation)[0];
-}
-
-double vtkToolContactResponse::GetRelaxationTime(int relaxation)
-{
-  return palpate::branchAt(this->Relaxations, relaxation)[1];
-}
-
 void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -169,7 +139,7 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.size() << "\n";
+  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";

@@ -76,7 +76,8 @@
 #ifndef vtkToolContactResponse_h
 #define vtkToolContactResponse_h
 
-#include "palpateResponseModule.h" // For export macro
+#include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
+#include "palpateResponseModule.h"          // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
@@ -209,11 +210,21 @@ public:
    * tuple each, s) and, where array to process 5 gives strengths, `<name>LocalRelaxation` (point
    * data, float, a component each).
    */
-  void AddRelaxation(double strength, double seconds);
-  void ClearRelaxations();
-  int GetNumberOfRelaxations();
-  double GetRelaxationStrength(int relaxation);
-  double GetRelaxationTime(int relaxation);
+  void AddRelaxation(double strength, double seconds)
+  {
+    this->Relaxations.add(strength, seconds);
+    this->Modified();
+  }
+  void ClearRelaxations()
+  {
+    if (this->Relaxations.clear())
+    {
+      this->Modified();
+    }
+  }
+  int GetNumberOfRelaxations() { return this->Relaxations.count(); }
+  double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
+  double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
   ///@}
 
   ///@{
@@ -360,7 +371,7 @@ private:
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
-  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
+  palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
   int StrainModel = SmallStrain;
   double OgdenExponent = 2.0;

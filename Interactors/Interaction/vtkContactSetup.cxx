@@ -17,8 +17,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -158,51 +156,6 @@ int vtkContactSetup::GetNumberOfAddedLayers()
   return static_cast<int>(this->Kept->added.size());
 }
 
-void vtkContactSetup::AddRelaxation(double strength, double seconds)
-{
-  this->Relaxations.push_back({ strength, seconds });
-  this->Modified();
-}
-
-void vtkContactSetup::SetRelaxation(int relaxation, double strength, double seconds)
-{
-  const std::array<double, 2> next{ strength, seconds };
-  if (relaxation == this->GetNumberOfRelaxations())
-  {
-    this->AddRelaxation(strength, seconds);
-  }
-  else if (relaxation >= 0 && relaxation < this->GetNumberOfRelaxations() &&
-    this->Relaxations[static_cast<std::size_t>(relaxation)] != next)
-  {
-    this->Relaxations[static_cast<std::size_t>(relaxation)] = next;
-    this->Modified();
-  }
-}
-
-void vtkContactSetup::ClearRelaxations()
-{
-  if (!this->Relaxations.empty())
-  {
-    this->Relaxations.clear();
-    this->Modified();
-  }
-}
-
-int vtkContactSetup::GetNumberOfRelaxations()
-{
-  return static_cast<int>(this->Relaxations.size());
-}
-
-double vtkContactSetup::GetRelaxationStrength(int relaxation)
-{
-  return palpate::branchAt(this->Relaxations, relaxation)[0];
-}
-
-double vtkContactSetup::GetRelaxationTime(int relaxation)
-{
-  return palpate::branchAt(this->Relaxations, relaxation)[1];
-}
-
 void vtkContactSetup::SetChosenTool(int tool)
 {
   this->ChosenTool = std::clamp(tool, 0, std::max(this->GetNumberOfTools() - 1, 0));
@@ -298,10 +251,7 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
     this->ErrorTolerance, true, this->AutomaticTerms,
     this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
     this->EdgeCorrection };
-  std::vector<std::array<double, 2>> felt;
-  std::copy_if(this->Relaxations.begin(), this->Relaxations.end(), std::back_inserter(felt),
-    [](const auto& each) { return each[0] != 0.0; });
-  this->Error = palpate::seriesOf(felt, request.relaxation.series);
+  this->Error = this->Relaxations.felt().fillSeries(request.relaxation.series);
   if (!this->Error.empty())
   {
     vtkErrorMacro(<< this->Error << ".");
@@ -495,7 +445,7 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.size() << "\n";
+  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";
   os << indent << "StrainExponent: " << this->StrainExponent << "\n";

@@ -20,14 +20,13 @@
 #ifndef vtkContactSetup_h
 #define vtkContactSetup_h
 
-#include "palpateInteractionModule.h" // For export macro
+#include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
+#include "palpateInteractionModule.h"       // For export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
-#include <vector> // For std::vector
 
 class vtkContactScene;
 class vtkContactSettings;
@@ -162,13 +161,29 @@ public:
   /** How the body relaxes, up to four branches of strength and time (s), and whether the global
    * compliance of Series does, too; see vtkToolContactResponse. A strength of 0 is none. Default
    * none, and on. */
-  void AddRelaxation(double strength, double seconds);
+  void AddRelaxation(double strength, double seconds)
+  {
+    this->Relaxations.add(strength, seconds);
+    this->Modified();
+  }
   /** Another strength and time of one, from 0; of the one after the last: adds it. */
-  void SetRelaxation(int relaxation, double strength, double seconds);
-  void ClearRelaxations();
-  int GetNumberOfRelaxations();
-  double GetRelaxationStrength(int relaxation);
-  double GetRelaxationTime(int relaxation);
+  void SetRelaxation(int relaxation, double strength, double seconds)
+  {
+    if (this->Relaxations.set(relaxation, strength, seconds))
+    {
+      this->Modified();
+    }
+  }
+  void ClearRelaxations()
+  {
+    if (this->Relaxations.clear())
+    {
+      this->Modified();
+    }
+  }
+  int GetNumberOfRelaxations() { return this->Relaxations.count(); }
+  double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
+  double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
   vtkSetMacro(ComplianceRelaxes, bool);
   vtkGetMacro(ComplianceRelaxes, bool);
   vtkBooleanMacro(ComplianceRelaxes, bool);
@@ -277,7 +292,7 @@ private:
   double ComplianceModulus = 0.0;
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
-  std::vector<std::array<double, 2>> Relaxations; ///< as AddRelaxation takes them
+  palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
   int StrainModel = 0;
   double StrainExponent = 2.0;

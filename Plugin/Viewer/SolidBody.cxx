@@ -39,13 +39,6 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::string roundedText(double value)
-{
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
 /// How large cells at the surface are to be, and how far apart its points that are solved for.
 struct SolidSizes
 {
@@ -140,12 +133,12 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
     body = felt;
   }
   scene.notes.push_back(joined("filled with ", filled->GetOutput()->GetNumberOfCells(),
-    " tetrahedra of ", filled->GetOutput()->GetNumberOfPoints(), " nodes, ",
-    roundedText(sizes.spacing), " mm at the surface",
+    " tetrahedra of ", filled->GetOutput()->GetNumberOfPoints(), " nodes, ", shortly(sizes.spacing),
+    " mm at the surface",
     options.solidSpacing == 0.0 ? " (chosen from its size and the tools)" : "", ", held at ",
-    options.fixedFaces, ", in ", roundedText(filledIn), " s; ", solutions,
-    " points of it solved for, ", roundedText(sizes.sources), " mm apart, and ", tools.size(),
-    tools.size() == 1 ? " tool in " : " tools in ", roundedText(secondsSince(begin)), " s"));
+    options.fixedFaces, ", in ", shortly(filledIn), " s; ", solutions, " points of it solved for, ",
+    shortly(sizes.sources), " mm apart, and ", tools.size(),
+    tools.size() == 1 ? " tool in " : " tools in ", shortly(secondsSince(begin)), " s"));
   scene.body = body;
   return {};
 }

@@ -102,8 +102,7 @@ ContactRelaxation::Force ContactRelaxation::press(
   const Place& place, const ResponseValue& slow) noexcept
 {
   const BlendedResponse curve(this->Body->curves(), place.corners, place.weights);
-  const double compliance =
-    this->Body->isInSeries() ? this->Body->elasticCompliance(place.corners, place.weights) : 0.0;
+  this->Compliance = this->Body->elasticCompliance(place.corners, place.weights);
   this->beginTick();
   if (this->Body->isPerPoint())
   {
@@ -111,7 +110,7 @@ ContactRelaxation::Force ContactRelaxation::press(
   }
   if (!this->HasBegun)
   {
-    const double depth = place.deflection - compliance * slow.force;
+    const double depth = place.deflection - this->Compliance * slow.force;
     this->Elements.rest(depth, this->Nodes.gaps());
     this->One.rest(slow.force);
     this->Depth = this->OneDepth = depth;
@@ -127,22 +126,22 @@ ContactRelaxation::Force ContactRelaxation::press(
   this->Now = {};
   if (this->IsOne)
   {
-    this->pressOne(curve, compliance);
+    this->pressOne(curve, slow);
   }
   else
   {
-    this->pressElements(curve, compliance, slow);
+    this->pressElements(curve, slow);
   }
   this->WasTouched = this->Now.isTouched;
-  if (compliance > 0.0)
+  if (this->Compliance > 0.0)
   {
-    this->Now.stiffness /= 1.0 + compliance * this->Now.stiffness;
+    this->Now.stiffness /= 1.0 + this->Compliance * this->Now.stiffness;
   }
   return this->Now;
 }
 
 void ContactRelaxation::pressElements(
-  const BlendedResponse& curve, double compliance, const ResponseValue& slow) noexcept
+  const BlendedResponse& curve, const ResponseValue& slow) noexcept
 {
   const double tip = this->Last.deflection;
   this->Elements.relax(this->Step);
@@ -159,7 +158,7 @@ void ContactRelaxation::pressElements(
     before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   }
   this->LastRest = before;
-  this->Depth = compliance > 0.0 ? this->localDepth(curve, compliance) : tip;
+  this->Depth = this->Compliance > 0.0 ? this->localDepth(curve) : tip;
   const ResponseValue value = this->Body->isInSeries() ? curve.evaluate(this->Depth) : slow;
   this->Slow = value.force;
   this->Stiffness = value.stiffness;
@@ -179,9 +178,10 @@ void ContactRelaxation::pressElements(
     (1.0 + this->Step.stiffening) * (touched + value.stiffness - chord), true };
 }
 
-double ContactRelaxation::localDepth(const BlendedResponse& curve, double compliance) const noexcept
+double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcept
 {
   const double tip = this->Last.deflection;
+  const double compliance = this->Compliance;
   const auto forceAt = [&](double depth)
   {
     const double rest = this->restAt(curve, depth);
@@ -229,7 +229,7 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve, double compli
   return overLow < 0.0 ? 0.5 * (low + high) : low;
 }
 
-void ContactRelaxation::pressOne(const BlendedResponse& curve, double compliance) noexcept
+void ContactRelaxation::pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept
 {
   // Its forces are those of the curve that is here now.
   const double same = this->OneDepth > 0.0 ? curve.evaluate(this->OneDepth).force : 0.0;
@@ -239,10 +239,11 @@ void ContactRelaxation::pressOne(const BlendedResponse& curve, double compliance
   }
   const double tip = this->Last.deflection;
   this->Depth = tip;
-  if (compliance > 0.0)
+  if (this->Compliance > 0.0)
   {
     const QuasiLinearElement before = this->One;
     const RelaxationStep& step = this->Step;
+    const double compliance = this->Compliance;
     this->Depth = increasingRoot(
       [&](double depth) -> ValueAndSlope
       {
@@ -254,7 +255,7 @@ void ContactRelaxation::pressOne(const BlendedResponse& curve, double compliance
       },
       0.0, tip, tip);
   }
-  const ResponseValue value = curve.evaluate(this->Depth);
+  const ResponseValue value = this->Body->isInSeries() ? curve.evaluate(this->Depth) : slow;
   this->Slow = value.force;
   this->Stiffness = value.stiffness;
   this->OneDepth = this->Depth;
@@ -306,12 +307,8 @@ double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness
     return this->Now.total * std::min(1.0, cappedSlow / this->Slow);
   }
   double most = maximumStiffness;
-  if (this->Body->isInSeries())
-  {
-    const double soft =
-      1.0 - most * this->Body->elasticCompliance(this->Last.corners, this->Last.weights);
-    most = soft > 0.0 ? most / soft : std::numeric_limits<double>::infinity();
-  }
+  const double soft = 1.0 - most * this->Compliance;
+  most = soft > 0.0 ? most / soft : std::numeric_limits<double>::infinity();
   RelaxationElements::Values weights{};
   double before = 0.0;
   for (std::size_t j = 0; j < this->Elements.awake(); ++j)
@@ -327,10 +324,7 @@ double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness
 
 double ContactRelaxation::stiffening() const noexcept
 {
-  PronySeries now = this->Body->series();
-  now.strength = this->Step.strength;
-  const double felt =
-    this->StepTime > 0.0 ? sampledStiffening(now, this->StepTime) : 1.0 + now.total();
+  const double felt = this->Step.sampledStiffening();
   // One element's force is scaled by what a cap leaves of the slow one: m times as stiff a memory.
   return this->IsOne ? 1.0 + std::max(this->Body->exponent(), 1.0) * (felt - 1.0) : felt;
 }

@@ -99,11 +99,10 @@ private:
   /// To another place, without having been in touch on the way.
   void jumpTo(const Place& place) noexcept;
   void exchange(double share) noexcept;
-  void pressElements(
-    const BlendedResponse& curve, double compliance, const ResponseValue& slow) noexcept;
-  void pressOne(const BlendedResponse& curve, double compliance) noexcept;
-  /// The local depth at which the elements, with a compliance in series, are at the tip's.
-  double localDepth(const BlendedResponse& curve, double compliance) const noexcept;
+  void pressElements(const BlendedResponse& curve, const ResponseValue& slow) noexcept;
+  void pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept;
+  /// The local depth at which the elements, with the compliance in series, are at the tip's.
+  double localDepth(const BlendedResponse& curve) const noexcept;
   /// f - f_N of a curve.
   double restAt(const BlendedResponse& curve, double depth) const noexcept
   {
@@ -128,6 +127,7 @@ private:
   Place Last; ///< of the last press
   bool HasBegun = false;
   bool WasTouched = false;
+  double Compliance = 0.0; ///< in series, mm/N
   double Depth = 0.0;      ///< local
   double Slow = 0.0;       ///< f there
   double Stiffness = 0.0;  ///< df/dδ there

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -31,6 +32,14 @@ std::string shortestDecimals(Number value)
 {
   char buffer[40];
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
+}
+
+/// In three digits: enough for a sentence.
+inline std::string shortly(double value)
+{
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g", value);
+  return buffer;
 }
 } // namespace palpate
 

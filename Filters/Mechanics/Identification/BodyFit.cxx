@@ -2,7 +2,6 @@
 #include "Mechanics/Identification/BodyFit.h"
 
 #include "Mechanics/Identification/FitResiduals.h"
-#include "Mechanics/Identification/FitVerdict.h"
 #include "Mechanics/Identification/LeastSquares.h"
 #include "Mechanics/Layers/LayerContact.h"
 
@@ -191,22 +190,7 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
   }
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(best, jacobian);
-  const JacobianVerdict verdict = judgeJacobian(jacobian);
-  fit.separation = verdict.separation;
-  fit.errorPerNoise = verdict.error / residuals.force();
-  if (verdict.spread.size() > 0)
-  {
-    fit.spreadPerNoise = verdict.spread.topRows(residuals.materialCount()) / residuals.force();
-  }
-  if (model == BodyModel::GlobalCompliance)
-  {
-    fit.errorPerNoise[1] *= residuals.compliance();
-    if (fit.spreadPerNoise.size() > 0)
-    {
-      fit.spreadPerNoise.row(1) *= residuals.compliance();
-    }
-  }
-  fit.errorPerNoise.tail(residuals.inputs() - residuals.materialCount()) *= residuals.depth();
+  residuals.judge(jacobian, fit);
   return fit;
 }
 
@@ -216,8 +200,6 @@ double modulusErrorBesideCompliance(
   const FitResiduals residuals(curves, BodyModel::GlobalCompliance, findContact, nullptr);
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(residuals.pack(halfSpace.body, halfSpace.contactOffset), jacobian);
-  const JacobianVerdict verdict = judgeJacobian(jacobian);
-  return verdict.separation > 1e-6 ? verdict.error[0] / residuals.force()
-                                   : std::numeric_limits<double>::infinity();
+  return residuals.modulusError(jacobian);
 }
 } // namespace palpate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/BodyIdentification.h"
 
+#include "Mechanics/Files/NumberText.h"
+#include "Mechanics/Identification/FitReport.h"
 #include "Mechanics/Identification/FitVerdict.h"
 #include "Mechanics/Identification/StrainWindow.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -282,42 +284,11 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
 void BodyIdentification::report(const std::vector<IndentationCurve>& curves, bool noiseGiven,
   const BodyFit& fit, IdentifiedBody& result) const
 {
-  // Student's t where the noise is taken from the data, or is less than what the model leaves.
-  const bool known = noiseGiven && result.withinNoise;
-  const double floor = LeastNoise * result.largestForce;
-  const double width = known
-    ? Normal95 * result.noise
-    : studentQuantile(fit.degreesOfFreedom) * std::max(result.misfit, floor);
-  result.body = fit.body;
-  result.spread = width * fit.spreadPerNoise;
-  result.reducedModulus =
-    logarithmicEstimate(fit.body.reducedModulus, width * fit.errorPerNoise[0]);
-  Eigen::Index next = 1;
-  if (fit.body.model == BodyModel::GlobalCompliance)
-  {
-    result.compliance = linearEstimate(fit.body.compliance, width * fit.errorPerNoise[next++]);
-  }
-  else if (fit.body.model == BodyModel::Layer)
-  {
-    result.thickness = logarithmicEstimate(fit.body.thickness, width * fit.errorPerNoise[next++]);
-  }
+  reportBody(fit, intervalWidth(fit, noiseGiven, result), this->Options.findContact, result);
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    const double offset = fit.contactOffset[i];
-    result.contactOffset.push_back(this->Options.findContact
-        ? linearEstimate(offset, width * fit.errorPerNoise[next++])
-        : linearEstimate(0.0, 0.0));
-    const SeriesPoint end =
-      bodyResponse(fit.body, *curves[i].tool, this->Kernel, curves[i].deflection.back() - offset);
-    result.endForce = std::max(result.endForce, end.force);
-    result.endStiffness = std::max(result.endStiffness, end.stiffness);
-    const IndentationPoint contact =
-      localContact(fit.body, *curves[i].tool, this->Kernel, end.localDeflection);
-    if (contact.contactRadius > result.end.contactRadius)
-    {
-      result.end = contact;
-      result.endDepth = end.localDeflection;
-    }
+    reportEnd(
+      *curves[i].tool, this->Kernel, curves[i].deflection.back() - fit.contactOffset[i], result);
   }
 }
 } // namespace palpate

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/FitResiduals.h"
 
-#include "Mechanics/Identification/TrialLaw.h"
+#include <cmath>
 
 namespace palpate
 {
 int FitResiduals::evaluate(
   const Eigen::VectorXd& p, Eigen::VectorXd* residuals, Eigen::MatrixXd* jacobian) const
 {
-  constexpr double astray = 1e3; // where the law has no answer: a step the method takes back
   const BodyParameters trial = this->body(p);
-  const bool usable = trial.reducedModulus > 0.0 && std::isfinite(trial.reducedModulus) &&
-    std::isfinite(trial.compliance) &&
-    (trial.model != BodyModel::Layer || (trial.thickness > 0.0 && std::isfinite(trial.thickness)));
-  if (!usable)
+  if (!isUsable(trial))
   {
     if (residuals)
     {
-      residuals->setConstant(astray);
+      residuals->setConstant(Astray);
     }
     if (jacobian)
     {
@@ -36,7 +32,7 @@ int FitResiduals::evaluate(
       const Sensitivity at = law.at(curve.deflection[i] - this->offset(p, c));
       if (residuals)
       {
-        (*residuals)[row] = std::isfinite(at.force) ? weight * (at.force - curve.force[i]) : astray;
+        (*residuals)[row] = std::isfinite(at.force) ? weight * (at.force - curve.force[i]) : Astray;
       }
       if (jacobian)
       {
@@ -58,10 +54,9 @@ void FitResiduals::fillRow(Eigen::MatrixXd& jacobian, Eigen::Index row, std::siz
   jacobian(row, 0) = weight * at.byLogModulus;
   if (this->Model != BodyModel::HalfSpace)
   {
-    jacobian(row, 1) = weight * at.bySecond *
-      (this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0);
+    jacobian(row, 1) = weight * at.bySecond * this->secondScale();
   }
-  if (this->FindContact)
+  if (this->Offsets > 0)
   {
     jacobian(row, this->materialCount() + static_cast<Eigen::Index>(curve)) =
       -weight * at.stiffness * this->Depth;

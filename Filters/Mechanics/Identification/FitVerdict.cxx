@@ -3,9 +3,7 @@
 
 #include <Eigen/QR>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace palpate
@@ -52,12 +50,5 @@ bool leavesNoise(const BodyFit& fit, const ForceNoise& noise)
 bool isFlat(const AxisymmetricTool& tool)
 {
   return !(tool.largestContactRadius() > tool.smallestContactRadius());
-}
-
-std::string shortly(double value)
-{
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
-  return buffer.data();
 }
 } // namespace palpate

@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
-
 namespace palpate
 {
 /// What the fits of bodies are judged by.
@@ -37,9 +35,6 @@ bool isFlat(const AxisymmetricTool& tool);
 
 /// Why nothing can come of what flat punches alone have felt.
 extern const char* const FlatAlone;
-
-/// Three digits are enough to explain a refusal.
-std::string shortly(double value);
 } // namespace palpate
 
 #endif

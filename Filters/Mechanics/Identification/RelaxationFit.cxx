@@ -156,29 +156,12 @@ RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const Relaxati
   fit.converged = minimum.converged;
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(p, jacobian);
-  const JacobianVerdict verdict = judgeJacobian(jacobian);
-  const Index materials = residuals.materialCount();
-  fit.separation = verdict.separation;
-  fit.errorPerNoise = verdict.error / residuals.force();
-  if (verdict.spread.size() > 0)
-  {
-    fit.spreadPerNoise = verdict.spread.topRows(materials) / residuals.force();
-  }
-  if (problem.model == BodyModel::GlobalCompliance)
-  {
-    fit.errorPerNoise[1] *= residuals.compliance();
-    if (fit.spreadPerNoise.size() > 0)
-    {
-      fit.spreadPerNoise.row(1) *= residuals.compliance();
-    }
-  }
-  const Index first = residuals.firstStrength();
-  fit.errorPerNoise.segment(materials, first - materials) *= residuals.depth();
+  residuals.judge(jacobian, fit);
   const auto branches = static_cast<Index>(problem.branches);
   if (branches > 0)
   {
-    sortBranches(
-      fit.series, fit.errorPerNoise.segment(first, branches), fit.errorPerNoise.tail(branches));
+    sortBranches(fit.series, fit.errorPerNoise.segment(residuals.firstStrength(), branches),
+      fit.errorPerNoise.tail(branches));
   }
   return fit;
 }
@@ -278,9 +261,7 @@ double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
   BodyParameters body = halfSpace.body;
   body.model = BodyModel::GlobalCompliance;
   residuals.df(residuals.pack({ body, halfSpace.series, halfSpace.contactOffset }), jacobian);
-  const JacobianVerdict verdict = judgeJacobian(jacobian);
-  return verdict.separation > 1e-6 ? verdict.error[0] / residuals.force()
-                                   : std::numeric_limits<double>::infinity();
+  return residuals.modulusError(jacobian);
 }
 
 std::vector<double> forcesOver(const PressHistory& history, const BodyParameters& body,

@@ -14,23 +14,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double Astray = 1e3;       // a residual where there is no answer: a step is taken back
 constexpr double LogStep = 1e-6;     // of ln p and ln τ: what differences leave is 1e-6
 constexpr double OffsetStep = 1e-5;  // of the depth
 constexpr double LargestLog = 25.0;  // of p and 1/p
 constexpr double LargestTime = 40.0; // ln of it in s, and of its inverse
 
-bool isUsable(const RelaxingBody& trial)
+bool isUsable(const PronySeries& series)
 {
-  const BodyParameters& body = trial.body;
-  bool usable = body.reducedModulus > 0.0 && std::isfinite(body.reducedModulus) &&
-    std::isfinite(body.compliance) &&
-    (body.model != BodyModel::Layer || (body.thickness > 0.0 && std::isfinite(body.thickness)));
-  for (std::size_t i = 0; i < trial.series.count; ++i)
+  bool usable = true;
+  for (std::size_t i = 0; i < series.count; ++i)
   {
-    const double strength = std::log(trial.series.strength[i]);
-    usable = usable && (trial.series.strength[i] == 0.0 || std::abs(strength) < LargestLog) &&
-      std::abs(std::log(trial.series.time[i])) < LargestTime;
+    const double strength = std::log(series.strength[i]);
+    usable = usable && (series.strength[i] == 0.0 || std::abs(strength) < LargestLog) &&
+      std::abs(std::log(series.time[i])) < LargestTime;
   }
   return usable;
 }
@@ -67,7 +63,8 @@ std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body
 
 RelaxationResiduals::RelaxationResiduals(
   const std::vector<PressHistory>& histories, const RelaxationProblem& problem)
-  : Histories(histories)
+  : PackedBody(problem.model, problem.findContact, histories.size())
+  , Histories(histories)
   , Problem(problem)
 {
   for (const PressHistory& history : histories)
@@ -86,17 +83,7 @@ RelaxationResiduals::RelaxationResiduals(
 VectorXd RelaxationResiduals::pack(const RelaxingBody& body) const
 {
   VectorXd p(this->inputs());
-  p[0] = std::log(body.body.reducedModulus);
-  if (this->Problem.model != BodyModel::HalfSpace)
-  {
-    p[1] = this->Problem.model == BodyModel::Layer ? std::log(body.body.thickness)
-                                                   : body.body.compliance / this->compliance();
-  }
-  const Index offsets = this->firstStrength() - this->materialCount();
-  for (Index i = 0; i < offsets; ++i)
-  {
-    p[this->materialCount() + i] = body.contactOffset[static_cast<std::size_t>(i)] / this->Depth;
-  }
+  this->packBody(body.body, body.contactOffset, p);
   for (Index i = 0; i < this->branches(); ++i)
   {
     const auto branch = static_cast<std::size_t>(i);
@@ -109,16 +96,10 @@ VectorXd RelaxationResiduals::pack(const RelaxingBody& body) const
 RelaxingBody RelaxationResiduals::unpack(const VectorXd& p) const
 {
   RelaxingBody body;
-  body.body.model = this->Problem.model;
-  body.body.reducedModulus = std::exp(p[0]);
-  body.body.compliance =
-    this->Problem.model == BodyModel::GlobalCompliance ? p[1] * this->compliance() : 0.0;
-  body.body.thickness = this->Problem.model == BodyModel::Layer ? std::exp(p[1]) : 0.0;
+  body.body = this->PackedBody::body(p);
   for (std::size_t c = 0; c < this->Histories.size(); ++c)
   {
-    body.contactOffset.push_back(this->Problem.findContact
-        ? p[this->materialCount() + static_cast<Index>(c)] * this->Depth
-        : 0.0);
+    body.contactOffset.push_back(this->offset(p, c));
   }
   body.series = this->Problem.given;
   if (this->Problem.branches > 0)
@@ -140,7 +121,7 @@ int RelaxationResiduals::evaluate(const VectorXd& p, VectorXd* residuals, Matrix
     jacobian->setZero();
   }
   const RelaxingBody trial = this->unpack(p);
-  if (!p.allFinite() || !isUsable(trial))
+  if (!p.allFinite() || !PackedBody::isUsable(trial.body) || !palpate::isUsable(trial.series))
   {
     if (residuals)
     {
@@ -213,12 +194,10 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index,
   fill(0, forces.col(1));
   if (this->materialCount() > 1)
   {
-    fill(1,
-      forces.col(2) *
-        (this->Problem.model == BodyModel::GlobalCompliance ? this->compliance() : 1.0));
+    fill(1, forces.col(2) * this->secondScale());
   }
   curves.resize(1);
-  if (this->Problem.findContact)
+  if (this->Offsets > 0)
   {
     const double step = OffsetStep * depth;
     const auto moved = [&](double by)

@@ -2,6 +2,7 @@
 #ifndef palpate_RelaxationResiduals_h
 #define palpate_RelaxationResiduals_h
 
+#include "Mechanics/Identification/PackedBody.h"
 #include "Mechanics/Identification/PressHistory.h"
 #include "Mechanics/Identification/RelaxingFoundation.h"
 #include "Mechanics/Relaxation/PronySeries.h"
@@ -34,43 +35,21 @@ struct RelaxationProblem
 };
 
 /**
- * The residuals of histories for Eigen's LevenbergMarquardt. Parameters, all of order one: ln E*,
- * then C_g over a reference or ln h, then the offsets over a reference depth, then ln p_i, then ln
- * τ_i. Residuals over the largest force.
+ * The residuals of histories for Eigen's LevenbergMarquardt. Parameters: as of PackedBody, then ln
+ * p_i, then ln τ_i.
  *
  * Derivatives: by the body exactly (the elements do not depend on it); by offsets, strengths and
  * times by differences.
  */
-class RelaxationResiduals
+class RelaxationResiduals : public PackedBody
 {
 public:
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  /// As Eigen's optimisers ask for it.
-  enum
-  {
-    InputsAtCompileTime = Eigen::Dynamic,
-    ValuesAtCompileTime = Eigen::Dynamic
-  };
-
   /// `histories` must outlive this.
   RelaxationResiduals(const std::vector<PressHistory>& histories, const RelaxationProblem& problem);
 
   Eigen::Index inputs() const { return this->firstStrength() + 2 * this->branches(); }
-  Eigen::Index values() const { return this->Count; }
-  Eigen::Index materialCount() const { return this->Problem.model == BodyModel::HalfSpace ? 1 : 2; }
   /// Where the ln p_i begin.
-  Eigen::Index firstStrength() const
-  {
-    return this->materialCount() +
-      (this->Problem.findContact ? static_cast<Eigen::Index>(this->Histories.size()) : 0);
-  }
-  double force() const { return this->Force; }
-  double depth() const { return this->Depth; }
-  /// C_g that yields the whole depth under the whole force.
-  double compliance() const { return this->Depth / this->Force; }
+  Eigen::Index firstStrength() const { return this->bodyInputs(); }
 
   Eigen::VectorXd pack(const RelaxingBody& body) const;
   RelaxingBody unpack(const Eigen::VectorXd& p) const;
@@ -93,9 +72,6 @@ private:
 
   const std::vector<PressHistory>& Histories;
   RelaxationProblem Problem;
-  Eigen::Index Count = 0;
-  double Force = 0.0; ///< largest, N
-  double Depth = 0.0; ///< largest range of a history, mm
 };
 
 /// The slow curve of a body at the depths of a foundation; then what it grows by per unit of ln E*,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Identification/RelaxingIdentification.h"
 
+#include "Mechanics/Files/NumberText.h"
+#include "Mechanics/Identification/FitReport.h"
 #include "Mechanics/Identification/FitVerdict.h"
 #include "Mechanics/Identification/RelaxationFit.h"
 #include "Mechanics/Identification/StrainWindow.h"
@@ -236,31 +238,9 @@ private:
   void report(IdentifiedBody& result) const
   {
     const RelaxationFit& fit = *this->Fit;
-    // Student's t where the noise is taken from the data, or is less than what the model leaves.
-    const bool isKnown = this->Options.noise > 0.0 && result.withinNoise;
-    const double least = FitLimits::LeastNoise * result.largestForce;
-    const double width = isKnown
-      ? Normal95 * result.noise
-      : studentQuantile(fit.degreesOfFreedom) * std::max(result.misfit, least);
+    const double width = intervalWidth(fit, this->Options.noise > 0.0, result);
     const auto error = [&](Index at) { return width * fit.errorPerNoise[at]; };
-    result.body = fit.body;
-    result.spread = width * fit.spreadPerNoise;
-    result.reducedModulus = logarithmicEstimate(fit.body.reducedModulus, error(0));
-    Index next = 1;
-    if (fit.body.model == BodyModel::GlobalCompliance)
-    {
-      result.compliance = linearEstimate(fit.body.compliance, error(next++));
-    }
-    else if (fit.body.model == BodyModel::Layer)
-    {
-      result.thickness = logarithmicEstimate(fit.body.thickness, error(next++));
-    }
-    for (const double offset : fit.contactOffset)
-    {
-      result.contactOffset.push_back(this->Options.findContact
-          ? linearEstimate(offset, error(next++))
-          : linearEstimate(0.0, 0.0));
-    }
+    const Index next = reportBody(fit, width, this->Options.findContact, result);
     result.relaxation = fit.series;
     const auto branches = static_cast<Index>(fit.series.count);
     for (Index i = 0; i < branches; ++i)
@@ -288,17 +268,8 @@ private:
       {
         deepest = history.readings[i] > 0.0 ? std::max(deepest, history.deflection[i]) : deepest;
       }
-      const SeriesPoint end = bodyResponse(result.body, *history.tool,
-        this->Identification.kernel(), deepest - this->Fit->contactOffset[c]);
-      result.endForce = std::max(result.endForce, end.force);
-      result.endStiffness = std::max(result.endStiffness, end.stiffness);
-      const IndentationPoint contact = localContact(
-        result.body, *history.tool, this->Identification.kernel(), end.localDeflection);
-      if (contact.contactRadius > result.end.contactRadius)
-      {
-        result.end = contact;
-        result.endDepth = end.localDeflection;
-      }
+      reportEnd(*history.tool, this->Identification.kernel(), deepest - this->Fit->contactOffset[c],
+        result);
     }
   }
 

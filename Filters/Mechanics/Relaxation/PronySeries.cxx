@@ -85,17 +85,6 @@ double rampFactor(const PronySeries& series, double exponent, double seconds)
   return sum;
 }
 
-double sampledStiffening(const PronySeries& series, double period)
-{
-  double sum = 1.0;
-  for (std::size_t i = 0; i < series.count; ++i)
-  {
-    const double x = 0.5 * period / series.time[i];
-    sum += series.strength[i] * (x > 0.0 ? std::tanh(x) / x : 1.0);
-  }
-  return sum;
-}
-
 std::string parsePronySeries(const std::string& text, PronySeries& series)
 {
   PronySeries read;

@@ -54,10 +54,6 @@ PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 /// measured in such a press is the slow one times this.
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
-/// A servo loop of this period feels a spring of slow stiffness K as passive as an elastic one of
-/// K times this (Colgate and Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i).
-PALPATE_EXPORT double sampledStiffening(const PronySeries& series, double period);
-
 /// Reads "0.5:0.1,0.3:2", strength:seconds of each branch; "" is none. Returns what is wrong, or
 /// ""; then `series` has changed.
 PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);

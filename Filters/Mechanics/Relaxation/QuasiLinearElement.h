@@ -77,8 +77,6 @@ public:
     return sum;
   }
 
-  /// y; of one that is not touched where it has crept to.
-  double slow() const noexcept { return this->Slow; }
   /// As of RelaxationElements, but times a stiffness: N².
   double growthByExchange(const RelaxationStep& step, double share) const noexcept
   {

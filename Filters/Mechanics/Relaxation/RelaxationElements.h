@@ -116,8 +116,6 @@ public:
   std::size_t awake() const noexcept { return this->Awake; }
   /// Whether anything is touched: the first element is, when any is.
   bool isTouched() const noexcept { return this->Touched > 0; }
-  /// q_j, mm; 0 of one that is not touched.
-  const Values& force() const noexcept { return this->Force; }
 
   /// Σ w_j q_j.
   double forceOf(const Values& weights) const noexcept

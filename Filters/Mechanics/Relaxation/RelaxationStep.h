@@ -42,6 +42,19 @@ struct RelaxationStep
     this->sum();
   }
 
+  /// A servo loop of this period feels a spring of slow stiffness K as passive as an elastic one of
+  /// K times this (Colgate and Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i), which is 2
+  /// gain_i/(1 + e_i).
+  double sampledStiffening() const noexcept
+  {
+    double sum = 1.0;
+    for (std::size_t i = 0; i < this->count; ++i)
+    {
+      sum += 2.0 * this->strength[i] * this->gain[i] / (1.0 + this->decay[i]);
+    }
+    return sum;
+  }
+
   /// (1 - e^-x)/x.
   static double meanDecay(double x) noexcept
   {

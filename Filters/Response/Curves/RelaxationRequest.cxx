@@ -95,26 +95,6 @@ void addCopy(vtkDataArray* from, const std::string& name, ResponseArray which, v
 }
 } // namespace
 
-std::string seriesOf(const Relaxations& given, PronySeries& series)
-{
-  series = {};
-  std::string fault;
-  if (given.size() > PronySeries::LargestCount)
-  {
-    fault = joined(
-      "a body has at most ", PronySeries::LargestCount, " of them, but there are ", given.size());
-  }
-  else
-  {
-    for (const auto& [strength, seconds] : given)
-    {
-      series.add(strength, seconds);
-    }
-    fault = faultOfRelaxation(series);
-  }
-  return fault.empty() ? fault : "Relaxations: " + fault;
-}
-
 std::string checkRelaxation(
   vtkPolyData* body, const RelaxationRequest& request, const MaterialArray& compliance)
 {

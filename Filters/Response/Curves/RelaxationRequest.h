@@ -2,14 +2,10 @@
 #ifndef RelaxationRequest_h
 #define RelaxationRequest_h
 
-#include "palpateResponseModule.h"
-
 #include "Mechanics/Relaxation/PronySeries.h"
 #include "Response/Curves/MaterialArrays.h"
 
-#include <array>
 #include <string>
-#include <vector>
 
 class vtkPolyData;
 
@@ -25,20 +21,6 @@ struct RelaxationRequest
   MaterialArray strength = {};   ///< as many components as branches, instead of the series' own
   bool complianceRelaxes = true; ///< the global compliance is of the same material
 };
-
-/// Strength and seconds of each branch, as a filter was told them.
-using Relaxations = std::vector<std::array<double, 2>>;
-
-/// One of them, zeros where there is none.
-inline std::array<double, 2> branchAt(const Relaxations& given, int place)
-{
-  return place >= 0 && place < static_cast<int>(given.size())
-    ? given[static_cast<std::size_t>(place)]
-    : std::array<double, 2>{};
-}
-
-/// Of those, the series. Returns what is wrong, naming the branch, or "".
-PALPATERESPONSE_EXPORT std::string seriesOf(const Relaxations& given, PronySeries& series);
 
 /// What is wrong with the request or with the arrays of a body that it names, or "".
 std::string checkRelaxation(

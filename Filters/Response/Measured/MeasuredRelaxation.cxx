@@ -2,6 +2,7 @@
 #include "Response/Measured/MeasuredRelaxation.h"
 
 #include "Contact/ResponseContract.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/Identification/CommonRelaxation.h"
 #include "Response/BodyConversion.h"
 
@@ -13,22 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 namespace palpate
 {
-namespace
-{
-std::string shortly(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-} // namespace
-
 void attachMeasuredRelaxation(
   const SiteMeasurement& measurement, const std::string& name, vtkPolyData* output)
 {

@@ -5,6 +5,7 @@
 #include "Contact/ResponseContract.h"
 #include "Interaction/Display/MemoryText.h"
 #include "Interaction/Display/ShownContact.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Response/Curves/StoredError.h"
 
 #include "vtkTextActor.h"
@@ -37,13 +38,6 @@ std::string newtons(const Eigen::Vector3d& force)
 {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%#.3g N", force.norm());
-  return text.data();
-}
-
-std::string number(double value)
-{
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
 }
 
@@ -132,7 +126,7 @@ void SceneCaption::describe(
   }
   if (contact.touches() && exaggeration != 1.0)
   {
-    text += "\nDent drawn x" + number(exaggeration);
+    text += "\nDent drawn x" + shortly(exaggeration);
   }
 }
 

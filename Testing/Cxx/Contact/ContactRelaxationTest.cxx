@@ -14,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -54,18 +53,6 @@ double stopAndGo(double t)
 const PronySeries ThreeBranches = relaxation({ { .5, .02 }, { .8, .2 }, { 1.2, 2.0 } });
 const std::array<const char*, 3> OracleColumns = { "F_flat(m=1)", "F_paraboloid(m=1.5)",
   "F_cone(m=2); p=.5,.8,1.2 tau=.02,.2,2" };
-
-/// Numbers of a field as "0.5 0.8".
-std::vector<double> numbers(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::vector<double> all;
-  for (double value = 0.0; stream >> value;)
-  {
-    all.push_back(value);
-  }
-  return all;
-}
 
 /// Largest difference from the sheet's oracle, of the largest force of the run.
 double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillisecond)
@@ -122,13 +109,7 @@ TEST(ContactRelaxation, TingsPoints)
   for (std::size_t row = 0; row < table.size(); ++row)
   {
     const double m = table.number(row, "m(f=delta^m)");
-    PronySeries series;
-    const std::vector<double> p = numbers(table.text(row, "p"));
-    const std::vector<double> tau = numbers(table.text(row, "tau_s"));
-    for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      series.add(p[i], tau[i]);
-    }
+    const PronySeries series = relaxation(table.text(row, "p"), table.text(row, "tau_s"));
     const double up = table.number(row, "t_up_end");
     const double hold = table.number(row, "t_hold_end");
     const auto body = RelaxingPlate(m, series).body();

@@ -4,8 +4,7 @@
 #include "Contact/FlatBodyFile.h"
 
 #include "FileSizeLimit.h"
-#include "SampleResponses.h"
-#include "ScratchFile.h"
+#include "FlatBodyFixture.h"
 #include "Contact/ToolContact.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +12,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -24,65 +21,14 @@ using namespace palpate::testing;
 
 namespace
 {
-class FlatBodyFileTest : public ::testing::Test
+class FlatBodyFileTest : public FlatBodyFixture
 {
 protected:
   FlatBodyFileTest()
-    : Ball(icosphere(20.0, 3))
-    , Store(this->Ball.points.size())
-    , Validity(this->Ball.points.size(), 0.5F)
-    , Limit(this->Ball.points.size(), 1)
+    : FlatBodyFixture(3)
   {
-    this->Store.normalsFromPoints(this->Ball);
-    this->Store.randomizeCurves(5);
   }
-
-  FlatBody flat() const
-  {
-    FlatBody body;
-    body.points = this->Ball.points.size();
-    body.triangles = this->Ball.triangles.size();
-    body.coordinates = this->Ball.points.front().data();
-    body.corners = this->Ball.triangles.front().data();
-    body.response = this->Store.arrays();
-    body.validity = this->Validity.data();
-    body.limit = this->Limit.data();
-    body.tool = "sphere:6.35";
-    body.model = "half-space";
-    body.modelParts = HalfSpacePart | GlobalCompliancePart;
-    return body;
-  }
-
-  std::vector<char> bytes() const
-  {
-    std::ifstream file(this->Path, std::ios::binary);
-    return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  }
-  void replace(const std::vector<char>& content) const
-  {
-    std::ofstream file(this->Path, std::ios::binary | std::ios::trunc);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  }
-  std::string openError() const
-  {
-    FlatBodyFile file;
-    const std::string error = file.open(this->Path);
-    EXPECT_EQ(file.body().points, error.empty() ? this->Ball.points.size() : 0U);
-    return error;
-  }
-
-  Surface Ball;
-  ResponseStore Store;
-  std::vector<float> Validity;
-  std::vector<std::uint8_t> Limit;
-  ScratchFile File{ ".palpate" };
-  const std::string& Path = this->File.path();
 };
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
 
 TEST_F(FlatBodyFileTest, TheBodyComesBackToTheBit)

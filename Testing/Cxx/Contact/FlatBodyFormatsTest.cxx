@@ -2,16 +2,13 @@
 // What a body file says of relaxation, and the formats before, which had less in their header.
 #include "Contact/FlatBodyFile.h"
 
-#include "SampleResponses.h"
-#include "ScratchFile.h"
+#include "FlatBodyFixture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -28,39 +25,20 @@ constexpr std::size_t ContactAt = 528;
 constexpr std::size_t LaterOffsetsAt = 544;
 constexpr std::size_t HeaderSize = 560;
 
-class FlatBodyFormatsTest : public ::testing::Test
+class FlatBodyFormatsTest : public FlatBodyFixture
 {
 protected:
   FlatBodyFormatsTest()
-    : Ball(icosphere(20.0, 2))
-    , Store(this->Ball.points.size())
-    , Validity(this->Ball.points.size(), 0.5F)
-    , Limit(this->Ball.points.size(), 1)
+    : FlatBodyFixture(2)
     , Strength(2 * this->Ball.points.size())
     , Elastic(this->Ball.points.size(), 0.25F)
   {
-    this->Store.normalsFromPoints(this->Ball);
-    this->Store.randomizeCurves(5);
     for (std::size_t i = 0; i < this->Strength.size(); ++i)
     {
       this->Strength[i] = 0.125F * static_cast<float>(i);
     }
   }
 
-  FlatBody flat() const
-  {
-    FlatBody body;
-    body.points = this->Ball.points.size();
-    body.triangles = this->Ball.triangles.size();
-    body.coordinates = this->Ball.points.front().data();
-    body.corners = this->Ball.triangles.front().data();
-    body.response = this->Store.arrays();
-    body.validity = this->Validity.data();
-    body.limit = this->Limit.data();
-    body.tool = "sphere:6.35";
-    body.model = "half-space";
-    return body;
-  }
   FlatBody relaxing() const
   {
     FlatBody body = this->flat();
@@ -74,21 +52,9 @@ protected:
     return body;
   }
 
-  std::vector<unsigned char> bytes() const
-  {
-    std::ifstream file(this->Path, std::ios::binary);
-    return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  }
-  void replace(const std::vector<unsigned char>& content) const
-  {
-    std::ofstream file(this->Path, std::ios::binary | std::ios::trunc);
-    file.write(
-      reinterpret_cast<const char*>(content.data()), static_cast<std::streamsize>(content.size()));
-  }
-
   /// Writes the checksum that a file of this header and these sections must have: FNV-1a over
   /// words.
-  void mend(std::vector<unsigned char>& file, std::size_t header, std::size_t branches) const
+  void mend(std::vector<char>& file, std::size_t header, std::size_t branches) const
   {
     const std::size_t n = this->Ball.points.size();
     const std::size_t sizes[] = { 24 * n, 12 * this->Ball.triangles.size(), 32 * n, 32 * n, 0, 0,
@@ -109,7 +75,7 @@ protected:
       }
       for (; i < count; ++i)
       {
-        mix(file[begin + i]);
+        mix(static_cast<unsigned char>(file[begin + i]));
       }
     };
     add(0, header);
@@ -122,7 +88,7 @@ protected:
     }
     std::memcpy(file.data() + ChecksumAt, &sum, sizeof sum);
   }
-  static std::uint64_t wordAt(const std::vector<unsigned char>& file, std::size_t place)
+  static std::uint64_t wordAt(const std::vector<char>& file, std::size_t place)
   {
     std::uint64_t word = 0;
     std::memcpy(&word, file.data() + place, sizeof word);
@@ -134,30 +100,16 @@ protected:
   std::string errorWith(std::size_t place, Number number) const
   {
     EXPECT_EQ(FlatBodyFile::write(this->Path, this->relaxing()), "");
-    std::vector<unsigned char> file = this->bytes();
+    std::vector<char> file = this->bytes();
     std::memcpy(file.data() + place, &number, sizeof number);
     this->mend(file, HeaderSize, 2);
     this->replace(file);
-    FlatBodyFile opened;
-    const std::string error = opened.open(this->Path);
-    EXPECT_EQ(opened.body().points, error.empty() ? this->Ball.points.size() : 0U);
-    return error;
+    return this->openError();
   }
 
-  Surface Ball;
-  ResponseStore Store;
-  std::vector<float> Validity;
-  std::vector<std::uint8_t> Limit;
   std::vector<float> Strength;
   std::vector<float> Elastic;
-  ScratchFile File{ ".palpate" };
-  const std::string& Path = this->File.path();
 };
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
 
 TEST_F(FlatBodyFormatsTest, RelaxationComesBackToTheBit)
@@ -197,11 +149,11 @@ TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
   FlatBody body = this->flat();
   body.response.edges = { 1.5, 2.0, 0.4, 6.0, true };
   ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
-  const std::vector<unsigned char> whole = this->bytes();
+  const std::vector<char> whole = this->bytes();
   const std::size_t sizes[] = { 408, 416, 456 };
   for (std::uint32_t version = 1; version <= 3; ++version)
   {
-    std::vector<unsigned char> file = whole;
+    std::vector<char> file = whole;
     const std::size_t size = sizes[version - 1];
     std::memcpy(file.data() + 8, &version, sizeof version);
     std::memset(file.data() + size, 0xff, HeaderSize - size);
@@ -231,7 +183,7 @@ TEST_F(FlatBodyFormatsTest, WrongRelaxationIsRefused)
   EXPECT_TRUE(contains(this->errorWith(TimesAt + 8, 0.0), "damaged header"));
   EXPECT_TRUE(contains(this->errorWith(ContactAt, 0.0), "damaged header"));
   EXPECT_TRUE(contains(this->errorWith(ContactAt + 8, -1.0), "damaged header"));
-  const std::vector<unsigned char> file = this->bytes();
+  const std::vector<char> file = this->bytes();
   const std::size_t strengths = this->wordAt(file, LaterOffsetsAt);
   const std::size_t elastic = this->wordAt(file, LaterOffsetsAt + 8);
   EXPECT_TRUE(contains(

@@ -6,6 +6,7 @@
 #include "Contact/ToolContact.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"
+#include "SampleSeries.h"
 
 #include <cmath>
 #include <functional>
@@ -14,16 +15,6 @@
 
 namespace palpate::testing
 {
-inline PronySeries relaxation(std::initializer_list<std::array<double, 2>> branches)
-{
-  PronySeries series;
-  for (const auto& [strength, time] : branches)
-  {
-    series.add(strength, time);
-  }
-  return series;
-}
-
 /// A plate at z = 0, 60 mm wide, whose slow response is factor · δ^exponent (N, mm), the factor
 /// another at each point if wanted, and which relaxes. In the memory of the test.
 struct RelaxingPlate

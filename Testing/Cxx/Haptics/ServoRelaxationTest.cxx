@@ -13,8 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <sstream>
-#include <string>
 #include <vector>
 
 using Eigen::Vector3d;
@@ -49,19 +47,6 @@ SafetySettings unlimited()
 Vector3 pathAt(double t)
 {
   return tipAt(0.8 * std::sin(9.0 * t) + 0.2, 28.0 + 3.0 * std::sin(2.0 * t), 29.1);
-}
-
-PronySeries seriesOf(const std::string& strengths, const std::string& times)
-{
-  std::istringstream p(strengths);
-  std::istringstream tau(times);
-  PronySeries series;
-  double strength = 0.0;
-  for (double time = 0.0; p >> strength && tau >> time;)
-  {
-    series.add(strength, time);
-  }
-  return series;
 }
 } // namespace
 
@@ -251,7 +236,7 @@ TEST(ServoRelaxation, LoopsAreStableToTheExactLimit)
     {
       continue;
     }
-    const PronySeries series = seriesOf(table.text(row, "p"), table.text(row, "tau_s"));
+    const PronySeries series = relaxation(table.text(row, "p"), table.text(row, "tau_s"));
     for (const bool isDelayed : { false, true })
     {
       const double limit = table.number(row, isDelayed ? "K_stable_eig_delay1" : "K_stable_eig");

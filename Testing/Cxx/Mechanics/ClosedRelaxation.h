@@ -111,14 +111,21 @@ double rampAndHold(const Law& law, const PronySeries& series, double depth, doub
   return sum;
 }
 
-/// When readings are taken: evenly while it is pressed, then ever less often.
-inline std::vector<double> rampAndHoldTimes(double ramp, double hold, int onRamp, int onHold)
+/// When readings are taken: evenly over so many seconds.
+inline std::vector<double> evenTimes(double seconds, int count)
 {
   std::vector<double> times;
-  for (int i = 1; i <= onRamp; ++i)
+  for (int i = 1; i <= count; ++i)
   {
-    times.push_back(ramp * i / onRamp);
+    times.push_back(seconds * i / count);
   }
+  return times;
+}
+
+/// Evenly while it is pressed, then ever less often.
+inline std::vector<double> rampAndHoldTimes(double ramp, double hold, int onRamp, int onHold)
+{
+  std::vector<double> times = evenTimes(ramp, onRamp);
   const double first = ramp / onRamp;
   for (int i = 0; i < onHold; ++i)
   {
@@ -149,6 +156,16 @@ MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& def
     curve.force.push_back(force(t) + noise * normal(random));
   }
   return curve;
+}
+
+/// Of a RampAndHold or a Triangle.
+template <class Press>
+MeasuredCurve timedCurve(const std::vector<double>& times, const Press& press, double offset,
+  double noise, std::mt19937& random)
+{
+  return timedCurve(
+    times, [&press](double t) { return press.deflectionAt(t); },
+    [&press](double t) { return press.forceAt(t); }, offset, noise, random);
 }
 } // namespace palpate::testing
 

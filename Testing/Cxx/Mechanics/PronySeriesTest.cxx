@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/Relaxation/PronySeries.h"
+#include "Mechanics/Relaxation/RelaxationStep.h"
 
 #include "ReferenceTable.h"
+#include "SampleSeries.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 
 using palpate::PronySeries;
 using palpate::testing::ReferenceTable;
-
-namespace
-{
-PronySeries seriesOf(const std::string& strengths, const std::string& times)
-{
-  std::istringstream p(strengths);
-  std::istringstream tau(times);
-  PronySeries series;
-  double strength = 0.0;
-  for (double time = 0.0; p >> strength && tau >> time;)
-  {
-    series.add(strength, time);
-  }
-  return series;
-}
-} // namespace
+using palpate::testing::relaxation;
 
 TEST(PronySeries, RelaxesFromTheInstantaneousToTheSlowModulus)
 {
-  const PronySeries series = seriesOf("0.5 0.3", "0.1 2");
+  const PronySeries series = relaxation("0.5 0.3", "0.1 2");
   EXPECT_DOUBLE_EQ(palpate::relaxationAt(series, 0.0), 1.8);
   EXPECT_DOUBLE_EQ(
     palpate::relaxationAt(series, 0.4), 1.0 + 0.5 * std::exp(-4.0) + 0.3 * std::exp(-0.2));
@@ -45,7 +30,7 @@ TEST(PronySeries, RampsAsLeeAndRadokHaveThem)
 {
   for (const double x : { 1e-6, 0.1, 1.0, 7.0, 49.9, 50.1, 300.0, 1e6 })
   {
-    const PronySeries series = seriesOf("1", "1");
+    const PronySeries series = relaxation("1", "1");
     const double flat = -std::expm1(-x) / x;
     EXPECT_NEAR(palpate::rampFactor(series, 1.0, x), 1.0 + flat, 1e-14);
     if (x > 0.01) // the closed form cancels
@@ -74,11 +59,12 @@ TEST(PronySeries, StiffensASampledLoopAsTheSheetHasIt)
   const ReferenceTable table("rate/stability_prony.csv");
   for (std::size_t row = 0; row < table.size(); ++row)
   {
-    const PronySeries series = seriesOf(table.text(row, "p"), table.text(row, "tau_s"));
+    const PronySeries series = relaxation(table.text(row, "p"), table.text(row, "tau_s"));
     const double period = table.number(row, "T_s");
     const double passive = 2.0 * table.number(row, "b") / period;
     const double truth = table.number(row, "K_passive_closed");
-    EXPECT_NEAR(passive / palpate::sampledStiffening(series, period), truth, 1e-12 * truth);
+    EXPECT_NEAR(
+      passive / palpate::RelaxationStep(series, period).sampledStiffening(), truth, 1e-12 * truth);
   }
 }
 
@@ -97,7 +83,7 @@ TEST(PronySeries, IsReadAndWritten)
   for (const char* wrong : { "0.5", "0.5:", ":1", "0.5:0.1;0.3:2", "a:1", "1:0", "1:-1", "-1:1",
          "nan:1", "1:inf", "1:1,2:2,3:3,4:4,5:5", "1:1,,2:2" })
   {
-    PronySeries kept = seriesOf("7", "8");
+    PronySeries kept = relaxation("7", "8");
     EXPECT_NE(palpate::parsePronySeries(wrong, kept), "") << wrong;
     EXPECT_EQ(kept.strength[0], 7.0) << wrong;
   }
@@ -105,7 +91,7 @@ TEST(PronySeries, IsReadAndWritten)
 
 TEST(PronySeries, FaultsAreNamed)
 {
-  PronySeries series = seriesOf("0.5 0.3", "0.1 2");
+  PronySeries series = relaxation("0.5 0.3", "0.1 2");
   EXPECT_EQ(palpate::faultOfRelaxation(series), "");
   series.strength[1] = -0.1;
   EXPECT_NE(palpate::faultOfRelaxation(series).find("relaxation 2"), std::string::npos);

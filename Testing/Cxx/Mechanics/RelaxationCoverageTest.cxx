@@ -132,9 +132,7 @@ void check(const char* specification, double modulus, const PronySeries& truth,
 MeasuredCurve heldCurve(const RampAndHold& test)
 {
   std::mt19937 random(1);
-  return timedCurve(
-    rampAndHoldTimes(test.ramp, 10.0, 100, 400), [&](double t) { return test.deflectionAt(t); },
-    [&](double t) { return test.forceAt(t); }, Offset, 0.0, random);
+  return timedCurve(rampAndHoldTimes(test.ramp, 10.0, 100, 400), test, Offset, 0.0, random);
 }
 } // namespace
 
@@ -157,15 +155,8 @@ TEST(RelaxationCoverage, RampAndHoldOfAFlat)
 TEST(RelaxationCoverage, Triangle)
 {
   const palpate::testing::Triangle test{ 1.0, 0.3, 2.0, 1.0, 1.0, 1.0 };
-  std::vector<double> times;
-  for (int i = 1; i <= 300; ++i)
-  {
-    times.push_back(i / 150.0);
-  }
   std::mt19937 random(1);
-  const MeasuredCurve clean = timedCurve(
-    times, [&](double t) { return test.deflectionAt(t); },
-    [&](double t) { return test.forceAt(t); }, Offset, 0.0, random);
+  const MeasuredCurve clean = timedCurve(evenTimes(2.0, 300), test, Offset, 0.0, random);
   PronySeries truth;
   truth.add(test.p, test.tau);
   check("cone:45", 0.5 * palpate::Pi, truth, clean, false, 500);

@@ -10,6 +10,7 @@
 #include "Agreement.h"
 #include "ClosedRelaxation.h"
 #include "ReferenceTable.h"
+#include "SampleSeries.h"
 #include "SyntheticCurves.h"
 #include "TestTools.h"
 
@@ -30,16 +31,7 @@ namespace
 {
 constexpr double R = 6.35;
 
-PronySeries series(std::initializer_list<std::pair<double, double>> branches)
-{
-  PronySeries made;
-  for (const auto& [p, tau] : branches)
-  {
-    made.add(p, tau);
-  }
-  return made;
-}
-const PronySeries SheetSeries = series({ { 0.6, 0.1 }, { 0.4, 2.0 } });
+const PronySeries SheetSeries = relaxation({ { 0.6, 0.1 }, { 0.4, 2.0 } });
 
 MeasuredSite siteOf(const char* specification, std::vector<MeasuredCurve> curves)
 {
@@ -254,7 +246,7 @@ MeasuredCurve pressAndHold(const Law& law, const PronySeries& truth, double dept
 TEST(RelaxationIdentification, AnyToolFromAnyOffset)
 {
   const double modulus = 0.02; // MPa
-  const PronySeries truth = series({ { 0.8, 0.2 }, { 0.5, 3.0 } });
+  const PronySeries truth = relaxation({ { 0.8, 0.2 }, { 0.5, 3.0 } });
   for (const char* specification : { "flat:3", "paraboloid:6.35", "sphere:6.35", "cone:60" })
   {
     const auto tip = tool(specification);
@@ -280,7 +272,7 @@ TEST(RelaxationIdentification, TheWholeBodyRelaxesWithItsCompliance)
 {
   const double modulus = 0.05;
   const double compliance = 6.0;
-  const PronySeries truth = series({ { 1.0, 0.5 } });
+  const PronySeries truth = relaxation({ { 1.0, 0.5 } });
   const auto law = [=](double d) { return hertzInSeries(R, modulus, compliance, d); };
   const MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.1, 20.0, -0.1, 0.002, 3);
   IdentificationOptions options;
@@ -312,7 +304,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
     const double share = d / 0.005 - static_cast<double>(i);
     return table[i] + share * (table[i + 1] - table[i]); // 1e-5 of the largest force
   };
-  const PronySeries truth = series({ { 0.7, 0.3 } });
+  const PronySeries truth = relaxation({ { 0.7, 0.3 } });
   const MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.1, 10.0, 0.2, 0.005, 5);
   IdentificationOptions options;
   options.largestStrain = 100.0;
@@ -334,22 +326,16 @@ TEST(RelaxationIdentification, ALoopAlone)
     triangle.tau = 0.3;
     triangle.m = m;
     triangle.up = 1.0;
-    std::vector<double> times;
-    for (int i = 1; i <= 400; ++i)
-    {
-      times.push_back(2.0 * i / 400);
-    }
+    const std::vector<double> times = evenTimes(2.0, 400);
     std::mt19937 random(11);
-    const MeasuredCurve curve = timedCurve(
-      times, [&](double t) { return triangle.deflectionAt(t); },
-      [&](double t) { return triangle.forceAt(t); }, 0.15, 0.005, random);
+    const MeasuredCurve curve = timedCurve(times, triangle, 0.15, 0.005, random);
     const double modulus = m == 1.5 ? UnitModulus : 0.5 * palpate::Pi;
     const IdentifiedBody body = identified(specification, { curve }, halfSpace()).body;
     ASSERT_EQ(body.refusal, "") << specification;
     expectNear(body.reducedModulus, modulus, "E*");
     EXPECT_NEAR(
       body.contactOffset[0].value, 0.15, body.contactOffset[0].upper - body.contactOffset[0].lower);
-    expectSeries(body, series({ { 0.8, 0.3 } }));
+    expectSeries(body, relaxation({ { 0.8, 0.3 } }));
     EXPECT_NEAR(body.longestTime, 1.0, 0.03); // in contact until it turned back
   }
 }
@@ -358,7 +344,7 @@ TEST(RelaxationIdentification, ALoopAlone)
 /// stiffer than it is slowly.
 TEST(RelaxationIdentification, ThePressOfAPaperIsNotTheSlowOne)
 {
-  const PronySeries rubber = series({ { 0.05, 0.1 }, { 0.05, 3.0 } });
+  const PronySeries rubber = relaxation({ { 0.05, 0.1 }, { 0.05, 3.0 } });
   const double slow = 3.3;
   const double R2 = 6.35;
   RampAndHold press;
@@ -366,15 +352,9 @@ TEST(RelaxationIdentification, ThePressOfAPaperIsNotTheSlowOne)
   press.c = 4.0 / 3.0 * slow * std::sqrt(R2);
   press.depth = 2.0;
   press.ramp = 2.0;
-  std::vector<double> times;
-  for (int i = 1; i <= 100; ++i)
-  {
-    times.push_back(2.0 * i / 100);
-  }
+  const std::vector<double> times = evenTimes(2.0, 100);
   std::mt19937 random(1);
-  const MeasuredCurve curve = timedCurve(
-    times, [&](double t) { return press.deflectionAt(t); },
-    [&](double t) { return press.forceAt(t); }, 0.0, 0.0, random);
+  const MeasuredCurve curve = timedCurve(times, press, 0.0, 0.0, random);
   IdentificationOptions options = halfSpace();
   options.findContact = false;
   const double fast = identified("paraboloid:6.35", { curve }, options).body.reducedModulus.value;
@@ -409,17 +389,17 @@ TEST(RelaxationIdentification, SaysWhatTheTestDoesNotTell)
       "paraboloid:6.35", { pressAndHold(law, truth, 1.0, 0.1, hold, 0.0, 0.005, 3) }, halfSpace());
   };
   // Slower than the hold by three: E* is open, and it is said that the hold is too short.
-  const MeasuredSite tooSlow = found(series({ { 1.0, 0.3 }, { 1.0, 30.0 } }), 5.0);
+  const MeasuredSite tooSlow = found(relaxation({ { 1.0, 0.3 }, { 1.0, 30.0 } }), 5.0);
   EXPECT_NE(tooSlow.refusal.find("hold longer"), std::string::npos)
     << tooSlow.refusal << tooSlow.body.remark;
   // As slow as it is: the interval is wide.
-  const MeasuredSite slow = found(series({ { 1.0, 0.3 }, { 0.4, 12.0 } }), 10.0);
+  const MeasuredSite slow = found(relaxation({ { 1.0, 0.3 }, { 0.4, 12.0 } }), 10.0);
   ASSERT_EQ(slow.refusal, "");
   EXPECT_NE(slow.body.remark.find("goes on beyond"), std::string::npos) << slow.body.remark;
   EXPECT_TRUE(holds(slow.body.reducedModulus, modulus));
   EXPECT_GT(halfWidth(slow.body.reducedModulus), 0.04);
   // Faster than the ramp can show: the rest is found, the window is said.
-  const MeasuredSite fast = found(series({ { 0.5, 0.0005 }, { 1.0, 0.5 } }), 10.0);
+  const MeasuredSite fast = found(relaxation({ { 0.5, 0.0005 }, { 1.0, 0.5 } }), 10.0);
   ASSERT_EQ(fast.refusal, "");
   EXPECT_NE(fast.body.remark.find("times from 0.006"), std::string::npos) << fast.body.remark;
   EXPECT_NEAR(fast.body.shortestTime, 0.1 / 15.0, 4e-4);
@@ -435,7 +415,7 @@ TEST(RelaxationIdentification, SaysThatAHoldIsTooDeep)
 {
   const auto tip = tool("paraboloid:6.35");
   const auto law = [&](double d) { return tip->force(d, 0.02); };
-  const PronySeries truth = series({ { 1.0, 0.3 } });
+  const PronySeries truth = relaxation({ { 1.0, 0.3 } });
   const MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.5, 10.0, 0.0, 0.005, 3);
   IdentificationOptions options = halfSpace();
   options.largestStrain = 0.4;
@@ -453,7 +433,7 @@ TEST(RelaxationIdentification, NoiseOfTheDeflection)
 {
   const auto tip = tool("paraboloid:6.35");
   const auto law = [&](double d) { return tip->force(d, 0.02); };
-  const PronySeries truth = series({ { 0.8, 0.2 }, { 0.5, 3.0 } });
+  const PronySeries truth = relaxation({ { 0.8, 0.2 }, { 0.5, 3.0 } });
   MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.1, 30.0, 0.2, 0.005, 3);
   std::mt19937 random(9);
   std::normal_distribution<double> noise(0.0, 0.005);
@@ -472,8 +452,8 @@ TEST(RelaxationIdentification, NoiseOfTheDeflection)
 TEST(RelaxationIdentification, SitesShareTimes)
 {
   std::vector<IdentifiedBody> bodies(3);
-  bodies[0].relaxation = series({ { 0.6, 0.1 }, { 0.4, 2.0 } });
-  bodies[1].relaxation = series({ { 1.2, 0.1 }, { 0.2, 2.0 } });
+  bodies[0].relaxation = relaxation({ { 0.6, 0.1 }, { 0.4, 2.0 } });
+  bodies[1].relaxation = relaxation({ { 1.2, 0.1 }, { 0.2, 2.0 } });
   const auto all = [&](std::size_t count)
   {
     std::vector<const IdentifiedBody*> sites;
@@ -499,8 +479,8 @@ TEST(RelaxationIdentification, SitesShareTimes)
   EXPECT_NEAR(same.mean.strength[0], 0.6, 1e-9); // (0.6 + 1.2 + 0)/3
   EXPECT_NEAR(same.mean.time[0], 0.1, 1e-15);
   // Times that differ by noise are one; those that differ by more are few enough to be kept.
-  bodies[1].relaxation = series({ { 0.63, 0.105 }, { 0.38, 2.1 } });
-  bodies[2].relaxation = series({ { 0.5, 0.01 }, { 0.5, 20.0 } });
+  bodies[1].relaxation = relaxation({ { 0.63, 0.105 }, { 0.38, 2.1 } });
+  bodies[2].relaxation = relaxation({ { 0.5, 0.01 }, { 0.5, 20.0 } });
   const palpate::CommonRelaxation other = all(3);
   ASSERT_EQ(other.mean.count, 4U);
   EXPECT_LT(other.worst, 0.01);
@@ -552,9 +532,7 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
     times.push_back(0.02 * i);
   }
   std::mt19937 random(11);
-  MeasuredCurve curve = timedCurve(
-    times, [&](double t) { return triangle.deflectionAt(t); },
-    [&](double t) { return triangle.forceAt(t); }, 0.0, 0.0, random);
+  MeasuredCurve curve = timedCurve(times, triangle, 0.0, 0.0, random);
   curve.time.clear();
   const MeasuredSite site = identified("paraboloid:6.35", { curve }, halfSpace());
   for (const char* words : { "hysteresis", "time_s", "hold" })
@@ -612,7 +590,7 @@ TEST(RelaxationIdentification, ElasticCurvesAreIdentifiedAsBefore)
 TEST(RelaxationIdentification, ManyReadings)
 {
   RampAndHold press;
-  press.series = series({ { 0.5, 0.05 }, { 0.5, 1.0 } });
+  press.series = relaxation({ { 0.5, 0.05 }, { 0.5, 1.0 } });
   press.ramp = 0.1;
   std::vector<double> times;
   for (int i = 1; i <= 20000; ++i)
@@ -620,9 +598,7 @@ TEST(RelaxationIdentification, ManyReadings)
     times.push_back(5e-4 * i);
   }
   std::mt19937 random(1);
-  const MeasuredCurve curve = timedCurve(
-    times, [&](double t) { return press.deflectionAt(t); },
-    [&](double t) { return press.forceAt(t); }, 0.1, 0.02, random);
+  const MeasuredCurve curve = timedCurve(times, press, 0.1, 0.02, random);
   const IdentifiedBody body = identified("paraboloid:6.35", { curve }, halfSpace()).body;
   ASSERT_EQ(body.refusal, "");
   expectNear(body.reducedModulus, UnitModulus, "E*");

@@ -6,12 +6,12 @@
 
 #include "ClosedRelaxation.h"
 #include "ReferenceTable.h"
+#include "SampleSeries.h"
 #include "TestTools.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
-#include <sstream>
 
 using palpate::PressHistory;
 using palpate::PronySeries;
@@ -27,19 +27,6 @@ struct Unit
 };
 const std::map<double, Unit> Units = { { 1.0, { "flat:1", 0.5 } },
   { 1.5, { "paraboloid:1", 0.75 } }, { 2.0, { "cone:45", 0.5 * palpate::Pi } } };
-
-/// Of a table whose cells hold several numbers.
-PronySeries seriesOf(const ReferenceTable& table, std::size_t row)
-{
-  std::istringstream strengths(table.text(row, "p"));
-  std::istringstream times(table.text(row, "tau_s"));
-  PronySeries series;
-  for (double p = 0.0, tau = 0.0; strengths >> p && times >> tau;)
-  {
-    series.add(p, tau);
-  }
-  return series;
-}
 
 std::vector<double> forces(double m, const PressHistory& history, const PronySeries& series)
 {
@@ -60,10 +47,7 @@ TEST(RelaxingFoundation, MeetsTheStopAndGoOfTing)
     "delta(knots t=0,.05,.2,.25,.4,.42,.55,.6,.7,.75,.9,1 d=0,.5,.5,1,1,.6,.6,.9,.9,.3,.3,0)";
   const std::map<double, std::string> columns = { { 1.0, "F_flat(m=1)" },
     { 1.5, "F_paraboloid(m=1.5)" }, { 2.0, "F_cone(m=2); p=.5,.8,1.2 tau=.02,.2,2" } };
-  PronySeries series;
-  series.add(0.5, 0.02);
-  series.add(0.8, 0.2);
-  series.add(1.2, 2.0);
+  const PronySeries series = relaxation({ { 0.5, 0.02 }, { 0.8, 0.2 }, { 1.2, 2.0 } });
   PressHistory history;
   for (int i = 0; i <= 1050; ++i)
   {
@@ -104,7 +88,7 @@ TEST(RelaxingFoundation, MeetsTingInTables)
   for (std::size_t row = 0; row < table.size(); ++row)
   {
     const auto at = [&](const char* name) { return table.number(row, name); };
-    const PronySeries series = seriesOf(table, row);
+    const PronySeries series = relaxation(table.text(row, "p"), table.text(row, "tau_s"));
     const double up = at("t_up_end");
     const double hold = at("t_hold_end");
     PressHistory history;
@@ -134,7 +118,8 @@ TEST(RelaxingFoundation, ClosedFormsOfTheTestsMeetTheTable)
     const auto at = [&](const char* name) { return table.number(row, name); };
     const double m = at("m(f=delta^m)");
     const double depth = at("v_up") * at("t_up_end");
-    const RampAndHold held{ seriesOf(table, row), m, 1.0, depth, at("t_up_end") };
+    const RampAndHold held{ relaxation(table.text(row, "p"), table.text(row, "tau_s")), m, 1.0,
+      depth, at("t_up_end") };
     if (at("t_s") <= at("t_hold_end"))
     {
       EXPECT_NEAR(held.forceAt(at("t_s")), at("F"), 1e-8) << row; // Simpson's rule

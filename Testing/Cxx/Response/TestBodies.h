@@ -171,6 +171,17 @@ inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
   return body;
 }
 
+/// Tools of F ∝ δ^exponent, and how wide their contacts are, in closed form.
+struct SinkingTool
+{
+  const char* tool;
+  double exponent;
+  double radius; ///< at 1 mm, mm
+};
+inline const std::array<SinkingTool, 3> SinkingTools = { { { "flat:1.6", 1.0, 1.6 },
+  { "paraboloid:5", 1.5, std::sqrt(5.0) },
+  { "cone:60", 2.0, 2.0 / vtkMath::Pi() * std::sqrt(3.0) } } };
+
 inline vtkSmartPointer<vtkContactTool> makeTool(const std::string& specification)
 {
   auto tool = vtkSmartPointer<vtkContactTool>::New();

@@ -91,14 +91,7 @@ Filter withEdges(vtkPolyData* body, const char* tool, double range)
 
 void checkTerms(vtkPolyData* box)
 {
-  const struct
-  {
-    const char* tool;
-    double exponent;
-    double radius; ///< at 1 mm
-  } tools[] = { { "flat:1.6", 1.0, 1.6 }, { "paraboloid:5", 1.5, std::sqrt(5.0) },
-    { "cone:60", 2.0, 2.0 / vtkMath::Pi() * std::sqrt(3.0) } };
-  for (const auto& each : tools)
+  for (const SinkingTool& each : SinkingTools)
   {
     const Filter filter = withEdges(box, each.tool, 1.0);
     vtkDataArray* edges = edgesOf(filter->GetOutput());

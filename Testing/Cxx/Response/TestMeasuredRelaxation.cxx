@@ -54,9 +54,8 @@ std::string writeHolds(
   {
     const RampAndHold test = testOf(site.series);
     std::mt19937 random(4);
-    const auto curve = timedCurve(
-      rampAndHoldTimes(test.ramp, 20.0, 60, 140), [&](double t) { return test.deflectionAt(t); },
-      [&](double t) { return test.forceAt(t); }, 0.2, 1e-4 * test.c, random);
+    const auto curve =
+      timedCurve(rampAndHoldTimes(test.ramp, 20.0, 60, 140), test, 0.2, 1e-4 * test.c, random);
     for (std::size_t i = 0; i < curve.force.size(); ++i)
     {
       file << site.name << ',' << site.x << ",0,0," << curve.deflection[i] << ',' << curve.force[i];

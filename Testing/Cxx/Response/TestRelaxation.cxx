@@ -98,16 +98,9 @@ void checkOff(vtkPolyData* body)
 /// As the kernel is told: where the arrays lie, and how the tool sinks in.
 void checkViewed(vtkPolyData* body)
 {
-  const struct
-  {
-    const char* tool;
-    double exponent;
-    double radius; ///< at 1 mm
-  } tools[] = { { "flat:1.6", 1.0, 1.6 }, { "paraboloid:5", 1.5, std::sqrt(5.0) },
-    { "cone:60", 2.0, 2.0 / vtkMath::Pi() * std::sqrt(3.0) } };
   palpate::ResponseArrays arrays;
   std::string error;
-  for (const auto& each : tools)
+  for (const SinkingTool& each : SinkingTools)
   {
     const Filter filter = relaxing(body, each.tool);
     filter->Update();
@@ -296,12 +289,7 @@ double leeRadok(double exponent, double seconds)
 /// At a speed: the force of the table's law, and of it what memory is; held, it is the slow one.
 void checkFastProbe(vtkPolyData* body)
 {
-  const struct
-  {
-    const char* tool;
-    double exponent;
-  } tools[] = { { "flat:1.6", 1.0 }, { "paraboloid:5", 1.5 }, { "cone:60", 2.0 } };
-  for (const auto& each : tools)
+  for (const SinkingTool& each : SinkingTools)
   {
     const Filter filter = relaxing(body, each.tool);
     filter->SetCurvatureCorrection(false);

@@ -3,13 +3,13 @@
 
 #include "Mechanics/Files/CsvReader.h"
 #include "RelaxationFoundation.h"
+#include "SampleSeries.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -69,27 +69,6 @@ Knots randomPresses()
   return knots;
 }
 
-PronySeries seriesOf(std::initializer_list<std::pair<double, double>> branches)
-{
-  PronySeries series;
-  for (const auto& [strength, time] : branches)
-  {
-    series.add(strength, time);
-  }
-  return series;
-}
-
-std::vector<double> numbersOf(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::vector<double> all;
-  for (double value = 0.0; stream >> value;)
-  {
-    all.push_back(value);
-  }
-  return all;
-}
-
 std::vector<std::vector<std::string>> tableOf(const std::string& file)
 {
   std::vector<std::vector<std::string>> rows;
@@ -132,12 +111,7 @@ void addTing(const std::string& folder, std::vector<RelaxationPath>& paths)
     path.name = "Ting";
     path.source = "ting_golden.csv";
     path.exponent = std::stod(row[0]);
-    const std::vector<double> p = numbersOf(row[1]);
-    const std::vector<double> tau = numbersOf(row[2]);
-    for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      path.series.add(p[i], tau[i]);
-    }
+    path.series = relaxation(row[1], row[2]);
     const double up = std::stod(row[4]);
     const double hold = std::stod(row[5]);
     std::size_t end = begin;
@@ -161,8 +135,9 @@ void addTing(const std::string& folder, std::vector<RelaxationPath>& paths)
 
 void addFoundations(std::vector<RelaxationPath>& paths)
 {
-  const PronySeries materials[] = { seriesOf({ { 1.0, 0.1 } }), seriesOf({ { 4.0, 0.05 } }),
-    seriesOf({ { 0.5, 0.02 }, { 0.8, 0.2 }, { 1.2, 2.0 } }) };
+  const PronySeries materials[] = { relaxation({ { 1.0, 0.1 } }),
+    testing::relaxation({ { 4.0, 0.05 } }),
+    relaxation({ { 0.5, 0.02 }, { 0.8, 0.2 }, { 1.2, 2.0 } }) };
   const std::pair<const char*, std::vector<double>> ways[] = {
     { "hold and release", along({ { 0.0, 0.0 }, { 0.1, 1.0 }, { 0.6, 1.0 }, { 0.7, 0.0 } }) },
     { "two triangles",
@@ -224,7 +199,7 @@ RelaxationPath stopAndGo(const std::string& folder, double exponent)
   path.name = "stop and go";
   path.source = "oracle_stop_and_go.csv";
   path.exponent = exponent;
-  path.series = seriesOf({ { 0.5, 0.02 }, { 0.8, 0.2 }, { 1.2, 2.0 } });
+  path.series = relaxation({ { 0.5, 0.02 }, { 0.8, 0.2 }, { 1.2, 2.0 } });
   path.depths = along({ { 0.0, 0.0 }, { 0.05, 0.5 }, { 0.2, 0.5 }, { 0.25, 1.0 }, { 0.4, 1.0 },
     { 0.42, 0.6 }, { 0.55, 0.6 }, { 0.6, 0.9 }, { 0.7, 0.9 }, { 0.75, 0.3 }, { 0.9, 0.3 },
     { 1.0, 0.0 }, { 1.05, -0.15 } });

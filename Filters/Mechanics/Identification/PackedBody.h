@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PackedBody_h
+#define palpate_PackedBody_h
+
+#include "Mechanics/Identification/BodyFit.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * How a body that is being fitted, and where each of its curves first touches it, stand among the
+ * parameters, all of order one: ln E*, then C_g over a reference or ln h, then the offsets over a
+ * reference depth. Residuals are over the largest force. What residuals have in common, whatever
+ * they compare.
+ */
+class PackedBody
+{
+public:
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  /// As Eigen's optimisers ask for it.
+  enum
+  {
+    InputsAtCompileTime = Eigen::Dynamic,
+    ValuesAtCompileTime = Eigen::Dynamic
+  };
+
+  Eigen::Index values() const { return this->Count; }
+  Eigen::Index materialCount() const { return this->Model == BodyModel::HalfSpace ? 1 : 2; }
+  /// Of material and offsets.
+  Eigen::Index bodyInputs() const { return this->materialCount() + this->Offsets; }
+  double force() const { return this->Force; }
+  double depth() const { return this->Depth; }
+  /// C_g that yields the whole depth under the whole force.
+  double compliance() const { return this->Depth / this->Force; }
+
+  BodyParameters body(const Eigen::VectorXd& p) const;
+  double offset(const Eigen::VectorXd& p, std::size_t curve) const
+  {
+    return this->Offsets > 0
+      ? p[this->materialCount() + static_cast<Eigen::Index>(curve)] * this->Depth
+      : 0.0;
+  }
+
+  /// What the Jacobian of residuals at their least tells of the fit: separation, spread, and errors
+  /// of body and offsets; those of further parameters are left as they are packed.
+  void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
+  /// The standard error of ln E* per newton of noise, from that Jacobian.
+  double modulusError(const Eigen::MatrixXd& jacobian) const;
+
+protected:
+  /// Of so many curves.
+  PackedBody(BodyModel model, bool findContact, std::size_t curves)
+    : Model(model)
+    , Offsets(findContact ? static_cast<Eigen::Index>(curves) : 0)
+  {
+  }
+
+  /// Into the first of the parameters.
+  void packBody(
+    const BodyParameters& body, const std::vector<double>& offsets, Eigen::VectorXd& p) const;
+  /// Whether a step led to a body at all.
+  static bool isUsable(const BodyParameters& body);
+  /// Of what ln h or C_g are packed by.
+  double secondScale() const
+  {
+    return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
+  }
+
+  /// A residual where there is no answer: a step the method takes back.
+  static constexpr double Astray = 1e3;
+
+  BodyModel Model;
+  Eigen::Index Offsets;   ///< that are fitted
+  Eigen::Index Count = 0; ///< of residuals
+  double Force = 0.0;     ///< largest, N
+  double Depth = 0.0;     ///< largest range of a curve, mm
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RelaxationList_h
+#define RelaxationList_h
+
+#include "Mechanics/Relaxation/PronySeries.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Strength and seconds of each branch, as a filter is told them, one by one: whatever numbers, as
+/// many as are given, until fillSeries() says what is wrong.
+class RelaxationList
+{
+public:
+  void add(double strength, double seconds) { this->Branches.push_back({ strength, seconds }); }
+  /// Another branch in a place, or behind the last; whether anything has changed.
+  bool set(int place, double strength, double seconds)
+  {
+    const std::array<double, 2> next{ strength, seconds };
+    if (place == this->count())
+    {
+      this->Branches.push_back(next);
+      return true;
+    }
+    if (!this->has(place) || this->at(place) == next)
+    {
+      return false;
+    }
+    this->Branches[static_cast<std::size_t>(place)] = next;
+    return true;
+  }
+  /// Whether there were any.
+  bool clear()
+  {
+    const bool had = !this->Branches.empty();
+    this->Branches.clear();
+    return had;
+  }
+
+  int count() const { return static_cast<int>(this->Branches.size()); }
+  /// 0 where there is none.
+  double strength(int place) const { return this->has(place) ? this->at(place)[0] : 0.0; }
+  double seconds(int place) const { return this->has(place) ? this->at(place)[1] : 0.0; }
+
+  /// Those that are of any strength.
+  RelaxationList felt() const
+  {
+    RelaxationList some;
+    for (const auto& [strength, seconds] : this->Branches)
+    {
+      if (strength != 0.0)
+      {
+        some.add(strength, seconds);
+      }
+    }
+    return some;
+  }
+
+  /// What is wrong with them, naming the branch, or ""; then they are in the series.
+  std::string fillSeries(PronySeries& series) const
+  {
+    series = {};
+    if (this->Branches.size() > PronySeries::LargestCount)
+    {
+      return "Relaxations: a body has at most " + std::to_string(PronySeries::LargestCount) +
+        " of them, but there are " + std::to_string(this->Branches.size());
+    }
+    for (const auto& [strength, seconds] : this->Branches)
+    {
+      series.add(strength, seconds);
+    }
+    const std::string fault = faultOfRelaxation(series);
+    return fault.empty() ? fault : "Relaxations: " + fault;
+  }
+
+private:
+  bool has(int place) const { return place >= 0 && place < this->count(); }
+  const std::array<double, 2>& at(int place) const
+  {
+    return this->Branches[static_cast<std::size_t>(place)];
+  }
+
+  std::vector<std::array<double, 2>> Branches;
+};
+} // namespace palpate
+
+#endif
