@@ -44,20 +44,25 @@ enum class ContactState : std::uint8_t
   Slide,
   BeyondRange,
   LostAtBorder,
-  Invalid
+  Invalid,
+  TiltedTooFar ///< felt as at the largest tilt of the response
 };
 
-/// What the tool feels in one tick: force, place and state. Body frame; mm, N, N/mm.
+/// What the tool feels in one tick: force, torque, place and state. Body frame; mm, N, N/mm.
 struct Contact
 {
   ContactState state = ContactState::None;
   Vector3 force = Vector3::Zero();    ///< total, on the tool
   Vector3 friction = Vector3::Zero(); ///< its part that is friction
+  /// On the tool, about its tip, N mm; zero where its axis is not known, or the response knows
+  /// nothing of tilts.
+  Vector3 torque = Vector3::Zero();
   double normalForce = 0.0;
-  double memory =
-    0.0; ///< what of normalForce is more than the slow response, of a body that relaxes
-  double stiffness = 0.0; ///< Σ n_i dF_i/dδ
-  double deflection = 0.0;
+  /// What of normalForce is more than the slow response, of a body that relaxes.
+  double memory = 0.0;
+  double stiffness = 0.0;           ///< Σ n_i dF_i/dδ
+  double deflection = 0.0;          ///< of the deepest point of the tool
+  double tilt = 0.0;                ///< of the axis from the normal, rad
   Vector3 normal = Vector3::Zero(); ///< unit, outward, along which normalForce acts
   Vector3 contactPoint = Vector3::Zero();
   std::int32_t triangle = -1; ///< of the input; -1: none

@@ -48,13 +48,31 @@ void ToolContact::lose() noexcept
   this->IsLetGo = false;
 }
 
-Contact ToolContact::feel(const Vector3& tip, bool inTime) noexcept
+ContactTracker::Result ToolContact::find(const ToolPose& pose) noexcept
 {
-  this->IsInTime = inTime;
+  this->IsInTime = false;
+  return this->follow(pose);
+}
+
+ContactTracker::Result ToolContact::find(const ToolPose& pose, double elapsed) noexcept
+{
+  this->pass(elapsed);
+  this->IsInTime = this->Relaxation.isFelt();
+  return this->follow(pose);
+}
+
+ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
+{
   this->prefetchLast();
-  this->LastStep = tip - this->LastTip;
-  this->LastTip = tip;
-  auto [outcome, place] = this->Tracker.update(tip);
+  this->LastStep = pose.tip - this->LastTip;
+  this->LastTip = pose.tip;
+  return this->Tracker.update(pose.tip);
+}
+
+Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
+{
+  auto& [outcome, place] = found;
+  this->Sunk = sunk;
   this->LastWeights.setZero();
   this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;
   if (this->IsLetGo && outcome != ContactTracker::Outcome::Invalid)
@@ -64,13 +82,13 @@ Contact ToolContact::feel(const Vector3& tip, bool inTime) noexcept
   }
   if (outcome == ContactTracker::Outcome::Border)
   {
-    return this->fade(tip, place);
+    return this->fade(place);
   }
   if (outcome == ContactTracker::Outcome::Crease ||
     (outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
       this->Body.edges->areNear(place.triangle)))
   {
-    return this->feelEdges(tip, place);
+    return this->feelEdges(place);
   }
   if (outcome != ContactTracker::Outcome::Inside)
   {
@@ -79,7 +97,12 @@ Contact ToolContact::feel(const Vector3& tip, bool inTime) noexcept
   if (this->Settings.form == ForceForm::EnergyConsistent &&
     this->Settings.surface == ContactSurface::Facets)
   {
-    place = EnergyGradient::onFacet(this->Body.surface, tip, place);
+    place = EnergyGradient::onFacet(this->Body.surface, this->LastTip, place);
+  }
+  place.signedDistance += sunk;
+  if (place.signedDistance > 0.0)
+  {
+    return this->end(ContactState::None);
   }
   Contact result;
   const BlendedResponse response(
@@ -114,38 +137,44 @@ Contact ToolContact::comeOff() noexcept
   return withoutForce(ContactState::None);
 }
 
-EdgeEffect ToolContact::edgeEffect(const Vector3& tip, ContactPlace& place) const noexcept
+EdgeEffect ToolContact::edgeEffect(ContactPlace& place) const noexcept
 {
+  const Vector3& tip = this->LastTip;
   if (!place.isSmooth)
   {
     // Beyond a crease its plane goes on.
     place = EnergyGradient::onFacet(this->Body.surface, tip, place);
     place.normal = place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
   }
-  const double depth = place.normal.dot(place.projection.point - tip);
+  const double depth = place.normal.dot(place.projection.point - tip) - this->Sunk;
   return this->Body.edges->at(this->Body.surface.toLocal(tip), place.triangle, place.normal, depth);
 }
 
-EdgeEffect ToolContact::onNearestFace(const Vector3& tip, ContactPlace& place) noexcept
+EdgeEffect ToolContact::onNearestFace(ContactPlace& place) noexcept
 {
   constexpr int others = 2; // at a corner
-  EdgeEffect effect = this->edgeEffect(tip, place);
+  EdgeEffect effect = this->edgeEffect(place);
   for (int face = 0; face < others && effect.depth > 0.0 && effect.nearerAcross >= 0; ++face)
   {
-    const ContactTracker::Result across = this->Tracker.handOver(tip, effect.nearerAcross);
+    const ContactTracker::Result across =
+      this->Tracker.handOver(this->LastTip, effect.nearerAcross);
     if (across.outcome != ContactTracker::Outcome::Inside)
     {
       break;
     }
     place = across.place;
-    effect = this->edgeEffect(tip, place);
+    effect = this->edgeEffect(place);
   }
   return effect;
 }
 
-Contact ToolContact::feelEdges(const Vector3& tip, ContactPlace& place) noexcept
+Contact ToolContact::feelEdges(ContactPlace& place) noexcept
 {
-  const EdgeEffect effect = this->onNearestFace(tip, place);
+  const EdgeEffect effect = this->onNearestFace(place);
+  if (!(effect.depth > 0.0) && effect.depth + this->Sunk > 0.0 && effect.share > 0.0)
+  {
+    return this->end(ContactState::None); // under the tool, and not up to it
+  }
   if (!(effect.depth > 0.0 && effect.share > 0.0))
   {
     this->Tracker.reset();
@@ -188,17 +217,18 @@ void ToolContact::applyEdges(
   result.memory *= before > 0.0 ? result.normalForce / before : 0.0;
 }
 
-Contact ToolContact::fade(const Vector3& tip, ContactPlace& place) noexcept
+Contact ToolContact::fade(ContactPlace& place) noexcept
 {
-  const BorderFade left = BorderFade::at(
-    this->Body.surface, place.triangle, place.projection.weights, tip - place.projection.point);
+  const BorderFade left = BorderFade::at(this->Body.surface, place.triangle,
+    place.projection.weights, this->LastTip - place.projection.point);
   const BlendedResponse response(
     this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
-  place.signedDistance = -left.depth;
+  place.signedDistance = this->Sunk - left.depth;
   place.normal = this->Body.surface.faceNormal(place.triangle);
   place.weightGradients.setZero();
   Contact result;
-  if (!(left.fraction > 0.0) || !this->hasResponse(place) || !this->blend(place, response, result))
+  if (!(left.fraction > 0.0) || place.signedDistance > 0.0 || !this->hasResponse(place) ||
+    !this->blend(place, response, result))
   {
     return this->end(ContactState::LostAtBorder);
   }

@@ -8,6 +8,7 @@
 #include "Contact/ContactTracker.h"
 #include "Contact/Friction.h"
 #include "Contact/Relaxation/ContactRelaxation.h"
+#include "Contact/ToolPose.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <cstdint>
@@ -43,15 +44,27 @@ public:
   {
   }
 
-  /// The slow response; what the body remembers of time stays as it is.
-  Contact update(const Vector3& tip) noexcept { return this->feel(tip, false); }
-  /// `elapsed` s after the last of these. The first one that finds the tip in the body takes it to
-  /// have rested there.
+  /// Of a tool along the body's normal, wherever that points.
+  Contact update(const Vector3& tip) noexcept { return this->update(ToolPose(tip)); }
   Contact update(const Vector3& tip, double elapsed) noexcept
   {
-    this->pass(elapsed);
-    return this->feel(tip, this->Relaxation.isFelt());
+    return this->update(ToolPose(tip), elapsed);
   }
+  /// The slow response; what the body remembers of time stays as it is.
+  Contact update(const ToolPose& pose) noexcept { return this->feel(this->find(pose), 0.0); }
+  /// `elapsed` s after the last of these. The first one that finds the tip in the body takes it to
+  /// have rested there.
+  Contact update(const ToolPose& pose, double elapsed) noexcept
+  {
+    return this->feel(this->find(pose, elapsed), 0.0);
+  }
+
+  /// The first half of an update: where the tool touches.
+  ContactTracker::Result find(const ToolPose& pose) noexcept;
+  ContactTracker::Result find(const ToolPose& pose, double elapsed) noexcept;
+  /// The second half: what it feels there, where something else has let the surface down by
+  /// `sunk` mm. Once after each find.
+  Contact feel(ContactTracker::Result found, double sunk) noexcept;
   /// Time passes, and nobody knows where the tip is.
   void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
   /// All is forgotten.
@@ -77,14 +90,14 @@ public:
   double cappedShare(const Contact& contact, double maximumStiffness) const noexcept;
 
 private:
-  Contact feel(const Vector3& tip, bool inTime) noexcept;
+  ContactTracker::Result follow(const ToolPose& pose) noexcept;
   /// What memory makes of the slow response there.
   void relax(const ContactPlace& place, const ResponseValue& slow, Contact& result) noexcept;
   /// The force where sharp edges are near, or beyond one (BodyEdges).
-  Contact feelEdges(const Vector3& tip, ContactPlace& place) noexcept;
-  EdgeEffect edgeEffect(const Vector3& tip, ContactPlace& place) const noexcept;
+  Contact feelEdges(ContactPlace& place) noexcept;
+  EdgeEffect edgeEffect(ContactPlace& place) const noexcept;
   /// The same; the contact goes over to the face across a blunt edge, where that is nearer.
-  EdgeEffect onNearestFace(const Vector3& tip, ContactPlace& place) noexcept;
+  EdgeEffect onNearestFace(ContactPlace& place) noexcept;
   /// What edges make of a contact that knows nothing of them but its depth.
   void applyEdges(
     const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept;
@@ -93,8 +106,8 @@ private:
   Contact comeOff() noexcept;
   /// Work of each corner's curve, and what memory stores there.
   Vector3 energies(const BlendedResponse& response, double deflection) const noexcept;
-  /// The force on a tip beyond an open border.
-  Contact fade(const Vector3& tip, ContactPlace& place) noexcept;
+  /// The force beyond an open border.
+  Contact fade(ContactPlace& place) noexcept;
   void prefetchLast() const noexcept;
   void prefetchResponses(std::int32_t triangle) const noexcept;
   bool hasResponse(const ContactPlace& place) const noexcept;
@@ -111,6 +124,7 @@ private:
   Friction Resistance;
   Vector3 LastTip = Vector3::Zero();
   Vector3 LastStep = Vector3::Zero(); ///< to it from the tip before
+  double Sunk = 0.0;                  ///< the surface, by what is not in the response, mm
   /// An edge let go of the tip: another contact begins when it has been outside, since one that
   /// begins in the depth would give what nobody has put in.
   bool IsLetGo = false;

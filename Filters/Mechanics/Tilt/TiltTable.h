@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TiltTable_h
+#define palpate_TiltTable_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The deepest point of a tilted tool, from its tip.
+struct DeepestPoint
+{
+  double drop = 0.0;   ///< h, how much deeper than the tip it lies, mm, >= 0
+  double offset = 0.0; ///< x = dh/dθ, how far beside it, mm, >= 0
+};
+
+/// τ and its derivatives, by the depth D at one tilt and by the tilt θ at one depth.
+struct TiltFactor
+{
+  double value = 1.0;
+  double byDepth = 0.0;      ///< 1/mm
+  double byDepthTwice = 0.0; ///< 1/mm²
+  double byAngle = 0.0;      ///< 1/rad
+};
+
+/// Numbers of a TiltTable, as they are stored.
+struct TiltTerms
+{
+  double range = 0.0;   ///< D_m, mm, > 0
+  double largest = 0.0; ///< tilt, rad, > 0 and less than a right angle
+  /// κ >= 0. A tool whose end is flat (κ > 0) goes over its rim: what counts is how deep it is
+  /// beside its drop.
+  double dropScale = 0.0;
+  int depths = 0; ///< nodes x_i = i/(depths - 1), 2 or more
+  int angles = 0; ///< nodes y_j = j/(angles - 1), 2 or more
+  int drops = 0;  ///< nodes θ_k = largest k/(drops - 1), 2 or more
+  int laws = 0;   ///< 1 to MostLaws
+
+  static constexpr int MostLaws = 16;
+  static constexpr int MostNodes = 256; ///< of each kind
+
+  bool areFelt() const noexcept { return this->laws > 0; }
+};
+
+/**
+ * What tilting a tool makes of its force. With W_0(D) the work of pressing it D deep upright, the
+ * tool tilted by θ, its deepest point D deep, has taken
+ *   W(D, θ) = W_0(D) τ(D, θ),  D = δ + h(θ),
+ * δ the depth of its tip, on the axis, and h the drop of its deepest point. All follows from that
+ * one energy, so that nothing is gained on closed paths:
+ *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ,
+ * F along the body's normal, M about the tip, trying to set the tool upright. τ(D, 0) = 1.
+ *
+ * τ is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y, which is θ/θ_m or, of a tool
+ * with a flat end, √(D/(D + κ h(θ))): there 1 is upright, 0 the first touch of the rim. Where D_m
+ * is exceeded τ stays as it is there, beyond θ_m the tilt counts as θ_m. h is the cubic Hermite
+ * interpolant of drops and offsets.
+ *
+ * Bodies whose points differ in more than their modulus have several laws, and each point its
+ * weights, sum 1. Immutable, allocates and throws nothing after it was made.
+ */
+class PALPATE_EXPORT TiltTable
+{
+public:
+  TiltTable() = default;
+  /// `drops`: h and dh/dθ at each θ_k. `nodes`: of each law, each x, each y: τ and its derivatives
+  /// by x, by y, by both. Numbers that faultOf finds nothing wrong with.
+  TiltTable(const TiltTerms& terms, const double* drops, const double* nodes);
+
+  /// What is wrong, naming it and the number; "" for what can be felt.
+  static std::string faultOf(const TiltTerms& terms, const double* drops, const double* nodes);
+  static std::size_t dropCount(const TiltTerms& terms) noexcept
+  {
+    return 2 * static_cast<std::size_t>(terms.drops);
+  }
+  static std::size_t nodeCount(const TiltTerms& terms) noexcept
+  {
+    return 4 * static_cast<std::size_t>(terms.laws) * static_cast<std::size_t>(terms.depths) *
+      static_cast<std::size_t>(terms.angles);
+  }
+
+  const TiltTerms& terms() const noexcept { return this->Terms; }
+  const std::vector<double>& drops() const noexcept { return this->Drops; }
+  const std::vector<double>& nodes() const noexcept { return this->Nodes; }
+
+  /// θ >= 0, rad.
+  DeepestPoint deepest(double angle) const noexcept;
+  /// D > 0, mm; θ >= 0, rad; one weight per law.
+  TiltFactor at(double depth, double angle, const double* weights) const noexcept;
+  /// The same of a table of one law.
+  TiltFactor at(double depth, double angle) const noexcept
+  {
+    constexpr double whole = 1.0;
+    return this->at(depth, angle, &whole);
+  }
+
+private:
+  TiltTerms Terms;
+  std::vector<double> Drops;
+  std::vector<double> Nodes;
+};
+} // namespace palpate
+
+#endif
