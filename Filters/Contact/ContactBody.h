@@ -6,6 +6,7 @@
 #include "Contact/PackedMesh.h"
 #include "Contact/Relaxation/BodyRelaxation.h"
 #include "Contact/ResponseField.h"
+#include "Contact/Tilt/BodyTilt.h"
 #include "Contact/TriangleTree.h"
 
 #include <cstddef>
@@ -27,6 +28,7 @@ struct ContactBody
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
+    , tilt(tiltOf(surface, responses))
   {
     if (progress)
     {
@@ -40,6 +42,7 @@ struct ContactBody
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
+    , tilt(tiltOf(surface, responses))
   {
   }
   ContactBody(const ContactBody&) = delete;
@@ -50,6 +53,7 @@ struct ContactBody
   const ResponseField response;
   const std::unique_ptr<const BodyEdges> edges;           ///< null: sharp edges are not felt
   const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes
+  const std::unique_ptr<const BodyTilt> tilt;             ///< null: tilts are not felt
 
 private:
   static double creaseTurn(const ResponseArrays& responses)
@@ -69,6 +73,12 @@ private:
     return responses.relaxation.areFelt()
       ? std::make_unique<const BodyRelaxation>(surface, response, responses)
       : nullptr;
+  }
+  static std::unique_ptr<const BodyTilt> tiltOf(
+    const PackedMesh& surface, const ResponseArrays& responses)
+  {
+    return responses.tilt.areFelt() ? std::make_unique<const BodyTilt>(surface, responses.tilt)
+                                    : nullptr;
   }
 };
 } // namespace palpate

@@ -7,6 +7,7 @@
 #include "Contact/PackedMesh.h"
 #include "Contact/Relaxation/RelaxationTerms.h"
 #include "Contact/Prefetch.h"
+#include "Contact/Tilt/TiltViews.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseContract.h"
 #include "Contact/ResponseSampling.h"
@@ -39,6 +40,7 @@ struct ResponseArrays
   const std::uint8_t* status = nullptr;
   EdgeTerms edges; ///< of all points; how the tool leaves over sharp edges, if they are felt
   RelaxationTerms relaxation; ///< how the body relaxes, if it does
+  TiltViews tilt;             ///< what tilting the tool makes of its force, if that is known
 
   /// δ_max of all points, mm; 0 without a response.
   double longestRange() const noexcept

@@ -64,21 +64,43 @@ ContactTracker::Result ToolContact::find(const ToolPose& pose, double elapsed) n
 ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
 {
   this->prefetchLast();
-  this->LastStep = pose.tip - this->LastTip;
-  this->LastTip = pose.tip;
-  return this->Tracker.update(pose.tip);
+  const Vector3 followed = this->Tilt.follow(pose, this->Tracker.triangle() >= 0);
+  this->LastStep = followed - this->LastTip;
+  this->LastTip = followed;
+  return this->Tracker.update(followed);
+}
+
+void ToolContact::sink(const ContactPlace& place) noexcept
+{
+  this->Sunk = this->LetDown;
+  if (this->Tilt.isFelt())
+  {
+    this->Sunk += this->Tilt.turn(
+      this->Body.surface.corners(place.triangle), place.projection.weights, this->Body.response);
+  }
+}
+
+Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const noexcept
+{
+  return this->Tilt.isFelt() ? this->Tilt.ofTip(place.weightGradients,
+                                 this->Body.surface.corners(place.triangle), this->Body.response)
+                             : place.weightGradients;
 }
 
 Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
 {
   auto& [outcome, place] = found;
-  this->Sunk = sunk;
+  this->LetDown = sunk;
   this->LastWeights.setZero();
   this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;
   if (this->IsLetGo && outcome != ContactTracker::Outcome::Invalid)
   {
     this->Tracker.reset();
     return this->end(ContactState::None);
+  }
+  if (outcome != ContactTracker::Outcome::Outside && outcome != ContactTracker::Outcome::Invalid)
+  {
+    this->sink(place);
   }
   if (outcome == ContactTracker::Outcome::Border)
   {
@@ -99,7 +121,7 @@ Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
   {
     place = EnergyGradient::onFacet(this->Body.surface, this->LastTip, place);
   }
-  place.signedDistance += sunk;
+  place.signedDistance += this->Sunk;
   if (place.signedDistance > 0.0)
   {
     return this->end(ContactState::None);
@@ -115,7 +137,7 @@ Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
   {
     return this->comeOff();
   }
-  this->addFriction(response, result);
+  this->complete(place, response, 1.0, result);
   return result;
 }
 
@@ -139,15 +161,17 @@ Contact ToolContact::comeOff() noexcept
 
 EdgeEffect ToolContact::edgeEffect(ContactPlace& place) const noexcept
 {
-  const Vector3& tip = this->LastTip;
+  const Vector3 tip = this->LastTip; // of facets, the point followed
   if (!place.isSmooth)
   {
     // Beyond a crease its plane goes on.
     place = EnergyGradient::onFacet(this->Body.surface, tip, place);
     place.normal = place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
   }
-  const double depth = place.normal.dot(place.projection.point - tip) - this->Sunk;
-  return this->Body.edges->at(this->Body.surface.toLocal(tip), place.triangle, place.normal, depth);
+  const Vector3 pressed = tip + this->Sunk * place.normal;
+  const double depth = place.normal.dot(place.projection.point - pressed);
+  return this->Body.edges->at(
+    this->Body.surface.toLocal(pressed), place.triangle, place.normal, depth);
 }
 
 EdgeEffect ToolContact::onNearestFace(ContactPlace& place) noexcept
@@ -163,6 +187,7 @@ EdgeEffect ToolContact::onNearestFace(ContactPlace& place) noexcept
       break;
     }
     place = across.place;
+    this->sink(place);
     effect = this->edgeEffect(place);
   }
   return effect;
@@ -194,7 +219,7 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
     return this->comeOff();
   }
   this->applyEdges(effect, response, result);
-  this->addFriction(response, result);
+  this->complete(place, response, effect.share, result);
   return result;
 }
 
@@ -202,7 +227,7 @@ void ToolContact::applyEdges(
   const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept
 {
   const double work =
-    response.energy(effect.depth) + (this->IsInTime ? this->Relaxation.storedEnergy() : 0.0);
+    this->work(response, effect.depth) + (this->IsInTime ? this->Relaxation.storedEnergy() : 0.0);
   const double before = result.normalForce;
   const Vector3 beside = result.force - result.normalForce * result.normal; // of unlike curves
   const double force = result.normalForce * effect.share + work * effect.byDepth;
@@ -240,7 +265,7 @@ Contact ToolContact::fade(ContactPlace& place) noexcept
   result.normalForce *= left.fraction;
   result.stiffness *= left.fraction;
   result.force *= left.fraction;
-  this->addFriction(response, result);
+  this->complete(place, response, left.fraction, result);
   result.state = ContactState::LostAtBorder;
   return result;
 }
@@ -319,19 +344,25 @@ bool ToolContact::blend(
   result.triangle = this->Body.surface.inputTriangle(place.triangle);
   result.contactPoint = place.projection.point;
   result.deflection = -place.signedDistance;
-  const ResponseValue value = response.evaluate(result.deflection);
+  const ResponseValue upright = response.evaluate(result.deflection);
+  ResponseValue value = upright;
+  if (this->Tilt.isFelt())
+  {
+    value = this->Tilt.press(this->LastCorners, this->LastWeights, result.deflection, upright,
+      response.energy(result.deflection));
+  }
   result.normalForce = value.force;
   result.stiffness = value.stiffness;
   result.state = value.beyondRange ? ContactState::BeyondRange : ContactState::Slide;
   if (this->IsInTime)
   {
-    this->relax(place, value, result);
+    this->relax(place, response, value, result);
   }
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
     result.normal = place.normal;
-    result.force = EnergyGradient::force(result.normalForce, place.normal, place.weightGradients,
-      this->energies(response, result.deflection));
+    result.force = EnergyGradient::force(result.normalForce, place.normal,
+      this->weightGradients(place), this->energies(response, result.deflection));
     return result.force.allFinite();
   }
   Vector3 direction = place.normal; // a smooth surface has one of its own
@@ -343,8 +374,8 @@ bool ToolContact::blend(
   {
     const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
     const Vector3 sum = this->sumOfNormals(place, { each[0].force, each[1].force, each[2].force });
-    const double memory = value.force > 0.0 ? result.normalForce / value.force : 1.0;
-    result.normalForce = memory * sum.norm();
+    const double more = upright.force > 0.0 ? result.normalForce / upright.force : 1.0;
+    result.normalForce = more * sum.norm();
     direction = result.normalForce > 0.0 ? sum : direction;
   }
   const double length = direction.norm();
@@ -353,25 +384,37 @@ bool ToolContact::blend(
   return length > 0.0 && result.force.allFinite(); // neither of them infinite
 }
 
-void ToolContact::relax(
-  const ContactPlace& place, const ResponseValue& slow, Contact& result) noexcept
+void ToolContact::relax(const ContactPlace& place, const BlendedResponse& response,
+  const ResponseValue& slow, Contact& result) noexcept
 {
+  // The material under a tilted tool has moved as under the upright one of the same force.
+  ContactTilt::Alike upright;
+  upright.depth = result.deflection;
+  upright.value = slow;
+  if (this->Tilt.isFelt())
+  {
+    upright = this->Tilt.alike(response);
+  }
   const ContactRelaxation::Force felt = this->Relaxation.press(
-    { this->LastCorners, this->LastWeights, place.projection.point, result.deflection }, slow);
+    { this->LastCorners, this->LastWeights, place.projection.point, upright.depth }, upright.value);
   result.normalForce = felt.total;
   result.memory = felt.total - slow.force;
-  result.stiffness = felt.stiffness;
+  result.stiffness = felt.stiffness * upright.stiffening;
   result.state = felt.isTouched ? result.state : ContactState::None;
 }
 
 Vector3 ToolContact::energies(const BlendedResponse& response, double deflection) const noexcept
 {
   Vector3 energies = response.energies(deflection);
+  if (this->Tilt.isFelt())
+  {
+    energies = this->Tilt.energies(this->LastCorners, energies);
+  }
   if (this->IsInTime)
   {
     // What memory stores is shared out among the corners as their slow work is: curves of one tool
     // on bodies of unlike stiffness have one form.
-    const double work = energies.isZero(0.0) ? 0.0 : response.energy(deflection);
+    const double work = energies.isZero(0.0) ? 0.0 : this->work(response, deflection);
     energies *= work > 0.0 ? 1.0 + this->Relaxation.storedEnergy() / work : 1.0;
     energies += this->Relaxation.strengthEnergies();
   }
@@ -381,14 +424,22 @@ Vector3 ToolContact::energies(const BlendedResponse& response, double deflection
 double ToolContact::cappedShare(const Contact& contact, double maximumStiffness) const noexcept
 {
   const BlendedResponse response = this->response();
+  double depth = contact.deflection;
+  double cap = maximumStiffness;
+  if (this->Tilt.isFelt() && contact.normalForce > 0.0)
+  {
+    const ContactTilt::Alike upright = this->Tilt.alike(response);
+    depth = upright.depth;
+    cap /= std::max(upright.stiffening, 1e-9);
+  }
   if (!this->IsInTime)
   {
-    return CappedResponse(response, maximumStiffness).share(contact.deflection);
+    return CappedResponse(response, cap).share(depth);
   }
-  const double slowCap = maximumStiffness / this->Relaxation.stiffening();
+  const double slowCap = cap / this->Relaxation.stiffening();
   const double whole = contact.normalForce;
-  const double capped = this->Relaxation.cappedForce(
-    CappedResponse(response, slowCap).evaluate(contact.deflection).force, slowCap);
+  const double capped =
+    this->Relaxation.cappedForce(CappedResponse(response, slowCap).evaluate(depth).force, slowCap);
   return std::min(1.0, whole > 0.0 ? capped / this->Relaxation.force() : 1.0);
 }
 
@@ -402,6 +453,36 @@ Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& fact
     sum += place.projection.weights[i] * factors[i] * this->Body.response.normal(corners[k]);
   }
   return sum;
+}
+
+void ToolContact::complete(const ContactPlace& place, const BlendedResponse& response, double share,
+  Contact& result) noexcept
+{
+  if (this->Tilt.isFelt())
+  {
+    this->addTorque(place, share, result);
+  }
+  this->addFriction(response, result);
+  if (this->Tilt.isFelt() && this->Tilt.isTooFar() && result.state != ContactState::BeyondRange)
+  {
+    result.state = ContactState::TiltedTooFar;
+  }
+}
+
+void ToolContact::addTorque(const ContactPlace& place, double share, Contact& result) const noexcept
+{
+  const double slow = result.normalForce - result.memory;
+  const double memory = slow > 0.0 ? result.normalForce / slow : 1.0;
+  const double moment = this->Tilt.moment(result.normalForce, share * memory);
+  result.tilt = this->Tilt.angle();
+  result.torque = this->Tilt.torque(moment);
+  // Where the form promises an energy, what its tilt changes by from place to place belongs to it.
+  if (this->Settings.form == ForceForm::EnergyConsistent ||
+    (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth))
+  {
+    result.force += this->Tilt.forceBeside(
+      moment, this->LastCorners, this->weightGradients(place), this->Body.response);
+  }
 }
 
 void ToolContact::addFriction(const BlendedResponse& response, Contact& result) noexcept

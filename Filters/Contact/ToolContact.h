@@ -8,6 +8,7 @@
 #include "Contact/ContactTracker.h"
 #include "Contact/Friction.h"
 #include "Contact/Relaxation/ContactRelaxation.h"
+#include "Contact/Tilt/ContactTilt.h"
 #include "Contact/ToolPose.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -24,8 +25,10 @@ namespace palpate
  * follows from how the contact point moves over the undeformed surface (Friction). Frictionless
  * contacts slide. Beyond an open border the contact is LostAtBorder and its force fades
  * (BorderFade). Over the sharp edges of a body whose response has EdgeTerms it leaves as BodyEdges
- * tells. A body that relaxes is felt in time by an update that is told how long ago the last one
- * was (ContactRelaxation); without a time it is its slow response.
+ * tells. A tool whose axis is known is tilted against the body's normal, if the response knows of
+ * tilts (ContactTilt): its force is another, and it has a torque. A body that relaxes is felt in
+ * time by an update that is told how long ago the last one was (ContactRelaxation); without a time
+ * it is its slow response.
  *
  * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
  * thread; the body may be shared and must outlive it.
@@ -40,6 +43,7 @@ public:
           ? ContactTracker(body.surface, body.tree, body.response)
           : ContactTracker(body.surface, body.tree))
     , Resistance(settings.friction)
+    , Tilt(body.tilt.get())
     , Relaxation(body.relaxation.get(), settings.relaxationElements)
   {
   }
@@ -91,8 +95,14 @@ public:
 
 private:
   ContactTracker::Result follow(const ToolPose& pose) noexcept;
+  /// By how much the point followed is deeper than the tool presses: what it was let down, and what
+  /// the tilt there takes.
+  void sink(const ContactPlace& place) noexcept;
+  /// Of the area coordinates, as the tip moves.
+  Eigen::Matrix3d weightGradients(const ContactPlace& place) const noexcept;
   /// What memory makes of the slow response there.
-  void relax(const ContactPlace& place, const ResponseValue& slow, Contact& result) noexcept;
+  void relax(const ContactPlace& place, const BlendedResponse& response, const ResponseValue& slow,
+    Contact& result) noexcept;
   /// The force where sharp edges are near, or beyond one (BodyEdges).
   Contact feelEdges(ContactPlace& place) noexcept;
   EdgeEffect edgeEffect(ContactPlace& place) const noexcept;
@@ -104,6 +114,11 @@ private:
   Contact end(ContactState state) noexcept;
   /// No contact, since the body has not yet come back to the tool.
   Contact comeOff() noexcept;
+  /// Taken by the response of the tool as it is tilted, N mm.
+  double work(const BlendedResponse& response, double deflection) const noexcept
+  {
+    return this->Tilt.isFelt() ? this->Tilt.work() : response.energy(deflection);
+  }
   /// Work of each corner's curve, and what memory stores there.
   Vector3 energies(const BlendedResponse& response, double deflection) const noexcept;
   /// The force beyond an open border.
@@ -116,21 +131,27 @@ private:
   bool blend(const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept;
   /// Σ n_i factor_i U_i.
   Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
+  /// Torque and friction; `share` of the energy is left, as edges and borders have it.
+  void complete(const ContactPlace& place, const BlendedResponse& response, double share,
+    Contact& result) noexcept;
+  void addTorque(const ContactPlace& place, double share, Contact& result) const noexcept;
   void addFriction(const BlendedResponse& response, Contact& result) noexcept;
 
   const ContactBody& Body;
   ContactSettings Settings;
   ContactTracker Tracker;
   Friction Resistance;
-  Vector3 LastTip = Vector3::Zero();
-  Vector3 LastStep = Vector3::Zero(); ///< to it from the tip before
-  double Sunk = 0.0;                  ///< the surface, by what is not in the response, mm
+  Vector3 LastTip = Vector3::Zero();  ///< or what is followed of a tool that is tilted
+  Vector3 LastStep = Vector3::Zero(); ///< to it from the one before
+  double LetDown = 0.0;               ///< the surface, by others, mm
+  double Sunk = 0.0;                  ///< that, and by the tilt
   /// An edge let go of the tip: another contact begins when it has been outside, since one that
   /// begins in the depth would give what nobody has put in.
   bool IsLetGo = false;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
   bool IsInTime = false;
+  ContactTilt Tilt;
   ContactRelaxation Relaxation; ///< last: most bodies have none
 };
 } // namespace palpate

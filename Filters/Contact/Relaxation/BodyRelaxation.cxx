@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Relaxation/BodyRelaxation.h"
 
+#include "Contact/MeshOrder.h"
 #include "Contact/ParallelRanges.h"
 #include "Contact/Relaxation/ForceNodes.h"
 #include "Mechanics/Numerics/IncreasingRoot.h"
@@ -13,23 +14,6 @@ namespace palpate
 {
 namespace
 {
-LargeVector<float> inMeshOrder(
-  const float* values, std::size_t width, const PackedMesh& mesh, bool isWanted)
-{
-  LargeVector<float> ordered;
-  if (!values || !isWanted)
-  {
-    return ordered;
-  }
-  ordered.resize(width * mesh.pointCount());
-  for (std::size_t i = 0; i < mesh.pointCount(); ++i)
-  {
-    const auto input = static_cast<std::size_t>(mesh.inputPoint(static_cast<std::int32_t>(i)));
-    std::copy_n(values + width * input, width, ordered.data() + width * i);
-  }
-  return ordered;
-}
-
 /// The depth d at which a whole curve has its local part at `local`: d - C F(d) = local.
 double wholeDepth(const ResponseField& whole, std::int32_t point, double compliance, double local)
 {
@@ -73,9 +57,9 @@ BodyRelaxation::BodyRelaxation(
   const PackedMesh& mesh, const ResponseField& response, const ResponseArrays& arrays)
   : Whole(response)
   , Series(arrays.relaxation.series)
-  , Strength(inMeshOrder(
-      arrays.relaxation.strength, this->Series.count, mesh, arrays.relaxation.isPerPoint()))
-  , Compliance(inMeshOrder(arrays.relaxation.elasticCompliance, 1, mesh, true))
+  , Strength(inMeshOrder(arrays.relaxation.isPerPoint() ? arrays.relaxation.strength : nullptr,
+      this->Series.count, mesh))
+  , Compliance(inMeshOrder(arrays.relaxation.elasticCompliance, 1, mesh))
   , Exponent(arrays.relaxation.exponent)
   , Radius(arrays.relaxation.radius)
   , Range(arrays.longestRange())

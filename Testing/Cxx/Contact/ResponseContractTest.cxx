@@ -49,16 +49,16 @@ TEST(ResponseLimit, OtherNumbersHaveNone)
 TEST(ContactWords, EachStateHasItsOwnAndOnlyWhatIsAmissARemark)
 {
   std::set<std::string> words;
-  for (int state = 0; state <= static_cast<int>(ContactState::Invalid); ++state)
+  for (int state = 0; state <= static_cast<int>(ContactState::TiltedTooFar); ++state)
   {
     words.insert(contactInWords(state));
     EXPECT_EQ(std::string(contactRemark(state)).empty(), state < 3) << state;
   }
-  EXPECT_EQ(words.size(), 6U);
+  EXPECT_EQ(words.size(), 7U);
   EXPECT_EQ(words.count("unknown"), 0U);
   EXPECT_STREQ(contactInWords(static_cast<int>(ContactState::Stick)), "contact, sticking");
   EXPECT_STREQ(contactInWords(static_cast<int>(ContactState::LostAtBorder)), "lost at the border");
-  for (const int other : { -1, 6, INT_MIN, INT_MAX })
+  for (const int other : { -1, 7, INT_MIN, INT_MAX })
   {
     EXPECT_STREQ(contactInWords(other), "unknown");
     EXPECT_STREQ(contactRemark(other), "");

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contact/Tilt/ContactTilt.h"
+
+#include "Mechanics/Numerics/IncreasingRoot.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// A tool turns by no more in a tick, rad: so much earlier its end is followed.
+constexpr double MostTurn = 0.035;
+/// Below this (rad) the axis is the normal, and no direction across it is certain.
+constexpr double Upright = 1e-9;
+
+Vector3 sumOfNormals(
+  const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept
+{
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    sum += weights[static_cast<Eigen::Index>(k)] * response.normal(corners[k]);
+  }
+  return sum;
+}
+
+/// Of two unit vectors, exact for small ones too.
+double angleBetween(const Vector3& a, const Vector3& b) noexcept
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+} // namespace
+
+Vector3 ContactTilt::follow(const ToolPose& pose, bool isFollowed) noexcept
+{
+  this->IsFelt = this->Body && pose.hasAxis();
+  if (!this->IsFelt)
+  {
+    return pose.tip;
+  }
+  this->Axis = pose.axis;
+  const TiltTable& table = this->Body->table();
+  const double largest = table.terms().largest;
+  if (isFollowed && !this->Normal.isZero(0.0))
+  {
+    this->Down = -this->Normal;
+    this->Under =
+      table.deepest(std::min(angleBetween(this->Axis, this->Normal) + MostTurn, largest)).drop;
+  }
+  else
+  {
+    this->Normal.setZero();
+    this->Down = -this->Axis;
+    this->Under = this->Body->largestDrop() / std::cos(largest);
+  }
+  return pose.tip + this->Under * this->Down;
+}
+
+double ContactTilt::turn(
+  const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept
+{
+  const Vector3 sum = sumOfNormals(corners, weights, response);
+  this->NormalLength = sum.norm();
+  if (!(this->NormalLength > 0.0))
+  {
+    this->NormalLength = 1.0;
+    this->Normal = this->Axis; // of opposite normals, which have no sum: taken to be upright
+  }
+  else
+  {
+    this->Normal = sum / this->NormalLength;
+  }
+  this->Angle = angleBetween(this->Axis, this->Normal);
+  this->Deepest = this->Body->table().deepest(this->Angle);
+  return -this->Under * this->Down.dot(this->Normal) - this->Deepest.drop;
+}
+
+Eigen::Matrix3d ContactTilt::ofTip(const Eigen::Matrix3d& weightGradients,
+  const TriangleCorners& corners, const ResponseField& response) const noexcept
+{
+  // The point followed is p = tip - e n(p): a step of the tip is (1 + e dn/dp) times one of p.
+  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    turning +=
+      response.normal(corners[k]) * weightGradients.col(static_cast<Eigen::Index>(k)).transpose();
+  }
+  turning = (turning - this->Normal * (this->Normal.transpose() * turning)) / this->NormalLength;
+  const Eigen::Matrix3d step = Eigen::Matrix3d::Identity() + this->Under * turning;
+  Eigen::Matrix3d inverse;
+  bool isInvertible = false;
+  step.computeInverseWithCheck(inverse, isInvertible, 1e-3);
+  return isInvertible ? Eigen::Matrix3d(inverse.transpose() * weightGradients) : weightGradients;
+}
+
+ResponseValue ContactTilt::press(const TriangleCorners& corners, const Vector3& weights,
+  double depth, const ResponseValue& upright, double work) noexcept
+{
+  this->Work = work;
+  this->Depth = depth;
+  const BodyTilt::Weights laws = this->Body->weights(corners, weights);
+  this->Factor = this->Body->table().at(depth, this->Angle, laws.data());
+  const TiltFactor& t = this->Factor;
+  this->Force = { upright.force * t.value + work * t.byDepth,
+    upright.stiffness * t.value + 2.0 * upright.force * t.byDepth + work * t.byDepthTwice,
+    upright.beyondRange };
+  return this->Force;
+}
+
+ContactTilt::Alike ContactTilt::alike(const BlendedResponse& curve) const noexcept
+{
+  constexpr int doublings = 16;
+  double most = this->Depth;
+  for (int i = 0; i < doublings && curve.evaluate(most).force < this->Force.force; ++i)
+  {
+    most *= 2.0;
+  }
+  Alike same;
+  same.depth = increasingRoot(
+    [&](double depth) -> ValueAndSlope
+    {
+      const ResponseValue value = curve.evaluate(depth);
+      return { value.force - this->Force.force, value.stiffness };
+    },
+    0.0, most, this->Depth);
+  same.value = curve.evaluate(same.depth);
+  same.stiffening = same.value.stiffness > 0.0 ? this->Force.stiffness / same.value.stiffness : 1.0;
+  return same;
+}
+
+Vector3 ContactTilt::energies(const TriangleCorners& corners, const Vector3& upright) const noexcept
+{
+  Vector3 energies = this->Factor.value * upright;
+  if (this->Body->isPerPoint())
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const BodyTilt::Weights laws = this->Body->weights(corners[k]);
+      energies[static_cast<Eigen::Index>(k)] +=
+        this->Work * this->Body->table().at(this->Depth, this->Angle, laws.data()).value;
+    }
+  }
+  return energies;
+}
+
+Vector3 ContactTilt::torque(double moment) const noexcept
+{
+  const double sine = std::sin(this->Angle);
+  return sine > Upright ? Vector3(moment / sine * this->Axis.cross(this->Normal)) : Vector3::Zero();
+}
+
+Vector3 ContactTilt::forceBeside(double moment, const TriangleCorners& corners,
+  const Eigen::Matrix3d& weightGradients, const ResponseField& response) const noexcept
+{
+  // cos θ = axis · n, n = Σ n_i U_i/|Σ n_i U_i|.
+  const double sine = std::sin(this->Angle);
+  if (!(sine > Upright))
+  {
+    return Vector3::Zero();
+  }
+  const double cosine = this->Axis.dot(this->Normal);
+  Vector3 gradient = Vector3::Zero(); // of cos θ
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vector3 normal = response.normal(corners[k]);
+    gradient += (this->Axis.dot(normal) - cosine * this->Normal.dot(normal)) *
+      weightGradients.col(static_cast<Eigen::Index>(k));
+  }
+  return moment / (sine * this->NormalLength) * gradient;
+}
+} // namespace palpate
