@@ -88,6 +88,7 @@ Header makeHeader(const FlatBody& body)
   header.modelParts = body.modelParts;
   header.setEdges(body.response.edges);
   header.setRelaxation(body.response.relaxation);
+  header.setTilt(body.response.tilt);
   const auto sizes = header.sectionSizes();
   std::uint64_t end = sizeof(Header);
   for (std::size_t k = 0; k < Header::SectionCount; ++k)
@@ -125,6 +126,9 @@ FlatBody view(const Header& header, const unsigned char* file)
   body.response.relaxation.strength = static_cast<const float*>(at(Header::LocalRelaxation));
   body.response.relaxation.elasticCompliance =
     static_cast<const float*>(at(Header::ElasticCompliance));
+  body.response.tilt = { header.tiltTerms(), static_cast<const double*>(at(Header::TiltDrop)),
+    static_cast<const double*>(at(Header::TiltNode)),
+    static_cast<const float*>(at(Header::TiltWeight)) };
   body.validity = static_cast<const float*>(at(Header::Validity));
   body.limit = static_cast<const std::uint8_t*>(at(Header::Limit));
   body.tool = header.tool.data();
@@ -139,7 +143,8 @@ std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
   const ResponseArrays& response = body.response;
   return { body.coordinates, body.corners, response.force, response.stiffness, response.basis,
     response.coefficient, response.normal, response.range, response.status, body.validity,
-    body.limit, response.relaxation.strength, response.relaxation.elasticCompliance };
+    body.limit, response.relaxation.strength, response.relaxation.elasticCompliance,
+    response.tilt.drops, response.tilt.nodes, response.tilt.weight };
 }
 
 /// What no tick is to meet: strengths or compliances that are not finite, or negative.
@@ -157,6 +162,13 @@ std::string checkRelaxation(const FlatBody& body)
   };
   const std::string fault = check(terms.strength, terms.series.count, "a relaxation");
   return fault.empty() ? check(terms.elasticCompliance, 1, "an elastic compliance") : fault;
+}
+
+std::string checkTilts(const FlatBody& body)
+{
+  const TiltViews& tilt = body.response.tilt;
+  const std::string fault = tilt.areFelt() ? faultOfTilts(tilt, body.points) : "";
+  return fault.empty() ? fault : "has tilts that cannot be felt: " + fault;
 }
 
 void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
@@ -214,6 +226,7 @@ std::string FlatBodyFile::open(const std::string& path)
       fault = checksumOf(sectionsOf(this->Body), header) == header.checksum
         ? checkRelaxation(this->Body)
         : "is damaged: its checksum is wrong";
+      fault = fault.empty() ? checkTilts(this->Body) : fault;
     }
   }
   if (!fault.empty())

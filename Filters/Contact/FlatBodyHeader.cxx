@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 constexpr int LargestLawCount = 4096;
-constexpr std::array<std::size_t, 4> HeaderSizes = { FlatBodyHeader::SmallestSize, 416, 456,
+constexpr std::array<std::size_t, 5> HeaderSizes = { FlatBodyHeader::SmallestSize, 416, 456, 560,
   sizeof(FlatBodyHeader) };
 static_assert(HeaderSizes.size() == FlatBodyFile::Version);
 } // namespace
@@ -30,6 +30,20 @@ FlatBodyHeader FlatBodyHeader::read(const unsigned char* file, std::size_t size)
 std::size_t FlatBodyHeader::size() const
 {
   return HeaderSizes[std::clamp<std::size_t>(this->version, 1, HeaderSizes.size()) - 1];
+}
+
+std::uint64_t FlatBodyHeader::offset(std::size_t section) const
+{
+  return section < FirstSectionCount ? this->firstOffset[section]
+    : section < SecondSectionCount   ? this->laterOffset[section - FirstSectionCount]
+                                     : this->latestOffset[section - SecondSectionCount];
+}
+
+std::uint64_t& FlatBodyHeader::offset(std::size_t section)
+{
+  return section < FirstSectionCount ? this->firstOffset[section]
+    : section < SecondSectionCount   ? this->laterOffset[section - FirstSectionCount]
+                                     : this->latestOffset[section - SecondSectionCount];
 }
 
 FlatBodyHeader::Sections FlatBodyHeader::sectionSizes() const
@@ -53,6 +67,14 @@ FlatBodyHeader::Sections FlatBodyHeader::sectionSizes() const
   bytes[LocalRelaxation] =
     has(LocalPart) ? n * static_cast<std::uint64_t>(this->branches) * sizeof(float) : 0;
   bytes[ElasticCompliance] = has(ElasticPart) ? n * sizeof(float) : 0;
+  const TiltTerms tilt = this->tiltTerms();
+  if (tilt.areFelt())
+  {
+    bytes[TiltDrop] = TiltTable::dropCount(tilt) * sizeof(double);
+    bytes[TiltNode] = TiltTable::nodeCount(tilt) * sizeof(double);
+    bytes[TiltWeight] =
+      this->tiltWeights != 0 ? n * static_cast<std::uint64_t>(tilt.laws) * sizeof(float) : 0;
+  }
   return bytes;
 }
 
@@ -101,6 +123,24 @@ RelaxationTerms FlatBodyHeader::relaxationTerms() const
   return terms;
 }
 
+void FlatBodyHeader::setTilt(const TiltViews& tilt)
+{
+  if (tilt.areFelt())
+  {
+    const TiltTerms& terms = tilt.terms;
+    this->tiltNumbers = { terms.range, terms.largest, terms.dropScale };
+    this->tiltCounts = { terms.depths, terms.angles, terms.drops, terms.laws };
+    this->tiltWeights = tilt.weight ? 1 : 0;
+  }
+}
+
+TiltTerms FlatBodyHeader::tiltTerms() const
+{
+  const auto& counts = this->tiltCounts;
+  return { this->tiltNumbers[0], this->tiltNumbers[1], this->tiltNumbers[2], counts[0], counts[1],
+    counts[2], counts[3] };
+}
+
 std::string FlatBodyHeader::fault(std::uint64_t fileBytes) const
 {
   if (this->magic != Magic)
@@ -147,7 +187,16 @@ bool FlatBodyHeader::isSound() const
     this->samples <= ResponseSampling::LargestCount && this->laws >= 0 &&
     this->laws <= LargestLawCount && this->exponent > 0.0 && this->exponent <= 10.0 &&
     this->tool.back() == '\0' && this->model.back() == '\0' &&
-    (this->edges[0] == 0.0 || faultOfEdges(this->edgeTerms()).empty()) && this->isRelaxationSound();
+    (this->edges[0] == 0.0 || faultOfEdges(this->edgeTerms()).empty()) &&
+    this->isRelaxationSound() && this->isTiltSound();
+}
+
+bool FlatBodyHeader::isTiltSound() const
+{
+  const TiltTerms terms = this->tiltTerms();
+  return (terms.laws == 0 && this->tiltWeights == 0) ||
+    (faultOfTilts(terms).empty() && (this->tiltWeights == 0 || this->tiltWeights == 1) &&
+      (terms.laws == 1 || this->tiltWeights == 1));
 }
 
 bool FlatBodyHeader::isRelaxationSound() const

@@ -4,6 +4,7 @@
 
 #include "Contact/Edges/EdgeLaw.h"
 #include "Contact/Relaxation/RelaxationTerms.h"
+#include "Contact/Tilt/TiltViews.h"
 
 #include <array>
 #include <cstddef>
@@ -35,9 +36,13 @@ struct FlatBodyHeader
     Limit,
     LocalRelaxation, ///< since format 4
     ElasticCompliance,
+    TiltDrop, ///< since format 5
+    TiltNode,
+    TiltWeight,
     SectionCount
   };
   static constexpr std::size_t FirstSectionCount = LocalRelaxation;
+  static constexpr std::size_t SecondSectionCount = TiltDrop;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
   /// What of a relaxation there is besides the series.
@@ -72,23 +77,21 @@ struct FlatBodyHeader
   std::array<double, PronySeries::LargestCount> strength;
   std::array<double, PronySeries::LargestCount> time;
   std::array<double, 2> contact;
-  std::array<std::uint64_t, SectionCount - FirstSectionCount> laterOffset;
+  std::array<std::uint64_t, SecondSectionCount - FirstSectionCount> laterOffset;
+  /// Since format 5, of TiltTerms: range, largest tilt and scale of the drop; numbers of depths,
+  /// angles, drops, and laws, 0 if there are none; and 1 if the points have weights.
+  std::array<double, 3> tiltNumbers;
+  std::array<std::int32_t, 4> tiltCounts;
+  std::int64_t tiltWeights;
+  std::array<std::uint64_t, SectionCount - SecondSectionCount> latestOffset;
 
   /// That of a file of at least SmallestSize; of a format of before, what it has not is 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
 
   /// Bytes, in a file of this version.
   std::size_t size() const;
-  std::uint64_t& offset(std::size_t section)
-  {
-    return section < FirstSectionCount ? this->firstOffset[section]
-                                       : this->laterOffset[section - FirstSectionCount];
-  }
-  std::uint64_t offset(std::size_t section) const
-  {
-    return section < FirstSectionCount ? this->firstOffset[section]
-                                       : this->laterOffset[section - FirstSectionCount];
-  }
+  std::uint64_t& offset(std::size_t section);
+  std::uint64_t offset(std::size_t section) const;
   /// Bytes of each section, from the counts alone.
   Sections sectionSizes() const;
 
@@ -98,14 +101,18 @@ struct FlatBodyHeader
   /// Without the arrays per point.
   RelaxationTerms relaxationTerms() const;
 
+  void setTilt(const TiltViews& tilt);
+  TiltTerms tiltTerms() const;
+
   /// What keeps a file of so many bytes that begins with it from being used, or "".
   std::string fault(std::uint64_t fileBytes) const;
 
 private:
   bool isSound() const;
   bool isRelaxationSound() const;
+  bool isTiltSound() const;
 };
-static_assert(sizeof(FlatBodyHeader) == 560, "the layout of a file is fixed");
+static_assert(sizeof(FlatBodyHeader) == 632, "the layout of a file is fixed");
 } // namespace palpate
 
 #endif

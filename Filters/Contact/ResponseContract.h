@@ -95,7 +95,11 @@ enum class ResponseArray : std::uint8_t
   RelaxationStrength,
   RelaxationTime,
   LocalRelaxation,
-  ElasticCompliance
+  ElasticCompliance,
+  Tilt,
+  TiltDrop,
+  TiltNode,
+  TiltWeight
 };
 
 /// One array of a response: with the response's name before `suffix` it is the array's name.
@@ -120,12 +124,16 @@ struct ContractArray
   enum class Width : std::uint8_t
   {
     One,
+    Two,
     Three,
+    Four,
     Five,
+    Seven,
     Samples,
     TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
     Laws,
-    Branches ///< of the relaxation; of a field array as many tuples of one
+    Branches, ///< of the relaxation; of a field array as many tuples of one
+    TiltLaws  ///< of the table of tilts
   };
   /// Who needs it.
   enum class Use : std::uint8_t
@@ -136,7 +144,8 @@ struct ContractArray
     Trust,      ///< how far the law holds
     Words,      ///< what the file says of itself
     Edges,      ///< how a contact leaves over sharp edges; may be absent
-    Relaxation  ///< how the body relaxes; may be absent
+    Relaxation, ///< how the body relaxes; may be absent
+    Tilt        ///< what tilting the tool makes of its force; may be absent
   };
 
   ResponseArray array;
@@ -153,7 +162,7 @@ struct ContractArray
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 21> ResponseContract = { {
+constexpr std::array<ContractArray, 25> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -178,6 +187,10 @@ constexpr std::array<ContractArray, 21> ResponseContract = { {
   PALPATE_ARRAY(RelaxationTime,     Fields, Double, Branches, Relaxation, "s", "\u03c4_i"),
   PALPATE_ARRAY(LocalRelaxation,    Points, Float,  Branches, Relaxation, "", "p_i of each point, instead of RelaxationStrength"),
   PALPATE_ARRAY(ElasticCompliance,  Points, Float,  One,      Relaxation, "mm/N", "what is in series and does not relax"),
+  PALPATE_ARRAY(Tilt,       Fields, Double, Seven,    Tilt, "", "TiltTerms: range (mm), largest tilt (rad), scale of the drop, numbers of depths, angles, drops, laws"),
+  PALPATE_ARRAY(TiltDrop,   Fields, Double, Two,      Tilt, "mm", "of each tilt: drop of the tool's deepest point, and its derivative by the tilt (rad)"),
+  PALPATE_ARRAY(TiltNode,   Fields, Double, Four,     Tilt, "", "of each law, depth, angle: work over that of the upright tool, and its derivatives by x, y, both"),
+  PALPATE_ARRAY(TiltWeight, Points, Float,  TiltLaws, Tilt, "", "of each law at the point, sum 1; absent: one law"),
 #undef PALPATE_ARRAY
 } };
 // clang-format on
@@ -198,12 +211,21 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
   return contractOf(array).named(response);
 }
 
-/// Components of a tuple of the array, in a response of so many samples, laws and branches of the
-/// relaxation.
-constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0)
+/// Components of a tuple of the array, in a response of so many samples, laws, branches of the
+/// relaxation and laws of tilts.
+constexpr int componentsOf(
+  const ContractArray& array, int samples, int laws, int branches = 0, int tiltLaws = 0)
 {
   switch (array.width)
   {
+    case ContractArray::Width::Two:
+      return 2;
+    case ContractArray::Width::Four:
+      return 4;
+    case ContractArray::Width::Seven:
+      return 7;
+    case ContractArray::Width::TiltLaws:
+      return tiltLaws;
     case ContractArray::Width::Three:
       return 3;
     case ContractArray::Width::Five:

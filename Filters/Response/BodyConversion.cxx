@@ -3,6 +3,7 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Response/ArrayFetch.h"
+#include "Response/Curves/TiltConversion.h"
 #include "Response/FilterThreads.h"
 
 #include "vtkCellArray.h"
@@ -258,7 +259,7 @@ bool viewResponse(
     ? fetchArray<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
     : nullptr;
   return arrays.status && viewEdges(body, name, arrays.edges, error) &&
-    viewRelaxation(body, name, arrays, error);
+    viewRelaxation(body, name, arrays, error) && viewTilts(body, name, arrays, error);
 }
 
 bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,

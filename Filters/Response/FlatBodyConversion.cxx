@@ -2,6 +2,7 @@
 #include "Response/FlatBodyConversion.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Curves/TiltConversion.h"
 #include "Contact/FlatBodyFile.h"
 
 #include "vtkCellArray.h"
@@ -85,6 +86,17 @@ void addRelaxation(const FlatBody& flat, const std::string& name, vtkPolyData* b
   add(ResponseArray::LocalRelaxation, terms.strength, terms.series.count);
   add(ResponseArray::ElasticCompliance, terms.elasticCompliance, 1);
 }
+void addTilts(const FlatBody& flat, const std::string& name, vtkPolyData* body)
+{
+  const TiltViews& tilt = flat.response.tilt;
+  if (tilt.areFelt())
+  {
+    const std::size_t count =
+      tilt.weight ? flat.points * static_cast<std::size_t>(tilt.terms.laws) : 0;
+    describeTilts(body, name, TiltTable(tilt.terms, tilt.drops, tilt.nodes),
+      std::vector<float>(tilt.weight, tilt.weight + count));
+  }
+}
 } // namespace
 
 std::string writeFlatBody(vtkPolyData* body, const std::string& name, const std::string& path)
@@ -167,6 +179,7 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
     describeEdges(body, name, response.edges);
   }
   addRelaxation(flat, name, body);
+  addTilts(flat, name, body);
   return body;
 }
 } // namespace palpate

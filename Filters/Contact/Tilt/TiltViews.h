@@ -2,7 +2,11 @@
 #ifndef palpate_TiltViews_h
 #define palpate_TiltViews_h
 
+#include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tilt/TiltTable.h"
+
+#include <cstddef>
+#include <string>
 
 namespace palpate
 {
@@ -18,6 +22,10 @@ struct TiltViews
 
   bool areFelt() const noexcept { return this->terms.areFelt(); }
 };
+
+/// What is wrong with those of a body of so many points, naming it and the number; "" for what can
+/// be felt.
+PALPATE_EXPORT std::string faultOfTilts(const TiltViews& views, std::size_t points);
 } // namespace palpate
 
 #endif

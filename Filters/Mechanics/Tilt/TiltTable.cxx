@@ -84,7 +84,7 @@ TiltTable::TiltTable(const TiltTerms& terms, const double* drops, const double* 
 {
 }
 
-std::string TiltTable::faultOf(const TiltTerms& terms, const double* drops, const double* nodes)
+std::string faultOfTilts(const TiltTerms& terms)
 {
   constexpr double rightAngle = 1.5707963267948966;
   const auto count = [](const char* what, int is, int least, int most) -> std::string
@@ -114,6 +114,16 @@ std::string TiltTable::faultOf(const TiltTerms& terms, const double* drops, cons
     {
       return fault;
     }
+  }
+  return {};
+}
+
+std::string TiltTable::faultOf(const TiltTerms& terms, const double* drops, const double* nodes)
+{
+  std::string fault = faultOfTilts(terms);
+  if (!fault.empty())
+  {
+    return fault;
   }
   const auto firstBad = [](const double* values, std::size_t number)
   {

@@ -46,6 +46,9 @@ struct TiltTerms
   bool areFelt() const noexcept { return this->laws > 0; }
 };
 
+/// What is wrong with them, naming it and the number; "" for what can be felt.
+PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
+
 /**
  * What tilting a tool makes of its force. With W_0(D) the work of pressing it D deep upright, the
  * tool tilted by θ, its deepest point D deep, has taken

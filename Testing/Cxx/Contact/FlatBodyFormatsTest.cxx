@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body file says of relaxation, and the formats before, which had less in their header.
+// What a body file says of relaxation and tilts, and the formats before, which had less in their
+// header.
 #include "Contact/FlatBodyFile.h"
 
 #include "FlatBodyFixture.h"
+#include "SampleTilts.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -23,7 +26,7 @@ constexpr std::size_t BranchesAt = 456;
 constexpr std::size_t TimesAt = 496;
 constexpr std::size_t ContactAt = 528;
 constexpr std::size_t LaterOffsetsAt = 544;
-constexpr std::size_t HeaderSize = 560;
+constexpr std::size_t HeaderSize = 632;
 
 class FlatBodyFormatsTest : public FlatBodyFixture
 {
@@ -150,8 +153,8 @@ TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
   body.response.edges = { 1.5, 2.0, 0.4, 6.0, true };
   ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
   const std::vector<char> whole = this->bytes();
-  const std::size_t sizes[] = { 408, 416, 456 };
-  for (std::uint32_t version = 1; version <= 3; ++version)
+  const std::size_t sizes[] = { 408, 416, 456, 560 };
+  for (std::uint32_t version = 1; version <= 4; ++version)
   {
     std::vector<char> file = whole;
     const std::size_t size = sizes[version - 1];
@@ -162,10 +165,11 @@ TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
     FlatBodyFile read;
     ASSERT_EQ(read.open(this->Path), "") << version;
     EXPECT_EQ(read.body().points, body.points);
-    EXPECT_EQ(read.body().response.edges.areFelt(), version == 3);
-    EXPECT_EQ(read.body().response.edges.extent, version == 3 ? 6.0 : 0.0);
+    EXPECT_EQ(read.body().response.edges.areFelt(), version >= 3);
+    EXPECT_EQ(read.body().response.edges.extent, version >= 3 ? 6.0 : 0.0);
     EXPECT_EQ(read.body().response.relaxation.series.count, 0U);
     EXPECT_EQ(read.body().response.relaxation.elasticCompliance, nullptr);
+    EXPECT_FALSE(read.body().response.tilt.areFelt());
     EXPECT_EQ(std::memcmp(read.body().response.force, body.response.force, 32 * body.points), 0);
   }
 }
@@ -193,4 +197,72 @@ TEST_F(FlatBodyFormatsTest, WrongRelaxationIsRefused)
   EXPECT_TRUE(
     contains(this->errorWith(elastic + 4 * 9, -1.0F), "an elastic compliance of -1 at point 9"));
   EXPECT_TRUE(contains(this->errorWith(EdgesAt, -1.0), "damaged header"));
+}
+
+namespace
+{
+/// Two laws, and what of each there is at a point.
+struct Tilts
+{
+  explicit Tilts(std::size_t points)
+  {
+    for (std::size_t i = 0; i < points; ++i)
+    {
+      this->weight.push_back(0.25F);
+      this->weight.push_back(0.75F);
+    }
+    this->store.views.weight = this->weight.data();
+  }
+  TiltStore store{ { noFactor, [](double depth, double angle) { return 1.0 + depth * angle; } },
+    dropOfSphere(5.0), 2.0, 0.5 };
+  std::vector<float> weight;
+};
+} // namespace
+
+TEST_F(FlatBodyFormatsTest, TiltsComeBackToTheBit)
+{
+  const Tilts tilts(this->Ball.points.size());
+  FlatBody body = this->relaxing();
+  body.response.tilt = tilts.store.views;
+  ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
+  FlatBodyFile file;
+  ASSERT_EQ(file.open(this->Path), "");
+  const TiltViews& read = file.body().response.tilt;
+  EXPECT_EQ(read.terms.range, 2.0);
+  EXPECT_EQ(read.terms.largest, 0.5);
+  EXPECT_EQ(read.terms.dropScale, 0.0);
+  ASSERT_EQ(read.terms.laws, 2);
+  ASSERT_EQ(TiltTable::nodeCount(read.terms), tilts.store.nodes.size());
+  ASSERT_EQ(TiltTable::dropCount(read.terms), tilts.store.drops.size());
+  EXPECT_TRUE(std::equal(tilts.store.drops.begin(), tilts.store.drops.end(), read.drops));
+  EXPECT_TRUE(std::equal(tilts.store.nodes.begin(), tilts.store.nodes.end(), read.nodes));
+  EXPECT_TRUE(std::equal(tilts.weight.begin(), tilts.weight.end(), read.weight));
+  EXPECT_EQ(file.body().response.relaxation.series.count, 2U);
+}
+
+TEST_F(FlatBodyFormatsTest, WrongTiltsAreRefused)
+{
+  const auto errorOf = [this](Tilts& tilts)
+  {
+    FlatBody body = this->flat();
+    body.response.tilt = tilts.store.views;
+    EXPECT_EQ(FlatBodyFile::write(this->Path, body), "");
+    return this->openError();
+  };
+  const std::size_t points = this->Ball.points.size();
+  Tilts sum(points);
+  sum.weight[2 * 7] = 0.5F;
+  EXPECT_TRUE(contains(errorOf(sum), "tilts at point 7 must have the sum 1, not 1.25"));
+  Tilts node(points);
+  node.store.nodes[5] = std::nan("");
+  EXPECT_TRUE(contains(errorOf(node), "value 5 of the nodes is not finite"));
+  Tilts drop(points);
+  drop.store.drops[3] = INFINITY;
+  EXPECT_TRUE(contains(errorOf(drop), "value 3 of the drops is not finite"));
+  Tilts lone(points);
+  lone.store.views.weight = nullptr;
+  EXPECT_TRUE(contains(errorOf(lone), "damaged header"));
+  Tilts far(points);
+  far.store.views.terms.largest = 1.7;
+  EXPECT_TRUE(contains(errorOf(far), "damaged header"));
 }

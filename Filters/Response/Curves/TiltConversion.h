@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * The arrays by which a response tells what tilting its tool makes of the force: Tilt, TiltDrop,
+ * TiltNode, TiltWeight of Contact/ResponseContract.h, the numbers of a TiltTable. Without them the
+ * tool is taken to be upright, wherever its axis points.
+ */
+#ifndef TiltConversion_h
+#define TiltConversion_h
+
+#include "palpateResponseModule.h" // For export macro
+
+#include "Contact/ResponseField.h"    // For palpate::ResponseArrays
+#include "Mechanics/Tilt/TiltTable.h" // For palpate::TiltTable
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// Attaches the arrays in place of any there were. `weights`: of each law at each point; empty for
+/// a table of one law.
+PALPATERESPONSE_EXPORT void describeTilts(vtkPolyData* body, const std::string& name,
+  const TiltTable& table, const std::vector<float>& weights);
+
+/// Takes them away.
+PALPATERESPONSE_EXPORT void removeTilts(vtkPolyData* body, const std::string& name);
+
+/// Fills arrays.tilt where the arrays are there, as views of them. False, and an error that names
+/// the array and the number, if they are wrong.
+bool viewTilts(
+  vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
+} // namespace palpate
+
+#endif
