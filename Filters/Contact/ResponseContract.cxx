@@ -17,7 +17,8 @@ constexpr std::array<LimitWords, ResponseLimitCount> Words = { { { "", "" },
   { "strain", "small strain" }, { "curvature of the body", "a flat surface" },
   { "layer thickness", "the thickness" }, { "the opposite wall", "the opposite wall" },
   { "an edge", "an edge" }, { "the measured data", "the measured data" },
-  { "the finite elements", "the finite elements" } } };
+  { "the finite elements", "the finite elements" },
+  { "the tilt of the tool", "an upright tool" } } };
 
 struct ContactWords
 {

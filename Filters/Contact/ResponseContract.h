@@ -36,9 +36,10 @@ enum class ResponseLimit : std::uint8_t
   OppositeWall,
   Edge,
   DataEnd,
-  Elements ///< the finite elements it was computed with
+  Elements, ///< the finite elements it was computed with
+  Tilt      ///< that of the tool, of another body than a half-space
 };
-constexpr std::size_t ResponseLimitCount = 8;
+constexpr std::size_t ResponseLimitCount = 9;
 
 /// What breaks it: "strain", "layer thickness"; "" for 0 and for a number that is no code. These
 /// and the next are static texts.

@@ -17,6 +17,7 @@ struct LawTerms
   bool automatic = false;        ///< what changes the force little is left out
   double changeTolerance = 0.01; ///< of the force, relative: how little
   bool edges = false;            ///< sharp edges, as a contact leaves over them (BodyEdges)
+  double tilt = 0.0;             ///< the largest of the tool, degrees; 0: it is upright
 
   bool keepsError() const { return this->storeError && this->errorTolerance > 0.0; }
   /// Small strain on a flat surface, valid until the first assumption breaks.

@@ -4,6 +4,7 @@
 #include "Contact/Reduction/ChoiceReason.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
+#include "Response/Curves/TiltConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
 #include "Response/ReplacedCurves.h"
 
@@ -162,6 +163,9 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   attached.relaxation = relaxationNeed(relaxation, arrays.points, used.tolerance);
   const std::string time = relaxationReason(attached.relaxation, relaxation.series, used.tolerance);
   attached.reason += time.empty() ? time : ". " + capitalised(time);
+  attached.tilt = tiltNeed(arrays, used.tolerance);
+  const std::string tilts = tiltReason(attached.tilt, arrays.tilt, used.tolerance);
+  attached.reason += tilts.empty() ? tilts : ". " + capitalised(tilts);
   const std::string terms = termsReason(body, responseName);
   attached.reason += terms.empty() ? terms : ". Of its law: " + terms;
   copyWithOwnFields(body, output);
@@ -171,6 +175,10 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   }
   addText(output, responseName + "Choice", attached.reason);
   keepRelaxation(output, responseName, relaxation, attached.relaxation);
+  if (!attached.tilt.isFelt)
+  {
+    removeTilts(output, responseName);
+  }
   return {};
 }
 } // namespace palpate

@@ -6,6 +6,7 @@
 
 #include "Contact/Reduction/ResponseChoice.h" // For palpate::ResponseChoice
 #include "Laws/RelaxationError.h"             // For palpate::RelaxationNeed
+#include "Laws/TiltNeed.h"                    // For palpate::TiltNeed
 
 #include <string> // For std::string
 
@@ -20,6 +21,7 @@ struct AttachedChoice
   std::string reason;
   int numbersPerPointBefore = 0;
   RelaxationNeed relaxation; ///< of a body that relaxes
+  TiltNeed tilt;             ///< of a tool that may be tilted
 };
 
 /// The body with the least form of its response, see vtkResponseChoice.

@@ -116,6 +116,11 @@ std::string checkRequest(const LawRequest& request)
     return joined(
       "TermTolerance must be finite and not negative (a fraction of the force), but is ", change);
   }
+  const double tilt = request.terms.tilt;
+  if (!(tilt >= 0.0 && std::isfinite(tilt)))
+  {
+    return joined("MaximumTilt must be finite and not negative (degrees), but is ", tilt);
+  }
   return request.responseName.empty() ? "ResponseName must not be empty" : "";
 }
 

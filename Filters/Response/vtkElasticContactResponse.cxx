@@ -274,6 +274,7 @@ void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StoreMotion: " << this->StoreMotion << "\n";
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
+  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";

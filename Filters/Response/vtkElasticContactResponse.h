@@ -156,6 +156,13 @@ public:
   ///@}
 
   ///@{
+  /** How far the tool will be tilted, degrees, as of vtkToolContactResponse; the tilts are those of
+   * a half-space, whatever the body's shape. Default 0: upright. */
+  vtkSetMacro(MaximumTilt, double);
+  vtkGetMacro(MaximumTilt, double);
+  ///@}
+
+  ///@{
   /**
    * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch with its strength p >= 0,
    * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. As of
@@ -257,6 +264,7 @@ private:
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
   bool EdgeCorrection = false;
+  double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;

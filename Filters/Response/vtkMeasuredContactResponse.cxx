@@ -340,6 +340,7 @@ bool vtkMeasuredContactResponse::RespondTo(
   request.terms = palpate::LawTerms::plain(); // the law that the measurement was identified with
   request.terms.errorTolerance = this->ErrorTolerance;
   request.terms.storeError = this->StoreError;
+  request.terms.tilt = this->MaximumTilt;
   std::unique_ptr<palpate::DataError> data;
   palpate::MeasuredBodyError known;
   if (this->ErrorTolerance > 0.0 && palpate::checkRequest(request).empty())
@@ -402,6 +403,7 @@ void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
   os << indent << "StoreError: " << this->StoreError << "\n";
   os << indent << "RegistrationResidual: " << this->RegistrationResidual << " mm\n";
   os << indent << "SiteResidual: " << this->SiteResidual << " mm\n";

@@ -246,6 +246,13 @@ public:
   ///@}
 
   ///@{
+  /** How far the tool will be tilted, degrees, as of vtkToolContactResponse. Default
+   * 0: upright. */
+  vtkSetMacro(MaximumTilt, double);
+  vtkGetMacro(MaximumTilt, double);
+  ///@}
+
+  ///@{
   /** As of vtkToolContactResponse. Default 0.05, and on. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
@@ -307,6 +314,7 @@ private:
   std::string ResponseName = "Response";
   double ErrorTolerance = 0.05;
   bool StoreError = true;
+  double MaximumTilt = 0.0;
   double RegistrationResidual = 0.0;
   double SiteResidual = 0.0;
 };

@@ -85,7 +85,7 @@ int vtkToolContactResponse::RequestData(
       { static_cast<palpate::StrainModel>(this->StrainModel),
         this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
       this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
-      this->EdgeCorrection },
+      this->EdgeCorrection, this->MaximumTilt },
     nullptr, relaxation };
   std::string warning;
   fault = palpate::attachResponse(
@@ -139,6 +139,7 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
+  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
   os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";

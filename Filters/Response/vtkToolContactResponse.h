@@ -24,7 +24,7 @@
  * strain, curvature, thickness, edge, storage and the elements behind a compliance may add up to
  * (palpate/ErrorRule.h). **Validity** is the largest depth at which it is within ErrorTolerance, at
  * most Range, and **Limit** the largest part just beyond: 0 none within Range, 1 strain, 2
- * curvature, 3 thickness, 5 edge, 7 elements.
+ * curvature, 3 thickness, 5 edge, 7 elements, 8 tilt.
  *
  * With an ErrorTolerance of 0 there is no `Error`, and validity is the depth at which the first
  * assumption of the law breaks. Strain: a/R exceeds 0.4, the contact radius over the tip radius
@@ -195,6 +195,25 @@ public:
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
   vtkBooleanMacro(EdgeCorrection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far the tool will be tilted against the body's normal, degrees, >= 0. Default 0: it is
+   * taken to be upright, wherever its axis points.
+   *
+   * Above 0 the output has the field arrays `<name>Tilt`, `<name>TiltDrop`, `<name>TiltNode`
+   * (double) and, where points differ in more than their modulus, the point array
+   * `<name>TiltWeight` (float): what a tilt makes of the work of the upright tool
+   * (palpate/TiltTable.h). With them a probe or session that is told the tool's axis feels its
+   * tilt, and a torque. Exact for a sphere and, on a half-space, a flat end; cones to 0.5 %, other
+   * tools to 1 %, flat-ended ones to 3 % from a tenth of their size on. On layers by the
+   * axisymmetric tool of equal contact radius, as far as Validity says. An angle at which a flank
+   * of the tool lies flat, less 4 degrees, is an error. Cost: some seconds for each tool that has
+   * no closed form.
+   */
+  vtkSetMacro(MaximumTilt, double);
+  vtkGetMacro(MaximumTilt, double);
   ///@}
 
   ///@{
@@ -371,6 +390,7 @@ private:
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
+  double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
   int StrainModel = SmallStrain;

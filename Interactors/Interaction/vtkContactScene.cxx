@@ -276,6 +276,7 @@ void vtkContactScene::Show(const palpate::ShownContact& contact)
     this->ContactRadius = contact.touches() ? this->Body->contactRadius() : 0.0;
     this->ToolRepresentation->SetBeyondValidity(!contact.isValid());
     const palpate::Tick& tick = contact.tick;
+    this->ToolRepresentation->SetTilt(tick.axis.data(), tick.idealTorque.data());
     this->ToolRepresentation->SetContact(tick.tip.data(), tick.contact.normal.data(),
       tick.contact.contactPoint.data(), tick.idealForce.data(), tick.contact.friction.data(),
       (this->Shown->hasApplied ? tick.appliedForce : tick.idealForce).data());

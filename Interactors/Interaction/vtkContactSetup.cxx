@@ -250,7 +250,7 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
     { static_cast<palpate::StrainModel>(this->StrainModel), this->StrainExponent },
     this->ErrorTolerance, true, this->AutomaticTerms,
     this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
-    this->EdgeCorrection };
+    this->EdgeCorrection, this->MaximumTilt };
   this->Error = this->Relaxations.felt().fillSeries(request.relaxation.series);
   if (!this->Error.empty())
   {
@@ -445,6 +445,7 @@ void vtkContactSetup::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComplianceModulus: " << this->ComplianceModulus << " MPa\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
+  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
   os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";

@@ -158,6 +158,11 @@ public:
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
   ///@{
+  /** How far the tools will be tilted, degrees; see vtkToolContactResponse. Default 0: upright. */
+  vtkSetMacro(MaximumTilt, double);
+  vtkGetMacro(MaximumTilt, double);
+  ///@}
+  ///@{
   /** How the body relaxes, up to four branches of strength and time (s), and whether the global
    * compliance of Series does, too; see vtkToolContactResponse. A strength of 0 is none. Default
    * none, and on. */
@@ -292,6 +297,7 @@ private:
   double ComplianceModulus = 0.0;
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
+  double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
   int StrainModel = 0;

@@ -6,6 +6,7 @@
 #include "Interaction/Display/LabelLayout.h"
 #include "Interaction/Display/RigidFrame.h"
 #include "Interaction/Display/ShownContact.h"
+#include "Interaction/Display/TorqueArc.h"
 #include "vtkContactTool.h"
 #include "vtkContactToolSource.h"
 
@@ -58,6 +59,7 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   , NormalPart(std::make_unique<palpate::ForceArrow>(NormalLook))
   , Friction(std::make_unique<palpate::ForceArrow>(FrictionLook))
   , Applied(std::make_unique<palpate::ForceArrow>(AppliedLook))
+  , Torque(std::make_unique<palpate::TorqueArc>())
 {
   this->Source->SetLength(22.0);
   vtkNew<vtkPolyDataMapper> toolMapper;
@@ -77,6 +79,8 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
     this->AddPart(arrow->actor());
     this->AddPart(arrow->label());
   }
+  this->AddPart(this->Torque->actor());
+  this->AddPart(this->Torque->label());
 }
 
 vtkHapticToolRepresentation::~vtkHapticToolRepresentation() = default;
@@ -103,6 +107,12 @@ double vtkHapticToolRepresentation::GetToolLength()
   return this->Source->GetLength();
 }
 
+void vtkHapticToolRepresentation::SetTilt(const double axis[3], const double torque[3])
+{
+  std::copy_n(axis, 3, this->OwnAxis);
+  std::copy_n(torque, 3, this->TorqueAboutTip);
+}
+
 void vtkHapticToolRepresentation::SetContact(
   const double tip[3], const double normal[3], const double contactPoint[3], const double force[3])
 {
@@ -114,9 +124,10 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   const double contactPoint[3], const double force[3], const double friction[3],
   const double applied[3])
 {
-  if (vtkMath::Norm(normal) > 0.0)
+  const double* along = vtkMath::Norm(this->OwnAxis) > 0.0 ? this->OwnAxis : normal;
+  if (vtkMath::Norm(along) > 0.0)
   {
-    std::copy_n(normal, 3, this->Axis);
+    std::copy_n(along, 3, this->Axis);
   }
   this->ToolActor->SetUserMatrix(palpate::frameAlong(tip, this->Axis, 2));
   std::copy_n(contactPoint, 3, this->ContactPoint);
@@ -144,6 +155,16 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   else
   {
     this->Applied->hide();
+  }
+  const Eigen::Vector3d torque(this->TorqueAboutTip);
+  if (palpate::isNoticeable(torque / palpate::TorqueArc::Radius, total))
+  {
+    const Eigen::Vector3d up(this->Axis);
+    this->Torque->show(Eigen::Vector3d(tip), torque, up, this->ForceScale);
+  }
+  else
+  {
+    this->Torque->hide();
   }
   this->Modified();
 }
@@ -178,6 +199,10 @@ int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
   add(*this->Applied, this->Applied->head() - right);
   add(*this->NormalPart, this->NormalPart->tail());
   add(*this->Friction, this->Friction->tail());
+  if (this->Torque->isShown())
+  {
+    labels.push_back({ this->Torque->label(), this->Torque->tail(), this->Torque->head() });
+  }
   palpate::arrangeLabels(viewport, labels);
   return this->Superclass::RenderOverlay(viewport);
 }

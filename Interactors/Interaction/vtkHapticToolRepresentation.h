@@ -3,7 +3,8 @@
  * @class vtkHapticToolRepresentation
  * @brief the tool where it touches, and the forces on it as arrows with their values
  *
- * The tool stands on its tip along the contact normal, translucent, so that neither the dent nor
+ * The tool stands on its tip along the contact normal, or its own axis where that is known,
+ * translucent, so that neither the dent nor
  * the arrow hides in it. The arrow of the total, ideal force starts at the contact point, is
  * ForceScale mm long per newton, and carries the magnitude in newtons at its head. Without force
  * there is no arrow.
@@ -12,6 +13,9 @@
  * show the parts of the force, normal and friction. Where the applied force (what a device is told,
  * behind its safety chain) differs from the ideal one by more than 2 %, it is drawn beside it, to
  * the right as seen by the camera, at the same scale. Labels do not cover one another.
+ *
+ * A torque about the tip, of at least 2 % of what the force would do at the arc's radius, is an arc
+ * the way it turns, with its N mm: as long as the arrow of the force that does the same there.
  *
  * BeyondValidity dashes the arrows.
  *
@@ -33,6 +37,7 @@ class vtkContactToolSource;
 namespace palpate
 {
 class ForceArrow;
+class TorqueArc;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticToolRepresentation : public vtkPropAssembly
@@ -87,6 +92,12 @@ public:
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3], const double friction[3], const double applied[3]);
 
+  /**
+   * From the next contact on: the tool's axis, from its tip up the shaft, and the torque on it
+   * about the tip, N mm. Zeros: the axis is not known, and there is no torque. Default.
+   */
+  void SetTilt(const double axis[3], const double torque[3]);
+
   ///@{
   /** Reimplemented: what depends on the camera, place of the applied force and of the labels. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
@@ -107,11 +118,14 @@ private:
   std::unique_ptr<palpate::ForceArrow> NormalPart;
   std::unique_ptr<palpate::ForceArrow> Friction;
   std::unique_ptr<palpate::ForceArrow> Applied;
+  std::unique_ptr<palpate::TorqueArc> Torque;
   double ForceScale = 10.0;
   bool ComponentsVisibility = true;
   bool AppliedForceVisibility = true;
   bool BeyondValidity = false;
-  double Axis[3] = { 0.0, 0.0, 1.0 };         ///< the tool stands along it
+  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< the tool stands along it
+  double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< of the tool, if it is known
+  double TorqueAboutTip[3] = { 0.0, 0.0, 0.0 };
   double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< where the arrows start
 };
 

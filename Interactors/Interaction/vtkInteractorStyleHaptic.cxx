@@ -2,6 +2,7 @@
 #include "vtkInteractorStyleHaptic.h"
 
 #include "Interaction/Panel/KeyHelp.h"
+#include "Interaction/Panel/SteeredTilt.h"
 #include "Interaction/Panel/StyleKeys.h"
 #include "Interaction/Panel/SurfacePicker.h"
 #include "vtkContactScene.h"
@@ -18,6 +19,7 @@
 namespace
 {
 constexpr double DepthPerNotch = 0.1; // mm
+constexpr double TiltPerNotch = 2.5;  // degrees
 constexpr double LargestExaggeration = 64.0;
 
 const std::map<char, unsigned long> ToldKeys = { { ' ', vtkInteractorStyleHaptic::SwitchEvent },
@@ -30,6 +32,7 @@ vtkStandardNewMacro(vtkInteractorStyleHaptic);
 vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   : Picker(std::make_unique<palpate::SurfacePicker>())
   , Help(std::make_unique<palpate::KeyHelp>())
+  , Tilt(std::make_unique<palpate::SteeredTilt>())
 {
   this->Help->setText(palpate::StyleKeys);
 }
@@ -160,13 +163,36 @@ void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double norma
   this->SteerTo(tip);
 }
 
-/// How the tool stands where it touches nothing.
+/// How the tool stands where it touches nothing, and how it leans from there.
 void vtkInteractorStyleHaptic::FaceAlong(const double direction[3])
 {
+  if (this->Session && this->Tilt->isTold())
+  {
+    this->Session->GetDevice()->TurnTo(
+      this->Tilt->axis(direction, this->Scene ? this->Scene->GetRenderer() : nullptr).data());
+  }
   if (this->Scene)
   {
     this->Scene->SetFreeDirection(direction);
   }
+}
+
+void vtkInteractorStyleHaptic::SetTilt(double right, double away)
+{
+  this->Tilt->set(right, away);
+  this->Modified();
+}
+
+void vtkInteractorStyleHaptic::GetTilt(double tilt[2]) const
+{
+  tilt[0] = this->Tilt->right();
+  tilt[1] = this->Tilt->away();
+}
+
+void vtkInteractorStyleHaptic::Lean(double right, double away)
+{
+  this->Tilt->lean(right, away);
+  this->Steer();
 }
 
 void vtkInteractorStyleHaptic::SteerTo(const double tip[3])
@@ -240,6 +266,11 @@ bool vtkInteractorStyleHaptic::TurnWheel(double notches)
   {
     return false;
   }
+  if (this->Interactor->GetShiftKey())
+  {
+    this->Lean(notches * TiltPerNotch, 0.0);
+    return true;
+  }
   double point[3];
   double normal[3];
   if (this->Steering == ViewPlane)
@@ -306,51 +337,62 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     this->InvokeEvent(told->second);
     return true;
   }
-  switch (key)
+  // X tells the key without the shift: / and = are ? and + of an American keyboard.
+  using Style = vtkInteractorStyleHaptic;
+  static const std::map<char, void (*)(Style&)> actions = {
+    { '?', [](Style& style) { style.SetHelpVisibility(!style.GetHelpVisibility()); } },
+    { '[', [](Style& style) { style.Lean(-TiltPerNotch, 0.0); } },
+    { ']', [](Style& style) { style.Lean(TiltPerNotch, 0.0); } },
+    { '{', [](Style& style) { style.Lean(0.0, -TiltPerNotch); } },
+    { '}', [](Style& style) { style.Lean(0.0, TiltPerNotch); } },
+    { '0', [](Style& style) { style.Lean(-style.Tilt->right(), -style.Tilt->away()); } },
+    { 'v',
+      [](Style& style) { style.SetSteering(style.Steering == Surface ? ViewPlane : Surface); } },
+    { '+', [](Style& style) { style.Exaggerate(2.0); } },
+    { '-', [](Style& style) { style.Exaggerate(0.5); } },
+    { 'x',
+      [](Style& style)
+      {
+        if (style.Session)
+        {
+          style.Session->Toggle();
+        }
+      } },
+    { 'k',
+      [](Style& style)
+      {
+        if (style.Files)
+        {
+          style.Files->ToggleRecording();
+        }
+      } },
+    { 'p',
+      [](Style& style)
+      {
+        if (style.Files)
+        {
+          style.Files->WritePicture();
+        }
+      } },
+    { 'r',
+      [](Style& style)
+      {
+        vtkRenderer* renderer = style.Scene ? style.Scene->GetRenderer() : nullptr;
+        if (renderer)
+        {
+          renderer->ResetCamera();
+        }
+      } },
+  };
+  static const std::map<char, char> sameAs = { { '/', '?' }, { 'h', '?' }, { '=', '+' } };
+  const auto same = sameAs.find(key);
+  const auto action = actions.find(same == sameAs.end() ? key : same->second);
+  if (action == actions.end())
   {
-    // X tells the key without the shift: / and = are ? and + of an American keyboard.
-    case '?':
-    case '/':
-    case 'h':
-      this->SetHelpVisibility(!this->GetHelpVisibility());
-      return true;
-    case 'v':
-      this->SetSteering(this->Steering == Surface ? ViewPlane : Surface);
-      return true;
-    case '+':
-    case '=':
-      this->Exaggerate(2.0);
-      return true;
-    case '-':
-      this->Exaggerate(0.5);
-      return true;
-    case 'x':
-      if (this->Session)
-      {
-        this->Session->Toggle();
-      }
-      return true;
-    case 'k':
-      if (this->Files)
-      {
-        this->Files->ToggleRecording();
-      }
-      return true;
-    case 'p':
-      if (this->Files)
-      {
-        this->Files->WritePicture();
-      }
-      return true;
-    case 'r':
-      if (this->Scene && this->Scene->GetRenderer())
-      {
-        this->Scene->GetRenderer()->ResetCamera();
-      }
-      return true;
-    default:
-      return false;
+    return false;
   }
+  action->second(*this);
+  return true;
 }
 
 void vtkInteractorStyleHaptic::SetHelpVisibility(bool visible)
@@ -392,5 +434,6 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WheelDepth: " << this->WheelDepth << " mm\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << " mm\n";
   os << indent << "HoverHeight: " << this->HoverHeight << " mm\n";
+  os << indent << "Tilt: " << this->Tilt->right() << ", " << this->Tilt->away() << " degrees\n";
   os << indent << "Pressing: " << this->Pressing << "\n";
 }

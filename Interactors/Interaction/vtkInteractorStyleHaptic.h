@@ -12,6 +12,8 @@
  *   deep, by 0.1 mm a notch;
  * - wheel without a button: it presses too, WheelDepth deep, 0.1 mm more or less a notch; at 0 it
  *   hovers again.
+ * - wheel with Shift, and keys [ ] { }: the tool leans, by TiltPerNotch, against the normal there
+ *   (or against the plane of the picture); 0: upright.
  * - with Steering ViewPlane (key v) the pointer moves the tip in the plane through it that is
  *   parallel to the picture, through free space and body alike, and the wheel moves it away from
  *   the viewer or towards, by 0.1 mm a notch.
@@ -44,6 +46,7 @@ class vtkSessionFiles;
 namespace palpate
 {
 class KeyHelp;
+class SteeredTilt;
 class SurfacePicker;
 } // namespace palpate
 
@@ -113,6 +116,12 @@ public:
   vtkGetMacro(HoverHeight, double);
   ///@}
 
+  /** How the tool leans against the normal where it is steered, degrees to the right of the picture
+   * and away from the viewer, each within 60; from the next steering on. Default 0, 0: its axis is
+   * not told, and the tool stands along the normal. */
+  void SetTilt(double right, double away);
+  void GetTilt(double tilt[2]) const;
+
   /** Steers the tool to hover above a point of the surface with outward unit normal `normal`. */
   void HoverAt(const double point[3], const double normal[3]);
   /** Steers the tip to a point, mm, body frame. */
@@ -161,6 +170,7 @@ private:
   bool SteerOverSurface();
   bool SteerInView(double away);
   bool TurnWheel(double notches);
+  void Lean(double right, double away);
   bool DoKey(char key);
   void FaceAlong(const double direction[3]);
   void Exaggerate(double factor);
@@ -170,6 +180,7 @@ private:
   vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
+  std::unique_ptr<palpate::SteeredTilt> Tilt;
   int Steering = Surface;
   double PressDepth = 1.0;
   double WheelDepth = 0.0;

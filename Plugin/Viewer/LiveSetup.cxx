@@ -68,6 +68,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetModel(modelOf(scene));
   setup->SetCurvatureCorrection(scene.terms.curvature);
   setup->SetEdgeCorrection(scene.terms.edges);
+  setup->SetMaximumTilt(scene.terms.tilt);
   for (std::size_t i = 0; i < scene.relaxation.count; ++i)
   {
     setup->AddRelaxation(scene.relaxation.strength[i], scene.relaxation.time[i]);

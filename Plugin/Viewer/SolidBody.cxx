@@ -110,6 +110,7 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
   pressed->SetMaximumDeflection(options.maximumDeflection);
   pressed->SetErrorTolerance(scene.terms.errorTolerance);
   pressed->SetEdgeCorrection(scene.terms.edges);
+  pressed->SetMaximumTilt(scene.terms.tilt);
   for (std::size_t i = 0; i < scene.relaxation.count; ++i)
   {
     pressed->AddRelaxation(scene.relaxation.strength[i], scene.relaxation.time[i]);

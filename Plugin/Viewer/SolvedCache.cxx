@@ -54,7 +54,7 @@ std::string solvedKey(const ViewerOptions& options, const TouchScene& scene)
 {
   std::string key;
   for (const double number : { scene.youngsModulus, scene.poissonsRatio, options.maximumDeflection,
-         options.terms.errorTolerance, options.terms.edges ? 1.0 : 0.0 })
+         options.terms.errorTolerance, options.terms.edges ? 1.0 : 0.0, options.terms.tilt })
   {
     key += '|' + shortestDecimals(number);
   }

@@ -31,7 +31,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
-        "Curvature Correction": 1, "Edge Correction": 0, "Relaxation": 0, "Relaxations": None,
+        "Curvature Correction": 1, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Relaxation": 0, "Relaxations": None,
         "Relaxation Array": "None", "Compliance Relaxes": 1, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
         "Error Tolerance": 0.05, "Store Error": 1, "Least Law That Keeps Forces": 0, "Term Tolerance": 0.01,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
@@ -68,11 +68,12 @@ PROPERTIES = {                                              # of each proxy: lab
         "Noise (N)": 0.0, "Maximum Hysteresis": 0.2, "Maximum Rate Effect": 0.1, "Maximum Strain": 0.4,
         "Maximum Misfit": 0.02, "Maximum Uncertainty": 0.5, "Maximum Site Distance (mm)": 2.0, "Reach (mm)": 20.0,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1,
-        "Response Name": "Response"},
+        "Maximum Tilt (degrees)": 0.0, "Response Name": "Response"},
     ("filters", "ElasticContactResponse"): {
         "Input": None, "Surface": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
-        "Number Of Samples": 8, "Edge Correction": 0, "Relaxations": None, "Error Tolerance": 0.05, "Store Error": 1, "Store Motion": 1,
+        "Number Of Samples": 8, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Relaxations": None, "Error Tolerance": 0.05,
+        "Store Error": 1, "Store Motion": 1,
         "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Least Law That Keeps Forces": 0,
         "Term Tolerance": 0.01, "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Memory Limit (MiB)": 0.0, "Solver": 0},
     ("filters", "NoduleMaterial"): {

@@ -13,11 +13,11 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
            "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
-           "--no-curvature", "--edges", "--relax", "--relaxation-elements")
+           "--no-curvature", "--edges", "--tilt", "--relax", "--relaxation-elements")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
            "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance",
-           "--relaxation-elements")
+           "--relaxation-elements", "--tilt")
 
 
 class CommandLine(SessionCase):

@@ -18,6 +18,7 @@ constexpr Color ForceColor = { 0.84, 0.20, 0.00 };
 constexpr Color AppliedForceColor = { 0.00, 0.45, 0.70 };
 constexpr Color NormalForceColor = { 0.36, 0.36, 0.40 };
 constexpr Color FrictionForceColor = { 0.00, 0.50, 0.36 };
+constexpr Color TorqueColor = { 0.45, 0.20, 0.60 };
 constexpr Color MemoryForceColor = { 0.80, 0.47, 0.65 }; // of a body that relaxes
 
 constexpr Color ToolColor = { 0.45, 0.52, 0.62 };

@@ -8,6 +8,7 @@
 #include "Mechanics/Files/NumberText.h"
 #include "Response/Curves/StoredError.h"
 
+#include "vtkMath.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -38,6 +39,20 @@ std::string newtons(const Eigen::Vector3d& force)
 {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%#.3g N", force.norm());
+  return text.data();
+}
+
+std::string degrees(double angle)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f degrees", vtkMath::DegreesFromRadians(angle));
+  return text.data();
+}
+
+std::string newtonMillimetres(double torque)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%#.3g N mm", torque);
   return text.data();
 }
 
@@ -104,6 +119,12 @@ void SceneCaption::describe(
       ? ": normal " + newtons(contact.tick.idealForce - contact.tick.contact.friction) +
         ", friction " + newtons(contact.tick.contact.friction)
       : "";
+    const double torque = contact.tick.contact.torque.norm();
+    if (contact.tick.contact.tilt > 0.0)
+    {
+      text += "\nTilted by " + degrees(contact.tick.contact.tilt);
+      text += torque > 0.0 ? ", torque " + newtonMillimetres(torque) : "";
+    }
     std::string memory =
       memoryInWords(contact.tick.contact.normalForce, contact.tick.contact.memory);
     if (!memory.empty())

@@ -338,6 +338,12 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->excludes("--measured")
     ->disable_flag_override();
   app
+    .add_option("--tilt", options.terms.tilt,
+      "how far the tool is tilted at most against the body's normal, in degrees: its force and its "
+      "torque follow the tilt; 0: it counts as upright")
+    ->check(any("an angle in degrees, e.g. 30"))
+    ->capture_default_str();
+  app
     .add_option_function<std::string>(
       "--relax",
       [&options](const std::string& text) { parsePronySeries(text, options.relaxation); },

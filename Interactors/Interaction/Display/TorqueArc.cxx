@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Interaction/Display/TorqueArc.h"
+
+#include "Interaction/Display/DisplayColors.h"
+
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkArcSource.h"
+#include "vtkConeSource.h"
+#include "vtkCoordinate.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTubeFilter.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr double TubeRadius = 0.55; // mm
+constexpr double HeadRadius = 1.6;  // mm
+constexpr double HeadLength = 3.6;  // mm
+constexpr double MostTurn = 5.2;    // rad
+constexpr double LeastTurn = 0.15;  // rad, below which it is a head alone
+constexpr int Sides = 24;
+constexpr int Pieces = 48;
+constexpr int LabelSize = 18; // points
+} // namespace
+
+TorqueArc::TorqueArc()
+  : Arc(vtkSmartPointer<vtkArcSource>::New())
+  , Cone(vtkSmartPointer<vtkConeSource>::New())
+  , Actor(vtkSmartPointer<vtkActor>::New())
+  , Label(vtkSmartPointer<vtkTextActor>::New())
+{
+  this->Arc->UseNormalAndAngleOn();
+  this->Arc->SetResolution(Pieces);
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputConnection(this->Arc->GetOutputPort());
+  tube->SetRadius(TubeRadius);
+  tube->SetNumberOfSides(Sides);
+  tube->CappingOn();
+  this->Cone->SetResolution(Sides);
+  this->Cone->SetRadius(HeadRadius);
+  this->Cone->SetHeight(HeadLength);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(tube->GetOutputPort());
+  both->AddInputConnection(this->Cone->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(both->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  this->Actor->SetMapper(mapper);
+  this->Actor->GetProperty()->SetColor(TorqueColor[0], TorqueColor[1], TorqueColor[2]);
+  this->Actor->GetProperty()->SetAmbient(0.3);
+
+  vtkTextProperty* text = this->Label->GetTextProperty();
+  text->SetColor(TorqueColor.data());
+  text->SetFontSize(LabelSize);
+  text->SetBold(1);
+  text->SetBackgroundColor(BackgroundColor.data());
+  text->SetBackgroundOpacity(0.65);
+  this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  this->hide();
+}
+
+TorqueArc::~TorqueArc() = default;
+
+void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
+  const Eigen::Vector3d& from, double scale)
+{
+  const double magnitude = torque.norm();
+  const double turn = std::min(magnitude * scale / (Radius * Radius), MostTurn);
+  if (!std::isfinite(turn) || !(turn > 0.0))
+  {
+    this->hide();
+    return;
+  }
+  const Eigen::Vector3d normal = torque / magnitude;
+  Eigen::Vector3d first = from - normal.dot(from) * normal;
+  first = first.norm() > 1e-6 * from.norm() ? first.normalized() : normal.unitOrthogonal();
+  // It begins before that side and ends behind it.
+  const double shown = std::max(turn, LeastTurn);
+  const Eigen::Vector3d begin = Eigen::AngleAxisd(-0.5 * shown, normal) * first;
+  const Eigen::Vector3d end = Eigen::AngleAxisd(0.5 * shown, normal) * first;
+  const Eigen::Vector3d ahead = normal.cross(end);
+  this->Arc->SetCenter(center.x(), center.y(), center.z());
+  this->Arc->SetNormal(normal.x(), normal.y(), normal.z());
+  this->Arc->SetPolarVector(Radius * begin.x(), Radius * begin.y(), Radius * begin.z());
+  this->Arc->SetAngle(vtkMath::DegreesFromRadians(shown));
+  this->Tail = center + Radius * begin;
+  this->Head = center + Radius * end + HeadLength * ahead;
+  const Eigen::Vector3d middle = center + Radius * end + 0.5 * HeadLength * ahead;
+  this->Cone->SetCenter(middle.x(), middle.y(), middle.z());
+  this->Cone->SetDirection(ahead.x(), ahead.y(), ahead.z());
+  this->Actor->VisibilityOn();
+  this->Label->VisibilityOn();
+  this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "  %#.3g N mm", magnitude);
+  this->Label->SetInput(text.data());
+}
+
+void TorqueArc::hide()
+{
+  this->Actor->VisibilityOff();
+  this->Label->VisibilityOff();
+}
+
+bool TorqueArc::isShown() const
+{
+  return this->Actor->GetVisibility() != 0;
+}
+} // namespace palpate

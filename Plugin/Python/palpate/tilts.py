@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What tilting a tool makes of its force, from the response's arrays, evaluated in numpy; beside palpate.contract.
+
+With W0(D) the work of pressing the upright tool D deep, W = W0(D) tau(D, theta), D = tip depth + h(theta). Then F = dW/dD,
+and M = dW/dtheta at one tip depth. tau is the bicubic Hermite interpolant of nodes in x = sqrt(D/range) and y, which is
+theta/largest or, of a tool with a flat end (scale > 0), sqrt(D/(D + scale h)). Units mm, N, rad, N mm.
+"""
+import numpy as np
+
+from .contract import _fetch
+
+
+def load(body, prefix="Response"):
+    """The table as a dictionary: range, largest, scale, drops (k x 2: h and dh/dtheta), nodes (laws x depths x angles x 4)
+    and weights (points x laws, or None); None of a response that knows of no tilts."""
+    points, field = body.GetPointData(), body.GetFieldData()
+    fetch = lambda data, name: _fetch(data, prefix + name, True)
+    terms = fetch(field, "Tilt")
+    if terms is None:
+        return None
+    span, largest, scale, depths, angles, _, laws = terms.ravel()
+    weights = fetch(points, "TiltWeight")
+    return {"range": span, "largest": largest, "scale": scale, "drops": fetch(field, "TiltDrop").reshape(-1, 2),
+            "nodes": fetch(field, "TiltNode").reshape(int(laws), int(depths), int(angles), 4),
+            "weights": None if weights is None else weights.reshape(-1, int(laws)).astype(float)}
+
+
+def deepest(table, angle):
+    """How much deeper than the tip the tool's deepest point lies, h (mm), and how far beside it, dh/dtheta (mm)."""
+    drops, last = table["drops"], len(table["drops"]) - 1
+    place = np.clip(angle / table["largest"], 0.0, 1.0) * last
+    i = np.minimum(place.astype(int) if np.ndim(place) else int(place), last - 1)
+    step, t = table["largest"] / last, place - i
+    a, da, b, db = drops[i, 0], step * drops[i, 1], drops[i + 1, 0], step * drops[i + 1, 1]
+    h = (2*t**3 - 3*t**2 + 1) * a + (t**3 - 2*t**2 + t) * da + (3*t**2 - 2*t**3) * b + (t**3 - t**2) * db
+    offset = ((6*t**2 - 6*t) * (a - b) + (3*t**2 - 4*t + 1) * da + (3*t**2 - 2*t) * db) / step
+    return h, np.where(np.asarray(angle) > table["largest"], 0.0, offset)
+
+
+def factor(table, depth, angle, point=0):
+    """tau at a depth of the deepest point (mm), a tilt (rad) and a point; numbers."""
+    x = np.sqrt(depth / table["range"])
+    h = deepest(table, angle)[0]
+    y = angle / table["largest"] if table["scale"] == 0.0 else np.sqrt(depth / (depth + table["scale"] * h))
+    nodes = table["nodes"]
+    weights = np.ones(1) if table["weights"] is None else table["weights"][point]
+    nodes = np.tensordot(weights, nodes, 1)
+    (i, bx), (j, by) = _cell(x, nodes.shape[0]), _cell(y, nodes.shape[1])
+    corners = nodes[i:i + 2, j:j + 2]                          # x, y, (tau, by x, by y, by both)
+    value = np.einsum("ijk,ik,jk->", corners, bx[:, [0, 1, 0, 1]], by[:, [0, 0, 1, 1]])
+    return float(value)
+
+
+def _cell(place, count):
+    """The lower node, and the Hermite basis: value and slope, at it and at the next."""
+    place = min(max(place, 0.0), 1.0) * (count - 1)
+    i = min(int(place), count - 2)
+    t, width = place - i, 1.0 / (count - 1)
+    return i, np.array([[2*t**3 - 3*t**2 + 1, width * (t**3 - 2*t**2 + t)], [3*t**2 - 2*t**3, width * (t**3 - t**2)]])
