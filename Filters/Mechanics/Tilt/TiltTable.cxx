@@ -2,6 +2,7 @@
 #include "Mechanics/Tilt/TiltTable.h"
 
 #include "Mechanics/JoinedText.h"
+#include "Mechanics/Tilt/TiltedFlat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,18 +48,16 @@ Basis basisAt(const Cell& cell, int nodes) noexcept
       (6.0 * t - 2.0) * cells } };
 }
 
-/// τ and its derivatives by x and y.
+/// η and its derivatives by x and y.
 struct PlaneValue
 {
   double value = 0.0;
   double byX = 0.0;
   double byY = 0.0;
   double byXTwice = 0.0;
-  double byBoth = 0.0;
-  double byYTwice = 0.0;
 };
 
-/// Adds `weight` times a node: τ, τ_x, τ_y, τ_xy; `x`, `y`: 0 lower, 2 upper.
+/// Adds `weight` times a node: η, η_x, η_y, η_xy; `x`, `y`: 0 lower, 2 upper.
 void add(PlaneValue& sum, const double* node, double weight, const Basis& alongX, std::size_t x,
   const Basis& alongY, std::size_t y) noexcept
 {
@@ -72,8 +71,6 @@ void add(PlaneValue& sum, const double* node, double weight, const Basis& alongX
   sum.byX += along(alongX.slope, alongY.value);
   sum.byY += along(alongX.value, alongY.slope);
   sum.byXTwice += along(alongX.bend, alongY.value);
-  sum.byBoth += along(alongX.slope, alongY.slope);
-  sum.byYTwice += along(alongX.value, alongY.bend);
 }
 } // namespace
 
@@ -156,24 +153,7 @@ TiltFactor TiltTable::at(double depth, double angle, const double* weights) cons
 {
   const TiltTerms& terms = this->Terms;
   const double x = std::sqrt(depth / terms.range);
-  double y = angle / terms.largest;
-  double yByDepth = 0.0;
-  double yByDepthTwice = 0.0;
-  double yByAngle = 1.0 / terms.largest;
-  if (terms.dropScale > 0.0)
-  {
-    const DeepestPoint deepest = this->deepest(angle);
-    const double whole = depth + terms.dropScale * deepest.drop;
-    const double drop = terms.dropScale * deepest.drop / whole; // 1 - y²
-    y = std::sqrt(depth / whole);
-    yByDepth = 0.5 * y * drop / depth;
-    yByDepthTwice = yByDepth * (1.5 * drop - 2.0) / depth;
-    yByAngle = -0.5 * y * terms.dropScale * deepest.offset / whole;
-  }
-  else if (angle > terms.largest)
-  {
-    yByAngle = 0.0;
-  }
+  const double y = angle / terms.largest;
   const Cell atX = cellAt(x, terms.depths);
   const Cell atY = cellAt(y, terms.angles);
   const Basis alongX = basisAt(atX, terms.depths);
@@ -193,13 +173,24 @@ TiltFactor TiltTable::at(double depth, double angle, const double* weights) cons
     add(sum, node + row, weights[law], alongX, 2, alongY, 0);
     add(sum, node + row + 4, weights[law], alongX, 2, alongY, 2);
   }
-  const bool isBeyond = x > 1.0;
-  const double xByDepth = isBeyond ? 0.0 : 0.5 * x / depth;
+  const double xByDepth = x > 1.0 ? 0.0 : 0.5 * x / depth;
   const double xByDepthTwice = -0.5 * xByDepth / depth;
-  return { sum.value, sum.byX * xByDepth + sum.byY * yByDepth,
-    sum.byXTwice * xByDepth * xByDepth + sum.byX * xByDepthTwice +
-      2.0 * sum.byBoth * xByDepth * yByDepth + sum.byYTwice * yByDepth * yByDepth +
-      sum.byY * yByDepthTwice,
-    sum.byY * yByAngle };
+  const double yByAngle = y > 1.0 ? 0.0 : 1.0 / terms.largest;
+  const TiltFactor smooth{ sum.value, sum.byX * xByDepth,
+    sum.byXTwice * xByDepth * xByDepth + sum.byX * xByDepthTwice, sum.byY * yByAngle };
+  if (!(terms.dropScale > 0.0))
+  {
+    return smooth;
+  }
+  const DeepestPoint deepest = this->deepest(angle);
+  const double ratio = terms.dropScale * deepest.drop / depth;
+  const TiltedFlatTerm rho = tiltedFlatWork(ratio);
+  const double rhoByDepth = -rho.slope * ratio / depth;
+  const double rhoByDepthTwice = (rho.bend * ratio + 2.0 * rho.slope) * ratio / (depth * depth);
+  const double rhoByAngle = rho.slope * terms.dropScale * deepest.offset / depth;
+  return { rho.value * smooth.value, rhoByDepth * smooth.value + rho.value * smooth.byDepth,
+    rhoByDepthTwice * smooth.value + 2.0 * rhoByDepth * smooth.byDepth +
+      rho.value * smooth.byDepthTwice,
+    rhoByAngle * smooth.value + rho.value * smooth.byAngle };
 }
 } // namespace palpate

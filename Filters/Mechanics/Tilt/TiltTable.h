@@ -32,7 +32,7 @@ struct TiltTerms
 {
   double range = 0.0;   ///< D_m, mm, > 0
   double largest = 0.0; ///< tilt, rad, > 0 and less than a right angle
-  /// κ >= 0. A tool whose end is flat (κ > 0) goes over its rim: what counts is how deep it is
+  /// κ >= 0. A tool whose end is flat (κ = 3) goes over its rim: what counts is how deep it is
   /// beside its drop.
   double dropScale = 0.0;
   int depths = 0; ///< nodes x_i = i/(depths - 1), 2 or more
@@ -58,10 +58,11 @@ PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
  *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ,
  * F along the body's normal, M about the tip, trying to set the tool upright. τ(D, 0) = 1.
  *
- * τ is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y, which is θ/θ_m or, of a tool
- * with a flat end, √(D/(D + κ h(θ))): there 1 is upright, 0 the first touch of the rim. Where D_m
- * is exceeded τ stays as it is there, beyond θ_m the tilt counts as θ_m. h is the cubic Hermite
- * interpolant of drops and offsets.
+ * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1, or
+ * of a tool with a flat end, whose force falls fast as soon as it is tilted, that of a flat end on
+ * a half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Where D_m is exceeded η stays
+ * as it is there, beyond θ_m the tilt counts as θ_m. h is the cubic Hermite interpolant of drops
+ * and offsets.
  *
  * Bodies whose points differ in more than their modulus have several laws, and each point its
  * weights, sum 1. Immutable, allocates and throws nothing after it was made.
@@ -70,7 +71,7 @@ class PALPATE_EXPORT TiltTable
 {
 public:
   TiltTable() = default;
-  /// `drops`: h and dh/dθ at each θ_k. `nodes`: of each law, each x, each y: τ and its derivatives
+  /// `drops`: h and dh/dθ at each θ_k. `nodes`: of each law, each x, each y: η and its derivatives
   /// by x, by y, by both. Numbers that faultOf finds nothing wrong with.
   TiltTable(const TiltTerms& terms, const double* drops, const double* nodes);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TiltBody_h
+#define palpate_TiltBody_h
+
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// A body that a tool is pressed into, but for its modulus, which scales all: a half-space or a
+/// layer, and what gives way in series with it.
+struct TiltBody
+{
+  double thickness = 0.0; ///< of the layer, or of a stack's first, mm; 0 for a half-space
+  std::shared_ptr<const LayerKernel> kernel; ///< of the layer or stack; null for a half-space
+  double yielding = 0.0;                     ///< compliance in series times E*, 1/mm
+
+  bool hasLayer() const { return this->thickness > 0.0 && this->kernel != nullptr; }
+  /// In words.
+  std::string describe() const;
+};
+
+/// A tool pressed into a body, per E*.
+struct TiltWork
+{
+  double force = 0.0;     ///< F, mm²
+  double stiffness = 0.0; ///< dF/dD, mm
+  double work = 0.0;      ///< ∫F dD, mm³
+};
+
+/// A tool pressed D > 0 deep (mm) into a body; NaN where its law does not answer. The work is
+/// integrated to 1e-7 between the kinks of the tool's profile.
+PALPATE_EXPORT TiltWork pressedInto(
+  const AxisymmetricTool& tool, const TiltBody& body, double depth);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/Tilt/TiltGeometry.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/ToolSpecification.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Degree = Pi / 180.0;
+constexpr double Margin = 4.0 * Degree;        // before a flank lies on the body
+constexpr double LargestOfAll = 80.0 * Degree; // the body's surface is a plane no longer
+constexpr double WidthsAway = 1e6;             // of a tip, where a flank is as steep as it gets
+
+/// A place on the profile.
+struct Place
+{
+  double r;
+  double f;
+};
+
+DeepestPoint seenTilted(const Place& place, double angle)
+{
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  return { std::max(0.0, place.r * sine - place.f * cosine), place.r * cosine + place.f * sine };
+}
+
+/// The sampled point that is deepest: the profile is straight between them.
+Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
+{
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  const auto drop = [&](const ProfilePoint& point) { return point.r * sine - point.f * cosine; };
+  const ProfilePoint& deepest = *std::max_element(points.begin(), points.end(),
+    [&](const ProfilePoint& a, const ProfilePoint& b) { return drop(a) < drop(b); });
+  return { deepest.r, deepest.f };
+}
+
+/// Of a profile that is known as a function only: the best of samples, then by golden section.
+Place deepestOf(const AxisymmetricTool& tool, double angle)
+{
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  const auto drop = [&](double r) { return r * sine - tool.profile(r) * cosine; };
+  double end = tool.largestContactRadius();
+  if (std::isinf(end))
+  {
+    end = 1.0;
+    for (int i = 0; i < 100 && tool.profile(end) * cosine < 2.0 * end * sine; ++i)
+    {
+      end *= 2.0;
+    }
+  }
+  constexpr int Samples = 1000;
+  int best = 0;
+  for (int i = 1; i <= Samples; ++i)
+  {
+    best = drop(end * i / Samples) > drop(end * best / Samples) ? i : best;
+  }
+  const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
+  double low = end * std::max(0, best - 1) / Samples;
+  double high = end * std::min(Samples, best + 1) / Samples;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double p = high - ratio * (high - low);
+    const double q = low + ratio * (high - low);
+    (drop(p) > drop(q) ? high : low) = drop(p) > drop(q) ? q : p;
+  }
+  const double r = drop(end) > drop(0.5 * (low + high)) ? end : 0.5 * (low + high);
+  return { r, tool.profile(r) };
+}
+
+bool readBack(const AxisymmetricTool& tool, ToolSpecification& specification)
+{
+  std::string error;
+  return parseTool(tool.specification(), specification, error);
+}
+
+Place deepestPlace(const AxisymmetricTool& tool, double angle)
+{
+  ToolSpecification s;
+  if (!readBack(tool, s))
+  {
+    return deepestOf(tool, angle);
+  }
+  const double slope = std::tan(angle);
+  double r = 0.0;
+  switch (s.Shape)
+  {
+    case ToolShape::Cone:
+      break;
+    case ToolShape::Flat:
+    case ToolShape::TruncatedCone:
+      r = s.Radius;
+      break;
+    case ToolShape::Sphere:
+    case ToolShape::BluntedCone:
+      r = s.Radius * std::sin(angle);
+      break;
+    case ToolShape::Paraboloid:
+      r = s.Radius * slope;
+      break;
+    case ToolShape::RoundedFlat:
+      r = s.Radius + s.EdgeRadius * slope;
+      break;
+    case ToolShape::PowerLaw:
+      r = s.Exponent > 1.0
+        ? std::pow(slope / (s.Exponent * s.Coefficient), 1.0 / (s.Exponent - 1.0))
+        : 0.0;
+      break;
+    case ToolShape::Profile:
+      return deepestOf(s.Profile, angle);
+  }
+  return { r, tool.profile(r) };
+}
+
+/// Where the steepest part of the flank lies on the body, rad; a right angle where it never does.
+double flankAngle(const AxisymmetricTool& tool)
+{
+  ToolSpecification s;
+  if (readBack(tool, s) && s.Shape == ToolShape::Profile)
+  {
+    double steepest = 0.0;
+    for (std::size_t i = 1; i < s.Profile.size(); ++i)
+    {
+      const ProfilePoint& p = s.Profile[i - 1];
+      const ProfilePoint& q = s.Profile[i];
+      steepest = std::max(steepest, (q.f - p.f) / (q.r - p.r));
+    }
+    return steepest > 0.0 ? std::atan(steepest) : 0.5 * Pi;
+  }
+  if (std::isfinite(tool.largestContactRadius()))
+  {
+    return 0.5 * Pi; // a sphere or a wall
+  }
+  double reach = std::max(1.0, tool.smallestContactRadius());
+  reach = tool.kinks().empty() ? reach : std::max(reach, tool.kinks().back());
+  const double far = WidthsAway * reach;
+  return std::atan((tool.profile(2.0 * far) - tool.profile(far)) / far);
+}
+} // namespace
+
+DeepestPoint deepestPoint(const AxisymmetricTool& tool, double angle)
+{
+  if (!(angle > 0.0))
+  {
+    return {};
+  }
+  return seenTilted(deepestPlace(tool, angle), angle);
+}
+
+double largestTilt(const AxisymmetricTool& tool)
+{
+  return std::clamp(flankAngle(tool) - Margin, 0.0, LargestOfAll);
+}
+
+std::string checkTilt(const AxisymmetricTool& tool, double angle)
+{
+  const double largest = largestTilt(tool);
+  if (!(angle > 0.0))
+  {
+    return joined("the largest tilt must be > 0 degrees, not ", angle / Degree);
+  }
+  if (largest <= 0.0)
+  {
+    return joined("the tool's flank rises by ", flankAngle(tool) / Degree,
+      " degrees only and lies on the body as soon as it is tilted; no tilt of ", angle / Degree,
+      " degrees can be felt with it");
+  }
+  constexpr double Rounding = 1e-9; // of angles that went through degrees
+  return angle <= largest + Rounding
+    ? ""
+    : joined("a tilt of ", angle / Degree, " degrees is too much for this tool: ",
+        largest < LargestOfAll ? "its flank lies on the body soon after "
+                               : "there is no law beyond ",
+        largest / Degree, " degrees");
+}
+
+double dropScaleOf(const AxisymmetricTool& tool)
+{
+  const double angle = std::min(0.5, largestTilt(tool));
+  // A rim is as far away at first as later; a paraboloid's deepest point moves in proportion.
+  constexpr double First = 0.02;
+  constexpr double Half = 0.5;
+  constexpr double OfARim = 3.0; // a flat end touches wholly from D = 3 h on
+  return deepestPoint(tool, First * angle).offset > Half * deepestPoint(tool, angle).offset &&
+      deepestPoint(tool, angle).offset > 0.0
+    ? OfARim
+    : 0.0;
+}
+} // namespace palpate

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TiltGeometry_h
+#define palpate_TiltGeometry_h
+
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tilt/TiltTable.h"
+
+#include <string>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// Where a tool tilted by θ >= 0 (rad) is deepest: h = max_r [r sin θ - f cos θ] below its tip and
+/// x = dh/dθ = r cos θ + f sin θ beside it. In closed form but for a profile given as a function.
+PALPATE_EXPORT DeepestPoint deepestPoint(const AxisymmetricTool& tool, double angle);
+
+/// The largest tilt (rad) that there is a law for: 4 degrees before the steepest part of the flank
+/// lies on the body, of a cone 90 degrees less its half angle; 80 degrees where the flank grows
+/// ever steeper, or there is none.
+PALPATE_EXPORT double largestTilt(const AxisymmetricTool& tool);
+
+/// What is wrong with tilting a tool so far (rad), naming both angles; "" if nothing is.
+PALPATE_EXPORT std::string checkTilt(const AxisymmetricTool& tool, double angle);
+
+/// κ of a tool: 3 of one whose deepest point goes over to a rim as soon as it is tilted, 0 of one
+/// whose deepest point moves away little by little. See TiltTerms::dropScale.
+PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/Tilt/TiltNodes.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/SharedWork.h"
+#include "Mechanics/Tilt/TiltGeometry.h"
+#include "Mechanics/Tilt/TiltedFlat.h"
+#include "Mechanics/Tilt/TiltedHalfSpace.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Depths = 9;
+constexpr int Angles = 13;
+constexpr double Aside = 0.01;      // of y, for differences
+constexpr double AlmostNone = 0.25; // of the first x, which stands for 0
+// So much deeper a half-space is solved for: its spline is no good at its end, and a layer has the
+// contact of a half-space pressed deeper.
+constexpr double OnHalfSpace = 1.6;
+constexpr double OnLayers = 4.0;
+
+/// η and its derivatives by x, y and both.
+using Node = std::array<double, 4>;
+
+/// Of two works, and its derivative by the depth.
+struct Ratio
+{
+  double value = 1.0;
+  double byDepth = 0.0;
+};
+
+Ratio over(const TiltWork& one, const TiltWork& other)
+{
+  const double value = one.work / other.work;
+  return { value, (one.force - value * other.force) / other.work };
+}
+
+/// One tool's nodes.
+class NodesOfTool
+{
+public:
+  NodesOfTool(const AxisymmetricTool& tool, double range, double largest,
+    const std::vector<TiltBody>& bodies, const TiltedHalfSpace& halfSpace)
+    : Tool(tool)
+    , Range(range)
+    , Largest(largest)
+    , Bodies(bodies)
+    , HalfSpace(halfSpace)
+  {
+  }
+
+  /// Those of all bodies at one place.
+  std::vector<Node> at(int depth, int angle) const
+  {
+    const double x = static_cast<double>(depth) / (Depths - 1);
+    const double y = static_cast<double>(angle) / (Angles - 1);
+    if (depth > 0)
+    {
+      return angle > 0 ? this->tilted(x, y) : this->upright(x);
+    }
+    // Nothing is pressed at 0: straight on from beside it.
+    const double beside = AlmostNone / (Depths - 1);
+    std::vector<Node> nodes = angle > 0 ? this->tilted(beside, y) : this->upright(beside);
+    for (Node& node : nodes)
+    {
+      node[0] -= beside * node[1];
+      node[2] -= beside * node[3];
+    }
+    return nodes;
+  }
+
+private:
+  /// Where η = 1, and W is even in θ at one depth of the tip, so that M = 0:
+  /// F dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
+  std::vector<Node> upright(double x) const
+  {
+    const double scale = this->HalfSpace.dropScale();
+    const double depth = this->Range * x * x;
+    const double offset = this->HalfSpace.drop().at(0.0).offset;
+    std::vector<Node> nodes;
+    for (const TiltBody& body : this->Bodies)
+    {
+      Node node{ 1.0, 0.0, 0.0, 0.0 };
+      if (scale > 0.0)
+      {
+        const TiltWork at = pressedInto(this->Tool, body, depth);
+        const double rise = at.force / at.work;
+        const double riseByDepth = at.stiffness / at.work - rise * rise;
+        const double rim = 2.0 * scale / 3.0 / depth;
+        node[2] = this->Largest * offset * (rim - rise);
+        node[3] = this->Largest * offset * (-rim / depth - riseByDepth) * 2.0 * this->Range * x;
+      }
+      nodes.push_back(node);
+    }
+    return nodes;
+  }
+
+  /// By differences over y, and F = dW/dD over x.
+  std::vector<Node> tilted(double x, double y) const
+  {
+    const double depth = this->Range * x * x;
+    const double depthByX = 2.0 * this->Range * x;
+    std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
+    std::array<Ratio, 3> rim{};    // ρ
+    std::array<Ratio, 3> missed{}; // what the profile's work misses of a half-space's
+    // Here, and on both sides; at the largest tilt twice on the one.
+    const bool isLast = y + Aside > 1.0;
+    const std::array<double, 3> steps = { 0.0, isLast ? 2.0 : -1.0, 1.0 };
+    const std::array<double, 3> slope = { isLast ? 3.0 : 0.0, 1.0, isLast ? -4.0 : -1.0 };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double angle = this->Largest * (y - Aside * steps[i]);
+      tools[i] = this->HalfSpace.equivalent(angle);
+      if (this->HalfSpace.dropScale() > 0.0)
+      {
+        const double ratio =
+          this->HalfSpace.dropScale() * this->HalfSpace.drop().at(angle).drop / depth;
+        const TiltedFlatTerm rho = tiltedFlatWork(ratio);
+        rim[i] = { rho.value, -rho.slope * ratio / depth };
+      }
+      missed[i] =
+        over(this->HalfSpace.pressed(depth, angle), pressedInto(*tools[i], TiltBody(), depth));
+    }
+    std::vector<Node> nodes;
+    for (const TiltBody& body : this->Bodies)
+    {
+      const TiltWork upright = pressedInto(this->Tool, body, depth);
+      std::array<double, 3> eta{};
+      std::array<double, 3> byX{};
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const Ratio tau = over(pressedInto(*tools[i], body, depth), upright);
+        eta[i] = tau.value * missed[i].value / rim[i].value;
+        byX[i] = eta[i] * depthByX *
+          (tau.byDepth / tau.value + missed[i].byDepth / missed[i].value -
+            rim[i].byDepth / rim[i].value);
+      }
+      const auto byY = [&slope](const std::array<double, 3>& values) {
+        return (slope[0] * values[0] + slope[1] * values[1] + slope[2] * values[2]) / (2.0 * Aside);
+      };
+      nodes.push_back({ eta[0], byX[0], byY(eta), byY(byX) });
+    }
+    return nodes;
+  }
+
+  const AxisymmetricTool& Tool;
+  double Range;
+  double Largest;
+  const std::vector<TiltBody>& Bodies;
+  const TiltedHalfSpace& HalfSpace;
+};
+
+/// Why a tool cannot be pressed so deep into a body, tilted or upright; "" if it can.
+std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
+  double largest, const TiltBody& body)
+{
+  for (const double angle : { 0.0, largest })
+  {
+    const auto tilted = halfSpace.equivalent(angle);
+    const auto answers = [&](double depth)
+    { return std::isfinite(pressedInto(*tilted, body, depth).work); };
+    if (answers(range))
+    {
+      continue;
+    }
+    double answered = 0.0;
+    double not_answered = range;
+    for (int i = 0; i < 30; ++i)
+    {
+      const double middle = 0.5 * (answered + not_answered);
+      (answers(middle) ? answered : not_answered) = middle;
+    }
+    constexpr double Degrees = 57.29577951308232;
+    return joined("on ", body.describe(), " the tool's law answers to ", answered, " mm only",
+      angle > 0.0 ? joined(" when it is tilted by ", angle * Degrees, " degrees") : std::string(),
+      ", not to the range of ", range, " mm");
+  }
+  return tool.checkDepth(range);
+}
+} // namespace
+
+MadeTilt makeTiltTable(
+  const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies)
+{
+  if (!(range > 0.0 && std::isfinite(range)))
+  {
+    return { {}, joined("the range of tilts must be > 0 mm, not ", range) };
+  }
+  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
+  {
+    return { {},
+      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()) };
+  }
+  for (const std::string& fault : { checkTilt(tool, largest), tool.checkDepth(range) })
+  {
+    if (!fault.empty())
+    {
+      return { {}, fault };
+    }
+  }
+  const bool isLayered = std::any_of(bodies.begin(), bodies.end(),
+    [](const TiltBody& body) { return body.hasLayer() || body.yielding < 0.0; });
+  const double deepest =
+    std::min((isLayered ? OnLayers : OnHalfSpace) * range, tool.depthLimit().depth);
+  const TiltedHalfSpace halfSpace(tool, deepest, largest);
+  for (const TiltBody& body : bodies)
+  {
+    std::string fault = faultOf(tool, halfSpace, range, largest, body);
+    if (!fault.empty())
+    {
+      return { {}, fault };
+    }
+  }
+
+  TiltTerms terms;
+  terms.range = range;
+  terms.largest = largest;
+  terms.dropScale = halfSpace.dropScale();
+  terms.depths = Depths;
+  terms.angles = Angles;
+  terms.drops = ToolDrop::Angles;
+  terms.laws = static_cast<int>(bodies.size());
+  std::vector<double> nodes(TiltTable::nodeCount(terms));
+  const NodesOfTool made(tool, range, largest, bodies, halfSpace);
+  shareWork(static_cast<std::size_t>(Depths) * Angles,
+    [&](std::size_t place)
+    {
+      const std::vector<Node> of =
+        made.at(static_cast<int>(place / Angles), static_cast<int>(place % Angles));
+      for (std::size_t law = 0; law < of.size(); ++law)
+      {
+        std::copy(of[law].begin(), of[law].end(),
+          nodes.begin() +
+            static_cast<std::ptrdiff_t>(
+              4 * (place + law * static_cast<std::size_t>(Depths) * Angles)));
+      }
+    });
+  const std::vector<double>& drops = halfSpace.drop().nodes();
+  std::string fault = TiltTable::faultOf(terms, drops.data(), nodes.data());
+  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "" }
+                       : MadeTilt{ {}, fault };
+}
+} // namespace palpate

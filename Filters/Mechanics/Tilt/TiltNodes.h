@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TiltNodes_h
+#define palpate_TiltNodes_h
+
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tilt/TiltBody.h"
+#include "Mechanics/Tilt/TiltTable.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// A table of tilts, or why there is none.
+struct MadeTilt
+{
+  TiltTable table;
+  std::string fault;
+};
+
+/**
+ * The table of a tool for tilts up to `largest` (rad) and depths up to `range` (mm), one law per
+ * body, 1 to TiltTerms::MostLaws. τ(D, θ) = W(D, θ)/W(D, 0) of the tool's equivalent profiles
+ * (TiltedHalfSpace.h) on each.
+ *
+ * Force of the interpolated table, dW/dD, against boundary elements between all nodes on a
+ * half-space: spheres exact, flat ends as their universal law, cones and blunted cones 0.5 %, other
+ * flat ends 3 % from a depth of 0.1 of their size on and 1 % from 0.2 (TiltNodesTest.cxx). On
+ * layers tiltError tells what the equivalent profile costs. Upright M is 0 to 1e-3 F a.
+ *
+ * A fault names the tilt that is too much for the tool, or the depth to which a law answers.
+ * Cost: that of TiltedHalfSpace and 0.2 s per layer, on all threads; same bits whatever the
+ * threads.
+ */
+PALPATE_EXPORT MadeTilt makeTiltTable(
+  const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/Tilt/TiltedHalfSpace.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/SharedWork.h"
+#include "Mechanics/Tilt/TiltBody.h"
+#include "Mechanics/Tilt/TiltGeometry.h"
+#include "Mechanics/Tilt/TiltedContact.h"
+#include "Mechanics/Tilt/TiltedFlat.h"
+#include "Mechanics/Tilt/TiltedTool.h"
+#include "Mechanics/Tools/ToolSpecification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Shallowest = 256.0; // times shallower than the deepest
+constexpr int RowCells = 13;         // two to a factor of e in the depth, or so
+constexpr int AngleCells = 11;
+constexpr double Power = -1.2; // of T, nearly straight over sin² θ
+constexpr int SamplesPerRow = 4;
+constexpr std::size_t OfRows =
+  SamplesPerRow * RowCells + 2;          // samples of the rows' depths, and one less deep
+constexpr std::size_t MostSamples = 200; // down to 1e-7 of the least depth, for small tilts
+constexpr double Smallest = 1e-9;        // a contact radius over the depth, whatever the solver
+
+std::optional<ToolSpecification> specificationOf(const AxisymmetricTool& tool)
+{
+  ToolSpecification specification;
+  std::string error;
+  return parseTool(tool.specification(), specification, error)
+    ? std::optional<ToolSpecification>(specification)
+    : std::nullopt;
+}
+
+/// A contact only grows: where radii do not, by the solver's error, they are the mean over the
+/// depth of those that disagree (pool adjacent violators), which leaves the force as it is.
+void makeMonotone(std::vector<TiltedTool::Sample>& samples)
+{
+  struct Pool
+  {
+    double sum;
+    double weight;
+    std::size_t count;
+  };
+  std::vector<Pool> pools;
+  for (const TiltedTool::Sample& sample : samples)
+  {
+    pools.push_back({ sample.radius * sample.depth, sample.depth, 1 });
+    while (pools.size() > 1 &&
+      pools.back().sum * pools[pools.size() - 2].weight <=
+        pools[pools.size() - 2].sum * pools.back().weight)
+    {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back().sum += last.sum;
+      pools.back().weight += last.weight;
+      pools.back().count += last.count;
+    }
+  }
+  std::size_t i = 0;
+  for (const Pool& pool : pools)
+  {
+    for (std::size_t k = 0; k < pool.count; ++k, ++i)
+    {
+      constexpr double Growth = 1e-9; // so that a radius has one depth
+      samples[i].radius = pool.sum / pool.weight * (1.0 + Growth * static_cast<double>(k));
+    }
+  }
+}
+
+/// d ln a/d ln D by central differences.
+void setExponents(std::vector<TiltedTool::Sample>& samples)
+{
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const TiltedTool::Sample& before = samples[i > 0 ? i - 1 : i];
+    const TiltedTool::Sample& after = samples[i + 1 < samples.size() ? i + 1 : i];
+    samples[i].exponent =
+      std::log(after.radius / before.radius) / std::log(after.depth / before.depth);
+  }
+}
+
+/// Whether only the spherical tip of a blunted cone touches, whatever the tilt then: T = 1.
+bool touchesWithTipOnly(const std::optional<ToolSpecification>& tool, double radius, double angle)
+{
+  return tool && tool->Shape == ToolShape::BluntedCone && radius < tool->Radius &&
+    angle + std::asin(radius / tool->Radius) <= (90.0 - tool->HalfAngle) * Pi / 180.0;
+}
+} // namespace
+
+TiltedHalfSpace::TiltedHalfSpace(const AxisymmetricTool& tool, double depth, double largest)
+  : Tool(tool)
+  , Drop(tool, largest)
+  , DropScale(dropScaleOf(tool))
+{
+  const std::optional<ToolSpecification> specification = specificationOf(tool);
+  if (specification)
+  {
+    const ToolShape shape = specification->Shape;
+    this->Is = shape == ToolShape::Sphere ? Kind::Sphere
+      : shape == ToolShape::Flat          ? Kind::Flat
+      : shape == ToolShape::Cone || (shape == ToolShape::PowerLaw && specification->Exponent == 1.0)
+      ? Kind::ScaleFree
+      : Kind::Solved;
+  }
+  if (this->Is == Kind::ScaleFree || this->Is == Kind::Solved)
+  {
+    this->solveRows(depth);
+  }
+}
+
+/// s of tiltedFlatWork; 0 of a tool without a flat end.
+double TiltedHalfSpace::rimRatio(double depth, double angle) const
+{
+  return this->DropScale > 0.0 ? this->DropScale * this->Drop.at(angle).drop / depth : 0.0;
+}
+
+void TiltedHalfSpace::solveRows(double depth)
+{
+  const int steps = this->Is == Kind::ScaleFree ? 0 : RowCells;
+  const auto rows = static_cast<std::size_t>(steps) + 1;
+  const std::size_t columns = AngleCells + 1;
+  std::vector<double> depths(rows);
+  std::vector<double> angles(columns);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const auto shallower = static_cast<double>(rows - 1 - row);
+    depths[row] = depth * std::exp(-shallower * std::log(Shallowest) / std::max(1, steps));
+  }
+  for (std::size_t column = 0; column < columns; ++column)
+  {
+    angles[column] = this->Drop.largest() * static_cast<double>(column) / AngleCells;
+  }
+  const std::optional<ToolSpecification> specification = specificationOf(this->Tool);
+  std::vector<TiltedForce> solved(rows * columns);
+  shareWork(rows * columns,
+    [&](std::size_t i)
+    {
+      const double at = depths[i / columns];
+      const double angle = angles[i % columns];
+      if (i % columns == 0 ||
+        !touchesWithTipOnly(specification, this->Tool.contactRadius(at), angle))
+      {
+        solved[i] = solveTilted(this->Tool, angle, at);
+      }
+    });
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const double at = depths[row];
+    std::vector<double> works;
+    for (std::size_t column = 0; column < columns; ++column)
+    {
+      // By the same grid upright, so that most of its error goes.
+      const TiltedForce& tilted = solved[row * columns + column];
+      const double tau = tilted.work > 0.0 ? tilted.work / solved[row * columns].work : 1.0;
+      works.push_back(this->DropScale > 0.0
+          ? tau / tiltedFlatWork(this->rimRatio(at, angles[column])).value
+          : std::pow(tau, Power));
+    }
+    std::optional<double> slope;
+    if (!(this->DropScale > 0.0))
+    {
+      slope = 0.0; // even in θ
+    }
+    else if (this->rimRatio(at, angles[1]) < 1.0)
+    {
+      // Tilted hardly at all, the tool is as deep as its tip is: W(D, θ) = W(D - h, 0).
+      const TiltWork upright = pressedInto(this->Tool, {}, at);
+      slope = this->Drop.at(0.0).offset * (2.0 / at - upright.force / upright.work);
+    }
+    this->Rows.push_back({ at, CubicSpline(angles, works, slope) });
+  }
+  const double spacing = std::log(Shallowest) / std::max(1, steps) / SamplesPerRow;
+  for (std::size_t i = 0; i < (steps > 0 ? MostSamples : 0); ++i)
+  {
+    const double at = depth * std::exp(-spacing * static_cast<double>(i));
+    this->Uprights.push_back({ at, pressedInto(this->Tool, {}, at) });
+  }
+}
+
+std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle) const
+{
+  if (!(angle > 0.0) || this->Is == Kind::Sphere)
+  {
+    return { std::shared_ptr<void>(), &this->Tool }; // not owned
+  }
+  return this->Is == Kind::Flat ? this->flat(angle) : this->fromRows(angle);
+}
+
+/// a(D) = R f'(q).
+std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) const
+{
+  constexpr double Least = 1e-4;
+  constexpr double Whole = 3.0; // all of the end touches
+  constexpr int Lower = 60;     // from the least q to 1
+  constexpr int Upper = 40;     // from there, ever denser, to where all touches
+  const double radius = this->Tool.largestContactRadius();
+  const double drop = this->Drop.at(angle).drop;
+  std::vector<TiltedTool::Sample> samples;
+  const auto add = [&](double q)
+  {
+    const TiltedFlatTerm at = tiltedFlatForce(q);
+    samples.push_back({ q * drop, radius * at.slope, at.bend * q / at.slope });
+  };
+  for (int i = 0; i < Lower; ++i)
+  {
+    add(std::pow(Least, 1.0 - static_cast<double>(i) / Lower));
+  }
+  for (int i = 0; i <= Upper; ++i)
+  {
+    const double left = 1.0 - static_cast<double>(i) / Upper;
+    add(Whole - (Whole - 1.0) * left * left);
+  }
+  return std::make_shared<const TiltedTool>(
+    joined(this->Tool.specification(), " tilted by ", angle, " rad"), std::move(samples), true);
+}
+
+std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) const
+{
+  const std::string name = joined(this->Tool.specification(), " tilted by ", angle, " rad");
+  const Row& first = this->Rows.front();
+  if (this->Is == Kind::ScaleFree)
+  {
+    // W ∝ D³, a ∝ D.
+    const double radius =
+      this->Tool.contactRadius(first.depth) * std::pow(first.works.at(angle).value, 1.0 / Power);
+    return std::make_shared<const TiltedTool>(name,
+      std::vector<TiltedTool::Sample>{
+        { first.depth, radius, 1.0 }, { 2.0 * first.depth, 2.0 * radius, 1.0 } },
+      false);
+  }
+  const CubicSpline stored = this->over(angle);
+  // Of a flat end until its rim alone touches; else what the first row tells.
+  const double drop = this->DropScale > 0.0 ? this->Drop.at(angle).drop : 0.0;
+  constexpr double OnRim = 0.02; // D/h, from where the force is a power of the depth, nearly
+  const double begin = drop > 0.0 ? std::min(first.depth, OnRim * drop) : first.depth;
+  std::vector<TiltedTool::Sample> samples;
+  for (std::size_t i = this->Uprights.size(); i-- > 0;)
+  {
+    const bool isNeeded =
+      i < OfRows || (i + 1 < this->Uprights.size() && this->Uprights[i + 1].depth > begin);
+    if (isNeeded)
+    {
+      const double depth = this->Uprights[i].depth;
+      const double radius = 0.5 * this->workOf(this->Uprights[i], stored, angle).stiffness;
+      samples.push_back({ depth, std::max(radius, Smallest * depth), 0.0 });
+    }
+  }
+  makeMonotone(samples);
+  setExponents(samples);
+  auto tool = std::make_shared<const TiltedTool>(name, samples, false);
+  if (drop > 0.0)
+  {
+    // About where all of the end touches.
+    tool = std::make_shared<const TiltedTool>(name, std::move(samples), false,
+      std::vector<double>{ tool->contactRadius(this->DropScale * drop) });
+  }
+  return tool;
+}
+
+/// W = W_0 ρ η and its derivatives, all by ln D.
+TiltWork TiltedHalfSpace::workOf(
+  const Upright& upright, const CubicSpline& stored, double angle) const
+{
+  const double depth = upright.depth;
+  const TiltWork& at = upright.at;
+  const double power = this->DropScale > 0.0 ? 1.0 : 1.0 / Power;
+  const SplinePoint eta = stored.at(std::log(depth));
+  const double etaSlope = eta.slope / eta.value;
+  const double m = depth * at.force / at.work;
+  double work = at.work * std::pow(eta.value, power);
+  double slope = m + power * etaSlope;
+  double bend = m + depth * depth * at.stiffness / at.work - m * m +
+    power * (eta.bend / eta.value - etaSlope * etaSlope);
+  if (this->DropScale > 0.0)
+  {
+    const double ratio = this->rimRatio(depth, angle);
+    const TiltedFlatTerm rho = tiltedFlatWork(ratio);
+    const double rhoSlope = -ratio * rho.slope / rho.value;
+    work *= rho.value;
+    slope += rhoSlope;
+    bend += ratio * (rho.slope + ratio * rho.bend) / rho.value - rhoSlope * rhoSlope;
+  }
+  return { work * slope / depth, work * (slope * (slope - 1.0) + bend) / (depth * depth), work };
+}
+
+CubicSpline TiltedHalfSpace::over(double angle) const
+{
+  std::vector<double> places; // ln D
+  std::vector<double> works;
+  for (const Row& row : this->Rows)
+  {
+    places.push_back(std::log(row.depth));
+    works.push_back(row.works.at(angle).value);
+  }
+  return CubicSpline(places, works);
+}
+
+TiltWork TiltedHalfSpace::pressed(double depth, double angle) const
+{
+  if (this->Is == Kind::Solved && angle > 0.0)
+  {
+    return this->workOf({ depth, pressedInto(this->Tool, {}, depth) }, this->over(angle), angle);
+  }
+  return pressedInto(*this->equivalent(angle), {}, depth);
+}
+} // namespace palpate

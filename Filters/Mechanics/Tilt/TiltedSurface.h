@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TiltedSurface_h
+#define palpate_TiltedSurface_h
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// A rectangle of the body's surface, mm; x across the tilt's axis, from the tip towards the side
+/// that goes down; symmetric in y.
+struct SurfaceBox
+{
+  double left;
+  double right;
+  double halfWidth;
+};
+
+/// The lower side of a tool tilted by θ about y, over the plane through its deepest point.
+class TiltedSurface
+{
+public:
+  /// `tool` must outlive it.
+  TiltedSurface(const AxisymmetricTool& tool, double angle);
+
+  /// How high the tool is over the plane at (x, y), mm; +inf where more than `limit`.
+  double heightAt(double x, double y, double limit) const;
+  /// Around all places where it is less than `limit` high.
+  SurfaceBox below(double limit) const;
+
+private:
+  double insideAt(double x, double y, double z) const;
+
+  const AxisymmetricTool& Tool;
+  double Sine;
+  double Cosine;
+  double Drop;
+  double Deepest; ///< radius of the deepest point
+};
+} // namespace palpate
+
+#endif

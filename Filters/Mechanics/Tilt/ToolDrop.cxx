@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/Tilt/ToolDrop.h"
+
+#include "Mechanics/Tilt/TiltGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate
+{
+ToolDrop::ToolDrop(const AxisymmetricTool& tool, double largest)
+  : Largest(largest)
+{
+  for (int k = 0; k < Angles; ++k)
+  {
+    // Not at 0 itself: a rim is the deepest point as soon as there is a tilt.
+    constexpr double Hardly = 1e-9;
+    const double angle = std::max(Hardly, static_cast<double>(k) / (Angles - 1)) * largest;
+    const DeepestPoint deepest = deepestPoint(tool, angle);
+    this->Nodes.push_back(k == 0 ? 0.0 : deepest.drop);
+    this->Nodes.push_back(deepest.offset);
+  }
+}
+
+DeepestPoint ToolDrop::at(double angle) const
+{
+  constexpr int Cells = Angles - 1;
+  const double width = this->Largest / Cells;
+  const double place = angle / width;
+  const int cell = std::clamp(static_cast<int>(place), 0, Cells - 1);
+  const double* node = this->Nodes.data() + 2 * static_cast<std::size_t>(cell);
+  if (angle >= this->Largest)
+  {
+    return { node[2] + (angle - this->Largest) * node[3], node[3] };
+  }
+  const double t = place - cell;
+  const double rise = node[2] - node[0];
+  const double p = node[1] * width;
+  const double q = node[3] * width;
+  const double b = 3.0 * rise - 2.0 * p - q;
+  const double c = p + q - 2.0 * rise;
+  return { node[0] + t * (p + t * (b + t * c)), (p + t * (2.0 * b + 3.0 * t * c)) / width };
+}
+
+double ToolDrop::angleAt(double drop) const
+{
+  double low = 0.0;
+  double high = this->Largest;
+  for (int i = 0; i < 60 && this->at(high).drop > drop; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high)
+    {
+      break;
+    }
+    if (this->at(middle).drop > drop)
+    {
+      high = middle;
+    }
+    else
+    {
+      low = middle;
+      if (!(this->at(high).drop - this->at(low).drop > 1e-15 * drop))
+      {
+        break;
+      }
+    }
+  }
+  return this->at(this->Largest).drop > drop ? low : this->Largest;
+}
+} // namespace palpate
