@@ -62,6 +62,22 @@ inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
   return { std::cos(half), vector.x(), vector.y(), vector.z() };
 }
 
+/// The least turn that puts one axis along another, of any length but zero, as a rotation vector,
+/// rad; of opposite ones about some axis across them.
+inline Eigen::Vector3d leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
+{
+  const Eigen::Vector3d across = from.cross(to);
+  const double sine = across.norm();
+  const double cosine = from.dot(to);
+  if (sine > 1e-12 * std::abs(cosine))
+  {
+    return std::atan2(sine, cosine) / sine * across;
+  }
+  constexpr double Half = 3.14159265358979323846;
+  return cosine < 0.0 ? Eigen::Vector3d(Half * from.unitOrthogonal())
+                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
 /// The shortest turn between two that are told, as a rotation vector in the device's frame, rad.
 inline Eigen::Vector3d turnBetween(const ToolOrientation& from, const ToolOrientation& to) noexcept
 {

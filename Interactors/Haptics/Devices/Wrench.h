@@ -11,6 +11,20 @@ struct Wrench
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+
+  bool isFinite() const noexcept { return this->force.allFinite() && this->torque.allFinite(); }
+  /// Each shortened to no more than it may be, N and N m; finite.
+  Wrench within(double maximumForce, double maximumTorque) const noexcept
+  {
+    return { shortened(this->force, maximumForce), shortened(this->torque, maximumTorque) };
+  }
+
+private:
+  static Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double most) noexcept
+  {
+    const double size = vector.norm();
+    return (size > most ? most / size : 1.0) * vector;
+  }
 };
 } // namespace palpate
 
