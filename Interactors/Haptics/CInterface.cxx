@@ -73,6 +73,8 @@ void copy(const Tick& felt, palpate_tick* tick)
   tick->triangle = felt.contact.triangle;
   tick->state = static_cast<int>(felt.contact.state);
   tick->memory = felt.contact.memory;
+  copy(felt.contact.torque, tick->torque);
+  tick->tilt = felt.contact.tilt;
   std::fill(std::begin(tick->reserved), std::end(tick->reserved), 0.0);
 }
 } // namespace palpate::c
@@ -180,6 +182,17 @@ void palpate_step(
   palpate::DeviceSample sample;
   sample.position = Eigen::Map<const Eigen::Vector3d>(position);
   sample.valid = true;
+  palpate::c::copy(contact->servo.step(sample, time), tick);
+}
+
+void palpate_step_pose(palpate_contact* contact, const double position[3], const double axis[3],
+  double time, palpate_tick* tick)
+{
+  const Eigen::Map<const Eigen::Vector3d> along(axis);
+  palpate::DeviceSample sample;
+  sample.position = Eigen::Map<const Eigen::Vector3d>(position);
+  sample.orientation = palpate::orientationAlong(along);
+  sample.valid = along.allFinite();
   palpate::c::copy(contact->servo.step(sample, time), tick);
 }
 

@@ -40,6 +40,15 @@ palpate::SafetySettings given(const palpate_safety& safety)
   given.period = safety.period;
   given.sampleTimeOut = safety.sample_time_out;
   given.delay = safety.delay;
+  given.maximumTorque = safety.maximum_torque;
+  if (safety.maximum_torsional_stiffness != 0.0)
+  {
+    given.maximumTorsionalStiffness = safety.maximum_torsional_stiffness;
+  }
+  if (safety.maximum_torque_rate != 0.0)
+  {
+    given.maximumTorqueRate = safety.maximum_torque_rate;
+  }
   return given;
 }
 
@@ -152,6 +161,12 @@ void palpate_safety_of(const palpate_device* device, palpate_safety* safety)
     specification.rate = device->rate;
     specification.sampleTimeOut = device->sample_time_out;
     specification.delay = device->delay;
+    specification.outputsTorque = device->maximum_torque != 0.0;
+    specification.maximumTorque = device->maximum_torque;
+    if (device->maximum_torsional_stiffness != 0.0)
+    {
+      specification.maximumTorsionalStiffness = device->maximum_torsional_stiffness;
+    }
   }
   const palpate::SafetySettings settings = palpate::SafetySettings::of(specification);
   *safety = {};
@@ -166,6 +181,11 @@ void palpate_safety_of(const palpate_device* device, palpate_safety* safety)
   safety->period = settings.period;
   safety->sample_time_out = settings.sampleTimeOut;
   safety->delay = settings.delay;
+  if (settings.maximumTorque != 0.0)
+  {
+    safety->maximum_torque = settings.maximumTorque;
+    safety->maximum_torsional_stiffness = settings.maximumTorsionalStiffness;
+  }
 }
 
 palpate_contact* palpate_contact_new_safe(const palpate_body* body, const palpate_mapping* mapping,
@@ -199,7 +219,7 @@ palpate_contact* palpate_contact_new_safe(const palpate_body* body, const palpat
 
 void palpate_sample_default(palpate_sample* sample)
 {
-  *sample = { { 0, 0, 0 }, { 0, 0, 0 }, 0, 1, 1, {} };
+  *sample = { { 0, 0, 0 }, { 0, 0, 0 }, 0, 1, 1, { 0, 0, 0, 0 }, { 0, 0, 0 }, {} };
 }
 
 void palpate_step_sample(
@@ -211,6 +231,9 @@ void palpate_step_sample(
   reading.buttons = sample->buttons;
   reading.valid = sample->valid != 0;
   reading.fresh = sample->fresh != 0;
+  const double* const turn = sample->orientation;
+  reading.orientation = palpate::ToolOrientation(turn[0], turn[1], turn[2], turn[3]);
+  reading.angularVelocity = Eigen::Map<const Eigen::Vector3d>(sample->angular_velocity);
   const palpate::Tick felt = contact->servo.step(reading, time);
   copy(felt, &tick->tick);
   copy(felt.velocity, tick->velocity);
@@ -223,6 +246,8 @@ void palpate_step_sample(
   tick->valid = felt.valid;
   tick->clutched = felt.clutched;
   tick->hold_time = felt.holdTime;
+  copy(felt.deviceTorque, tick->device_torque);
+  copy(felt.idealTorque, tick->ideal_torque);
   std::fill(std::begin(tick->reserved), std::end(tick->reserved), 0.0);
 }
 

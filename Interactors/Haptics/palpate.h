@@ -35,7 +35,7 @@
 #define PALPATE_VERSION_STRING "0.1.0"
 
 /* Of this header's interface: 1, 2, 3 ... */
-#define PALPATE_API_VERSION 3
+#define PALPATE_API_VERSION 4
 
 #ifdef __GNUC__
 #define PALPATE_API __attribute__((visibility("default")))
@@ -66,7 +66,8 @@ extern "C"
     PALPATE_SLIDE = 2,
     PALPATE_BEYOND_RANGE = 3,
     PALPATE_LOST_AT_BORDER = 4,
-    PALPATE_INVALID = 5
+    PALPATE_INVALID = 5,
+    PALPATE_TILTED_TOO_FAR = 6 /* since 4: felt as at the largest tilt of the response */
   };
 
   /* How the curves of a triangle's corners become one force. */
@@ -127,7 +128,9 @@ extern "C"
     int triangle;            /* of the body, -1 for none */
     int state;               /* enum palpate_state */
     double memory;           /* N, what of normal_force a body that relaxes remembers (since 3) */
-    double reserved[7];
+    double torque[3];        /* N mm, on the tool about its tip (since 4, as tilt) */
+    double tilt;             /* rad, of the tool's axis from normal; 0 where it is not told */
+    double reserved[3];
   } palpate_tick;
 
   /* Loads a file written by `palpate --export`. On failure returns null and writes the reason, cut
@@ -151,6 +154,12 @@ extern "C"
   /* One tick at a position (m) and a time (s). A position that is not finite gives zero force. */
   PALPATE_API void palpate_step(
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
+
+  /* The same of a tool along an axis: from the tip to the hand, of any length, in the frame of the
+   * device. Zero: not told, as in palpate_step, where the tool stands along the body's normal. One
+   * that is not finite gives zero force. (since 4) */
+  PALPATE_API void palpate_step_pose(palpate_contact* contact, const double position[3],
+    const double axis[3], double time, palpate_tick* tick);
 
   /* Forgets the contact: the next step begins anew. */
   PALPATE_API void palpate_reset(palpate_contact* contact);
@@ -187,7 +196,11 @@ extern "C"
     double sample_time_out;    /* s; silent for longer, the device is lost. May be infinite */
     double
       delay; /* since version 2. s: readings and forces are late by no more together; 0: none */
-    double reserved[3];
+    /* since version 4. N m, about the tip: 0, it outputs none; and N m/rad, of a sampled torsion
+     * spring, as maximum_stiffness: 0, 0.5 is taken. */
+    double maximum_torque;
+    double maximum_torsional_stiffness;
+    double reserved[1];
   } palpate_device;
 
   /* 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
@@ -209,7 +222,10 @@ extern "C"
     double period;          /* s, > 0, of the loop */
     double sample_time_out; /* > 0 */
     double delay;           /* since version 2. s, >= 0, of the device: for control_passivity */
-    double reserved[7];
+    double maximum_torque;  /* since version 4, as all below. N m; 0: no torque is sent */
+    double maximum_torsional_stiffness; /* N m/rad; 0: 0.5 is taken */
+    double maximum_torque_rate;         /* N m/s; 0: any */
+    double reserved[4];
   } palpate_safety;
 
   /* All links, with what a device (null: the default) allows. */
@@ -247,7 +263,11 @@ extern "C"
     unsigned int buttons; /* bit i: button i is down */
     int valid;            /* 0: there is nothing to report; the force is then zero */
     int fresh;            /* 0: nothing new since the last reading, which is repeated */
-    double reserved[8];
+    /* since version 4. w, x, y, z of the unit quaternion that turns the tool's own frame, whose z
+     * is the shaft from tip to hand, into the device's; zeros: not told. And rad/s, or zeros. */
+    double orientation[4];
+    double angular_velocity[3];
+    double reserved[1];
   } palpate_sample;
 
   /* Zeros, valid and fresh. */
@@ -269,7 +289,10 @@ extern "C"
     /* since version 2. s: for so long device_force may be held if no tick follows; a device that
      * lets go then gives no more than was put in. May be infinite. */
     double hold_time;
-    double reserved[7];
+    double
+      device_torque[3]; /* since version 4. N m, on the hand about the tip, frame of the device */
+    double ideal_torque[3]; /* N mm, before the safety, frame of the body */
+    double reserved[1];
   } palpate_full_tick;
 
   /* One tick of any contact with all a device tells, in the loop as palpate_step; time increases.

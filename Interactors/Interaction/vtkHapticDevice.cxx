@@ -150,6 +150,15 @@ void vtkHapticDevice::SteerTo(const double tip[3])
   }
 }
 
+void vtkHapticDevice::TurnTo(const double axis[3])
+{
+  std::copy_n(axis, 3, this->Axis);
+  if (this->Kept->steered)
+  {
+    this->Kept->steered->turnTo(this->Kept->mapping.axisToDevice(Eigen::Vector3d(axis)));
+  }
+}
+
 std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, double rate)
 {
   this->Release();
@@ -175,6 +184,7 @@ std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, doub
   {
     const auto hand = kept.makeSimulated(kept.mapping.toDevice(Eigen::Vector3d(this->Steered)));
     kept.steered = hand.get();
+    hand->turnTo(kept.mapping.axisToDevice(Eigen::Vector3d(this->Axis)));
     kept.hand = hand;
   }
   else if (kept.chosen.isSimulated())
@@ -221,13 +231,25 @@ std::string vtkHapticDevice::MakeHandOnPath()
   {
     return "The simulated device needs a path with a point array 'Time' (s)";
   }
+  vtkDataArray* axes = this->Path->GetPointData()->GetArray("ToolAxis");
+  if (axes && axes->GetNumberOfComponents() != 3)
+  {
+    return "The point array 'ToolAxis' of the path must have 3 components, but has " +
+      std::to_string(axes->GetNumberOfComponents());
+  }
   std::vector<palpate::WayPoint> path;
   for (vtkIdType i = 0; i < this->Path->GetNumberOfPoints(); ++i)
   {
     Eigen::Vector3d position;
     this->Path->GetPoint(i, position.data());
-    path.push_back({ times->GetTuple1(i), this->Kept->mapping.toDevice(position) });
-    if (!(std::isfinite(path.back().time) && position.allFinite()) ||
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    if (axes)
+    {
+      axes->GetTuple(i, axis.data());
+    }
+    const palpate::WorkspaceMapping& mapping = this->Kept->mapping;
+    path.push_back({ times->GetTuple1(i), mapping.toDevice(position), mapping.axisToDevice(axis) });
+    if (!(std::isfinite(path.back().time) && position.allFinite() && axis.allFinite()) ||
       (i > 0 && path[path.size() - 2].time > path.back().time))
     {
       return "Point " + std::to_string(i) + " of the path is not finite or goes back in time";

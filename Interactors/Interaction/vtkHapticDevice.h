@@ -110,7 +110,7 @@ public:
   ///@}
 
   /** A simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
-   * decreasing). */
+   * decreasing), and, for a tool that is tilted, `ToolAxis` (3, from the tip to the hand). */
   void SetPath(vtkPolyData* path);
   /** Time of the last point of what it follows since Start, s; 0 before, and where there is none.
    */
@@ -118,6 +118,10 @@ public:
   /** A simulated device with RealTime: where the hand is to go, mm. Before Start: where it begins.
    */
   void SteerTo(const double tip[3]);
+  /** A simulated device with RealTime: along which axis, from the tip to the hand, it is to hold
+   * the tool, in the body's frame; of any length. Zero, as at first: not told, so along the normal.
+   */
+  void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
   /** A device of the caller's own. */
@@ -154,6 +158,7 @@ private:
   bool FitWorkspace = false;
   unsigned int ClutchButtons = 0;
   double Steered[3] = { 0.0, 0.0, 0.0 };
+  double Axis[3] = { 0.0, 0.0, 0.0 };
   vtkSmartPointer<vtkPolyData> Path;
 
   struct Parts;

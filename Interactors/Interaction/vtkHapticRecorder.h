@@ -61,7 +61,9 @@ public:
 
   /** Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
    * `Time`, `AppliedForce` (3, N), `ForceFactor` and `SafetyLinks` (int; bits in the order of the
-   * chain); `MemoryForce` where there was any. Cells are counted as in the newest body. */
+   * chain); `MemoryForce` where there was any, `ToolAxis` (3) and
+   * `Torque` (3, N mm, ideal, about the tip) where any tick knows its axis. Cells are counted as in
+   * the newest body. */
   void GetRecording(vtkPolyData* recording);
   /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
    */

@@ -5,6 +5,7 @@
 #include "Haptics/Safety/SafetyText.h"
 #include "Interaction/Session/HapticSessionState.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -216,6 +217,30 @@ double vtkHapticSession::GetDeflection()
 int vtkHapticSession::GetContactState()
 {
   return static_cast<int>(this->Newest().contact.state);
+}
+
+void vtkHapticSession::GetAxis(double axis[3])
+{
+  std::copy_n(this->Newest().axis.data(), 3, axis);
+}
+
+void vtkHapticSession::GetIdealTorque(double torque[3])
+{
+  std::copy_n(this->Newest().idealTorque.data(), 3, torque);
+}
+
+void vtkHapticSession::GetTorque(double torque[3])
+{
+  std::fill_n(torque, 3, 0.0); // as GetForce
+  if (this->GetState() == Running)
+  {
+    std::copy_n(this->Newest().appliedTorque.data(), 3, torque);
+  }
+}
+
+double vtkHapticSession::GetTilt()
+{
+  return vtkMath::DegreesFromRadians(this->Newest().contact.tilt);
 }
 
 const palpate::Tick& vtkHapticSession::GetNewestTick()

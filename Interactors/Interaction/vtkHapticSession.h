@@ -179,6 +179,15 @@ public:
   double GetDeflection();
   int GetContactState();
   ///@}
+  ///@{
+  /** The newest tick of a tilted tool: its axis, unit, from the tip to the hand (zero where the
+   * device does not tell it, and of all that follows); the ideal torque on it about its tip, N mm,
+   * and the one applied by a device that outputs torque; its tilt from the normal, degrees. */
+  void GetAxis(double axis[3]);
+  void GetIdealTorque(double torque[3]);
+  void GetTorque(double torque[3]);
+  double GetTilt();
+  ///@}
   /** By which factor the newest tick's ideal force was fitted to the device; before the first that
    * of Start. */
   double GetForceFactor();

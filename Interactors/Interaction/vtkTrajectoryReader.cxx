@@ -166,6 +166,14 @@ int vtkTrajectoryReader::RequestData(
   const auto give = [&](const char* name, int components, auto get)
   { attach(output, rows, count, name, components, get); };
   give("Time", 1, [](const Row& row) { return &row.time; });
+  if (this->Known->hasAxis)
+  {
+    give("ToolAxis", 3, [](const Row& row) { return row.axis.data(); });
+  }
+  if (this->Known->hasTorque)
+  {
+    give("Torque", 3, [](const Row& row) { return row.contact.torque.data(); });
+  }
   if (this->Known->hasContact)
   {
     give("ContactPoint", 3, [](const Row& row) { return row.contact.contactPoint.data(); });

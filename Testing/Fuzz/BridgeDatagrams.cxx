@@ -70,12 +70,16 @@ public:
         this->serve(described());
         break;
       default:
-        this->Device->write({ input.ConsumeFloatingPoint<double>(),
-          input.ConsumeFloatingPoint<double>(), input.ConsumeFloatingPoint<double>() });
+        this->Device->writeWrench(
+          { Eigen::Vector3d(input.ConsumeFloatingPoint<double>(),
+              input.ConsumeFloatingPoint<double>(), input.ConsumeFloatingPoint<double>()),
+            Eigen::Vector3d::Constant(input.ConsumeFloatingPoint<double>()) });
         break;
     }
     const DeviceSample sample = this->Device->read(this->Time);
-    require(!sample.valid || (sample.position.allFinite() && sample.velocity.allFinite()),
+    require(!sample.valid ||
+        (sample.position.allFinite() && sample.velocity.allFinite() &&
+          sample.orientation.coeffs().allFinite()),
       "a valid sample is finite");
     require(!sample.fresh || !sample.valid || this->Sound, "news come from sound reports alone");
     if (sample.valid && sample.fresh)
@@ -109,6 +113,7 @@ private:
       {
         require(force.force.norm() <= description.maximumForce * (1.0 + 1e-6),
           "no force beyond the limit");
+        require(force.torque.norm() == 0.0, "no torque to one that outputs none");
       }
       else
       {

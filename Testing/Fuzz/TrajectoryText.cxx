@@ -48,7 +48,8 @@ void checkRoundTrip(const Trajectory& trajectory)
   Trajectory again;
   require(readTrajectory(stream, "again", again).empty(), "what was written can be read");
   require(again.rows.size() == trajectory.rows.size() &&
-      again.hasContact == trajectory.hasContact && again.hasDevice == trajectory.hasDevice,
+      again.hasContact == trajectory.hasContact && again.hasDevice == trajectory.hasDevice &&
+      again.hasAxis == trajectory.hasAxis && again.hasTorque == trajectory.hasTorque,
     "nothing is lost");
   for (std::size_t i = 0; i < again.rows.size(); ++i)
   {
@@ -64,7 +65,9 @@ void checkReplay(const Trajectory& trajectory)
   for (const double share : { -0.1, 0.0, 0.3, 0.5, 1.0, 1.1 })
   {
     const DeviceSample sample = device.read(begin + share * (end - begin));
-    require(!sample.valid || (sample.position.allFinite() && sample.velocity.allFinite()),
+    require(!sample.valid ||
+        (sample.position.allFinite() && sample.velocity.allFinite() &&
+          sample.orientation.coeffs().allFinite()),
       "a valid sample is finite");
   }
 }

@@ -65,7 +65,7 @@ BridgeDevice::~BridgeDevice()
 {
   if (this->Known)
   {
-    this->sendForce(Eigen::Vector3d::Zero(), false);
+    this->send({}, false);
   }
 }
 
@@ -122,6 +122,7 @@ DeviceSample BridgeDevice::read(double time) noexcept
   sample.position = this->Newest.position;
   sample.velocity = this->Newest.velocity;
   sample.buttons = this->Newest.buttons;
+  sample.orientation = this->Newest.orientation;
   sample.valid = !this->Newest.fault;
   sample.fresh = this->Fresh;
   return sample;
@@ -211,7 +212,7 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
 
 void BridgeDevice::lose() noexcept
 {
-  this->sendForce(Eigen::Vector3d::Zero(), false);            // should it still listen
+  this->send({}, false);                                      // should it still listen
   this->GreetedAt = -std::numeric_limits<double>::infinity(); // greet in this very tick
   this->Now = Stage::Greeting;
   this->Disconnections.fetch_add(1, std::memory_order_relaxed);
@@ -224,7 +225,7 @@ void BridgeDevice::greet() noexcept
   this->Socket->send(bytes.data(), bytes.size()); // if nobody is there, there will be others
 }
 
-bool BridgeDevice::write(const Eigen::Vector3d& force) noexcept
+bool BridgeDevice::writeWrench(const Wrench& wrench) noexcept
 {
   if (!this->Limits.outputsForce || this->Now != Stage::Alive)
   {
@@ -232,16 +233,13 @@ bool BridgeDevice::write(const Eigen::Vector3d& force) noexcept
   }
   if (this->Newest.fault)
   {
-    this->sendForce(Eigen::Vector3d::Zero(), false);
+    this->send({}, false);
     return false;
   }
-  const double size = force.norm();
-  if (!std::isfinite(size))
-  {
-    return this->sendForce(Eigen::Vector3d::Zero(), true);
-  }
-  const double share = size > this->Limits.maximumForce ? this->Limits.maximumForce / size : 1.0;
-  return this->sendForce(share * force, true);
+  return this->send(wrench.isFinite()
+      ? wrench.within(this->Limits.maximumForce, this->Limits.maximumTorque)
+      : Wrench(),
+    true);
 }
 
 void BridgeDevice::holdFor(double seconds) noexcept
@@ -249,13 +247,14 @@ void BridgeDevice::holdFor(double seconds) noexcept
   this->Watchdog = watchdogOf(seconds, this->Limits);
 }
 
-bool BridgeDevice::sendForce(const Eigen::Vector3d& force, bool enable) noexcept
+bool BridgeDevice::send(const Wrench& wrench, bool enable) noexcept
 {
   ForceReport report;
   report.enable = enable;
   report.sequence = ++this->ForceSequence;
   report.time = microseconds();
-  report.force = force;
+  report.force = wrench.force;
+  report.torque = wrench.torque;
   report.watchdog = this->Watchdog;
   report.stateSequence = this->Newest.sequence;
   HapticReportBytes bytes{};

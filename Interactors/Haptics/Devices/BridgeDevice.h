@@ -46,7 +46,12 @@ public:
 
   DeviceSample read(double time) noexcept override;
   /// Shortened to the maximum force of the specification; one that is not finite is sent as zero.
-  bool write(const Eigen::Vector3d& force) noexcept override;
+  /// Likewise the torque, which a device that outputs none is not sent.
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    return this->writeWrench({ force, Eigen::Vector3d::Zero() });
+  }
+  bool writeWrench(const Wrench& wrench) noexcept override;
   void holdFor(double seconds) noexcept override;
 
   std::string status() const override;
@@ -69,7 +74,7 @@ private:
   void takeDescription(const DescriptionReport& description) noexcept;
   void lose() noexcept;
   void greet() noexcept;
-  bool sendForce(const Eigen::Vector3d& force, bool enable) noexcept;
+  bool send(const Wrench& wrench, bool enable) noexcept;
 
   std::unique_ptr<BridgeSocket> Socket;
   std::string Address;

@@ -49,6 +49,8 @@ DeviceSpecification carefulSpecification() noexcept
   careful.workspace.setConstant(0.05);
   careful.rate = 1000.0;
   careful.sampleTimeOut = 0.02;
+  careful.maximumTorsionalStiffness = 0.02;
+  careful.maximumTorqueRate = 2.0;
   return careful;
 }
 
@@ -71,6 +73,17 @@ DeviceSpecification specificationOf(const DescriptionReport& description, std::s
   else
   {
     specification.maximumForce = 0.0;
+  }
+  specification.outputsTorque = description.outputsTorque;
+  if (description.outputsTorque)
+  {
+    specification.maximumTorque = 0.02;
+    values.take(
+      "maximum torque", "N m", description.maximumTorque, 0.0, 5.0, specification.maximumTorque);
+    values.take("maximum torsional stiffness", "N m/rad", description.maximumTorsionalStiffness,
+      0.0, 100.0, specification.maximumTorsionalStiffness);
+    values.take("maximum torque rate", "N m/s", description.maximumTorqueRate, 0.0,
+      std::numeric_limits<double>::infinity(), specification.maximumTorqueRate);
   }
   const char* const extents[] = { "half extent in x", "half extent in y", "half extent in z" };
   for (int axis = 0; axis < 3; ++axis)

@@ -2,6 +2,8 @@
 #ifndef palpate_HapticDevice_h
 #define palpate_HapticDevice_h
 
+#include "Haptics/Devices/ToolOrientation.h"
+#include "Haptics/Devices/Wrench.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -31,6 +33,13 @@ struct DeviceSpecification
   /// s: readings and forces are late by no more than this together; 0: no more than a tick.
   double delay = 0.0;
   bool outputsForce = true;
+
+  bool outputsTorque = false;
+  double maximumTorque = 0.0; ///< N m, about the tip; 0: it outputs none
+  /// N m/rad: what maximumStiffness is, of turning: b_θ/T, or b_θ/(T + 2t), of the device's own
+  /// damping b_θ (N m s/rad) of turns.
+  double maximumTorsionalStiffness = 0.5;
+  double maximumTorqueRate = std::numeric_limits<double>::infinity(); ///< N m/s
 };
 
 /// One reading of a device, in its own frame. SI units.
@@ -43,6 +52,10 @@ struct DeviceSample
   bool valid = false;
   /// False when nothing new has come since the last reading, which is repeated.
   bool fresh = true;
+
+  ToolOrientation orientation = orientationNotTold(); ///< unit, or not told
+  /// rad/s; zero if the device does not tell
+  Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero();
 };
 
 /// What went wrong on the way to and from a device, since it was opened.
@@ -58,9 +71,9 @@ struct DeviceErrors
 /**
  * A haptic device: read the hand, write the force. SI units, the device's own frame.
  *
- * read, write and holdFor are called from the servo tick: they return at once, and neither
- * allocate, lock nor throw. `time` (s) is passed in, so that a session can run in virtual time.
- * status and errors may be called from any one other thread at the same time.
+ * read, write, writeWrench and holdFor are called from the servo tick: they return at once, and
+ * neither allocate, lock nor throw. `time` (s) is passed in, so that a session can run in virtual
+ * time. status and errors may be called from any one other thread at the same time.
  */
 class PALPATE_EXPORT HapticDevice
 {
@@ -71,6 +84,8 @@ public:
   virtual DeviceSample read(double time) noexcept = 0;
   /// Force on the hand, N. Returns false when the device did not take it.
   virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
+  /// Force and torque. A device that outputs no torque takes the force alone.
+  virtual bool writeWrench(const Wrench& wrench) noexcept { return this->write(wrench.force); }
   /// Of the forces from now on: how long (s) each is to be held if none follows. A device that
   /// cannot let go by itself does nothing.
   virtual void holdFor(double seconds) noexcept { static_cast<void>(seconds); }

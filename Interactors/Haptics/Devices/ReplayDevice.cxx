@@ -66,6 +66,10 @@ ReplayDevice::ReplayDevice(const Trajectory& trajectory, const WorkspaceMapping&
       played.sample.position =
         row.hasTip() ? positionOf(row.tip, mapping) : Eigen::Vector3d(Eigen::Vector3d::Zero());
     }
+    if (trajectory.hasAxis)
+    {
+      played.sample.orientation = orientationAlong(mapping.axisToDevice(row.axis));
+    }
     this->Rows.push_back(played);
   }
 }
@@ -94,13 +98,19 @@ DeviceSample ReplayDevice::read(double time) noexcept
     const double share = (time - from.time) / (to->time - from.time);
     sample.position += share * (to->sample.position - from.sample.position);
     sample.velocity += share * (to->sample.velocity - from.sample.velocity);
+    if (isTold(from.sample.orientation) && isTold(to->sample.orientation))
+    {
+      const Eigen::Vector3d way =
+        leastTurn(shaftOf(from.sample.orientation), shaftOf(to->sample.orientation));
+      sample.orientation = turnedBy(share * way) * from.sample.orientation;
+    }
   }
   return sample;
 }
 
-bool ReplayDevice::write(const Eigen::Vector3d& force) noexcept
+bool ReplayDevice::writeWrench(const Wrench& wrench) noexcept
 {
-  this->Force = force;
+  this->Last = wrench;
   return true;
 }
 } // namespace palpate

@@ -20,6 +20,9 @@ namespace palpate
  * next to a row that is not valid they stay. Before the first row the hand rests there, after the
  * last one likewise (isAtEnd says so).
  *
+ * An axis is played as the least turn that gives it, which is the axis to rounding; between two
+ * rows that tell one the shaft turns evenly.
+ *
  * Frames: a file tells the tip (body frame, mm); a recording (RecordingDevice) tells the device's
  * position as well, and that is what is played, so that the mapping of the loop may be another than
  * then. Without it the tip is taken back through `mapping`, which the loop must use too, to the
@@ -37,9 +40,14 @@ public:
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
   /// Not valid where `time` is not finite. O(log n).
   DeviceSample read(double time) noexcept override;
-  bool write(const Eigen::Vector3d& force) noexcept override;
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    return this->writeWrench({ force, Eigen::Vector3d::Zero() });
+  }
+  bool writeWrench(const Wrench& wrench) noexcept override;
 
-  const Eigen::Vector3d& lastForce() const noexcept { return this->Force; }
+  const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
+  const Eigen::Vector3d& lastTorque() const noexcept { return this->Last.torque; }
   /// Times of the first and the last row, s; 0 without rows.
   double begin() const noexcept { return this->Rows.empty() ? 0.0 : this->Rows.front().time; }
   double duration() const noexcept { return this->Rows.empty() ? 0.0 : this->Rows.back().time; }
@@ -54,7 +62,7 @@ private:
 
   DeviceSpecification Limits;
   std::vector<Row> Rows;
-  Eigen::Vector3d Force = Eigen::Vector3d::Zero();
+  Wrench Last;
 };
 } // namespace palpate
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Devices/TimedPath.h"
 
+#include "Haptics/Devices/ToolOrientation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -38,6 +40,27 @@ Eigen::Vector3d TimedPath::at(double time) const noexcept
   return from.position + share * (to->position - from.position);
 }
 
+Eigen::Vector3d TimedPath::axisAt(double time) const noexcept
+{
+  if (this->Points.empty())
+  {
+    return Eigen::Vector3d::Zero();
+  }
+  const auto to = after(this->Points, time);
+  const WayPoint& from = to == this->Points.begin() ? *to : *(to - 1);
+  if (to == this->Points.begin() || to == this->Points.end() || from.axis.isZero(0.0))
+  {
+    return from.axis.stableNormalized();
+  }
+  if (to->axis.isZero(0.0))
+  {
+    return Eigen::Vector3d::Zero();
+  }
+  const double share = (time - from.time) / (to->time - from.time);
+  const Eigen::Vector3d axis = from.axis.stableNormalized();
+  return turnedBy(share * leastTurn(axis, to->axis.stableNormalized())) * axis;
+}
+
 TimedPath::Ramp TimedPath::rampAt(double time) const noexcept
 {
   Ramp ramp;
@@ -62,7 +85,7 @@ std::string TimedPath::fault() const
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
     const WayPoint& point = this->Points[i];
-    if (!std::isfinite(point.time) || !point.position.allFinite())
+    if (!std::isfinite(point.time) || !point.position.allFinite() || !point.axis.allFinite())
     {
       return "way point " + std::to_string(i) + " is not finite";
     }

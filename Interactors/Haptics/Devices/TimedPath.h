@@ -16,11 +16,16 @@ struct WayPoint
 {
   double time = 0.0;                                  ///< s, not decreasing along a path
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
+  /// Of the tool, from tip to hand, of any length; zero: not told.
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
 /**
  * A path in time: linear between its way points, at rest before the first and after the last. Two
  * way points of the same time are a jump: from that time on the later one holds.
+ *
+ * An axis turns evenly from one way point to the next; where one of the two tells none, it is not
+ * told.
  *
  * Looking up costs O(log n) and allocates nothing.
  */
@@ -46,6 +51,8 @@ public:
 
   /// Zero on an empty path.
   Eigen::Vector3d at(double time) const noexcept;
+  /// Of the tool, unit; zero where it is not told.
+  Eigen::Vector3d axisAt(double time) const noexcept;
   /// How the path goes on from `time`. An empty path rests at zero.
   Ramp rampAt(double time) const noexcept;
 

@@ -14,8 +14,10 @@ struct TrajectoryRow
 {
   double time = 0.0;                             ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< body frame, mm
+  /// Of the tool, from tip to hand, body frame, unit; zero: not known.
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
-  /// Of a file only point, deflection, normal force and its memory, friction and state.
+  /// Of a file only point, deflection, normal force and its memory, friction, torque and state.
   Contact contact;
   double idealForce = 0.0; ///< magnitude of the total, before any limit of the device, N
 
@@ -37,6 +39,8 @@ struct Trajectory
   std::vector<TrajectoryRow> rows;
   bool hasContact = false; ///< rows tell of the contact
   bool hasDevice = false;  ///< rows tell of the device
+  bool hasAxis = false;    ///< rows tell of the tool's axis
+  bool hasTorque = false;  ///< rows tell of the contact, and of its torque
   bool hasMemory = false;  ///< rows tell of the contact, and what of its force is memory
 };
 } // namespace palpate

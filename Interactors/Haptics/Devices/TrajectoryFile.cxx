@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace palpate
@@ -21,10 +22,19 @@ constexpr std::size_t Block = 65536; // bytes that are written at once
 
 bool isWritten(const Trajectory& trajectory, std::size_t column)
 {
-  return column < ContactBegin ||
-    (column < DeviceBegin      ? trajectory.hasContact
-        : column < MemoryBegin ? trajectory.hasDevice
-                               : trajectory.hasMemory);
+  const struct
+  {
+    std::size_t end;
+    bool isThere;
+  } groups[] = { { ContactBegin, true }, { DeviceBegin, trajectory.hasContact },
+    { MemoryBegin, trajectory.hasDevice }, { AxisBegin, trajectory.hasMemory },
+    { TorqueBegin, trajectory.hasAxis }, { ColumnCount, trajectory.hasTorque } };
+  const auto* group = std::begin(groups);
+  while (column >= group->end)
+  {
+    ++group;
+  }
+  return group->isThere;
 }
 
 TrajectoryRow rowOf(const Tick& tick)
@@ -32,6 +42,7 @@ TrajectoryRow rowOf(const Tick& tick)
   TrajectoryRow row;
   row.time = tick.time;
   row.tip = tick.tip;
+  row.axis = tick.axis;
   row.contact = tick.contact;
   row.idealForce = tick.contact.force.norm();
   const Numbers numbers = numbersOf(row);
@@ -73,6 +84,8 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
     read.hasContact = csv.hasColumns(ContactBegin, DeviceBegin);
     read.hasDevice = csv.hasColumns(DeviceBegin, MemoryBegin);
     read.hasMemory = read.hasContact && csv.hasColumn(MemoryBegin);
+    read.hasAxis = csv.hasColumns(AxisBegin, TorqueBegin);
+    read.hasTorque = csv.hasColumns(TorqueBegin, ColumnCount) && read.hasContact;
   }
   while (csv.next())
   {
@@ -121,8 +134,10 @@ std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ti
   trajectory.rows.reserve(ticks.size());
   for (const Tick& tick : ticks)
   {
-    trajectory.rows.push_back(rowOf(tick));
-    trajectory.hasMemory = trajectory.hasMemory || trajectory.rows.back().contact.memory != 0.0;
+    const TrajectoryRow& row = trajectory.rows.emplace_back(rowOf(tick));
+    trajectory.hasMemory = trajectory.hasMemory || row.contact.memory != 0.0;
+    trajectory.hasAxis = trajectory.hasAxis || !row.axis.isZero(0.0);
+    trajectory.hasTorque = trajectory.hasTorque || !row.contact.torque.isZero(0.0);
   }
   return writeTrajectory(path, trajectory);
 }

@@ -15,10 +15,11 @@ namespace palpate
 /**
  * Writes one line per tick as CSV: time, tip, contact point, deflection, normal force, friction,
  * ideal force (magnitude of the total, before any limit of the device), contact state, and where
- * any tick has one memory_force_N, what of the normal force is memory (Contact::memory). Body
- * frame; s, mm, N. Numbers are the shortest decimals that read back to the same bits; a column
- * without a value (no contact) is 0. A tick that had no valid sample, or one that is not finite,
- * has a tip of 0 and state 5. Returns an error that names the file and the reason, or "".
+ * any tick has one memory_force_N, what of the normal force is memory (Contact::memory), axis_x...,
+ * the tool's axis from tip to hand (zero: not known), and torque_x_Nmm..., on the tool about its
+ * tip. Body frame; s, mm, N. Numbers are the shortest decimals that read back to the same bits; a
+ * column without a value (no contact) is 0. A tick that had no valid sample, or one that is not
+ * finite, has a tip of 0 and state 5. Returns an error that names the file and the reason, or "".
  *
  * An old file stands until the new one is whole (WholeFile). What cannot be had again is not thrown
  * away: where the disk is full the rows that had room are kept in PATH.part, a file like any other,
@@ -30,21 +31,21 @@ PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::v
  * The same for a trajectory: time and tip, the columns of the contact if it has one, and if it has
  * a device's: device_x_m,device_y_m,device_z_m, velocity_x_m_s..., buttons,valid,fresh (0 or 1),
  * sent_x_N... (the force written to the device), taken (0 or 1; by the device); last, if it has
- * that, memory_force_N. Numbers that are not finite, and times that decrease, are errors naming the
- * row (from 0) and the column.
+ * them, memory_force_N, axis and torque. Numbers that are not finite, and times that decrease, are
+ * errors naming the row (from 0) and the column.
  */
 PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const Trajectory& trajectory);
 
 /**
  * Reads what writeTrajectory has written to the same bits, and files of others (CsvReader):
  * columns may stand in any order, among others. Required are time_s and the three of tip_*_mm; of
- * the contact's ten all or none, to which memory_force_N may come; of the device's thirteen all or
- * none.
+ * the contact's ten all or none, to which memory_force_N and the three of torque may come; of the
+ * device's thirteen and of the axis's three all or none.
  *
  * Errors, as "file:line: what is wrong", and "" for none: a column that is missing or there twice,
  * a line with too few or too many fields, a number that is not finite or none at all, a state,
- * button or flag that does not exist, time that decreases, no lines. After an error `trajectory` is
- * unchanged.
+ * button or flag that does not exist, an axis whose length is neither 1, to 1e-3, nor 0, time that
+ * decreases, no lines. After an error `trajectory` is unchanged.
  */
 PALPATE_EXPORT std::string readTrajectory(const std::string& path, Trajectory& trajectory);
 

@@ -25,8 +25,12 @@ enum Column : std::size_t
   Fresh = 22,
   SentForce = 23,
   Taken = 26,
-  Memory = 27
+  Memory = 27,
+  Axis = 28,
+  Torque = 31
 };
+
+constexpr double LengthTolerance = 1e-3; ///< of an axis, as others may round it
 
 void put(const Eigen::Vector3d& vector, Column column, Numbers& numbers)
 {
@@ -49,7 +53,8 @@ const std::array<std::string_view, ColumnCount> Names = { "time_s", "tip_x_mm", 
   "tip_z_mm", "contact_x_mm", "contact_y_mm", "contact_z_mm", "deflection_mm", "normal_force_N",
   "friction_x_N", "friction_y_N", "friction_z_N", "ideal_force_N", "state", "device_x_m",
   "device_y_m", "device_z_m", "velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s", "buttons",
-  "valid", "fresh", "sent_x_N", "sent_y_N", "sent_z_N", "taken", "memory_force_N" };
+  "valid", "fresh", "sent_x_N", "sent_y_N", "sent_z_N", "taken", "memory_force_N", "axis_x",
+  "axis_y", "axis_z", "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm" };
 
 Numbers numbersOf(const TrajectoryRow& row)
 {
@@ -70,6 +75,8 @@ Numbers numbersOf(const TrajectoryRow& row)
   put(row.sentForce, SentForce, numbers);
   numbers[Taken] = row.isTaken ? 1.0 : 0.0;
   numbers[Memory] = row.contact.memory;
+  put(row.axis, Axis, numbers);
+  put(row.contact.torque, Torque, numbers);
   return numbers;
 }
 
@@ -77,16 +84,22 @@ std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, Traje
 {
   row.time = numbers[Time];
   row.tip = get(numbers, Tip);
+  row.axis = get(numbers, Axis);
+  if (!row.axis.isZero(0.0) && !(std::abs(row.axis.norm() - 1.0) <= LengthTolerance))
+  {
+    return "axis_x, axis_y, axis_z must have the length 1, or be zero";
+  }
   if (hasContact)
   {
-    if (!isCount(numbers[State], static_cast<double>(ContactState::Invalid)))
+    if (!isCount(numbers[State], static_cast<double>(ContactState::TiltedTooFar)))
     {
-      return "state must be a whole number from 0 to 5";
+      return "state must be a whole number from 0 to 6";
     }
     row.contact.contactPoint = get(numbers, ContactPoint);
     row.contact.deflection = numbers[Deflection];
     row.contact.normalForce = numbers[NormalForce];
     row.contact.memory = numbers[Memory];
+    row.contact.torque = get(numbers, Torque);
     row.contact.friction = get(numbers, Friction);
     row.idealForce = numbers[IdealForce];
     row.contact.state = static_cast<ContactState>(static_cast<int>(numbers[State]));

@@ -15,14 +15,16 @@ namespace palpate::TrajectoryTable
 constexpr std::size_t ContactBegin = 4; ///< before it: time and tip
 constexpr std::size_t DeviceBegin = 14;
 constexpr std::size_t MemoryBegin = 27; ///< of the contact, where the body relaxes
-constexpr std::size_t ColumnCount = 28;
+constexpr std::size_t AxisBegin = 28;
+constexpr std::size_t TorqueBegin = 31; ///< of the contact
+constexpr std::size_t ColumnCount = 34;
 
 extern const std::array<std::string_view, ColumnCount> Names;
 using Numbers = std::array<double, ColumnCount>;
 
 Numbers numbersOf(const TrajectoryRow& row);
 /// What is wrong with the numbers of [ContactBegin, DeviceBegin) if `hasContact`, of [DeviceBegin,
-/// MemoryBegin) if `hasDevice`; or "".
+/// MemoryBegin) if `hasDevice`, or with the axis; or "".
 std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, TrajectoryRow& row);
 } // namespace palpate::TrajectoryTable
 

@@ -10,15 +10,12 @@
 
 namespace palpate
 {
-namespace
-{
-}
-
 WorkspaceMapping::WorkspaceMapping(
   const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, double scale)
   : Rotation(rotation)
   , Translation(translation)
   , Scale(scale)
+  , Handedness(rotation.determinant() < 0.0 ? -1.0 : 1.0)
 {
 }
 
@@ -112,6 +109,28 @@ Eigen::Vector3d WorkspaceMapping::forceToDevice(const Eigen::Vector3d& bodyForce
 Eigen::Vector3d WorkspaceMapping::forceToBody(const Eigen::Vector3d& deviceForce) const noexcept
 {
   return this->Rotation * this->inReach(deviceForce);
+}
+
+Eigen::Vector3d WorkspaceMapping::axisToBody(const Eigen::Vector3d& deviceAxis) const noexcept
+{
+  return this->Rotation * deviceAxis;
+}
+
+Eigen::Vector3d WorkspaceMapping::axisToDevice(const Eigen::Vector3d& bodyAxis) const noexcept
+{
+  return this->Rotation.transpose() * bodyAxis;
+}
+
+Eigen::Vector3d WorkspaceMapping::torqueToDevice(const Eigen::Vector3d& bodyTorque) const noexcept
+{
+  const Eigen::Vector3d torque = this->Handedness / (MillimetresPerMetre * this->Scale) *
+    (this->Rotation.transpose() * bodyTorque);
+  return this->Planar ? Eigen::Vector3d(0.0, 0.0, torque.z()) : torque;
+}
+
+Eigen::Vector3d WorkspaceMapping::torqueToBody(const Eigen::Vector3d& deviceTorque) const noexcept
+{
+  return this->Handedness * MillimetresPerMetre * this->Scale * (this->Rotation * deviceTorque);
 }
 
 double WorkspaceMapping::lengthToDevice(double bodyLength) const noexcept

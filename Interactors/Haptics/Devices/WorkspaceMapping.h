@@ -16,9 +16,15 @@ constexpr double MillimetresPerMetre = 1000.0;
  * units change. x_body = R (1000 scale x_device) + t; forces keep their magnitude, so a stiffness K
  * of the body is felt as `scale` K.
  *
+ * An axis turns with R, a torque with det R Rᵀ, since it changes its sign in a mirror. Turns are
+ * the same on both sides, so a torque is divided by what ways are multiplied with, M_device (N m) =
+ * det R Rᵀ M_body (N mm) / (1000 scale): as for forces, the work at the device (J) is that in the
+ * body (N mm) over 1000 scale, F · v and M · ω alike, and a scene that gives no work gives none to
+ * the hand.
+ *
  * A planar device (two axes) moves along its own x and y: z is not looked at, and of a force only
  * what lies in the plane arrives. The plane in the body is the one through `translation` that the
- * first two columns of the rotation span.
+ * first two columns of the rotation span. Of a torque what turns about z arrives.
  */
 class PALPATE_EXPORT WorkspaceMapping
 {
@@ -53,6 +59,12 @@ public:
   Eigen::Vector3d velocityToBody(const Eigen::Vector3d& deviceVelocity) const noexcept;
   Eigen::Vector3d forceToDevice(const Eigen::Vector3d& bodyForce) const noexcept;
   Eigen::Vector3d forceToBody(const Eigen::Vector3d& deviceForce) const noexcept;
+  /// Unit to unit.
+  Eigen::Vector3d axisToBody(const Eigen::Vector3d& deviceAxis) const noexcept;
+  Eigen::Vector3d axisToDevice(const Eigen::Vector3d& bodyAxis) const noexcept;
+  /// N mm to N m, and back.
+  Eigen::Vector3d torqueToDevice(const Eigen::Vector3d& bodyTorque) const noexcept;
+  Eigen::Vector3d torqueToBody(const Eigen::Vector3d& deviceTorque) const noexcept;
   /// Of a position, velocity or force in the frame of the device what the device has: for a planar
   /// one without z.
   Eigen::Vector3d inReach(const Eigen::Vector3d& deviceVector) const noexcept;
@@ -70,6 +82,7 @@ private:
   Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d Translation = Eigen::Vector3d::Zero();
   double Scale = 1.0;
+  double Handedness = 1.0; ///< the sign of det R
   bool Planar = false;
 };
 } // namespace palpate

@@ -22,7 +22,7 @@ constexpr int Priority = 79; ///< below the servo's, so that no device can delay
 
 struct Order
 {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Wrench wrench;
   std::uint32_t stateSequence = 0;
   std::uint32_t watchdog = ForceReport().watchdog;
   std::uint64_t number = 0; ///< 1, 2, 3, …
@@ -106,7 +106,8 @@ struct ForceWriter::Shared
     report.time = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now().time_since_epoch())
                                                .count());
-    report.force = order.force;
+    report.force = order.wrench.force;
+    report.torque = order.wrench.torque;
     report.watchdog = order.watchdog;
     report.stateSequence = order.stateSequence;
     HapticReportBytes bytes;
@@ -139,11 +140,11 @@ void ForceWriter::use(std::shared_ptr<HidPort> port)
   this->Work->Port.swap(port);
 }
 
-bool ForceWriter::send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept
+bool ForceWriter::send(const Wrench& wrench, std::uint32_t stateSequence) noexcept
 {
   Shared& work = *this->Work;
   Order order;
-  order.force = force;
+  order.wrench = wrench;
   order.stateSequence = stateSequence;
   order.watchdog = work.Watchdog;
   order.number = ++work.Number;

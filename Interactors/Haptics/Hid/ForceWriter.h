@@ -3,6 +3,7 @@
 #define palpate_ForceWriter_h
 
 #include "Haptics/Servo/BoundedThread.h"
+#include "Haptics/Devices/Wrench.h"
 #include "Haptics/Hid/HidBus.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -40,7 +41,11 @@ public:
 
   /// N, finite; `stateSequence` is that of the newest state the force rests on. False if the device
   /// did not take the last one.
-  bool send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept;
+  bool send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept
+  {
+    return this->send(Wrench{ force, Eigen::Vector3d::Zero() }, stateSequence);
+  }
+  bool send(const Wrench& wrench, std::uint32_t stateSequence) noexcept;
 
   /// Of the forces sent from now on, by the thread that sends them.
   void holdFor(std::uint32_t watchdog) noexcept;

@@ -89,9 +89,57 @@ Eigen::Vector3d getVector(const std::uint8_t* bytes, std::size_t offset) noexcep
   return { getFloat(bytes, offset), getFloat(bytes, offset + 4), getFloat(bytes, offset + 8) };
 }
 
-std::uint8_t flags(bool first, bool second) noexcept
+std::uint8_t flags(bool first, bool second, bool third = false) noexcept
 {
-  return static_cast<std::uint8_t>((first ? 1 : 0) | (second ? 2 : 0));
+  return static_cast<std::uint8_t>((first ? 1 : 0) | (second ? 2 : 0) | (third ? 4 : 0));
+}
+
+constexpr std::size_t OrientationOffset = 48;
+constexpr std::size_t TorqueOffset = 36;
+constexpr std::size_t TorqueLimitsOffset = 44;
+constexpr std::size_t ShortName = 3; ///< bytes of the name where the limits of a torque follow
+
+/// Where component `i` of w, x, y, z stands when the largest is left out.
+std::size_t placeOf(int i, int largest) noexcept
+{
+  return OrientationOffset + 4 * static_cast<std::size_t>(i < largest ? i : i - 1);
+}
+
+/// The three smaller components of the quaternion; the largest, positive, follows from them.
+void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation) noexcept
+{
+  const Eigen::Vector4d told(orientation.w(), orientation.x(), orientation.y(), orientation.z());
+  int largest = 0;
+  told.cwiseAbs().maxCoeff(&largest);
+  const double sign = told[largest] < 0.0 ? -1.0 : 1.0;
+  bytes[3] = static_cast<std::uint8_t>(bytes[3] | 4 | largest << 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    if (i != largest)
+    {
+      putFloat(bytes, placeOf(i, largest), sign * told[i]);
+    }
+  }
+}
+
+/// False if there is none such: the one left out would not be the largest.
+bool getOrientation(const std::uint8_t* bytes, ToolOrientation& orientation) noexcept
+{
+  constexpr double Rounding = 1e-3; // of makers that are less than exact
+  const int largest = bytes[3] >> 3 & 3;
+  Eigen::Vector4d told = Eigen::Vector4d::Zero();
+  for (int i = 0; i < 4; ++i)
+  {
+    told[i] = i != largest ? getFloat(bytes, placeOf(i, largest)) : 0.0;
+  }
+  const double square = told.squaredNorm();
+  if (!(square <= 0.75 + Rounding)) // false for NaN
+  {
+    return false;
+  }
+  told[largest] = std::sqrt(1.0 - square);
+  orientation = ToolOrientation(told[0], told[1], told[2], told[3]);
+  return true;
 }
 
 void begin(HapticReportBytes& bytes, ReportKind kind, std::uint8_t flagByte) noexcept
@@ -136,7 +184,7 @@ const char* inWords(ReportDefect defect) noexcept
     case ReportDefect::Kind:
       return "another kind of report";
     case ReportDefect::Content:
-      return "a number that is not finite";
+      return "a number that is not finite, or a turn that is none";
   }
   return "unknown";
 }
@@ -179,6 +227,10 @@ void pack(const StateReport& report, HapticReportBytes& bytes) noexcept
   putVector(bytes, 28, report.velocity);
   put32(bytes, 40, report.buttons);
   put32(bytes, 44, report.forceSequence);
+  if (isTold(report.orientation))
+  {
+    putOrientation(bytes, report.orientation);
+  }
   finish(bytes);
 }
 
@@ -191,10 +243,14 @@ ReportDefect parse(const std::uint8_t* bytes, std::size_t size, StateReport& rep
   }
   const Eigen::Vector3d position = getVector(bytes, 16);
   const Eigen::Vector3d velocity = getVector(bytes, 28);
-  if (!position.allFinite() || !velocity.allFinite())
+  ToolOrientation orientation = orientationNotTold();
+  const bool isTurned = (bytes[3] & 4) != 0;
+  if (!position.allFinite() || !velocity.allFinite() ||
+    (isTurned && !getOrientation(bytes, orientation)))
   {
     return ReportDefect::Content;
   }
+  report.orientation = orientation;
   report.amplifiersOn = (bytes[3] & 1) != 0;
   report.fault = (bytes[3] & 2) != 0;
   report.sequence = get32(bytes, 4);
@@ -221,6 +277,7 @@ void pack(const ForceReport& report, HapticReportBytes& bytes) noexcept
   putVector(bytes, 16, report.force);
   put32(bytes, 28, report.watchdog);
   put32(bytes, 32, report.stateSequence);
+  putVector(bytes, TorqueOffset, report.torque);
   finish(bytes);
 }
 
@@ -232,10 +289,12 @@ ReportDefect parse(const std::uint8_t* bytes, std::size_t size, ForceReport& rep
     return defect;
   }
   const Eigen::Vector3d force = getVector(bytes, 16);
-  if (!force.allFinite())
+  const Eigen::Vector3d torque = getVector(bytes, TorqueOffset);
+  if (!force.allFinite() || !torque.allFinite())
   {
     return ReportDefect::Content;
   }
+  report.torque = torque;
   report.enable = (bytes[3] & 1) != 0;
   report.sequence = get32(bytes, 4);
   report.time = get64(bytes, 8);
@@ -247,7 +306,8 @@ ReportDefect parse(const std::uint8_t* bytes, std::size_t size, ForceReport& rep
 
 void pack(const DescriptionReport& report, HapticReportBytes& bytes) noexcept
 {
-  begin(bytes, ReportKind::Description, flags(report.outputsForce, report.planar));
+  begin(bytes, ReportKind::Description,
+    flags(report.outputsForce, report.planar, report.outputsTorque));
   putFloat(bytes, 4, report.maximumForce);
   putFloat(bytes, 8, report.maximumStiffness);
   putFloat(bytes, 12, report.maximumForceRate);
@@ -255,9 +315,16 @@ void pack(const DescriptionReport& report, HapticReportBytes& bytes) noexcept
   putVector(bytes, 20, report.workspace);
   putFloat(bytes, 32, report.rate);
   putFloat(bytes, 36, report.sampleTimeOut);
-  const auto end = std::find(report.name.begin(), report.name.end() - 1, '\0');
+  const auto last = report.outputsTorque ? report.name.begin() + ShortName : report.name.end() - 1;
+  const auto end = std::find(report.name.begin(), last, '\0');
   std::copy(report.name.begin(), end, bytes.begin() + 40);
   put32(bytes, 56, report.nonce);
+  if (report.outputsTorque)
+  {
+    putFloat(bytes, TorqueLimitsOffset, report.maximumTorque);
+    putFloat(bytes, TorqueLimitsOffset + 4, report.maximumTorsionalStiffness);
+    putFloat(bytes, TorqueLimitsOffset + 8, report.maximumTorqueRate);
+  }
   finish(bytes);
 }
 
@@ -277,8 +344,14 @@ ReportDefect parse(const std::uint8_t* bytes, std::size_t size, DescriptionRepor
   report.workspace = getVector(bytes, 20);
   report.rate = getFloat(bytes, 32);
   report.sampleTimeOut = getFloat(bytes, 36);
+  report.outputsTorque = (bytes[3] & 4) != 0;
+  report.maximumTorque = report.outputsTorque ? getFloat(bytes, TorqueLimitsOffset) : 0.0;
+  report.maximumTorsionalStiffness =
+    report.outputsTorque ? getFloat(bytes, TorqueLimitsOffset + 4) : 0.0;
+  report.maximumTorqueRate = report.outputsTorque ? getFloat(bytes, TorqueLimitsOffset + 8) : 0.0;
   report.name.fill('\0');
-  std::copy_n(bytes + 40, report.name.size() - 1, report.name.begin());
+  std::copy_n(
+    bytes + 40, report.outputsTorque ? ShortName : report.name.size() - 1, report.name.begin());
   report.nonce = get32(bytes, 56);
   return ReportDefect::None;
 }

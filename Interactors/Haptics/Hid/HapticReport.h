@@ -44,7 +44,8 @@ struct StateReport
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m; finite
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s; finite
   std::uint32_t buttons = 0;
-  std::uint32_t forceSequence = 0; ///< of the last force applied
+  std::uint32_t forceSequence = 0;                    ///< of the last force applied
+  ToolOrientation orientation = orientationNotTold(); ///< unit
 };
 
 /// Host → device.
@@ -56,7 +57,8 @@ struct ForceReport
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; finite
   /// The device goes to zero force when no force report has come for so long, µs.
   std::uint32_t watchdog = 20000;
-  std::uint32_t stateSequence = 0; ///< of the newest state seen
+  std::uint32_t stateSequence = 0;                  ///< of the newest state seen
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip; finite
 };
 
 /// Device → host: what its maker states, as it came. specificationOf makes it credible.
@@ -73,6 +75,11 @@ struct DescriptionReport
   double sampleTimeOut = 0.0;                          ///< s
   std::array<char, 17> name{};                         ///< at most 16 bytes of UTF-8, and a zero
   std::uint32_t nonce = 0; ///< of the hello it answers; 0 in HID's feature report
+
+  bool outputsTorque = false;             ///< its name has at most 3 bytes then, and it states:
+  double maximumTorque = 0.0;             ///< N m
+  double maximumTorsionalStiffness = 0.0; ///< N m/rad
+  double maximumTorqueRate = 0.0;         ///< N m/s, may be infinite
 };
 
 /// Host → device, datagrams only.
@@ -95,7 +102,7 @@ enum class ReportDefect : std::uint8_t
   Version,  ///< another than 1
   CheckSum, ///< damaged on the way
   Kind,     ///< not of the kind expected
-  Content   ///< a position, velocity or force that is not finite
+  Content   ///< a position, velocity, force or torque that is not finite, a turn that is none
 };
 /// "wrong check sum" and the like.
 PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
@@ -123,7 +130,8 @@ PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size
 /**
  * What a device describes itself as, with a careful value in place of each that is missing or not
  * credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force rate, 0 < damping ≤
- * 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1 s).
+ * 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1 s; of a device that
+ * outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad, 0 < torque rate).
  * With `replaced`, each such value is named there in words. Not for the tick: words allocate.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(

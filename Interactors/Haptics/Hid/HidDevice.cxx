@@ -160,6 +160,7 @@ DeviceSample HidDevice::read(double) noexcept
   sample.position = state.report.position;
   sample.velocity = state.report.velocity;
   sample.buttons = state.report.buttons;
+  sample.orientation = state.report.orientation;
   sample.valid = !state.report.fault;
   sample.fresh = state.number != this->Seen;
   this->Seen = state.number;
@@ -172,21 +173,20 @@ void HidDevice::holdFor(double seconds) noexcept
   this->Connection->Writer.holdFor(watchdogOf(seconds, this->Limits));
 }
 
-bool HidDevice::write(const Eigen::Vector3d& force) noexcept
+bool HidDevice::writeWrench(const Wrench& wrench) noexcept
 {
   Link& link = *this->Connection;
   if (!this->Limits.outputsForce || !link.Alive.load(std::memory_order_acquire))
   {
     return false;
   }
-  const double size = force.norm();
-  if (!std::isfinite(size) || link.Faulty.load(std::memory_order_relaxed))
+  if (!wrench.isFinite() || link.Faulty.load(std::memory_order_relaxed))
   {
-    link.Writer.send(Eigen::Vector3d::Zero(), this->StateSequence);
+    link.Writer.send(Wrench(), this->StateSequence);
     return false;
   }
-  const double share = size > this->Limits.maximumForce ? this->Limits.maximumForce / size : 1.0;
-  return link.Writer.send(share * force, this->StateSequence);
+  return link.Writer.send(
+    wrench.within(this->Limits.maximumForce, this->Limits.maximumTorque), this->StateSequence);
 }
 
 std::string HidDevice::status() const

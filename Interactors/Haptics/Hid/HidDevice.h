@@ -47,7 +47,12 @@ public:
 
   DeviceSample read(double time) noexcept override;
   /// Shortened to the maximum force of the specification; one that is not finite is sent as zero.
-  bool write(const Eigen::Vector3d& force) noexcept override;
+  /// Likewise the torque, which a device that outputs none is not sent.
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    return this->writeWrench({ force, Eigen::Vector3d::Zero() });
+  }
+  bool writeWrench(const Wrench& wrench) noexcept override;
   void holdFor(double seconds) noexcept override;
 
   std::string status() const override;

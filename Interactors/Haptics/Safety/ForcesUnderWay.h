@@ -2,7 +2,7 @@
 #ifndef palpate_ForcesUnderWay_h
 #define palpate_ForcesUnderWay_h
 
-#include <Eigen/Core>
+#include "Haptics/Safety/SpatialVector.h"
 
 #include <algorithm>
 #include <array>
@@ -26,19 +26,19 @@ public:
           ? static_cast<std::size_t>(std::ceil(std::min(delay / period, 1.0 * Most) - 1e-9))
           : 0)
   {
-    this->Forces.fill(Eigen::Vector3d::Zero());
+    this->Forces.fill({});
   }
 
   std::size_t late() const noexcept { return this->Late; }
 
-  void sent(const Eigen::Vector3d& force) noexcept
+  void sent(const SpatialVector& force) noexcept
   {
     this->Newest = (this->Newest + 1) % this->Forces.size();
     this->Forces[this->Newest] = force;
   }
 
   /// The most that the hand may have got on a way (m) that took so many ticks, J: may be negative.
-  double mostGiven(const Eigen::Vector3d& moved, std::size_t ticks) const noexcept
+  double mostGiven(const SpatialVector& moved, std::size_t ticks) const noexcept
   {
     double most = this->at(0).dot(moved);
     for (std::size_t i = 1; i < std::min(this->Late + ticks, this->Forces.size()); ++i)
@@ -77,14 +77,14 @@ public:
 
 private:
   /// The force that was sent `age` ticks before the last one.
-  const Eigen::Vector3d& at(std::size_t age) const noexcept
+  const SpatialVector& at(std::size_t age) const noexcept
   {
     return this->Forces[(this->Newest + this->Forces.size() - age) % this->Forces.size()];
   }
 
   std::size_t Late;
   std::size_t Newest = 0;
-  std::array<Eigen::Vector3d, 2 * Most> Forces;
+  std::array<SpatialVector, 2 * Most> Forces;
 };
 } // namespace palpate
 

@@ -12,26 +12,71 @@ namespace
 /// A hold much shorter than the period, such as after a late one, is credited with no more than
 /// this multiple of K_max.
 constexpr double LargestCredit = 2.0;
+
+double positive(double value) noexcept
+{
+  return value > 0.0 ? value : 0.0;
+}
+
+double leverOf(double stiffness, double torsionalStiffness) noexcept
+{
+  const bool isCounted = stiffness > 0.0 && std::isfinite(stiffness) && torsionalStiffness > 0.0 &&
+    std::isfinite(torsionalStiffness);
+  return isCounted ? std::sqrt(torsionalStiffness / stiffness) : 0.0;
+}
 } // namespace
 
-PassivityControl::PassivityControl(double maximumStiffness, double period, double delay) noexcept
-  : Stiffness(maximumStiffness > 0.0 ? maximumStiffness : 0.0)
+PassivityControl::PassivityControl(
+  double maximumStiffness, double period, double delay, double maximumTorsionalStiffness) noexcept
+  : Stiffness(positive(maximumStiffness))
   , Period(period)
-  , Delay(delay > 0.0 ? delay : 0.0)
+  , Delay(positive(delay))
+  , TorsionalStiffness(positive(maximumTorsionalStiffness))
+  , Lever(leverOf(maximumStiffness, maximumTorsionalStiffness))
   , UnderWay(delay, period)
 {
 }
 
-void PassivityControl::observe(double time, const Eigen::Vector3d& position) noexcept
+SpatialVector PassivityControl::scaled(const Wrench& wrench) const noexcept
+{
+  SpatialVector force;
+  force.linear = wrench.force;
+  if (this->Lever > 0.0)
+  {
+    force.angular = wrench.torque / this->Lever;
+  }
+  return force;
+}
+
+SpatialVector PassivityControl::movedTo(
+  const Eigen::Vector3d& position, const ToolOrientation& orientation) const noexcept
+{
+  SpatialVector moved;
+  moved.linear = position - this->Position;
+  if (this->Lever > 0.0 && isTold(this->Orientation) && isTold(orientation))
+  {
+    moved.angular = this->Lever * turnBetween(this->Orientation, orientation);
+  }
+  return moved;
+}
+
+double PassivityControl::givenByTurn() const noexcept
+{
+  const double most = this->Force.angular.squaredNorm();
+  return most > 0.0 ? 0.5 * static_cast<double>(this->UnderWay.late() + 1) * most / this->Stiffness
+                    : 0.0;
+}
+
+void PassivityControl::observe(
+  double time, const Eigen::Vector3d& position, const ToolOrientation& orientation) noexcept
 {
   if (this->HasPosition && std::isfinite(this->Stiffness))
   {
-    const Eigen::Vector3d moved = position - this->Position;
+    const SpatialVector moved = this->movedTo(position, orientation);
     const double passed = time - this->ReadTime;
     // Several ticks without a new reading: their mean, as if the hand moved evenly.
-    const Eigen::Vector3d held = passed > 0.0
-      ? Eigen::Vector3d((this->Impulse + (time - this->SentTime) * this->Force) / passed)
-      : this->Force;
+    const SpatialVector held =
+      passed > 0.0 ? (this->Impulse + (time - this->SentTime) * this->Force) / passed : this->Force;
     const double credit =
       passed * LargestCredit > this->Period ? this->Period / passed : LargestCredit;
     const double given = this->UnderWay.late() > 0
@@ -40,39 +85,67 @@ void PassivityControl::observe(double time, const Eigen::Vector3d& position) noe
     this->Energy += this->IsInterrupted
       ? -this->givenInGap(moved)
       : 0.5 * credit * this->Share * this->Stiffness * moved.squaredNorm() - given;
+    if (!isTold(orientation) || !isTold(this->Orientation))
+    {
+      this->Energy -= this->givenByTurn();
+    }
     this->Energy = std::isfinite(this->Energy) ? this->Energy : 0.0; // a jump of 1e150 m
-    this->Velocity = passed > 0.0 ? Eigen::Vector3d(moved / passed) : this->Velocity;
+    this->Velocity = passed > 0.0 ? moved / passed : this->Velocity;
   }
   this->HasPosition = true;
   this->Position = position;
+  this->Orientation = orientation;
   this->ReadTime = time;
   this->SentTime = time;
-  this->Impulse.setZero();
+  this->Impulse = {};
   this->IsInterrupted = false;
   this->SentTicks = 0;
 }
 
-double PassivityControl::givenInGap(const Eigen::Vector3d& moved) const noexcept
+double PassivityControl::givenInGap(const SpatialVector& moved) const noexcept
 {
   const double force = this->Taken.norm();
   const double most = this->Stiffness > 0.0 ? 0.5 * force * force / this->Stiffness : 0.0;
   const double time = this->Held + this->Delay;
-  const double along = force > 0.0 ? force *
-      (this->wayOfHand(this->Taken / force, time) + 0.5 * force / LightestHandle * time * time)
-                                   : 0.0;
+  double along = 0.0;
+  if (force > 0.0)
+  {
+    const SpatialVector direction = this->Taken / force;
+    const double handle = this->handleAlong(direction);
+    along = force * (this->wayOfHand(direction, time) + 0.5 * force / handle * time * time);
+  }
   const auto holds = static_cast<double>(this->UnderWay.late() + 1);
   return std::min(holds * most, std::max(this->Taken.dot(moved), along));
 }
 
-/// How far a hand gets by itself along a direction in so long.
-double PassivityControl::wayOfHand(const Eigen::Vector3d& direction, double time) const noexcept
+/// How a hand accelerates by itself along a direction, at most, m/s².
+double PassivityControl::accelerationOfHand(const SpatialVector& direction) const noexcept
 {
-  return std::max(0.0, direction.dot(this->Velocity)) * time + 0.5 * HandAcceleration * time * time;
+  return direction.isAngular() ? direction.linear.norm() * HandAcceleration +
+      direction.angular.norm() * this->Lever * HandTurning
+                               : HandAcceleration;
+}
+
+/// The mass that a force along a direction moves there, at least, kg.
+double PassivityControl::handleAlong(const SpatialVector& direction) const noexcept
+{
+  const double lever = this->Lever;
+  return direction.isAngular() ? 1.0 /
+      (direction.linear.squaredNorm() / LightestHandle +
+        direction.angular.squaredNorm() * lever * lever / LightestInertia)
+                               : LightestHandle;
+}
+
+/// How far a hand gets by itself along a direction in so long.
+double PassivityControl::wayOfHand(const SpatialVector& direction, double time) const noexcept
+{
+  return std::max(0.0, direction.dot(this->Velocity)) * time +
+    0.5 * this->accelerationOfHand(direction) * time * time;
 }
 
 /// The size up to which a force may be sent while others are under way.
 double PassivityControl::allowedUnderWay(
-  const Eigen::Vector3d& force, double size, double energy) const noexcept
+  const SpatialVector& force, double size, double energy) const noexcept
 {
   const double whatever = this->UnderWay.largestWithin(2.0 * this->Stiffness * energy);
   if (!(size > whatever))
@@ -81,41 +154,41 @@ double PassivityControl::allowedUnderWay(
   }
   // f (way of the hand + f t²/2m) = E
   const double time = this->Period * static_cast<double>(this->UnderWay.late() + 1);
-  const double way = this->wayOfHand(force / size, time);
-  const double perForce = 0.5 * time * time / LightestHandle;
+  const SpatialVector direction = force / size;
+  const double way = this->wayOfHand(direction, time);
+  const double perForce = 0.5 * time * time / this->handleAlong(direction);
   const double most = (std::sqrt(way * way + 4.0 * perForce * energy) - way) / (2.0 * perForce);
   return std::max(whatever, most);
 }
 
-double PassivityControl::storable(double force, double depth) const noexcept
+double PassivityControl::storable(double force, double depth, double torque) const noexcept
 {
   const auto holds = static_cast<double>(this->UnderWay.late() + 1);
-  const double least = this->Stiffness > 0.0 ? 0.5 * holds * force * force / this->Stiffness : 0.0;
+  const double turning =
+    this->Lever > 0.0 ? 0.5 * holds * torque * torque / this->TorsionalStiffness : 0.0;
+  const double least =
+    (this->Stiffness > 0.0 ? 0.5 * holds * force * force / this->Stiffness : 0.0) + turning;
   return std::max(least, force > 0.0 ? force * depth : 0.0);
 }
 
-void PassivityControl::bound(double force, double depth) noexcept
+void PassivityControl::bound(double force, double depth, double torque) noexcept
 {
   if (depth >= 0.0)
   {
-    this->Energy = std::min(this->Energy, this->storable(force, depth));
+    this->Energy = std::min(this->Energy, this->storable(force, depth, torque));
   }
-  this->Share = force > 0.0 ? this->Share : 1.0;
+  this->Share = force > 0.0 || torque > 0.0 ? this->Share : 1.0;
 }
 
-void PassivityControl::grant(double force, double depth) noexcept
+void PassivityControl::grant(double force, double depth, double torque) noexcept
 {
-  this->Energy = std::max(this->Energy, this->storable(force, std::isfinite(depth) ? depth : 0.0));
+  this->Energy =
+    std::max(this->Energy, this->storable(force, std::isfinite(depth) ? depth : 0.0, torque));
   this->Share = 1.0;
 }
 
-Eigen::Vector3d PassivityControl::limit(const Eigen::Vector3d& force) noexcept
+double PassivityControl::allowed(const SpatialVector& force, double size) noexcept
 {
-  if (std::isinf(this->Stiffness))
-  {
-    return force;
-  }
-  const double size = force.stableNorm();
   const double energy = std::max(this->Energy + Slack, 0.0);
   const double most = this->UnderWay.late() > 0 ? this->allowedUnderWay(force, size, energy)
                                                 : std::sqrt(2.0 * this->Stiffness * energy);
@@ -123,11 +196,47 @@ Eigen::Vector3d PassivityControl::limit(const Eigen::Vector3d& force) noexcept
   {
     this->Share = std::clamp(most / size, SmallestShare, this->Share);
   }
-  const double allowed = std::sqrt(this->Share) * most;
-  return size <= allowed ? force : Eigen::Vector3d(allowed / size * force);
+  return std::sqrt(this->Share) * most;
+}
+
+Eigen::Vector3d PassivityControl::limit(const Eigen::Vector3d& force) noexcept
+{
+  return this->limit(Wrench{ force, Eigen::Vector3d::Zero() }).force;
+}
+
+Wrench PassivityControl::limit(const Wrench& wrench) noexcept
+{
+  Wrench passed = wrench;
+  if (!(this->TorsionalStiffness > 0.0))
+  {
+    passed.torque.setZero();
+  }
+  if (std::isinf(this->Stiffness))
+  {
+    return passed;
+  }
+  const SpatialVector force = this->scaled(passed);
+  const double size = force.stableNorm();
+  const double most = this->allowed(force, size);
+  if (!(size <= most))
+  {
+    passed.force *= most / size;
+    passed.torque *= this->Lever > 0.0 ? most / size : 1.0;
+  }
+  return passed;
 }
 
 void PassivityControl::sent(double time, const Eigen::Vector3d& force) noexcept
+{
+  this->send(time, { force, Eigen::Vector3d::Zero() });
+}
+
+void PassivityControl::sent(double time, const Wrench& wrench) noexcept
+{
+  this->send(time, this->scaled(wrench));
+}
+
+void PassivityControl::send(double time, const SpatialVector& force) noexcept
 {
   this->Impulse += (time - this->SentTime) * this->Force;
   this->SentTime = time;
@@ -148,7 +257,9 @@ double PassivityControl::holdTime() const noexcept
   }
   // F (v t + a t²/2) = E, a of hand and handle
   const double speed = std::max(0.0, this->Force.dot(this->Velocity) / force);
-  const double acceleration = HandAcceleration + force / LightestHandle;
+  const SpatialVector direction = this->Force / force;
+  const double acceleration =
+    this->accelerationOfHand(direction) + force / this->handleAlong(direction);
   const double way = std::max(0.0, this->Energy) / force;
   const double time =
     2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way) + 1e-300);
@@ -163,11 +274,11 @@ void PassivityControl::interrupt(double time) noexcept
     this->Held = std::max(0.0, time - this->SentTime);
     this->IsInterrupted = true;
   }
-  this->sent(time, Eigen::Vector3d::Zero());
+  this->send(time, {});
 }
 
 void PassivityControl::reset() noexcept
 {
-  *this = PassivityControl(this->Stiffness, this->Period, this->Delay);
+  *this = PassivityControl(this->Stiffness, this->Period, this->Delay, this->TorsionalStiffness);
 }
 } // namespace palpate

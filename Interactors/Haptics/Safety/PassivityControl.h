@@ -3,6 +3,9 @@
 #define palpate_PassivityControl_h
 
 #include "Haptics/Safety/ForcesUnderWay.h"
+#include "Haptics/Safety/SpatialVector.h"
+#include "Haptics/Devices/ToolOrientation.h"
+#include "Haptics/Devices/Wrench.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -56,6 +59,14 @@ namespace palpate
  * K_max), or, if that lets more through, as long as the hand goes on as fast as now and accelerates
  * as a hand can. Without a delay that is what stands above, to the bit. A spring
  * is let through whole up to some K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
+ *
+ * **Torque.** Told the largest torsional stiffness K_θ it counts the work of force and torque in
+ * one account, F · d + M · φ, φ the turn in the hold, and credits b_θ = K_θ T/2 of turns as b of
+ * ways. With torques over, and turns times, ℓ = √(K_θ/K_max) all of the above is said of vectors of
+ * six (SpatialVector), and so is the proof: force and torque are let through, with one factor, up
+ * to F²/(2 K_max) + M²/(2 K_θ) <= E. M · φ is the work where the hold turns about one axis,
+ * otherwise to second order in φ. A turn that is not told counts as the one that gives most, M²/(2
+ * K_θ). Without torque all is as before, to the bit.
  */
 class PALPATE_EXPORT PassivityControl
 {
@@ -69,21 +80,30 @@ public:
   /// many kg that is let go.
   static constexpr double HandAcceleration = 20.0;
   static constexpr double LightestHandle = 0.05;
+  /// The same of turns, rad/s² and kg m².
+  static constexpr double HandTurning = 1000.0;
+  static constexpr double LightestInertia = 1e-5;
 
   /// K_max in N/m, infinite: all passes, negative or NaN: nothing; T, and the bound of the delay,
-  /// 0 for none, in s: at most ForcesUnderWay::Most periods are counted.
-  PassivityControl(double maximumStiffness, double period, double delay = 0.0) noexcept;
+  /// 0 for none, in s: at most ForcesUnderWay::Most periods are counted. K_θ in N m/rad: infinite,
+  /// torques pass and are not counted; 0, negative or NaN: there are none.
+  PassivityControl(double maximumStiffness, double period, double delay = 0.0,
+    double maximumTorsionalStiffness = 0.0) noexcept;
 
   /// Counts the hold that ends at a new reading (m). Time in s must not decrease.
-  void observe(double time, const Eigen::Vector3d& position) noexcept;
-  /// The scene can hold no more than `force` (N) over `depth` (m; infinite: unknown) gives.
-  void bound(double force, double depth) noexcept;
-  /// The hand is given what such a force can hold.
-  void grant(double force, double depth) noexcept;
+  void observe(double time, const Eigen::Vector3d& position,
+    const ToolOrientation& orientation = orientationNotTold()) noexcept;
+  /// The scene can hold no more than `force` (N) over `depth` (m; infinite: unknown) gives, nor,
+  /// where that is less, than springs of K_max and K_θ with it and `torque` (N m).
+  void bound(double force, double depth, double torque = 0.0) noexcept;
+  /// The hand is given what they can hold.
+  void grant(double force, double depth, double torque = 0.0) noexcept;
   /// What of the force may be sent now.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;
+  Wrench limit(const Wrench& wrench) noexcept;
   /// What has left the chain in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept;
+  void sent(double time, const Wrench& wrench) noexcept;
   /// There is no reading, and no force from now on until the next.
   void interrupt(double time) noexcept;
   void reset() noexcept;
@@ -98,28 +118,42 @@ public:
   bool isNew() const noexcept { return !this->HasPosition; }
 
 private:
-  double storable(double force, double depth) const noexcept;
-  double givenInGap(const Eigen::Vector3d& moved) const noexcept;
-  double wayOfHand(const Eigen::Vector3d& direction, double time) const noexcept;
-  double allowedUnderWay(const Eigen::Vector3d& force, double size, double energy) const noexcept;
+  SpatialVector scaled(const Wrench& wrench) const noexcept;
+  /// The way and turn of a hold that ends there.
+  SpatialVector movedTo(
+    const Eigen::Vector3d& position, const ToolOrientation& orientation) const noexcept;
+  /// What an unknown turn may have given, J.
+  double givenByTurn() const noexcept;
+  double storable(double force, double depth, double torque) const noexcept;
+  double givenInGap(const SpatialVector& moved) const noexcept;
+  double accelerationOfHand(const SpatialVector& direction) const noexcept;
+  double handleAlong(const SpatialVector& direction) const noexcept;
+  double wayOfHand(const SpatialVector& direction, double time) const noexcept;
+  double allowedUnderWay(const SpatialVector& force, double size, double energy) const noexcept;
+  /// What of a force of this size may be sent, N.
+  double allowed(const SpatialVector& force, double size) noexcept;
+  void send(double time, const SpatialVector& force) noexcept;
 
   double Stiffness;
   double Period;
   double Delay;
+  double TorsionalStiffness;
+  double Lever;              ///< ℓ, m; 0: torques are not counted
   std::size_t SentTicks = 0; ///< since ReadTime
   double Energy = 0.0;
   double Share = 1.0; ///< of the device's damping that is credited
   bool HasPosition = false;
   Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< of the last reading
+  ToolOrientation Orientation = orientationNotTold(); ///< likewise
   double ReadTime = 0.0;                              ///< and its time
-  Eigen::Vector3d Force = Eigen::Vector3d::Zero();    ///< sent last
+  SpatialVector Force;                                ///< sent last
   double SentTime = 0.0;
-  Eigen::Vector3d Impulse = Eigen::Vector3d::Zero();  ///< of what was sent since ReadTime, N s
-  Eigen::Vector3d Velocity = Eigen::Vector3d::Zero(); ///< between the last two readings, m/s
-  bool IsInterrupted = false;                         ///< since ReadTime
-  Eigen::Vector3d Taken = Eigen::Vector3d::Zero();    ///< the force that was, N
-  double Held = 0.0;                                  ///< and how long it had been held, s
-  ForcesUnderWay UnderWay;                            ///< last: large, and mostly not looked at
+  SpatialVector Impulse;      ///< of what was sent since ReadTime, N s
+  SpatialVector Velocity;     ///< between the last two readings, m/s
+  bool IsInterrupted = false; ///< since ReadTime
+  SpatialVector Taken;        ///< the force that was, N
+  double Held = 0.0;          ///< and how long it had been held, s
+  ForcesUnderWay UnderWay;    ///< last: large, and mostly not looked at
 };
 } // namespace palpate
 

@@ -25,12 +25,16 @@ void mark(std::uint16_t& acted, SafetyLink link, bool whether) noexcept
 SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
   : Settings(settings)
   , UsesTime(!std::isinf(settings.sampleTimeOut) || !std::isinf(settings.maximumForceRate) ||
-      settings.controlPassivity || settings.entryRamp > 0.0)
+      settings.controlPassivity || settings.entryRamp > 0.0 ||
+      (settings.maximumTorque > 0.0 && !std::isinf(settings.maximumTorqueRate)))
   , Gate(settings.gate, settings.entryRamp)
   , Slew(settings.maximumForceRate)
   , Magnitude(settings.maximumForce)
+  , TorqueSlew(settings.maximumTorqueRate)
+  , TorqueMagnitude(settings.maximumTorque)
   , Watchdog(settings.sampleTimeOut)
-  , Passivity(settings.maximumStiffness, settings.period, settings.delay)
+  , Passivity(settings.maximumStiffness, settings.period, settings.delay,
+      settings.maximumTorque > 0.0 ? settings.maximumTorsionalStiffness : 0.0)
 {
   this->setForceFactor(settings.forceFactor);
 }
@@ -56,11 +60,14 @@ SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
     }
     return result;
   }
-  result.force = this->shape(input, result);
+  const Wrench sent = this->shape(input, result);
+  result.force = sent.force;
+  result.torque = sent.torque;
   this->Slew.sent(input.time, result.force);
+  this->TorqueSlew.sent(input.time, result.torque);
   if (this->Settings.controlPassivity)
   {
-    this->Passivity.sent(input.time, result.force);
+    this->Passivity.sent(input.time, sent);
     result.holdTime = this->holdTime();
   }
   return result;
@@ -75,9 +82,11 @@ double SafetyChain::holdTime() const noexcept
 std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept
 {
   std::uint16_t lost = 0;
-  const bool hasSample = input.valid && input.position.allFinite();
+  const bool hasSample = input.valid && input.position.allFinite() &&
+    (!this->hasTorque() || input.orientation.coeffs().allFinite());
   const bool hasTime = !this->UsesTime || std::isfinite(input.time);
-  const bool isFinite = input.idealForce.allFinite() && input.cappedForce.allFinite();
+  const bool isFinite = input.idealForce.allFinite() && input.cappedForce.allFinite() &&
+    (!this->hasTorque() || (input.idealTorque.allFinite() && input.cappedTorque.allFinite()));
   mark(lost, SafetyLink::Stopped, this->IsStopped);
   mark(lost, SafetyLink::NoSample, !hasSample);
   mark(lost, SafetyLink::NotFinite, hasSample && !(hasTime && isFinite));
@@ -88,7 +97,7 @@ std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept
   return lost;
 }
 
-Eigen::Vector3d SafetyChain::shape(const SafetyInput& input, SafeForce& result) noexcept
+Wrench SafetyChain::shape(const SafetyInput& input, SafeForce& result) noexcept
 {
   const SafetySettings& settings = this->Settings;
   const double gate = this->Gate.share(input.time, input.outside);
@@ -96,13 +105,19 @@ Eigen::Vector3d SafetyChain::shape(const SafetyInput& input, SafeForce& result) 
   mark(result.acted, SafetyLink::Fit, settings.forceFactor < 1.0);
   mark(result.acted, SafetyLink::StiffnessCap,
     settings.capStiffness && input.cappedForce != input.idealForce);
-  const Eigen::Vector3d wanted =
+  Wrench wanted;
+  wanted.force =
     gate * settings.forceFactor * (settings.capStiffness ? input.cappedForce : input.idealForce);
 
-  const Eigen::Vector3d slewed = this->Slew.limit(input.time, wanted);
-  mark(result.acted, SafetyLink::Slew, slewed != wanted);
-  Eigen::Vector3d limited = this->Magnitude.limit(slewed);
-  mark(result.acted, SafetyLink::Magnitude, limited != slewed);
+  const Eigen::Vector3d slewed = this->Slew.limit(input.time, wanted.force);
+  mark(result.acted, SafetyLink::Slew, slewed != wanted.force);
+  Wrench limited;
+  limited.force = this->Magnitude.limit(slewed);
+  mark(result.acted, SafetyLink::Magnitude, limited.force != slewed);
+  if (this->hasTorque() && isTold(input.orientation))
+  {
+    limited.torque = this->shapeTorque(input, gate * settings.forceFactor, wanted.torque, result);
+  }
   if (!settings.controlPassivity)
   {
     return limited;
@@ -110,26 +125,42 @@ Eigen::Vector3d SafetyChain::shape(const SafetyInput& input, SafeForce& result) 
   // The last step of a ramp belongs to it.
   const bool changing = input.changing || gate < 1.0 || this->LastGateShare < 1.0;
   this->LastGateShare = gate;
-  Eigen::Vector3d passive = this->controlPassivity(input, changing, wanted.stableNorm(), limited);
-  mark(result.acted, SafetyLink::Passivity, passive != limited);
+  const Wrench passive = this->controlPassivity(input, changing, wanted, limited);
+  mark(result.acted, SafetyLink::Passivity,
+    passive.force != limited.force || passive.torque != limited.torque);
   return passive;
 }
 
-Eigen::Vector3d SafetyChain::controlPassivity(
-  const SafetyInput& input, bool changing, double sceneForce, const Eigen::Vector3d& force) noexcept
+Eigen::Vector3d SafetyChain::shapeTorque(
+  const SafetyInput& input, double share, Eigen::Vector3d& wanted, SafeForce& result) noexcept
+{
+  const bool caps = this->Settings.capStiffness;
+  mark(result.acted, SafetyLink::StiffnessCap, caps && input.cappedTorque != input.idealTorque);
+  wanted = share * (caps ? input.cappedTorque : input.idealTorque);
+  const Eigen::Vector3d slewed = this->TorqueSlew.limit(input.time, wanted);
+  mark(result.acted, SafetyLink::Slew, slewed != wanted);
+  const Eigen::Vector3d limited = this->TorqueMagnitude.limit(slewed);
+  mark(result.acted, SafetyLink::Magnitude, limited != slewed);
+  return limited;
+}
+
+Wrench SafetyChain::controlPassivity(
+  const SafetyInput& input, bool changing, const Wrench& wanted, const Wrench& limited) noexcept
 {
   // Without a gate the first force comes from nowhere, as the caller wanted.
   const bool isGiven = changing || this->Passivity.isNew();
   if (input.fresh || this->Passivity.isNew())
   {
-    this->Passivity.observe(input.time, input.position);
+    this->Passivity.observe(input.time, input.position, input.orientation);
   }
-  this->Passivity.bound(sceneForce, input.depth);
+  const double force = wanted.force.stableNorm();
+  const double torque = wanted.torque.stableNorm();
+  this->Passivity.bound(force, input.depth, torque);
   if (isGiven)
   {
-    this->Passivity.grant(sceneForce, input.depth);
+    this->Passivity.grant(force, input.depth, torque);
   }
-  return this->Passivity.limit(force);
+  return this->Passivity.limit(limited);
 }
 
 void SafetyChain::stop() noexcept
@@ -142,6 +173,7 @@ void SafetyChain::restart() noexcept
 {
   this->Gate.close();
   this->Slew.reset();
+  this->TorqueSlew.reset();
   this->Passivity.reset();
   this->LastGateShare = 1.0;
 }
@@ -149,6 +181,7 @@ void SafetyChain::restart() noexcept
 void SafetyChain::interrupt(double time) noexcept
 {
   this->Slew.sent(time, Eigen::Vector3d::Zero());
+  this->TorqueSlew.sent(time, Eigen::Vector3d::Zero());
   this->Passivity.interrupt(time);
 }
 
@@ -168,5 +201,12 @@ double SafetyChain::bodyStiffnessLimit(double scale) const noexcept
   return this->Settings.capStiffness
     ? this->Settings.maximumStiffness / (MillimetresPerMetre * scale * this->Settings.forceFactor)
     : std::numeric_limits<double>::infinity();
+}
+
+double SafetyChain::bodyTorsionalLimit(double scale) const noexcept
+{
+  return this->Settings.capStiffness ? this->Settings.maximumTorsionalStiffness *
+      (MillimetresPerMetre * scale) / this->Settings.forceFactor
+                                     : std::numeric_limits<double>::infinity();
 }
 } // namespace palpate

@@ -29,6 +29,10 @@ struct SafetyInput
   /// m: over no longer way can the force of now give back what the hand has put in: the deflection
   /// and, with friction, how far its spring can be stretched. Infinite where nobody knows.
   double depth = std::numeric_limits<double>::infinity();
+  ToolOrientation orientation = orientationNotTold(); ///< as in DeviceSample
+  /// About the tip, N m: what the scene gives, and the same with the stiffness cap applied.
+  Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
+  Eigen::Vector3d cappedTorque = Eigen::Vector3d::Zero();
   /// The force is being changed on purpose, not by the hand: a body, tool or material is exchanged.
   bool changing = false;
 };
@@ -51,7 +55,8 @@ enum class SafetyLink : std::uint16_t
 /// What is sent, and why it is not the ideal force.
 struct SafeForce
 {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip
   double forceFactor = 1.0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
   /// s: the device is to let go by itself when nothing more has been sent for so long.
@@ -84,6 +89,12 @@ struct SafeForce
  * limit goes on from nothing, and the control counts on, so that a hand which meanwhile went deeper
  * gets no more than it had put in before.
  *
+ * Of a device that outputs torque (SafetySettings::maximumTorque above 0) the torque goes the same
+ * way: by the same gate and factor, with a stiffness cap, slew limit and clamp of its own, and in
+ * one account with the force under passivity control; it is zero in every tick in which the force
+ * is ended, and where the device does not tell how the tool is turned. Without, no torque is sent,
+ * and the force is what it always was, to the bit.
+ *
  * All members belong to the servo thread; none allocates, locks or throws.
  */
 class PALPATE_EXPORT SafetyChain
@@ -108,15 +119,22 @@ public:
   /// Up to which stiffness (N/mm) in the frame of the body the device renders, at this scale of the
   /// mapping (WorkspaceMapping) and the force factor of now; infinite where nothing is capped.
   double bodyStiffnessLimit(double scale) const noexcept;
+  /// Likewise N mm/rad, for torques.
+  double bodyTorsionalLimit(double scale) const noexcept;
+  /// Whether torque is sent at all.
+  bool hasTorque() const noexcept { return this->Settings.maximumTorque > 0.0; }
   /// What the hand has put in and not got back, J (PassivityControl); 0 where that is off.
   double energy() const noexcept { return this->Passivity.energy(); }
 
 private:
   /// Which links end the force now.
   std::uint16_t losses(const SafetyInput& input) noexcept;
-  Eigen::Vector3d shape(const SafetyInput& input, SafeForce& result) noexcept;
-  Eigen::Vector3d controlPassivity(const SafetyInput& input, bool changing, double sceneForce,
-    const Eigen::Vector3d& force) noexcept;
+  Wrench shape(const SafetyInput& input, SafeForce& result) noexcept;
+  /// What of the scene's torque comes to the clamp's end; `share` is that of gate and fit.
+  Eigen::Vector3d shapeTorque(
+    const SafetyInput& input, double share, Eigen::Vector3d& wanted, SafeForce& result) noexcept;
+  Wrench controlPassivity(
+    const SafetyInput& input, bool changing, const Wrench& wanted, const Wrench& limited) noexcept;
   void restart() noexcept;
   void interrupt(double time) noexcept;
   double holdTime() const noexcept;
@@ -126,6 +144,8 @@ private:
   EntryGate Gate;
   ForceRateLimit Slew;
   ForceLimit Magnitude;
+  ForceRateLimit TorqueSlew;
+  ForceLimit TorqueMagnitude;
   SampleWatchdog Watchdog;
   double LastGateShare = 1.0;
   bool IsStopped = false;

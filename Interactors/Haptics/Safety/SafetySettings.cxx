@@ -12,6 +12,9 @@ SafetySettings SafetySettings::of(const DeviceSpecification& specification)
   settings.maximumForce = specification.maximumForce;
   settings.maximumStiffness = specification.maximumStiffness;
   settings.maximumForceRate = specification.maximumForceRate;
+  settings.maximumTorque = specification.outputsTorque ? specification.maximumTorque : 0.0;
+  settings.maximumTorsionalStiffness = specification.maximumTorsionalStiffness;
+  settings.maximumTorqueRate = specification.maximumTorqueRate;
   settings.sampleTimeOut = specification.sampleTimeOut;
   settings.period = 1.0 / specification.rate;
   settings.delay = specification.delay;
@@ -66,6 +69,19 @@ SettingFault faultOf(const SafetySettings& settings)
   if (!(settings.maximumForceRate > 0.0))
   {
     return makeFault("MaximumForceRate", "be positive (N/s)", settings.maximumForceRate);
+  }
+  if (!(settings.maximumTorque >= 0.0))
+  {
+    return makeFault("MaximumTorque", "not be negative (N m)", settings.maximumTorque);
+  }
+  if (!(settings.maximumTorsionalStiffness > 0.0))
+  {
+    return makeFault(
+      "MaximumTorsionalStiffness", "be positive (N m/rad)", settings.maximumTorsionalStiffness);
+  }
+  if (!(settings.maximumTorqueRate > 0.0))
+  {
+    return makeFault("MaximumTorqueRate", "be positive (N m/s)", settings.maximumTorqueRate);
   }
   if (!(settings.sampleTimeOut > 0.0))
   {

@@ -20,6 +20,9 @@ struct PALPATE_EXPORT SafetySettings
   double maximumForce = 10.0;       ///< N
   double maximumStiffness = 1500.0; ///< N/m, that a sampled spring may have at `period`
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
+  double maximumTorque = 0.0;             ///< N m; 0: none is sent, and no turn is looked at
+  double maximumTorsionalStiffness = 0.5; ///< N m/rad, as maximumStiffness
+  double maximumTorqueRate = std::numeric_limits<double>::infinity(); ///< N m/s
   /// s; a device that has told nothing new for longer is lost.
   double sampleTimeOut = 0.02;
   /// s, > 0: of the ticks that maximumStiffness was stated for.
@@ -36,7 +39,8 @@ struct PALPATE_EXPORT SafetySettings
 
   /// All links, with what the maker states.
   static SafetySettings of(const DeviceSpecification& specification);
-  /// Two alone: no force that is not finite or for an invalid sample, and none that is larger.
+  /// Two alone: no force that is not finite or for an invalid sample, and none that is larger. No
+  /// torque.
   static SafetySettings magnitudeOnly(double maximumForce);
 };
 

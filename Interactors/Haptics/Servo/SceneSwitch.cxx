@@ -35,16 +35,25 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
 }
 
 SceneForce feel(
-  ServoScene& scene, const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
+  ServoScene& scene, const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
   SceneForce felt;
-  felt.contact = scene.contact.update(tip, elapsed);
+  felt.contact = scene.contact.update(pose, elapsed);
   felt.forceFactor = scene.forceFactor;
   felt.idealForce = felt.contact.force;
   felt.cappedForce = felt.contact.force;
-  if (felt.contact.normalForce > 0.0 && !std::isinf(stiffnessLimit))
+  double share = 1.0;
+  if (felt.contact.normalForce > 0.0 && !std::isinf(limits.straight))
   {
-    felt.cappedForce *= scene.contact.cappedShare(felt.contact, stiffnessLimit / scene.forceFactor);
+    share = scene.contact.cappedShare(felt.contact, limits.straight / scene.forceFactor);
+    felt.cappedForce *= share;
+  }
+  if (pose.hasAxis())
+  {
+    // A force that is less presses less, and turns by as much less.
+    const double turning = cappedTorqueShare(felt.contact, limits.turning / scene.forceFactor);
+    felt.idealTorque = felt.contact.torque;
+    felt.cappedTorque = std::min(share, turning) * felt.contact.torque;
   }
   felt.reach = reachOf(felt.contact, scene.settings.friction);
   felt.outside = felt.contact.state == ContactState::None;
@@ -52,12 +61,14 @@ SceneForce feel(
 }
 
 /// So that the next tick finds the contact on that side of the body where another has it.
-void enter(ToolContact& contact, const Contact& other, const Vector3& tip) noexcept
+void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noexcept
 {
   constexpr double Depth = 0.1; // of the deflection: near that side, yet under most other surfaces
   if (other.triangle >= 0 && other.deflection > 0.0)
   {
-    contact.update(other.contactPoint + Depth * (tip - other.contactPoint));
+    ToolPose near = pose;
+    near.tip = other.contactPoint + Depth * (pose.tip - other.contactPoint);
+    contact.update(near);
   }
 }
 } // namespace
@@ -143,27 +154,29 @@ void SceneSwitch::pass(double elapsed) noexcept
   }
 }
 
-SceneForce SceneSwitch::update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
+SceneForce SceneSwitch::update(
+  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
   const bool moves = this->Leaving && !this->Entering;
   if (moves && this->Ramp.advance(1.0, elapsed) >= 1.0)
   {
     this->end();
   }
-  SceneForce felt = this->Leaving ? this->blend(tip, elapsed, stiffnessLimit)
-                                  : feel(*this->Current, tip, elapsed, stiffnessLimit);
+  SceneForce felt = this->Leaving ? this->blend(pose, elapsed, limits)
+                                  : feel(*this->Current, pose, elapsed, limits);
   felt.changing = moves;
   return felt;
 }
 
-SceneForce SceneSwitch::blend(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
+SceneForce SceneSwitch::blend(
+  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
-  const SceneForce before = feel(*this->Leaving, tip, elapsed, stiffnessLimit);
+  const SceneForce before = feel(*this->Leaving, pose, elapsed, limits);
   if (std::exchange(this->Entering, false))
   {
-    enter(this->Current->contact, before.contact, tip);
+    enter(this->Current->contact, before.contact, pose);
   }
-  SceneForce felt = feel(*this->Current, tip, elapsed, stiffnessLimit);
+  SceneForce felt = feel(*this->Current, pose, elapsed, limits);
   const double way = this->Ramp.share();
   const double rest = (1.0 - way) * before.forceFactor;
   const double factor = rest + way * felt.forceFactor;
@@ -172,6 +185,8 @@ SceneForce SceneSwitch::blend(const Vector3& tip, double elapsed, double stiffne
   const double shareBefore = factor > 0.0 ? rest / factor : 1.0 - way;
   felt.idealForce = shareBefore * before.idealForce + felt.share * felt.idealForce;
   felt.cappedForce = shareBefore * before.cappedForce + felt.share * felt.cappedForce;
+  felt.idealTorque = shareBefore * before.idealTorque + felt.share * felt.idealTorque;
+  felt.cappedTorque = shareBefore * before.cappedTorque + felt.share * felt.cappedTorque;
   felt.forceFactor = factor;
   felt.reach = std::max(before.reach, felt.reach);
   felt.outside = before.outside && felt.outside;

@@ -7,6 +7,7 @@
 #include "Contact/ToolContact.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -55,14 +56,33 @@ struct ServoScene
   std::unique_ptr<ServoScene> next;
 };
 
+/// Up to which stiffness a scene may be felt at a force factor of 1; the body's frame.
+struct StiffnessLimits
+{
+  double straight = std::numeric_limits<double>::infinity(); ///< N/mm
+  double turning = std::numeric_limits<double>::infinity();  ///< N mm/rad
+};
+
+/// Of the torque of a contact so much may stay where the torsional stiffness that a loop feels is
+/// to be no larger than `limit`, N mm/rad: 0 to 1. Of that stiffness no more is known than |M|/θ,
+/// which it is of a flat end in full contact.
+inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
+{
+  const double torque = contact.torque.norm();
+  const double most = limit * contact.tilt; // NaN where nothing is limited and nothing is tilted
+  return most < torque ? most / torque : 1.0;
+}
+
 /// What the tip feels of a scene, or of two of which one is left for the other. Body frame; mm, N.
 struct SceneForce
 {
-  Contact contact;                       ///< of the newest scene
-  Vector3 idealForce = Vector3::Zero();  ///< blended; contact.force when not switching
-  Vector3 cappedForce = Vector3::Zero(); ///< the same, each stiffness capped
-  double forceFactor = 1.0;              ///< blended; 0: there is no force
-  double share = 1.0;                    ///< of idealForce: of the newest scene
+  Contact contact;                        ///< of the newest scene
+  Vector3 idealForce = Vector3::Zero();   ///< blended; contact.force when not switching
+  Vector3 cappedForce = Vector3::Zero();  ///< the same, each stiffness capped
+  Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm, likewise
+  Vector3 cappedTorque = Vector3::Zero(); ///< the same, each torsional stiffness capped
+  double forceFactor = 1.0;               ///< blended; 0: there is no force
+  double share = 1.0;                     ///< of idealForce: of the newest scene
   /// Over no longer way (mm) can the contacts give back work: out of the body, and as far as
   /// friction is stretched.
   double reach = 0.0;
@@ -98,8 +118,16 @@ public:
   SceneSwitch& operator=(SceneSwitch&&) = delete;
   ~SceneSwitch() = default;
 
-  /// One tick, `elapsed` (s) after the last. `stiffnessLimit` (N/mm) at a force factor of 1.
-  SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept;
+  /// One tick, `elapsed` (s) after the last.
+  SceneForce update(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
+
+  /// Of a tool along the body's normal.
+  SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
+  {
+    StiffnessLimits limits;
+    limits.straight = stiffnessLimit;
+    return this->update(ToolPose(tip), elapsed, limits);
+  }
 
   /// As ToolContact::foresee.
   void foresee() const noexcept
@@ -132,7 +160,7 @@ private:
   /// Ends a ramp; one that waits begins.
   void end() noexcept;
   void retire(std::unique_ptr<ServoScene> scene) noexcept;
-  SceneForce blend(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept;
+  SceneForce blend(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
 
   std::unique_ptr<ServoScene> Current;
   std::unique_ptr<ServoScene> Leaving; ///< null but during a ramp

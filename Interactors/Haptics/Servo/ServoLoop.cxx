@@ -208,7 +208,7 @@ Tick ServoLoop::tick(double time) noexcept
   const DeviceSample sample = this->Device.read(time);
   Tick tick = this->Step.step(sample, time);
   this->Device.holdFor(tick.holdTime);
-  const bool taken = this->Device.write(tick.deviceForce);
+  const bool taken = this->Device.writeWrench(tick.wrench());
   this->Latest.write(tick);
   this->Recording.push(tick);
   this->Meter.invalidSamples.add(sample.valid ? 0 : 1);
@@ -232,7 +232,7 @@ void ServoLoop::finish(const Tick& newest) noexcept
   // A device may be at work on the force before; one that is gone takes none.
   constexpr int Attempts = 10;
   constexpr std::int64_t Pause = NanosecondsPerSecond / 1000;
-  for (int i = 1; !this->Device.write(Eigen::Vector3d::Zero()) && i < Attempts; ++i)
+  for (int i = 1; !this->Device.writeWrench({}) && i < Attempts; ++i)
   {
     sleepUntil(now() + Pause);
   }

@@ -37,7 +37,7 @@ ServoStep::ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& 
   , Safety(Chain.settings())
   , Hand(clutchButtons)
   , Scenes(std::move(scene))
-  , StiffnessLimit(Chain.bodyStiffnessLimit(mapping.scale()))
+  , Limits{ Chain.bodyStiffnessLimit(mapping.scale()), Chain.bodyTorsionalLimit(mapping.scale()) }
   , IsSound(!mapping.fault())
   , LastTime(NotANumber)
 {
@@ -55,7 +55,8 @@ Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
   input.time = time;
   input.fresh = sample.fresh;
   input.position = this->Mapping.inReach(sample.position);
-  if (this->IsSound && sample.valid && input.position.allFinite())
+  if (this->IsSound && sample.valid && input.position.allFinite() &&
+    sample.orientation.coeffs().allFinite())
   {
     tick.tip = this->Mapping.toBody(input.position);
     tick.valid = tick.tip.allFinite();
@@ -64,6 +65,11 @@ Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
   {
     tick.fresh = sample.fresh;
     tick.velocity = this->Mapping.velocityToBody(sample.velocity);
+    if (isTold(sample.orientation))
+    {
+      input.orientation = sample.orientation;
+      tick.axis = this->Mapping.axisToBody(shaftOf(sample.orientation));
+    }
     this->touch(elapsed, tick, input);
   }
   else
@@ -74,6 +80,11 @@ Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
   const SafeForce safe = this->Chain.apply(input);
   tick.deviceForce = safe.force;
   tick.appliedForce = this->Mapping.forceToBody(safe.force);
+  tick.deviceTorque = safe.torque;
+  if (this->Chain.hasTorque())
+  {
+    tick.appliedTorque = this->Mapping.torqueToBody(safe.torque);
+  }
   tick.forceFactor = safe.forceFactor;
   tick.holdTime = safe.holdTime;
   tick.acted = safe.acted;
@@ -92,7 +103,8 @@ void ServoStep::touch(double elapsed, Tick& tick, SafetyInput& input) noexcept
   tick.clutched = this->Hand.isHeld();
   const double share = this->Hand.forceShare();
 
-  const SceneForce felt = this->Scenes.update(tick.tip, elapsed, this->StiffnessLimit);
+  const ToolPose pose = tick.hasAxis() ? ToolPose(tick.tip, tick.axis) : ToolPose(tick.tip);
+  const SceneForce felt = this->Scenes.update(pose, elapsed, this->Limits);
   tick.contact = felt.contact;
   tick.sceneShare = felt.share;
   tick.idealForce = share * felt.idealForce;
@@ -100,6 +112,9 @@ void ServoStep::touch(double elapsed, Tick& tick, SafetyInput& input) noexcept
   input.outside = felt.outside;
   input.idealForce = this->Mapping.forceToDevice(tick.idealForce);
   input.cappedForce = this->Mapping.forceToDevice(share * felt.cappedForce);
+  tick.idealTorque = share * felt.idealTorque;
+  input.idealTorque = this->Mapping.torqueToDevice(tick.idealTorque);
+  input.cappedTorque = this->Mapping.torqueToDevice(share * felt.cappedTorque);
   input.depth = this->Mapping.lengthToDevice(felt.reach);
   input.changing = felt.changing || share > held;
 }

@@ -28,6 +28,12 @@ struct Tick
   /// for another, and less while the clutch is at work.
   Eigen::Vector3d idealForce = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedForce = Eigen::Vector3d::Zero(); ///< deviceForce, body frame, N
+  /// Of the tool, body frame, unit, from tip to hand; zero where the device does not tell it.
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  /// As the forces, about the tip: device frame, N m; body frame, N mm.
+  Eigen::Vector3d deviceTorque = Eigen::Vector3d::Zero();
+  Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
+  Eigen::Vector3d appliedTorque = Eigen::Vector3d::Zero();
   double forceFactor = 1.0; ///< of applied over ideal force (DeviceFit)
   double holdTime = 0.0;    ///< s: for so long deviceForce may be held (SafetyChain)
   /// How much of idealForce is of the scene that `contact` tells of: less than 1 during a ramp.
@@ -38,6 +44,10 @@ struct Tick
   bool valid = false;      ///< the device told where it is
   bool fresh = false;      ///< and not for the second time
   bool clutched = false;   ///< the tip stays while the hand moves
+
+  bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
+  /// What is sent.
+  Wrench wrench() const noexcept { return { this->deviceForce, this->deviceTorque }; }
 };
 
 /**
@@ -47,6 +57,12 @@ struct Tick
  *
  * Body, tool, material and settings may change while the tip is in contact: change() hands over
  * another scene, to which the force goes over within 50 ms.
+ *
+ * Where the device tells how the tool is turned, the contact is that of a tool along that axis, and
+ * there is a torque, which a device that outputs one is sent; an orientation that is not finite
+ * makes a sample invalid. Otherwise the tool stands along the body's normal, and all is as it was
+ * before there were tilts, to the bit. The clutch holds the tip, not the axis: a hand that is off
+ * it turns the tool.
  *
  * The force is zero, exactly and in the same tick, for a sample that is not valid or not finite,
  * for a force that is not finite, a device that has been silent for too long, and while stopped.
@@ -103,9 +119,9 @@ private:
   SafetySettings Safety;
   Clutch Hand;
   SceneSwitch Scenes;
-  double StiffnessLimit; ///< in the body, N/mm, for a scene of factor 1
-  bool IsSound;          ///< the mapping
-  double LastTime;       ///< NaN: none
+  StiffnessLimits Limits; ///< for a scene of factor 1
+  bool IsSound;           ///< the mapping
+  double LastTime;        ///< NaN: none
 };
 } // namespace palpate
 

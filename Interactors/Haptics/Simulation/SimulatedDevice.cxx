@@ -53,20 +53,23 @@ DeviceSample SimulatedDevice::read(double time) noexcept
   {
     sample.valid = this->Target->moveOn(time);
     sample.position = this->Target->position();
+    this->Shaft.moveOn(time);
+    sample.orientation = this->Shaft.orientation();
     return sample;
   }
   sample.valid = !this->Path.isEmpty() && std::isfinite(time);
   if (sample.valid)
   {
     sample.position = this->Path.at(time);
+    sample.orientation = orientationAlong(this->Path.axisAt(time));
   }
   return sample;
 }
 
-bool SimulatedDevice::write(const Eigen::Vector3d& force) noexcept
+bool SimulatedDevice::writeWrench(const Wrench& wrench) noexcept
 {
-  this->Force = force;
-  return !this->Motion || this->Motion->write(force);
+  this->Last = wrench;
+  return !this->Motion || this->Motion->write(wrench);
 }
 
 std::string SimulatedDevice::status() const
@@ -84,6 +87,18 @@ void SimulatedDevice::steerTo(const Eigen::Vector3d& target) noexcept
   else if (this->Target)
   {
     this->Target->steerTo(target);
+  }
+}
+
+void SimulatedDevice::turnTo(const Eigen::Vector3d& axis) noexcept
+{
+  if (this->Motion)
+  {
+    this->Motion->turnTo(axis);
+  }
+  else if (this->Target)
+  {
+    this->Shaft.turnTo(axis);
   }
 }
 

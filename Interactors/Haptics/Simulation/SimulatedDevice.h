@@ -4,6 +4,7 @@
 
 #include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
+#include "Haptics/Devices/SteeredAxis.h"
 #include "Haptics/Simulation/SimulatedMotion.h"
 #include "Haptics/Simulation/SimulatedPlant.h"
 #include "Haptics/Devices/TimedPath.h"
@@ -29,6 +30,10 @@ namespace palpate
  * integrated exactly: the time between two readings may be anything. A time that does not increase
  * gives the last reading again, not fresh. The velocity told is the mass's own, or, with an encoder
  * step, the difference of the last two readings.
+ *
+ * It tells how the tool is turned where the way points of its path have an axis, or where turnTo
+ * has told one. A plant with an inertia is turned by torques, too; it begins as the hand means to
+ * hold it.
  *
  * Settings out of range (`fault` of HeldPlant; a path that is not finite or goes
  * back in time; a rate that is not of 0 to 100000 Hz): no sample is valid and status() says why.
@@ -59,14 +64,24 @@ public:
   DeviceSample read(double time) noexcept override;
   /// Finite or not, a stiff hand takes any force; a plant refuses one that is not finite, and feels
   /// none then.
-  bool write(const Eigen::Vector3d& force) noexcept override;
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    return this->writeWrench({ force, Eigen::Vector3d::Zero() });
+  }
+  bool writeWrench(const Wrench& wrench) noexcept override;
   std::string status() const override;
 
   /// Where a steered hand is to go, m (SteeredTarget); without effect on one with a path, or where
   /// it is not finite.
   void steerTo(const Eigen::Vector3d& target) noexcept;
 
-  const Eigen::Vector3d& lastForce() const noexcept { return this->Force; }
+  /// Along which axis (from tip to hand, any length, the device's frame) a steered hand is to hold
+  /// the tool (SteeredAxis); zero: not told, as at first. Without effect on one with a path, or
+  /// where it is not finite.
+  void turnTo(const Eigen::Vector3d& axis) noexcept;
+
+  const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
+  const Eigen::Vector3d& lastTorque() const noexcept { return this->Last.torque; }
   /// Time of the last way point, s; 0 for an empty path or a steered hand.
   double duration() const noexcept { return this->Duration; }
   /// Position (m) and velocity (m/s) of a plant when its last reading was measured, without the
@@ -78,9 +93,10 @@ private:
   DeviceSpecification Limits;
   TimedPath Path;                          ///< of a stiff hand
   std::unique_ptr<SteeredTarget> Target;   ///< of a stiff hand without a path
+  SteeredAxis Shaft;                       ///< likewise
   std::unique_ptr<SimulatedMotion> Motion; ///< null: a stiff hand
   double Duration = 0.0;
-  Eigen::Vector3d Force = Eigen::Vector3d::Zero();
+  Wrench Last;
 };
 } // namespace palpate
 

@@ -11,10 +11,34 @@ namespace
 {
 constexpr double FastestRate = 1e5; // Hz
 
+/// The rotation vector; zero where it is not told.
+Eigen::Vector3d turnOf(const ToolOrientation& orientation) noexcept
+{
+  return isTold(orientation) ? turnBetween(ToolOrientation::Identity(), orientation)
+                             : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
 /// Forces that can be on their way at once, if ticks come up to four times faster than specified.
 std::size_t pendingForces(const SimulatedPlant& plant, double rate)
 {
   return 4 + static_cast<std::size_t>(4.0 * rate * (plant.forceDelay + plant.sampleDelay));
+}
+
+/// A mass that moves as the device turns: angles for ways, torques for forces.
+SimulatedPlant turningPlant(const SimulatedPlant& plant)
+{
+  SimulatedPlant turning;
+  turning.mass = plant.inertia;
+  turning.damping = plant.turnDamping;
+  return turning;
+}
+
+HandModel turningHand(const HandModel& hand)
+{
+  HandModel turning;
+  turning.stiffness = hand.turnStiffness;
+  turning.damping = hand.turnHandDamping;
+  return turning;
 }
 
 std::string faultOf(
@@ -35,6 +59,7 @@ SimulatedMotion::SimulatedMotion(const SimulatedPlant& plant, const HandModel& h
   const Eigen::Vector3d& start, double rate)
   : Plant(plant)
   , Axis(plant, hand)
+  , TurningAxis(turningPlant(plant), turningHand(hand))
   , Path(std::move(path))
   , Steered(this->Path.isEmpty() ? std::make_unique<SteeredTarget>(start) : nullptr)
   , Fault(faultOf(plant, hand, this->Path, rate))
@@ -71,16 +96,15 @@ DeviceSample SimulatedMotion::read(double time) noexcept
   return this->Last;
 }
 
-bool SimulatedMotion::write(const Eigen::Vector3d& force) noexcept
+bool SimulatedMotion::write(const Wrench& wrench) noexcept
 {
-  const bool isFinite = force.allFinite();
-  const TimedForce sent{ this->LastTime + this->Plant.forceDelay,
-    isFinite ? force : Eigen::Vector3d(Eigen::Vector3d::Zero()) };
+  const bool isFinite = wrench.isFinite();
+  const TimedForce sent{ this->LastTime + this->Plant.forceDelay, isFinite ? wrench : Wrench() };
   const std::size_t size = this->Pending.size();
   TimedForce& newest = this->Pending[(this->First + this->Count + size - 1) % size];
   if (this->Count > 0 && (newest.start == sent.start || this->Count == size))
   {
-    newest.force = sent.force;
+    newest.wrench = sent.wrench;
     return isFinite;
   }
   this->Pending[(this->First + this->Count) % size] = sent;
@@ -96,6 +120,20 @@ void SimulatedMotion::steerTo(const Eigen::Vector3d& target) noexcept
   }
 }
 
+void SimulatedMotion::turnTo(const Eigen::Vector3d& axis) noexcept
+{
+  if (this->Steered)
+  {
+    this->SteeredShaft.turnTo(axis);
+  }
+}
+
+ToolOrientation SimulatedMotion::meant(double time) const noexcept
+{
+  return this->Steered ? this->SteeredShaft.orientation()
+                       : orientationAlong(this->Path.axisAt(time));
+}
+
 Eigen::Vector3d SimulatedMotion::position() const noexcept
 {
   return { this->States[0].position, this->States[1].position, this->States[2].position };
@@ -106,17 +144,28 @@ Eigen::Vector3d SimulatedMotion::velocity() const noexcept
   return { this->States[0].velocity, this->States[1].velocity, this->States[2].velocity };
 }
 
+Eigen::Vector3d SimulatedMotion::rotation() const noexcept
+{
+  return { this->Turns[0].position, this->Turns[1].position, this->Turns[2].position };
+}
+
 void SimulatedMotion::begin(double time) noexcept
 {
   this->Clock = time;
   if (this->Steered)
   {
     this->Steered->moveOn(time);
+    this->SteeredShaft.moveOn(time);
   }
   const Eigen::Vector3d start = this->Steered ? this->Steered->position() : this->Path.at(time);
   for (int axis = 0; axis < 3; ++axis)
   {
     this->States[axis] = { start[axis], 0.0 };
+  }
+  const ToolOrientation held = this->meant(time);
+  if (isTold(held))
+  {
+    this->beginTurn(turnOf(held));
   }
 }
 
@@ -124,13 +173,22 @@ void SimulatedMotion::advanceTo(double time) noexcept
 {
   TimedPath::Ramp steered;
   const double from = this->Clock;
+  const ToolOrientation heldBefore = this->meant(from);
   if (this->Steered)
   {
     steered.position = this->Steered->position();
     this->Steered->moveOn(time);
+    this->SteeredShaft.moveOn(time);
     steered.velocity = (this->Steered->position() - steered.position) / (time - from);
     steered.end = std::numeric_limits<double>::infinity();
   }
+  const ToolOrientation held = this->meant(time);
+  if (isTold(held) && !this->IsTurned)
+  {
+    this->beginTurn(turnOf(held));
+  }
+  const Eigen::Vector3d meantFrom = turnOf(isTold(heldBefore) ? heldBefore : held);
+  const Eigen::Vector3d turning = (turnOf(held) - meantFrom) / (time - from);
   // Bounded by the way points and the forces on their way.
   while (this->Clock < time)
   {
@@ -148,9 +206,33 @@ void SimulatedMotion::advanceTo(double time) noexcept
     for (int axis = 0; axis < 3; ++axis)
     {
       this->States[axis] = this->Axis.advance(this->States[axis],
-        { this->Held[axis], target.position[axis], target.velocity[axis] }, end - this->Clock);
+        { this->Held.force[axis], target.position[axis], target.velocity[axis] },
+        end - this->Clock);
+    }
+    if (this->turns() && this->IsTurned)
+    {
+      this->turn(meantFrom + (this->Clock - from) * turning, turning, end - this->Clock);
     }
     this->Clock = end;
+  }
+}
+
+void SimulatedMotion::beginTurn(const Eigen::Vector3d& rotation) noexcept
+{
+  this->IsTurned = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Turns[axis] = { rotation[axis], 0.0 };
+  }
+}
+
+void SimulatedMotion::turn(
+  const Eigen::Vector3d& meant, const Eigen::Vector3d& rate, double duration) noexcept
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Turns[axis] = this->TurningAxis.advance(
+      this->Turns[axis], { this->Held.torque[axis], meant[axis], rate[axis] }, duration);
   }
 }
 
@@ -158,7 +240,7 @@ void SimulatedMotion::hold() noexcept
 {
   while (this->Count > 0 && this->Pending[this->First].start <= this->Clock)
   {
-    this->Held = this->Pending[this->First].force;
+    this->Held = this->Pending[this->First].wrench;
     this->First = (this->First + 1) % this->Pending.size();
     --this->Count;
   }
@@ -181,7 +263,15 @@ DeviceSample SimulatedMotion::measure(double time) const noexcept
       ? Eigen::Vector3d(Eigen::Vector3d::Zero())
       : Eigen::Vector3d((sample.position - this->Last.position) / (time - this->LastTime));
   }
-  sample.valid = sample.position.allFinite();
+  if (this->turns() && this->IsTurned)
+  {
+    sample.orientation = turnedBy(this->rotation());
+  }
+  else
+  {
+    sample.orientation = this->meant(this->Clock);
+  }
+  sample.valid = sample.position.allFinite() && sample.orientation.coeffs().allFinite();
   return sample;
 }
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Simulation/PlantAxis.h"
+#include "Haptics/Devices/SteeredAxis.h"
 #include "Haptics/Devices/SteeredTarget.h"
 #include "Haptics/Devices/TimedPath.h"
 
@@ -33,13 +34,16 @@ public:
     const Eigen::Vector3d& start, double rate);
 
   DeviceSample read(double time) noexcept;
-  bool write(const Eigen::Vector3d& force) noexcept;
+  bool write(const Wrench& wrench) noexcept;
   /// From one other thread; without effect on a hand that follows a path.
   void steerTo(const Eigen::Vector3d& target) noexcept;
+  void turnTo(const Eigen::Vector3d& axis) noexcept;
 
   /// Of the mass, when the last reading was measured, without the encoder's step; m, m/s.
   Eigen::Vector3d position() const noexcept;
   Eigen::Vector3d velocity() const noexcept;
+  /// The rotation vector of a plant that turns, rad; zero before it is told how it is held.
+  Eigen::Vector3d rotation() const noexcept;
   /// What is wrong with the settings, or "".
   const std::string& fault() const noexcept { return this->Fault; }
 
@@ -47,7 +51,7 @@ private:
   struct TimedForce
   {
     double start = 0.0;
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Wrench wrench;
   };
 
   void begin(double time) noexcept;
@@ -55,18 +59,27 @@ private:
   /// Takes over the forces that have arrived.
   void hold() noexcept;
   DeviceSample measure(double time) const noexcept;
+  /// Which way the hand means to hold the tool at a time.
+  ToolOrientation meant(double time) const noexcept;
+  void beginTurn(const Eigen::Vector3d& rotation) noexcept;
+  void turn(const Eigen::Vector3d& meant, const Eigen::Vector3d& rate, double duration) noexcept;
+  bool turns() const noexcept { return this->Plant.inertia > 0.0; }
 
   SimulatedPlant Plant;
   PlantAxis Axis;
+  PlantAxis TurningAxis; ///< of angles and torques
   TimedPath Path;
   std::unique_ptr<SteeredTarget> Steered; ///< null: the hand follows the path
+  SteeredAxis SteeredShaft;
   std::string Fault;
 
   double Clock = std::numeric_limits<double>::quiet_NaN(); ///< the plant's time, s
   double LastTime = -std::numeric_limits<double>::infinity();
   DeviceSample Last;
   PlantAxis::State States[3];
-  Eigen::Vector3d Held = Eigen::Vector3d::Zero(); ///< the force that acts now
+  PlantAxis::State Turns[3]; ///< of the rotation vector, rad
+  bool IsTurned = false;     ///< somebody has told how it is held
+  Wrench Held;               ///< what acts now
 
   /// A ring of the forces on their way.
   std::vector<TimedForce> Pending;

@@ -24,7 +24,7 @@ struct Setting
   double* value;
 };
 
-std::array<Setting, 9> settingsOf(HeldPlant& held)
+std::array<Setting, 13> settingsOf(HeldPlant& held)
 {
   SimulatedPlant& plant = held.plant;
   HandModel& hand = held.hand;
@@ -36,7 +36,11 @@ std::array<Setting, 9> settingsOf(HeldPlant& held)
     { "sample-delay", "s", 0.0, 1.0, &plant.sampleDelay },
     { "stiffness", "N/m", 0.0, Most, &hand.stiffness },
     { "hand-damping", "N s/m", 0.0, Most, &hand.damping },
-    { "hand-force", "N", 0.0, Endless, &hand.maximumForce } } };
+    { "hand-force", "N", 0.0, Endless, &hand.maximumForce },
+    { "inertia", "kg m²", 0.0, Most, &plant.inertia },
+    { "turn-damping", "N m s/rad", 0.0, Most, &plant.turnDamping },
+    { "turn-stiffness", "N m/rad", 0.0, Most, &hand.turnStiffness },
+    { "turn-hand-damping", "N m s/rad", 0.0, Most, &hand.turnHandDamping } } };
 }
 } // namespace
 
@@ -102,8 +106,14 @@ DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate)
 {
   DeviceSpecification device;
   device.rate = rate;
-  device.maximumStiffness =
-    plant.damping / (1.0 / rate + 2.0 * (plant.forceDelay + plant.sampleDelay));
+  const double lag = 1.0 / rate + 2.0 * (plant.forceDelay + plant.sampleDelay);
+  device.maximumStiffness = plant.damping / lag;
+  if (plant.inertia > 0.0)
+  {
+    device.outputsTorque = true;
+    device.maximumTorque = 0.5;
+    device.maximumTorsionalStiffness = plant.turnDamping / lag;
+  }
   device.maximumDamping = plant.damping;
   device.delay = plant.forceDelay + plant.sampleDelay;
   return device;

@@ -18,6 +18,10 @@ namespace palpate
  *
  * F is the force last written, held until the next (zero-order hold). Where v = 0, friction holds
  * against up to f_c. Both delays may be any fraction of a tick; a loop feels their sum.
+ *
+ * With an inertia it outputs torque and turns: with r the rotation vector from the tool's frame to
+ * the device's, each of its components likewise by itself, I d²r/dt² = M + hand - b_θ dr/dt. That
+ * is how a body turns while |r| is small, as tilts are.
  */
 struct SimulatedPlant
 {
@@ -27,6 +31,8 @@ struct SimulatedPlant
   double encoderStep = 0.0; ///< positions read are whole multiples of it, m; 0: not rounded
   double forceDelay = 0.0;  ///< a force acts so long after the tick that wrote it, s; at most 1
   double sampleDelay = 0.0; ///< a reading is so old, s; at most 1
+  double inertia = 0.0;     ///< I, kg m²; 0: it has no torque, and is turned as the hand means
+  double turnDamping = 0.0; ///< b_θ, N m s/rad
 };
 
 /**
@@ -42,6 +48,8 @@ struct HandModel
   double stiffness = 300.0; ///< k, N/m; with damping 0 as well: nobody holds the device
   double damping = 5.0;     ///< b, N s/m
   double maximumForce = std::numeric_limits<double>::infinity(); ///< N, on each axis
+  double turnStiffness = 0.5;    ///< of turns, N m/rad, towards the axis that it means
+  double turnHandDamping = 5e-3; ///< N m s/rad
 };
 
 /// A device and the hand that holds it.
@@ -69,13 +77,18 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
  * | `stiffness`    | hand, towards where it means | N/m   | 0 to 1e9    | 300     |
  * | `hand-damping` | hand                         | N s/m | 0 to 1e9    | 5       |
  * | `hand-force`   | hand, the most               | N     | from 0      | endless |
+ * | `inertia`      | device; 0: no torque         | kg m² | 0 to 1e9    | 0       |
+ * | `turn-damping` | device, of turns             | N m s | 0 to 1e9    | 0       |
+ * | `turn-stiffness` | hand, of turns             | N m   | 0 to 1e9    | 0.5     |
+ * | `turn-hand-damping` | hand, of turns          | N m s | 0 to 1e9    | 0.005   |
  */
 PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
 
 /**
  * What the maker of such a device would state for ticks at `rate` (Hz), not knowing who holds it:
  * 10 N; the stiffest spring that a sampled loop renders passively, b/(T/2 + delays) (Colgate and
- * Schenkel 1997; stability with delays: Diolaiti et al. 2006), N/m; and a damper of b.
+ * Schenkel 1997; stability with delays: Diolaiti et al. 2006), N/m; and a damper of b. With an
+ * inertia 0.5 N m too, and likewise the stiffest torsion spring, of b_θ, N m/rad.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate);
 } // namespace palpate

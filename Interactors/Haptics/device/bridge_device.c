@@ -15,16 +15,18 @@
 static void sdk_read(palpate_hid_reading* hand, double seconds) /* here: a hand that taps */
 {
   hand->position[2] = 0.01f * (float)cos(6.2831853 * seconds);
+  hand->orientation[0] = 1.0f; /* upright; zeros if the SDK does not tell */
 }
-static void sdk_write(const float force[3])
+static void sdk_write(const float force[3], const float torque[3])
 {
-  (void)force;
-} /* N */
+  (void)force;  /* N */
+  (void)torque; /* N m: zeros here, since `me` outputs none */
+}
 
 int main(int argc, char** argv)
 {
   const palpate_hid_description me = { true, false, 3.0f, 1000.0f, 1000.0f, 5.0f,
-    { 0.1f, 0.1f, 0.1f }, 1000.0f, 0.02f, "My device" };
+    { 0.1f, 0.1f, 0.1f }, 1000.0f, 0.02f, "My device", false, 0.0f, 0.0f, 0.0f };
   const int file = socket(AF_UNIX, SOCK_DGRAM, 0);
   struct sockaddr_un own = { .sun_family = AF_UNIX }, host = { 0 };
   socklen_t host_size = 0;
@@ -35,11 +37,12 @@ int main(int argc, char** argv)
   if (bind(file, (struct sockaddr*)&own, sizeof own) != 0)
     return 1;
   palpate_hid_start(&hid, me.maximum_force, 20000);
+  hid.maximum_torque = me.maximum_torque;
   for (clock_gettime(CLOCK_MONOTONIC, &now);; now.tv_nsec += 1000000)
   {
     uint8_t report[PALPATE_HID_REPORT_SIZE + 1];
-    palpate_hid_reading hand = { { 0 }, { 0 }, 0, false };
-    float force[3];
+    palpate_hid_reading hand = { { 0 }, { 0 }, 0, false, { 0 } };
+    float force[3], torque[3];
     if (now.tv_nsec >= 1000000000)
       now.tv_nsec -= 1000000000, ++now.tv_sec;
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &now, NULL); /* or wait for the SDK's tick */
@@ -63,7 +66,8 @@ int main(int argc, char** argv)
         palpate_hid_receive(&hid, report, (size_t)n, us);
     }
     palpate_hid_force(&hid, us, force);
-    sdk_write(force);
+    palpate_hid_torque(&hid, us, torque);
+    sdk_write(force, torque);
     sdk_read(&hand, 1e-6 * (double)us);
     palpate_hid_state(&hid, us, &hand, report);
     sendto(file, report, 64, MSG_DONTWAIT, (struct sockaddr*)&host, host_size);

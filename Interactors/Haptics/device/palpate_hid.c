@@ -86,6 +86,11 @@ static bool is_finite(const uint8_t* from)
   return (get32(from) & 0x7F800000u) != 0x7F800000u;
 }
 
+static bool are_finite(const uint8_t* from)
+{
+  return is_finite(from) && is_finite(from + 4) && is_finite(from + 8);
+}
+
 static void begin(uint8_t* report, uint8_t kind, bool first_flag, bool second_flag)
 {
   memset(report, 0, PALPATE_HID_REPORT_SIZE);
@@ -128,8 +133,7 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
 {
   uint32_t number;
   watch(hid, now_us);
-  if (!is_report(report, size, kind_force) || !is_finite(report + 16) || !is_finite(report + 20) ||
-    !is_finite(report + 24))
+  if (!is_report(report, size, kind_force) || !are_finite(report + 16) || !are_finite(report + 36))
   {
     ++hid->refused;
     return false;
@@ -144,6 +148,7 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
   for (int i = 0; i < 3; ++i)
   {
     hid->force[i] = get_float(report + 16 + 4 * i);
+    hid->torque[i] = get_float(report + 36 + 4 * i);
   }
   hid->enabled = (report[3] & 1) != 0;
   hid->force_sequence = number;
@@ -157,27 +162,65 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
   return true;
 }
 
-bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3])
+/* A vector of the host's, no longer than it may be; zeros while the amplifiers are off. */
+static bool applied(palpate_hid* hid, uint64_t now_us, const float told[3], float most, float to[3])
 {
   float length;
   float share = 1.0f;
   watch(hid, now_us);
-  force[0] = force[1] = force[2] = 0.0f;
+  to[0] = to[1] = to[2] = 0.0f;
   if (!hid->alive || !hid->enabled)
   {
     return false;
   }
-  length = sqrtf(
-    hid->force[0] * hid->force[0] + hid->force[1] * hid->force[1] + hid->force[2] * hid->force[2]);
-  if (length > hid->maximum_force)
+  length = sqrtf(told[0] * told[0] + told[1] * told[1] + told[2] * told[2]);
+  if (length > most)
   {
-    share = hid->maximum_force / length; /* 0 if the square has overflowed */
+    share = most / length; /* 0 if the square has overflowed */
   }
   for (int i = 0; i < 3; ++i)
   {
-    force[i] = share * hid->force[i];
+    to[i] = share * told[i];
   }
   return true;
+}
+
+bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3])
+{
+  return applied(hid, now_us, hid->force, hid->maximum_force, force);
+}
+
+bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3])
+{
+  return applied(hid, now_us, hid->torque, hid->maximum_torque, torque);
+}
+
+/* The largest of the four is left out, and made positive: the host finds it, since their squares
+ * add up to 1. */
+static void put_orientation(uint8_t* report, const float told[4])
+{
+  int largest = 0;
+  uint8_t* to = report + 48;
+  for (int i = 1; i < 4; ++i)
+  {
+    if (told[i] * told[i] > told[largest] * told[largest])
+    {
+      largest = i;
+    }
+  }
+  if (told[largest] == 0.0f)
+  {
+    return; /* not known */
+  }
+  report[3] = (uint8_t)(report[3] | 4 | largest << 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    if (i != largest)
+    {
+      put_float(to, told[largest] < 0.0f ? -told[i] : told[i]);
+      to += 4;
+    }
+  }
 }
 
 void palpate_hid_state(palpate_hid* hid, uint64_t now_us, const palpate_hid_reading* reading,
@@ -194,6 +237,7 @@ void palpate_hid_state(palpate_hid* hid, uint64_t now_us, const palpate_hid_read
   }
   put32(report + 40, reading->buttons);
   put32(report + 44, hid->force_sequence);
+  put_orientation(report, reading->orientation);
   finish(report);
 }
 
@@ -213,6 +257,14 @@ void palpate_hid_describe(const palpate_hid_description* description, uint32_t n
   put_float(report + 36, description->sample_time_out);
   memcpy(report + 40, description->name, sizeof description->name);
   put32(report + 56, nonce);
+  if (description->outputs_torque)
+  {
+    report[3] |= 4;
+    report[43] = 0; /* the end of a name of 3 bytes */
+    put_float(report + 44, description->maximum_torque);
+    put_float(report + 48, description->maximum_torsional_stiffness);
+    put_float(report + 52, description->maximum_torque_rate);
+  }
   finish(report);
 }
 

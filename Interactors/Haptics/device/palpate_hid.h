@@ -9,6 +9,7 @@
  *   feature report      palpate_hid_describe(&what_i_am, 0, report);
  *   report from host    palpate_hid_receive(&hid, report, length, now);
  *   control, each tick  palpate_hid_force(&hid, now, force);      put it on the motors
+ *                       palpate_hid_torque(&hid, now, torque);    if there are motors for it
  *                       palpate_hid_state(&hid, now, &reading, report);      and send it
  * `now` is a clock in microseconds that does not run backwards. Calls must not interrupt one
  * another: where receive is called from an interrupt, disable it around the others.
@@ -43,7 +44,11 @@ extern "C"
     float half_extents[3];    /* of the workspace about 0, m */
     float rate;               /* states per second, Hz */
     float sample_time_out;    /* without a state for so long the host gives up, s */
-    char name[16];            /* UTF-8, padded with zeros */
+    char name[16];            /* UTF-8, padded with zeros; 3 bytes are told with outputs_torque */
+    bool outputs_torque;      /* about the tip of the tool; false, zeros: as before there was one */
+    float maximum_torque;     /* N m */
+    float maximum_torsional_stiffness; /* N m/rad, of a torsion spring rendered at `rate` */
+    float maximum_torque_rate;         /* N m/s, may be infinite */
   } palpate_hid_description;
 
   /* One reading of the sensors. SI units. */
@@ -53,6 +58,9 @@ extern "C"
     float velocity[3]; /* m/s; zeros if not known */
     uint32_t buttons;  /* bit i: button i is down */
     bool fault;        /* do not trust me: the host sends no force */
+    /* w, x, y, z of the unit quaternion that turns the tool's frame, whose z is the shaft from tip
+     * to hand, into the device's; zeros if not known. */
+    float orientation[4];
   } palpate_hid_reading;
 
   /* What the device remembers. Counters are there to be looked at. */
@@ -65,6 +73,8 @@ extern "C"
     uint32_t watchdog;         /* us */
     uint64_t force_time;       /* us, when it was taken */
     float force[3];            /* N */
+    float torque[3];           /* N m */
+    float maximum_torque;      /* N m: a stronger one is shortened to it; 0, none, after start */
     bool alive;                /* forces are coming; set by one, cleared by the watchdog */
     bool enabled;              /* the host wants the amplifiers on */
     uint32_t refused;          /* reports that were none, or old */
@@ -80,6 +90,10 @@ extern "C"
   /* The force to apply now, N. False, and zeros: amplifiers off (none came yet, the watchdog has
    * expired, or the host does not enable it). */
   bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3]);
+
+  /* The torque that goes with it, N m, about the tip: up to hid->maximum_torque, to be set after
+   * palpate_hid_start. False, and zeros, as for the force. */
+  bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3]);
 
   /* Packs the next state. */
   void palpate_hid_state(palpate_hid* hid, uint64_t now_us, const palpate_hid_reading* reading,

@@ -19,7 +19,7 @@ void VirtualRun::stop()
   if (this->Running)
   {
     this->Running = false;
-    this->Device->write(Eigen::Vector3d::Zero());
+    this->Device->writeWrench({});
   }
 }
 
@@ -49,7 +49,7 @@ void VirtualRun::tick()
   const double time = this->time();
   const auto begin = std::chrono::steady_clock::now();
   this->Newest = this->Step.step(this->Device->read(time), time);
-  this->Device->write(this->Newest.deviceForce);
+  this->Device->writeWrench(this->Newest.wrench());
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
   this->Step.takeRetired(); // and freed here: the tick is over
   this->keep(this->Newest);

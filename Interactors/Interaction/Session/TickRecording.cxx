@@ -49,6 +49,20 @@ void addSummary(const TickSummary& summary, std::uint64_t ticks, vtkTable* table
 
 namespace
 {
+template <class Ticks, class Get>
+void attachVectors(const Ticks& ticks, const char* name, Get get, vtkPolyData* recording)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(ticks.size()));
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+  {
+    array->SetTypedTuple(static_cast<vtkIdType>(i), get(ticks[i]));
+  }
+  recording->GetPointData()->AddArray(array);
+}
+
 template <class Ticks>
 void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
 {
@@ -72,9 +86,11 @@ void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
   links->SetName("SafetyLinks");
   links->SetNumberOfTuples(count);
   bool remembers = false;
+  bool isTurned = false;
   for (std::size_t i = 0; i < ticks.size(); ++i)
   {
     remembers = remembers || ticks[i].contact.memory != 0.0;
+    isTurned = isTurned || ticks[i].hasAxis();
   }
   ContactArrays contacts(count, remembers);
   for (vtkIdType i = 0; i < count; ++i)
@@ -99,6 +115,13 @@ void fillFrom(const Ticks& ticks, vtkIdType firstPoly, vtkPolyData* recording)
   recording->GetPointData()->AddArray(factor);
   recording->GetPointData()->AddArray(links);
   contacts.attach(recording);
+  if (isTurned)
+  {
+    attachVectors(
+      ticks, "ToolAxis", [](const Tick& tick) { return tick.axis.data(); }, recording);
+    attachVectors(
+      ticks, "Torque", [](const Tick& tick) { return tick.contact.torque.data(); }, recording);
+  }
 }
 } // namespace
 
@@ -141,6 +164,8 @@ bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tic
   read("MemoryForce", &contact.memory);
   read("FrictionForce", contact.friction.data());
   read("ContactState", &state);
+  read("ToolAxis", tick.axis.data());
+  read("Torque", contact.torque.data());
   contact.state = static_cast<ContactState>(static_cast<int>(state));
   tips->GetPoint(index, tick.tip.data());
   tick.idealForce = contact.force;

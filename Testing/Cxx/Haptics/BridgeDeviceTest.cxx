@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <limits>
 #include <memory>
@@ -80,6 +81,7 @@ public:
     state.amplifiersOn = true;
     state.position = position;
     state.fault = this->fault;
+    state.orientation = this->orientation;
     HapticReportBytes bytes{};
     pack(state, bytes);
     this->Peer.send(bytes.data(), bytes.size());
@@ -93,6 +95,7 @@ public:
   DescriptionReport description = described();
   bool answers = true;
   bool fault = false;
+  ToolOrientation orientation = orientationNotTold();
   std::uint32_t nonceError = 0;
   std::uint32_t sequence = 0;
   ForceReport force;
@@ -153,6 +156,45 @@ protected:
 INSTANTIATE_TEST_SUITE_P(
   Sockets, Bridge, ::testing::Values("unix", "udp"), [](const auto& kind) { return kind.param; });
 } // namespace
+
+TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
+{
+  EXPECT_FALSE(isTold(tick().orientation)); // of a program that tells none
+  EXPECT_TRUE(device->writeWrench({ { 1, 0, 0 }, { 0.1, 0, 0 } }));
+  program->serve();
+  EXPECT_EQ(program->force.torque, Vector3d::Zero()); // nor can it take a torque
+  EXPECT_EQ(program->force.force, Vector3d(1, 0, 0));
+
+  device.reset();
+  program->description.outputsTorque = true;
+  program->description.maximumTorque = 0.5;
+  program->description.maximumTorsionalStiffness = 1.0;
+  program->description.maximumTorqueRate = 10.0;
+  program->description.name = { 'P', 'e', 'n' };
+  program->greetings = 0;
+  device = opened(*program);
+  ASSERT_TRUE(device);
+  EXPECT_EQ(device->specification().maximumTorque, 0.5);
+  program->orientation = turnedBy(Vector3d(0.0, 0.3, 0.0));
+  const DeviceSample sample = tick();
+  ASSERT_TRUE(sample.valid);
+  // Single precision, as the protocol's.
+  EXPECT_LE(turnBetween(sample.orientation, program->orientation).norm(), 1e-6);
+  EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0.25, 0, 0 } }));
+  program->serve();
+  EXPECT_EQ(program->force.torque, Vector3d(0.25, 0, 0));
+  EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0, -3.0, 0 } })); // shortened
+  program->serve();
+  EXPECT_EQ(program->force.torque, Vector3d(0, -0.5, 0));
+  EXPECT_EQ(program->force.force, Vector3d(0, 1, 0));
+  EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0, std::nan(""), 0 } }));
+  program->serve();
+  EXPECT_EQ(program->force.torque, Vector3d::Zero());
+  EXPECT_EQ(program->force.force, Vector3d::Zero());
+  EXPECT_TRUE(device->write({ 0, 1, 0 })); // a force alone takes the torque away
+  program->serve();
+  EXPECT_EQ(program->force.torque, Vector3d::Zero());
+}
 
 TEST_P(Bridge, ExchangesPositionsAndForces)
 {

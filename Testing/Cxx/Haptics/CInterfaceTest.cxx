@@ -103,6 +103,41 @@ TEST(CInterface, StepsAsServoStepDoes)
   palpate_body_free(body);
 }
 
+TEST(CInterface, StepsWithAPoseAsServoStepDoes)
+{
+  const Exported file;
+  const BodyHandle body = load(file);
+  const ContactHandle contact{ palpate_contact_new(body.get(), 10.0), &palpate_contact_free };
+  const auto kernel = contactBody(file.ball, file.store);
+  palpate::ServoStep servo(*kernel, palpate::WorkspaceMapping(), 10.0);
+  EXPECT_EQ(PALPATE_TILTED_TOO_FAR, static_cast<int>(palpate::ContactState::TiltedTooFar));
+  palpate_tick tick;
+  for (int i = 0; i < 100; ++i)
+  {
+    palpate::DeviceSample sample;
+    sample.position = palpate::Vector3(0.0, 0.0, 0.0201 - 1e-5 * i);
+    const palpate::Vector3 axis =
+      i % 10 == 0 ? palpate::Vector3(0.0, 0.0, 0.0) : palpate::Vector3(0.2, 0.01 * i, 2.0);
+    sample.orientation = palpate::orientationAlong(axis);
+    sample.valid = true;
+    const palpate::Tick expected = servo.step(sample, 1e-3 * i);
+    palpate_step_pose(contact.get(), sample.position.data(), axis.data(), 1e-3 * i, &tick);
+    ASSERT_EQ(tick.state, static_cast<int>(expected.contact.state));
+    EXPECT_EQ(tick.tilt, expected.contact.tilt);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(tick.device_force[k], expected.deviceForce[k]);
+      EXPECT_EQ(tick.torque[k], expected.contact.torque[k]);
+    }
+  }
+  EXPECT_GT(tick.normal_force, 0.0);
+  const double position[3] = { 0.0, 0.0, 0.0199 };
+  const double wrong[3] = { 0.0, std::numeric_limits<double>::infinity(), 1.0 };
+  palpate_step_pose(contact.get(), position, wrong, 1.0, &tick);
+  EXPECT_EQ(tick.state, PALPATE_INVALID);
+  EXPECT_EQ(tick.device_force[2], 0.0);
+}
+
 TEST(CInterface, APositionThatIsNotFiniteGivesZeroForce)
 {
   const Exported file;

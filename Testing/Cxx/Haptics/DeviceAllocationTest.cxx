@@ -49,7 +49,7 @@ Met expectNoAllocation(HapticDevice& device)
     const double depth = -sample.position.z();
     const double force = sample.valid && depth > 0.0 ? 800.0 * depth : 0.0;
     met.pressing += force > 0.0;
-    device.write({ 0.0, 0.0, force });
+    device.writeWrench({ { 0.0, 0.0, force }, { 0.01, 0.0, -0.02 } });
     static_cast<void>(device.errors());
   }
   EXPECT_EQ(allocationCount(), before);
@@ -64,7 +64,8 @@ std::vector<SimulatedDevice::WayPoint> toAndFro()
   std::vector<SimulatedDevice::WayPoint> path;
   for (int i = 0; i < 60; ++i)
   {
-    path.push_back({ 0.1 * i, { 1e-3 * (i % 3), 0.0, i % 2 == 0 ? 0.004 : -0.008 } });
+    path.push_back({ 0.1 * i, { 1e-3 * (i % 3), 0.0, i % 2 == 0 ? 0.004 : -0.008 },
+      { 0.0, 0.2 * (i % 4), 1.0 } });
   }
   return path;
 }
@@ -77,6 +78,7 @@ std::unique_ptr<SimulatedDevice> everything(bool isSteered = false)
   plant.encoderStep = 1e-6;
   plant.forceDelay = 2.3e-3;
   plant.sampleDelay = 0.7e-3;
+  plant.inertia = 1e-4;
   palpate::HandModel hand;
   hand.maximumForce = 1.5;
   return isSteered ? std::make_unique<SimulatedDevice>(plant, hand, Vector3d(0.0, 0.0, 0.004))
@@ -94,6 +96,7 @@ TEST(DeviceAllocation, SteeredPlant)
   const auto device = everything(true);
   const long before = allocationCount();
   device->steerTo({ 0.0, 0.0, -0.008 });
+  device->turnTo({ 0.3, 0.0, -1.0 });
   EXPECT_EQ(allocationCount(), before);
   expectNoAllocation(*device);
 }

@@ -48,14 +48,14 @@ DeviceSample FaultyDevice::read(double time) noexcept
   return this->Last;
 }
 
-bool FaultyDevice::write(const Eigen::Vector3d& force) noexcept
+bool FaultyDevice::writeWrench(const Wrench& wrench) noexcept
 {
   if (!this->Wrong.empty() || this->IsGone.load(std::memory_order_relaxed))
   {
     count(this->Unsent);
     return false;
   }
-  return this->isStruck(DeviceFault::Stall) || this->Device->write(force);
+  return this->isStruck(DeviceFault::Stall) || this->Device->writeWrench(wrench);
 }
 
 std::string FaultyDevice::status() const

@@ -39,7 +39,11 @@ public:
 
   const DeviceSpecification& specification() const noexcept override;
   DeviceSample read(double time) noexcept override;
-  bool write(const Eigen::Vector3d& force) noexcept override;
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    return this->writeWrench({ force, Eigen::Vector3d::Zero() });
+  }
+  bool writeWrench(const Wrench& wrench) noexcept override;
   std::string status() const override;
   DeviceErrors errors() const noexcept override;
 

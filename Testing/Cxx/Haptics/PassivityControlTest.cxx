@@ -408,7 +408,7 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
     for (int i = 0; i < 200; ++i)
     {
       const double size = upTo(random);
-      forces.sent(Vector3d(0.0, size, 0.0));
+      forces.sent({ Vector3d(0.0, size, 0.0), Vector3d::Zero() });
       sent.insert(sent.begin(), size);
       const auto sum = [&](double next)
       {

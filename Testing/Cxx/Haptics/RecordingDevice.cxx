@@ -29,12 +29,12 @@ DeviceSample RecordingDevice::read(double time) noexcept
   return this->Current.sample;
 }
 
-bool RecordingDevice::write(const Eigen::Vector3d& force) noexcept
+bool RecordingDevice::writeWrench(const Wrench& wrench) noexcept
 {
-  const bool isTaken = this->Device->write(force);
+  const bool isTaken = this->Device->writeWrench(wrench);
   if (this->IsPending)
   {
-    this->Current.force = force;
+    this->Current.force = wrench.force;
     this->Current.isTaken = isTaken;
     this->Ring.push(this->Current);
     this->IsPending = false;
@@ -66,6 +66,8 @@ Trajectory trajectoryOf(const std::vector<RecordedSample>& samples, const Worksp
     if (row.sample.valid)
     {
       row.tip = mapping.toBody(row.sample.position);
+      row.axis = mapping.axisToBody(shaftOf(row.sample.orientation));
+      trajectory.hasAxis = trajectory.hasAxis || !row.axis.isZero(0.0);
     }
     if (recorded.force.allFinite())
     {

@@ -320,7 +320,9 @@ TEST(SimulatedPlant, IsReadFromText)
   EXPECT_EQ(held.plant.mass, 0.1);
   EXPECT_EQ(held.hand.stiffness, 300.0);
   ASSERT_EQ(palpate::readPlant("stiffness=1e3,mass=0.2,damping=3,friction=0.5,encoder-step=1e-5,"
-                               "force-delay=0.001,sample-delay=0.002,hand-damping=0,hand-force=20",
+                               "force-delay=0.001,sample-delay=0.002,hand-damping=0,hand-force=20,"
+                               "inertia=2e-4,turn-damping=1e-3,turn-stiffness=0.3,"
+                               "turn-hand-damping=2e-3",
               held),
     "");
   EXPECT_EQ(held.plant.mass, 0.2);
@@ -332,10 +334,15 @@ TEST(SimulatedPlant, IsReadFromText)
   EXPECT_EQ(held.hand.stiffness, 1000.0);
   EXPECT_EQ(held.hand.damping, 0.0);
   EXPECT_EQ(held.hand.maximumForce, 20.0);
+  EXPECT_EQ(held.plant.inertia, 2e-4);
+  EXPECT_EQ(held.plant.turnDamping, 1e-3);
+  EXPECT_EQ(held.hand.turnStiffness, 0.3);
+  EXPECT_EQ(held.hand.turnHandDamping, 2e-3);
   const std::string known =
     " is no setting of a plant; it has mass (kg), damping (N s/m), friction "
     "(N), encoder-step (m), force-delay (s), sample-delay (s), stiffness "
-    "(N/m), hand-damping (N s/m), hand-force (N)";
+    "(N/m), hand-damping (N s/m), hand-force (N), inertia (kg m\u00b2), turn-damping (N m s/rad), "
+    "turn-stiffness (N m/rad), turn-hand-damping (N m s/rad)";
   const std::pair<const char*, std::string> wrong[] = {
     { ",", "''" + known },
     { "mass=1,", "''" + known },
@@ -349,6 +356,7 @@ TEST(SimulatedPlant, IsReadFromText)
     { "damping=-1", "damping must be from 0 to 1e+09 N s/m, not -1" },
     { "force-delay=2", "force-delay must be from 0 to 1 s, not 2" },
     { "hand-force=-1", "hand-force must be from 0 to inf N, not -1" },
+    { "inertia=-1", "inertia must be from 0 to 1e+09 kg m\u00b2, not -1" },
   };
   for (const auto& [text, error] : wrong)
   {

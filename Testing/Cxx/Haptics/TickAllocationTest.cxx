@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 
 using Eigen::Vector3d;
@@ -29,7 +30,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int Ticks = 5000;
 
 /// How often each state was met: the test must have been everywhere.
-using States = std::array<int, 6>;
+using States = std::array<int, 7>;
 
 void met(States& states, ContactState state)
 {
@@ -232,4 +233,27 @@ TEST(TickAllocation, DeviceToForceToDevice)
   EXPECT_EQ(allocationCount(), before);
   expectEverywhere(states);
   EXPECT_GT(forces, Ticks / 4);
+}
+
+TEST(TickAllocation, OfADeviceThatTurnsAndIsSentTorque)
+{
+  const std::shared_ptr<const palpate::ContactBody> plate = uniformBody(openPlate(10.0, 20));
+  palpate::SafetySettings settings;
+  settings.maximumTorque = 0.1;
+  settings.maximumTorqueRate = 10.0;
+  ServoStep step(std::make_unique<palpate::ServoScene>(plate), WorkspaceMapping(), settings);
+  int valid = 0;
+  const long before = allocationCount();
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    DeviceSample sample;
+    sample.position = pathOf(tick) / 1000.0;
+    sample.valid = true;
+    sample.orientation = tick % 31 == 0
+      ? palpate::orientationNotTold()
+      : palpate::turnedBy(Vector3d(0.3 * std::sin(0.01 * tick), tick % 41 == 0 ? NaN : 0.1, 0.0));
+    valid += step.step(sample, 1e-3 * tick).valid;
+  }
+  EXPECT_EQ(allocationCount(), before);
+  EXPECT_GT(valid, Ticks / 2);
 }

@@ -267,7 +267,7 @@ TEST(TrajectoryFile, ErrorsNameFileAndLine)
   for (const char* const state : { "6", "-1", "0.5" })
   {
     EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0," + state + "\n"),
-      "t.csv:2: state must be a whole number from 0 to 5");
+      "t.csv:2: state must be a whole number from 0 to 6");
   }
   const std::string device = "time_s,tip_x_mm,tip_y_mm,tip_z_mm,device_x_m,device_y_m,device_z_m,"
                              "velocity_x_m_s,velocity_y_m_s,velocity_z_m_s,buttons,valid,fresh,"

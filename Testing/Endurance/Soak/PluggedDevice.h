@@ -24,6 +24,10 @@ public:
   }
   DeviceSample read(double time) noexcept override { return this->Last = this->Device->read(time); }
   bool write(const Eigen::Vector3d& force) noexcept override { return this->Device->write(force); }
+  bool writeWrench(const Wrench& wrench) noexcept override
+  {
+    return this->Device->writeWrench(wrench);
+  }
   const DeviceSample& last() const noexcept { return this->Last; }
 
 private:

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ToolOrientation_h
+#define palpate_ToolOrientation_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace palpate
+{
+/**
+ * How a tool is turned: from the tool's own frame, whose +z is the shaft from the tip to the hand,
+ * into the frame of the device. A unit quaternion; all zero: not told.
+ */
+using ToolOrientation = Eigen::Quaternion<double, Eigen::DontAlign>;
+
+inline ToolOrientation orientationNotTold() noexcept
+{
+  return { 0.0, 0.0, 0.0, 0.0 };
+}
+
+/// One that is not zero, of whatever length, NaN included.
+inline bool isTold(const ToolOrientation& orientation) noexcept
+{
+  return !orientation.coeffs().isZero(0.0);
+}
+
+/// The shaft, unit, from tip to hand, in the frame of the device. Zero where it is not told, or not
+/// finite.
+inline Eigen::Vector3d shaftOf(const ToolOrientation& orientation) noexcept
+{
+  const double length = orientation.norm();
+  if (!(length > 0.0 && std::isfinite(length)))
+  {
+    return Eigen::Vector3d::Zero();
+  }
+  ToolOrientation unit = orientation;
+  unit.coeffs() /= length;
+  return unit * Eigen::Vector3d::UnitZ();
+}
+
+/// The least turn that puts the shaft along `axis`, of any length; zero or not finite: not told.
+inline ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
+{
+  const double length = axis.norm();
+  if (!(length > 0.0 && std::isfinite(length)))
+  {
+    return orientationNotTold();
+  }
+  return ToolOrientation::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis / length);
+}
+
+/// A turn by the rotation vector: along the axis, as long as the angle, rad.
+inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
+{
+  const double angle = rotation.norm();
+  const double half = 0.5 * angle;
+  // sin(x)/x, whose series is exact to rounding below
+  const double share = angle > 1e-5 ? std::sin(half) / angle : 0.5 - half * half / 12.0;
+  const Eigen::Vector3d vector = share * rotation;
+  return { std::cos(half), vector.x(), vector.y(), vector.z() };
+}
+
+/// The least turn that puts one axis along another, of any length but zero, as a rotation vector,
+/// rad; of opposite ones about some axis across them.
+inline Eigen::Vector3d leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
+{
+  const Eigen::Vector3d across = from.cross(to);
+  const double sine = across.norm();
+  const double cosine = from.dot(to);
+  if (sine > 1e-12 * std::abs(cosine))
+  {
+    return std::atan2(sine, cosine) / sine * across;
+  }
+  constexpr double Half = 3.14159265358979323846;
+  return cosine < 0.0 ? Eigen::Vector3d(Half * from.unitOrthogonal())
+                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+/// The shortest turn between two that are told, as a rotation vector in the device's frame, rad.
+inline Eigen::Vector3d turnBetween(const ToolOrientation& from, const ToolOrientation& to) noexcept
+{
+  const ToolOrientation turn = to * from.conjugate();
+  const double sine = turn.vec().norm();
+  const double cosine = std::abs(turn.w());
+  // atan2(s, c)/s tends to 1/c
+  const double share = sine > 1e-9 * cosine ? std::atan2(sine, cosine) / sine : 1.0 / cosine;
+  return std::copysign(2.0 * share, turn.w()) * turn.vec();
+}
+} // namespace palpate
+
+#endif
