@@ -2,8 +2,9 @@
 """What tilting a tool makes of its force, from the response's arrays, evaluated in numpy; beside palpate.contract.
 
 With W0(D) the work of pressing the upright tool D deep, W = W0(D) tau(D, theta), D = tip depth + h(theta). Then F = dW/dD,
-and M = dW/dtheta at one tip depth. tau is the bicubic Hermite interpolant of nodes in x = sqrt(D/range) and y, which is
-theta/largest or, of a tool with a flat end (scale > 0), sqrt(D/(D + scale h)). Units mm, N, rad, N mm.
+and M = dW/dtheta at one tip depth. tau = rho eta: eta is the bicubic Hermite interpolant of nodes in x = sqrt(D/range) and
+y = theta/largest; rho is 1, or of a tool with a flat end (scale > 0) that of a flat end on a half-space, at scale h/D.
+Units mm, N, rad, N mm.
 """
 import numpy as np
 
@@ -39,16 +40,26 @@ def deepest(table, angle):
 
 def factor(table, depth, angle, point=0):
     """tau at a depth of the deepest point (mm), a tilt (rad) and a point; numbers."""
-    x = np.sqrt(depth / table["range"])
-    h = deepest(table, angle)[0]
-    y = angle / table["largest"] if table["scale"] == 0.0 else np.sqrt(depth / (depth + table["scale"] * h))
-    nodes = table["nodes"]
     weights = np.ones(1) if table["weights"] is None else table["weights"][point]
-    nodes = np.tensordot(weights, nodes, 1)
-    (i, bx), (j, by) = _cell(x, nodes.shape[0]), _cell(y, nodes.shape[1])
-    corners = nodes[i:i + 2, j:j + 2]                          # x, y, (tau, by x, by y, by both)
-    value = np.einsum("ijk,ik,jk->", corners, bx[:, [0, 1, 0, 1]], by[:, [0, 0, 1, 1]])
-    return float(value)
+    nodes = np.tensordot(weights, table["nodes"], 1)
+    i, along_x = _cell(np.sqrt(depth / table["range"]), nodes.shape[0])
+    j, along_y = _cell(angle / table["largest"], nodes.shape[1])
+    corners = nodes[i:i + 2, j:j + 2]                          # x, y, (eta, by x, by y, by both)
+    eta = float(np.einsum("ijk,ik,jk->", corners, along_x[:, [0, 1, 0, 1]], along_y[:, [0, 0, 1, 1]]))
+    return eta if table["scale"] == 0.0 else eta * flat_end(table["scale"] * deepest(table, angle)[0] / depth)
+
+
+# Of z, z^2, ...: a fit to boundary elements, see Data/Reference/tilt.
+RIM = (0.21967052817978971, 1.3781689290941161, -6.757712350273644, 25.83380523956624, -62.31965296945057,
+       92.52030735421076, -81.92991590971977, 39.62429688339708, -8.050449186485492)
+
+
+def flat_end(s):
+    """W/W0 of a flat end on a half-space, s = three drops of its rim over the depth; to s = 1 all of it touches."""
+    if s <= 1.0:
+        return 1.0 - 2.0 / 3.0 * s + 5.0 / 27.0 * s**2
+    z = 1.0 / np.sqrt(s)
+    return sum(term * z**(k + 1) for k, term in enumerate(RIM))
 
 
 def _cell(place, count):
