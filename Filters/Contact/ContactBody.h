@@ -2,6 +2,7 @@
 #ifndef palpate_ContactBody_h
 #define palpate_ContactBody_h
 
+#include "Contact/Coupled/BodyCoupling.h"
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
 #include "Contact/Relaxation/BodyRelaxation.h"
@@ -27,6 +28,7 @@ struct ContactBody
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
+    , coupling(couplingOf(surface, response, responses))
   {
     if (progress)
     {
@@ -40,6 +42,7 @@ struct ContactBody
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
+    , coupling(couplingOf(surface, response, responses))
   {
   }
   ContactBody(const ContactBody&) = delete;
@@ -50,6 +53,7 @@ struct ContactBody
   const ResponseField response;
   const std::unique_ptr<const BodyEdges> edges;           ///< null: sharp edges are not felt
   const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes
+  const std::unique_ptr<const BodyCoupling> coupling;     ///< null: contacts do not feel each other
 
 private:
   static double creaseTurn(const ResponseArrays& responses)
@@ -68,6 +72,13 @@ private:
   {
     return responses.relaxation.areFelt()
       ? std::make_unique<const BodyRelaxation>(surface, response, responses)
+      : nullptr;
+  }
+  static std::unique_ptr<const BodyCoupling> couplingOf(
+    const PackedMesh& surface, const ResponseField& response, const ResponseArrays& responses)
+  {
+    return responses.coupling.areFelt()
+      ? std::make_unique<const BodyCoupling>(surface, response, responses.coupling)
       : nullptr;
   }
 };

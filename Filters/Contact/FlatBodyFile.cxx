@@ -88,6 +88,7 @@ Header makeHeader(const FlatBody& body)
   header.modelParts = body.modelParts;
   header.setEdges(body.response.edges);
   header.setRelaxation(body.response.relaxation);
+  header.setCoupling(body.response.coupling);
   const auto sizes = header.sectionSizes();
   std::uint64_t end = sizeof(Header);
   for (std::size_t k = 0; k < Header::SectionCount; ++k)
@@ -125,6 +126,12 @@ FlatBody view(const Header& header, const unsigned char* file)
   body.response.relaxation.strength = static_cast<const float*>(at(Header::LocalRelaxation));
   body.response.relaxation.elasticCompliance =
     static_cast<const float*>(at(Header::ElasticCompliance));
+  CouplingTerms& coupling = body.response.coupling;
+  coupling = header.couplingTerms();
+  coupling.knots = static_cast<const CouplingKnot*>(at(Header::CouplingKnots));
+  coupling.localModulus = static_cast<const float*>(at(Header::CouplingModulus));
+  coupling.localThickness = static_cast<const float*>(at(Header::CouplingThickness));
+  coupling.modes = static_cast<const float*>(at(Header::CouplingModes));
   body.validity = static_cast<const float*>(at(Header::Validity));
   body.limit = static_cast<const std::uint8_t*>(at(Header::Limit));
   body.tool = header.tool.data();
@@ -139,7 +146,16 @@ std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
   const ResponseArrays& response = body.response;
   return { body.coordinates, body.corners, response.force, response.stiffness, response.basis,
     response.coefficient, response.normal, response.range, response.status, body.validity,
-    body.limit, response.relaxation.strength, response.relaxation.elasticCompliance };
+    body.limit, response.relaxation.strength, response.relaxation.elasticCompliance,
+    response.coupling.knots, response.coupling.localModulus, response.coupling.localThickness,
+    response.coupling.modes };
+}
+
+/// What no tick is to meet of a coupling.
+std::string checkCoupling(const FlatBody& body)
+{
+  const std::string fault = faultOfCoupling(body.response.coupling, body.points);
+  return fault.empty() ? fault : "couples wrongly: " + fault;
 }
 
 /// What no tick is to meet: strengths or compliances that are not finite, or negative.
@@ -214,6 +230,7 @@ std::string FlatBodyFile::open(const std::string& path)
       fault = checksumOf(sectionsOf(this->Body), header) == header.checksum
         ? checkRelaxation(this->Body)
         : "is damaged: its checksum is wrong";
+      fault = fault.empty() ? checkCoupling(this->Body) : fault;
     }
   }
   if (!fault.empty())

@@ -37,12 +37,13 @@ struct FlatBody
  * file, checksum of header and arrays, counts, and where each array begins. Files that
  * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
  * reason; nothing is half-loaded. Files of format 1, which has no model parts, are read: the parts
- * follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms.
+ * follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms, of
+ * format 4 no CouplingTerms.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
 public:
-  static constexpr std::uint32_t Version = 4;
+  static constexpr std::uint32_t Version = 5;
 
   /// Writes a new file, then puts it in the place of an old one, so that a failure leaves the old
   /// one whole. Returns an error that names the file, or "".

@@ -2,6 +2,7 @@
 #ifndef palpate_FlatBodyHeader_h
 #define palpate_FlatBodyHeader_h
 
+#include "Contact/Coupled/CouplingTerms.h"
 #include "Contact/Edges/EdgeLaw.h"
 #include "Contact/Relaxation/RelaxationTerms.h"
 
@@ -35,9 +36,14 @@ struct FlatBodyHeader
     Limit,
     LocalRelaxation, ///< since format 4
     ElasticCompliance,
+    CouplingKnots, ///< since format 5
+    CouplingModulus,
+    CouplingThickness,
+    CouplingModes,
     SectionCount
   };
   static constexpr std::size_t FirstSectionCount = LocalRelaxation;
+  static constexpr std::size_t LaterSectionCount = CouplingKnots;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
   /// What of a relaxation there is besides the series.
@@ -45,6 +51,13 @@ struct FlatBodyHeader
   {
     LocalPart = 1,
     ElasticPart = 2
+  };
+  /// What of a coupling there is besides one modulus.
+  enum CouplingPart : std::int32_t
+  {
+    KnotsPart = 1,
+    ModulusPart = 2,
+    ThicknessPart = 4
   };
 
   std::array<char, 8> magic;
@@ -72,7 +85,12 @@ struct FlatBodyHeader
   std::array<double, PronySeries::LargestCount> strength;
   std::array<double, PronySeries::LargestCount> time;
   std::array<double, 2> contact;
-  std::array<std::uint64_t, SectionCount - FirstSectionCount> laterOffset;
+  std::array<std::uint64_t, LaterSectionCount - FirstSectionCount> laterOffset;
+  /// Since format 5, of CouplingTerms: sum of CouplingPart, modes, E* and thickness.
+  std::int32_t couplingParts;
+  std::int32_t couplingModes;
+  std::array<double, 2> coupling;
+  std::array<std::uint64_t, SectionCount - LaterSectionCount> couplingOffset;
 
   /// That of a file of at least SmallestSize; of a format of before, what it has not is 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
@@ -82,12 +100,14 @@ struct FlatBodyHeader
   std::uint64_t& offset(std::size_t section)
   {
     return section < FirstSectionCount ? this->firstOffset[section]
-                                       : this->laterOffset[section - FirstSectionCount];
+      : section < LaterSectionCount    ? this->laterOffset[section - FirstSectionCount]
+                                       : this->couplingOffset[section - LaterSectionCount];
   }
   std::uint64_t offset(std::size_t section) const
   {
     return section < FirstSectionCount ? this->firstOffset[section]
-                                       : this->laterOffset[section - FirstSectionCount];
+      : section < LaterSectionCount    ? this->laterOffset[section - FirstSectionCount]
+                                       : this->couplingOffset[section - LaterSectionCount];
   }
   /// Bytes of each section, from the counts alone.
   Sections sectionSizes() const;
@@ -97,6 +117,9 @@ struct FlatBodyHeader
   void setRelaxation(const RelaxationTerms& terms);
   /// Without the arrays per point.
   RelaxationTerms relaxationTerms() const;
+  void setCoupling(const CouplingTerms& terms);
+  /// Without the arrays.
+  CouplingTerms couplingTerms() const;
 
   /// What keeps a file of so many bytes that begins with it from being used, or "".
   std::string fault(std::uint64_t fileBytes) const;
@@ -104,8 +127,9 @@ struct FlatBodyHeader
 private:
   bool isSound() const;
   bool isRelaxationSound() const;
+  bool isCouplingSound() const;
 };
-static_assert(sizeof(FlatBodyHeader) == 560, "the layout of a file is fixed");
+static_assert(sizeof(FlatBodyHeader) == 616, "the layout of a file is fixed");
 } // namespace palpate
 
 #endif

@@ -95,7 +95,11 @@ enum class ResponseArray : std::uint8_t
   RelaxationStrength,
   RelaxationTime,
   LocalRelaxation,
-  ElasticCompliance
+  ElasticCompliance,
+  Coupling,
+  CouplingModulus,
+  CouplingThickness,
+  CouplingModes
 };
 
 /// One array of a response: with the response's name before `suffix` it is the array's name.
@@ -125,7 +129,8 @@ struct ContractArray
     Samples,
     TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
     Laws,
-    Branches ///< of the relaxation; of a field array as many tuples of one
+    Branches, ///< of the relaxation; of a field array as many tuples of one
+    Modes     ///< of the body, at most CouplingTerms::MostModes
   };
   /// Who needs it.
   enum class Use : std::uint8_t
@@ -136,7 +141,8 @@ struct ContractArray
     Trust,      ///< how far the law holds
     Words,      ///< what the file says of itself
     Edges,      ///< how a contact leaves over sharp edges; may be absent
-    Relaxation  ///< how the body relaxes; may be absent
+    Relaxation, ///< how the body relaxes; may be absent
+    Coupling    ///< how contacts on it feel one another; may be absent
   };
 
   ResponseArray array;
@@ -153,7 +159,7 @@ struct ContractArray
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 21> ResponseContract = { {
+constexpr std::array<ContractArray, 25> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -178,6 +184,10 @@ constexpr std::array<ContractArray, 21> ResponseContract = { {
   PALPATE_ARRAY(RelaxationTime,     Fields, Double, Branches, Relaxation, "s", "\u03c4_i"),
   PALPATE_ARRAY(LocalRelaxation,    Points, Float,  Branches, Relaxation, "", "p_i of each point, instead of RelaxationStrength"),
   PALPATE_ARRAY(ElasticCompliance,  Points, Float,  One,      Relaxation, "mm/N", "what is in series and does not relax"),
+  PALPATE_ARRAY(Coupling,          Fields, Double, Three, Coupling, "", "CouplingTerms: E* (MPa), layer (mm; 0: half-space), 0; of a layer then 79 CouplingKnots: g, its slope, a/h"),
+  PALPATE_ARRAY(CouplingModulus,   Points, Float,  One,   Coupling, "MPa", "E* of each point, where it varies"),
+  PALPATE_ARRAY(CouplingThickness, Points, Float,  One,   Coupling, "mm", "the layer of each point, where it varies"),
+  PALPATE_ARRAY(CouplingModes,     Points, Float,  Modes, Coupling, "\u221a(mm/N)", "\u03c6_m of C_ij = \u03a3 \u03c6_m(i) \u03c6_m(j), inward along the normal"),
 #undef PALPATE_ARRAY
 } };
 // clang-format on
@@ -198,9 +208,10 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
   return contractOf(array).named(response);
 }
 
-/// Components of a tuple of the array, in a response of so many samples, laws and branches of the
-/// relaxation.
-constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0)
+/// Components of a tuple of the array, in a response of so many samples, laws, branches of the
+/// relaxation and modes of the body.
+constexpr int componentsOf(
+  const ContractArray& array, int samples, int laws, int branches = 0, int modes = 0)
 {
   switch (array.width)
   {
@@ -216,6 +227,8 @@ constexpr int componentsOf(const ContractArray& array, int samples, int laws, in
       return laws;
     case ContractArray::Width::Branches:
       return array.place == ContractArray::Place::Points ? branches : 1;
+    case ContractArray::Width::Modes:
+      return modes;
     default:
       return 1;
   }

@@ -97,6 +97,8 @@ TEST(ResponseContract, WidthsFollowSamplesAndLaws)
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::RelaxationTime), 8, 3, 2), 1);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::LocalRelaxation), 8, 3, 2), 2);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::ElasticCompliance), 8, 3, 2), 1);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Coupling), 8, 3), 3);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::CouplingModes), 8, 3, 2, 6), 6);
 }
 
 // The texts that were written before there were parts.
