@@ -29,8 +29,8 @@ const typename Array::ValueType* fetchArray(vtkPolyData* body, const std::string
 {
   const ContractArray& contract = contractOf(which);
   const std::string full = contract.named(name);
-  const int components = componentsOf(
-    contract, arrays.samples, arrays.laws, static_cast<int>(arrays.relaxation.series.count));
+  const int components = componentsOf(contract, arrays.samples, arrays.laws,
+    static_cast<int>(arrays.relaxation.series.count), arrays.coupling.modeCount);
   const vtkIdType tuples = which == ResponseArray::Basis ? arrays.laws : body->GetNumberOfPoints();
   vtkFieldData* data =
     contract.place == ContractArray::Place::Points ? body->GetPointData() : body->GetFieldData();

@@ -167,6 +167,10 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
     describeEdges(body, name, response.edges);
   }
   addRelaxation(flat, name, body);
+  if (response.coupling.areFelt())
+  {
+    describeCoupling(body, name, response.coupling);
+  }
   return body;
 }
 } // namespace palpate
