@@ -2,6 +2,7 @@
 #ifndef palpate_ContactBody_h
 #define palpate_ContactBody_h
 
+#include "Contact/Coupled/BodyCoupling.h"
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
 #include "Contact/Relaxation/BodyRelaxation.h"
@@ -28,6 +29,7 @@ struct ContactBody
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
+    , coupling(couplingOf(surface, response, responses))
     , tilt(tiltOf(surface, responses))
   {
     if (progress)
@@ -42,6 +44,7 @@ struct ContactBody
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
+    , coupling(couplingOf(surface, response, responses))
     , tilt(tiltOf(surface, responses))
   {
   }
@@ -53,6 +56,7 @@ struct ContactBody
   const ResponseField response;
   const std::unique_ptr<const BodyEdges> edges;           ///< null: sharp edges are not felt
   const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes
+  const std::unique_ptr<const BodyCoupling> coupling;     ///< null: contacts do not feel each other
   const std::unique_ptr<const BodyTilt> tilt;             ///< null: tilts are not felt
 
 private:
@@ -72,6 +76,13 @@ private:
   {
     return responses.relaxation.areFelt()
       ? std::make_unique<const BodyRelaxation>(surface, response, responses)
+      : nullptr;
+  }
+  static std::unique_ptr<const BodyCoupling> couplingOf(
+    const PackedMesh& surface, const ResponseField& response, const ResponseArrays& responses)
+  {
+    return responses.coupling.areFelt()
+      ? std::make_unique<const BodyCoupling>(surface, response, responses.coupling)
       : nullptr;
   }
   static std::unique_ptr<const BodyTilt> tiltOf(

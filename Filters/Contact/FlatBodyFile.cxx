@@ -88,6 +88,7 @@ Header makeHeader(const FlatBody& body)
   header.modelParts = body.modelParts;
   header.setEdges(body.response.edges);
   header.setRelaxation(body.response.relaxation);
+  header.setCoupling(body.response.coupling);
   header.setTilt(body.response.tilt);
   const auto sizes = header.sectionSizes();
   std::uint64_t end = sizeof(Header);
@@ -126,6 +127,12 @@ FlatBody view(const Header& header, const unsigned char* file)
   body.response.relaxation.strength = static_cast<const float*>(at(Header::LocalRelaxation));
   body.response.relaxation.elasticCompliance =
     static_cast<const float*>(at(Header::ElasticCompliance));
+  CouplingTerms& coupling = body.response.coupling;
+  coupling = header.couplingTerms();
+  coupling.knots = static_cast<const CouplingKnot*>(at(Header::CouplingKnots));
+  coupling.localModulus = static_cast<const float*>(at(Header::CouplingModulus));
+  coupling.localThickness = static_cast<const float*>(at(Header::CouplingThickness));
+  coupling.modes = static_cast<const float*>(at(Header::CouplingModes));
   body.response.tilt = { header.tiltTerms(), static_cast<const double*>(at(Header::TiltDrop)),
     static_cast<const double*>(at(Header::TiltNode)),
     static_cast<const float*>(at(Header::TiltWeight)) };
@@ -144,7 +151,15 @@ std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
   return { body.coordinates, body.corners, response.force, response.stiffness, response.basis,
     response.coefficient, response.normal, response.range, response.status, body.validity,
     body.limit, response.relaxation.strength, response.relaxation.elasticCompliance,
-    response.tilt.drops, response.tilt.nodes, response.tilt.weight };
+    response.coupling.knots, response.coupling.localModulus, response.coupling.localThickness,
+    response.coupling.modes, response.tilt.drops, response.tilt.nodes, response.tilt.weight };
+}
+
+/// What no tick is to meet of a coupling.
+std::string checkCoupling(const FlatBody& body)
+{
+  const std::string fault = faultOfCoupling(body.response.coupling, body.points);
+  return fault.empty() ? fault : "couples wrongly: " + fault;
 }
 
 /// What no tick is to meet: strengths or compliances that are not finite, or negative.
@@ -226,6 +241,7 @@ std::string FlatBodyFile::open(const std::string& path)
       fault = checksumOf(sectionsOf(this->Body), header) == header.checksum
         ? checkRelaxation(this->Body)
         : "is damaged: its checksum is wrong";
+      fault = fault.empty() ? checkCoupling(this->Body) : fault;
       fault = fault.empty() ? checkTilts(this->Body) : fault;
     }
   }

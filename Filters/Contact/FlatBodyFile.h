@@ -38,7 +38,7 @@ struct FlatBody
  * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
  * reason; nothing is half-loaded. Files of format 1, which has no model parts, are read: the parts
  * follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms, of
- * format 4 no tilts.
+ * format 4 no CouplingTerms and no tilts.
  */
 class PALPATE_EXPORT FlatBodyFile
 {

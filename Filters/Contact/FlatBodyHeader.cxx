@@ -35,15 +35,15 @@ std::size_t FlatBodyHeader::size() const
 std::uint64_t FlatBodyHeader::offset(std::size_t section) const
 {
   return section < FirstSectionCount ? this->firstOffset[section]
-    : section < SecondSectionCount   ? this->laterOffset[section - FirstSectionCount]
-                                     : this->latestOffset[section - SecondSectionCount];
+    : section < LaterSectionCount    ? this->laterOffset[section - FirstSectionCount]
+                                     : this->latestOffset[section - LaterSectionCount];
 }
 
 std::uint64_t& FlatBodyHeader::offset(std::size_t section)
 {
   return section < FirstSectionCount ? this->firstOffset[section]
-    : section < SecondSectionCount   ? this->laterOffset[section - FirstSectionCount]
-                                     : this->latestOffset[section - SecondSectionCount];
+    : section < LaterSectionCount    ? this->laterOffset[section - FirstSectionCount]
+                                     : this->latestOffset[section - LaterSectionCount];
 }
 
 FlatBodyHeader::Sections FlatBodyHeader::sectionSizes() const
@@ -67,6 +67,12 @@ FlatBodyHeader::Sections FlatBodyHeader::sectionSizes() const
   bytes[LocalRelaxation] =
     has(LocalPart) ? n * static_cast<std::uint64_t>(this->branches) * sizeof(float) : 0;
   bytes[ElasticCompliance] = has(ElasticPart) ? n * sizeof(float) : 0;
+  const auto couples = [this](CouplingPart part) { return (this->couplingParts & part) != 0; };
+  bytes[CouplingKnots] =
+    couples(KnotsPart) ? CouplingLaw::KnotCount * sizeof(CouplingKnot) : std::uint64_t{ 0 };
+  bytes[CouplingModulus] = couples(ModulusPart) ? n * sizeof(float) : 0;
+  bytes[CouplingThickness] = couples(ThicknessPart) ? n * sizeof(float) : 0;
+  bytes[CouplingModes] = n * static_cast<std::uint64_t>(this->couplingModes) * sizeof(float);
   const TiltTerms tilt = this->tiltTerms();
   if (tilt.areFelt())
   {
@@ -120,6 +126,26 @@ RelaxationTerms FlatBodyHeader::relaxationTerms() const
     terms.exponent = this->contact[0];
     terms.radius = this->contact[1];
   }
+  return terms;
+}
+
+void FlatBodyHeader::setCoupling(const CouplingTerms& terms)
+{
+  if (terms.areFelt())
+  {
+    this->couplingParts = (terms.knots ? KnotsPart : 0) | (terms.localModulus ? ModulusPart : 0) |
+      (terms.localThickness ? ThicknessPart : 0);
+    this->couplingModes = terms.modes ? terms.modeCount : 0;
+    this->coupling = { terms.modulus, terms.thickness };
+  }
+}
+
+CouplingTerms FlatBodyHeader::couplingTerms() const
+{
+  CouplingTerms terms;
+  terms.modulus = this->coupling[0];
+  terms.thickness = this->coupling[1];
+  terms.modeCount = this->couplingModes;
   return terms;
 }
 
@@ -188,7 +214,7 @@ bool FlatBodyHeader::isSound() const
     this->laws <= LargestLawCount && this->exponent > 0.0 && this->exponent <= 10.0 &&
     this->tool.back() == '\0' && this->model.back() == '\0' &&
     (this->edges[0] == 0.0 || faultOfEdges(this->edgeTerms()).empty()) &&
-    this->isRelaxationSound() && this->isTiltSound();
+    this->isRelaxationSound() && this->isCouplingSound() && this->isTiltSound();
 }
 
 bool FlatBodyHeader::isTiltSound() const
@@ -210,5 +236,14 @@ bool FlatBodyHeader::isRelaxationSound() const
     this->relaxationParts <= (LocalPart | ElasticPart) &&
     faultOfRelaxation(this->relaxationTerms().series).empty() && this->contact[0] > 0.0 &&
     this->contact[1] >= 0.0 && std::isfinite(this->contact[0]) && std::isfinite(this->contact[1]);
+}
+
+bool FlatBodyHeader::isCouplingSound() const
+{
+  return this->couplingParts >= 0 &&
+    this->couplingParts <= (KnotsPart | ModulusPart | ThicknessPart) && this->couplingModes >= 0 &&
+    this->couplingModes <= CouplingTerms::MostModes && this->coupling[0] >= 0.0 &&
+    this->coupling[1] >= 0.0 && std::isfinite(this->coupling[0]) &&
+    std::isfinite(this->coupling[1]);
 }
 } // namespace palpate

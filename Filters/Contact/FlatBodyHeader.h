@@ -2,6 +2,7 @@
 #ifndef palpate_FlatBodyHeader_h
 #define palpate_FlatBodyHeader_h
 
+#include "Contact/Coupled/CouplingTerms.h"
 #include "Contact/Edges/EdgeLaw.h"
 #include "Contact/Relaxation/RelaxationTerms.h"
 #include "Contact/Tilt/TiltViews.h"
@@ -36,13 +37,17 @@ struct FlatBodyHeader
     Limit,
     LocalRelaxation, ///< since format 4
     ElasticCompliance,
-    TiltDrop, ///< since format 5
+    CouplingKnots, ///< since format 5
+    CouplingModulus,
+    CouplingThickness,
+    CouplingModes,
+    TiltDrop,
     TiltNode,
     TiltWeight,
     SectionCount
   };
   static constexpr std::size_t FirstSectionCount = LocalRelaxation;
-  static constexpr std::size_t SecondSectionCount = TiltDrop;
+  static constexpr std::size_t LaterSectionCount = CouplingKnots;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
   /// What of a relaxation there is besides the series.
@@ -50,6 +55,13 @@ struct FlatBodyHeader
   {
     LocalPart = 1,
     ElasticPart = 2
+  };
+  /// What of a coupling there is besides one modulus.
+  enum CouplingPart : std::int32_t
+  {
+    KnotsPart = 1,
+    ModulusPart = 2,
+    ThicknessPart = 4
   };
 
   std::array<char, 8> magic;
@@ -77,13 +89,17 @@ struct FlatBodyHeader
   std::array<double, PronySeries::LargestCount> strength;
   std::array<double, PronySeries::LargestCount> time;
   std::array<double, 2> contact;
-  std::array<std::uint64_t, SecondSectionCount - FirstSectionCount> laterOffset;
-  /// Since format 5, of TiltTerms: range, largest tilt and scale of the drop; numbers of depths,
+  std::array<std::uint64_t, LaterSectionCount - FirstSectionCount> laterOffset;
+  /// Since format 5, of CouplingTerms: sum of CouplingPart, modes, E* and thickness.
+  std::int32_t couplingParts;
+  std::int32_t couplingModes;
+  std::array<double, 2> coupling;
+  /// Of TiltTerms: range, largest tilt and scale of the drop; numbers of depths,
   /// angles, drops, and laws, 0 if there are none; and 1 if the points have weights.
   std::array<double, 3> tiltNumbers;
   std::array<std::int32_t, 4> tiltCounts;
   std::int64_t tiltWeights;
-  std::array<std::uint64_t, SectionCount - SecondSectionCount> latestOffset;
+  std::array<std::uint64_t, SectionCount - LaterSectionCount> latestOffset;
 
   /// That of a file of at least SmallestSize; of a format of before, what it has not is 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
@@ -100,6 +116,9 @@ struct FlatBodyHeader
   void setRelaxation(const RelaxationTerms& terms);
   /// Without the arrays per point.
   RelaxationTerms relaxationTerms() const;
+  void setCoupling(const CouplingTerms& terms);
+  /// Without the arrays.
+  CouplingTerms couplingTerms() const;
 
   void setTilt(const TiltViews& tilt);
   TiltTerms tiltTerms() const;
@@ -110,9 +129,10 @@ struct FlatBodyHeader
 private:
   bool isSound() const;
   bool isRelaxationSound() const;
+  bool isCouplingSound() const;
   bool isTiltSound() const;
 };
-static_assert(sizeof(FlatBodyHeader) == 632, "the layout of a file is fixed");
+static_assert(sizeof(FlatBodyHeader) == 688, "the layout of a file is fixed");
 } // namespace palpate
 
 #endif

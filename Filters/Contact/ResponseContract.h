@@ -97,6 +97,10 @@ enum class ResponseArray : std::uint8_t
   RelaxationTime,
   LocalRelaxation,
   ElasticCompliance,
+  Coupling,
+  CouplingModulus,
+  CouplingThickness,
+  CouplingModes,
   Tilt,
   TiltDrop,
   TiltNode,
@@ -134,6 +138,7 @@ struct ContractArray
     TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
     Laws,
     Branches, ///< of the relaxation; of a field array as many tuples of one
+    Modes,    ///< of the body, at most CouplingTerms::MostModes
     TiltLaws  ///< of the table of tilts
   };
   /// Who needs it.
@@ -146,6 +151,7 @@ struct ContractArray
     Words,      ///< what the file says of itself
     Edges,      ///< how a contact leaves over sharp edges; may be absent
     Relaxation, ///< how the body relaxes; may be absent
+    Coupling,   ///< how contacts on it feel one another; may be absent
     Tilt        ///< what tilting the tool makes of its force; may be absent
   };
 
@@ -163,7 +169,7 @@ struct ContractArray
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 25> ResponseContract = { {
+constexpr std::array<ContractArray, 29> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -188,6 +194,10 @@ constexpr std::array<ContractArray, 25> ResponseContract = { {
   PALPATE_ARRAY(RelaxationTime,     Fields, Double, Branches, Relaxation, "s", "\u03c4_i"),
   PALPATE_ARRAY(LocalRelaxation,    Points, Float,  Branches, Relaxation, "", "p_i of each point, instead of RelaxationStrength"),
   PALPATE_ARRAY(ElasticCompliance,  Points, Float,  One,      Relaxation, "mm/N", "what is in series and does not relax"),
+  PALPATE_ARRAY(Coupling,          Fields, Double, Three, Coupling, "", "CouplingTerms: E* (MPa), layer (mm; 0: half-space), 0; of a layer then 79 CouplingKnots: g, its slope, a/h"),
+  PALPATE_ARRAY(CouplingModulus,   Points, Float,  One,   Coupling, "MPa", "E* of each point, where it varies"),
+  PALPATE_ARRAY(CouplingThickness, Points, Float,  One,   Coupling, "mm", "the layer of each point, where it varies"),
+  PALPATE_ARRAY(CouplingModes,     Points, Float,  Modes, Coupling, "\u221a(mm/N)", "\u03c6_m of C_ij = \u03a3 \u03c6_m(i) \u03c6_m(j), inward along the normal"),
   PALPATE_ARRAY(Tilt,       Fields, Double, Seven,    Tilt, "", "TiltTerms: range (mm), largest tilt (rad), scale of the drop, numbers of depths, angles, drops, laws"),
   PALPATE_ARRAY(TiltDrop,   Fields, Double, Two,      Tilt, "mm", "of each tilt: drop of the tool's deepest point, and its derivative by the tilt (rad)"),
   PALPATE_ARRAY(TiltNode,   Fields, Double, Four,     Tilt, "", "of each law, depth, angle: work over that of the upright tool, and its derivatives by x, y, both"),
@@ -213,9 +223,9 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
 }
 
 /// Components of a tuple of the array, in a response of so many samples, laws, branches of the
-/// relaxation and laws of tilts.
-constexpr int componentsOf(
-  const ContractArray& array, int samples, int laws, int branches = 0, int tiltLaws = 0)
+/// relaxation, modes of the body and laws of tilts.
+constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0,
+  int modes = 0, int tiltLaws = 0)
 {
   switch (array.width)
   {
@@ -225,8 +235,6 @@ constexpr int componentsOf(
       return 4;
     case ContractArray::Width::Seven:
       return 7;
-    case ContractArray::Width::TiltLaws:
-      return tiltLaws;
     case ContractArray::Width::Three:
       return 3;
     case ContractArray::Width::Five:
@@ -239,6 +247,10 @@ constexpr int componentsOf(
       return laws;
     case ContractArray::Width::Branches:
       return array.place == ContractArray::Place::Points ? branches : 1;
+    case ContractArray::Width::TiltLaws:
+      return tiltLaws;
+    case ContractArray::Width::Modes:
+      return modes;
     default:
       return 1;
   }

@@ -2,6 +2,7 @@
 #ifndef palpate_ResponseField_h
 #define palpate_ResponseField_h
 
+#include "Contact/Coupled/CouplingTerms.h"
 #include "Contact/Edges/EdgeLaw.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
@@ -40,6 +41,7 @@ struct ResponseArrays
   const std::uint8_t* status = nullptr;
   EdgeTerms edges; ///< of all points; how the tool leaves over sharp edges, if they are felt
   RelaxationTerms relaxation; ///< how the body relaxes, if it does
+  CouplingTerms coupling;     ///< how contacts on it feel one another, if they do
   TiltViews tilt;             ///< what tilting the tool makes of its force, if that is known
 
   /// δ_max of all points, mm; 0 without a response.

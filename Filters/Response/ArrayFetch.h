@@ -30,7 +30,8 @@ const typename Array::ValueType* fetchArray(vtkPolyData* body, const std::string
   const ContractArray& contract = contractOf(which);
   const std::string full = contract.named(name);
   const int components = componentsOf(contract, arrays.samples, arrays.laws,
-    static_cast<int>(arrays.relaxation.series.count), arrays.tilt.terms.laws);
+    static_cast<int>(arrays.relaxation.series.count), arrays.coupling.modeCount,
+    arrays.tilt.terms.laws);
   const vtkIdType tuples = which == ResponseArray::Basis ? arrays.laws : body->GetNumberOfPoints();
   vtkFieldData* data =
     contract.place == ContractArray::Place::Points ? body->GetPointData() : body->GetFieldData();

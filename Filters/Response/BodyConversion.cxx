@@ -259,7 +259,8 @@ bool viewResponse(
     ? fetchArray<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
     : nullptr;
   return arrays.status && viewEdges(body, name, arrays.edges, error) &&
-    viewRelaxation(body, name, arrays, error) && viewTilts(body, name, arrays, error);
+    viewRelaxation(body, name, arrays, error) && viewCoupling(body, name, arrays, error) &&
+    viewTilts(body, name, arrays, error);
 }
 
 bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,

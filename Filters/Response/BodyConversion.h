@@ -13,6 +13,7 @@
 
 #include "Contact/BodyMesh.h"                     // For palpate::BodyMesh
 #include "Contact/ContactBody.h"                  // For palpate::ContactBody
+#include "Response/Curves/CouplingConversion.h"   // For palpate::describeCoupling
 #include "Response/Curves/RelaxationConversion.h" // For palpate::describeRelaxation
 
 #include <cstdint> // For std::int32_t

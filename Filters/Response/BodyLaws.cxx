@@ -155,6 +155,12 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
     return fault;
   }
   agreeOnRange(ranks, hasPiece, material);
+  fault =
+    ranks.firstFault(hasPiece && request.couples ? checkCouples(material, body) : std::string());
+  if (!fault.empty())
+  {
+    return fault;
+  }
   const AxisymmetricTool& tool = *request.tool->GetKernel();
   fault = tool.checkDepth(request.deflection);
   if (!fault.empty())
@@ -231,6 +237,11 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
       material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
   attachRelaxation(request.relaxation, compliance, name, output);
+  removeCoupling(output, name);
+  if (request.couples)
+  {
+    attachCoupling(material, name, output);
+  }
   if (terms.edges)
   {
     describeEdges(output, name, edgesOf(tool, request.deflection, material, lengths.least));

@@ -39,6 +39,7 @@ struct LawRequest
   LawTerms terms = {};                         ///< of a response
   const MeasuredBodyError* measured = nullptr; ///< of a response whose material was measured
   RelaxationRequest relaxation = {};           ///< of a response
+  bool couples = false; ///< of a response: contacts on it may feel one another
 };
 
 /// What is wrong with the settings of a response, or "".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/ContactArrays.h"
 
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -18,7 +19,7 @@ void allocate(vtkDataArray* array, const char* name, int components, vtkIdType t
 }
 } // namespace
 
-ContactArrays::ContactArrays(vtkIdType tips, bool relaxes)
+ContactArrays::ContactArrays(vtkIdType tips, bool relaxes, bool hasAxes)
 {
   allocate(this->Force.Get(), "Force", 3, tips);
   allocate(this->NormalForce.Get(), "NormalForce", 1, tips);
@@ -32,6 +33,13 @@ ContactArrays::ContactArrays(vtkIdType tips, bool relaxes)
   {
     this->MemoryForce = vtkSmartPointer<vtkDoubleArray>::New();
     allocate(this->MemoryForce, "MemoryForce", 1, tips);
+  }
+  if (hasAxes)
+  {
+    this->Torque = vtkSmartPointer<vtkDoubleArray>::New();
+    allocate(this->Torque, "Torque", 3, tips);
+    this->Tilt = vtkSmartPointer<vtkDoubleArray>::New();
+    allocate(this->Tilt, "Tilt", 1, tips);
   }
 }
 
@@ -50,6 +58,11 @@ void ContactArrays::store(vtkIdType tip, const Contact& contact, vtkIdType first
   {
     this->MemoryForce->SetValue(tip, contact.memory);
   }
+  if (this->Torque)
+  {
+    this->Torque->SetTypedTuple(tip, contact.torque.data());
+    this->Tilt->SetValue(tip, vtkMath::DegreesFromRadians(contact.tilt));
+  }
 }
 
 void ContactArrays::attach(vtkPolyData* tips)
@@ -63,6 +76,11 @@ void ContactArrays::attach(vtkPolyData* tips)
   if (this->MemoryForce)
   {
     tips->GetPointData()->AddArray(this->MemoryForce);
+  }
+  if (this->Torque)
+  {
+    tips->GetPointData()->AddArray(this->Torque);
+    tips->GetPointData()->AddArray(this->Tilt);
   }
 }
 } // namespace palpate

@@ -2,7 +2,8 @@
 /** @file
  * The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
  * Deflection, Normal, ContactPoint, ContactCell, ContactState, and of a body that relaxes
- * MemoryForce. What they mean stands in vtkToolContactProbe.h.
+ * MemoryForce, of tools whose axis is known Torque and Tilt. What they mean stands in
+ * vtkToolContactProbe.h.
  */
 #ifndef ContactArrays_h
 #define ContactArrays_h
@@ -26,7 +27,7 @@ class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
   /// Every tip must be stored before they are attached: the values are not set.
-  explicit ContactArrays(vtkIdType tips, bool relaxes = false);
+  explicit ContactArrays(vtkIdType tips, bool relaxes = false, bool hasAxes = false);
 
   /// `firstPoly` is the cell id of the body's first triangle. May run for different tips at once.
   void store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly);
@@ -43,6 +44,8 @@ private:
   vtkNew<vtkIdTypeArray> ContactCell;
   vtkNew<vtkUnsignedCharArray> ContactState;
   vtkSmartPointer<vtkDoubleArray> MemoryForce; ///< null: nothing relaxes
+  vtkSmartPointer<vtkDoubleArray> Torque;      ///< null: no axis is known
+  vtkSmartPointer<vtkDoubleArray> Tilt;
 };
 } // namespace palpate
 

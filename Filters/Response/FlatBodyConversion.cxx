@@ -179,6 +179,10 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
     describeEdges(body, name, response.edges);
   }
   addRelaxation(flat, name, body);
+  if (response.coupling.areFelt())
+  {
+    describeCoupling(body, name, response.coupling);
+  }
   addTilts(flat, name, body);
   return body;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticCompliance.h"
 
+#include "Mechanics/Coupling/CouplingModes.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/FilterStage.h"
 #include "Response/FilterThreads.h"
@@ -9,6 +10,7 @@
 #include "Mechanics/TrueShape/ComplianceError.h"
 #include "Response/Bodies/FactorisedBody.h"
 #include "Response/Bodies/VolumeConversion.h"
+#include "Response/Curves/CouplingConversion.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -90,6 +92,20 @@ void attachModes(const palpate::GlobalModes& modes, vtkPolyData* output)
   output->GetFieldData()->AddArray(signs);
 }
 
+void attachCouplingModes(const Eigen::MatrixXd& modes, vtkPolyData* output)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName(palpate::CouplingModesName);
+  values->SetNumberOfComponents(static_cast<int>(modes.rows()));
+  values->SetNumberOfTuples(modes.cols());
+  for (vtkIdType i = 0; i < modes.cols(); ++i)
+  {
+    const Eigen::VectorXd each = modes.col(i);
+    values->SetTuple(i, each.data());
+  }
+  output->GetPointData()->AddArray(values);
+}
+
 void attachDisplacement(const palpate::ElasticBody& body, std::int32_t point, double radius,
   double force, vtkPolyData* output)
 {
@@ -122,6 +138,7 @@ int vtkElasticCompliance::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->MemoryEstimate = 0.0;
   this->NeglectedByModes = 0.0;
+  this->NeglectedByCouplingModes = 0.0;
   if (!grid || grid->GetNumberOfCells() == 0)
   {
     return 1;
@@ -176,12 +193,23 @@ int vtkElasticCompliance::RequestData(
   if (this->NumberOfModes > 0)
   {
     modes = palpate::globalModes(body, compliances, this->PatchRadius, this->NumberOfModes,
-      palpate::FilterStage{ this, 0.8, 0.99 });
+      palpate::FilterStage{ this, 0.8, this->NumberOfCouplingModes > 0 ? 0.9 : 0.99 });
     if (modes.fields.empty())
     {
       return 1; // aborted
     }
     this->NeglectedByModes = modes.neglected;
+  }
+  palpate::CouplingModes coupling;
+  if (this->NumberOfCouplingModes > 0)
+  {
+    coupling = palpate::couplingModes(body, compliances, this->PatchRadius,
+      this->NumberOfCouplingModes, palpate::FilterStage{ this, 0.9, 0.99 });
+    if (coupling.values.rows() == 0)
+    {
+      return 1; // aborted
+    }
+    this->NeglectedByCouplingModes = coupling.neglected;
   }
   palpate::spreadValidCompliances(surface, compliances);
   std::size_t without = 0;
@@ -203,6 +231,10 @@ int vtkElasticCompliance::RequestData(
   if (this->NumberOfModes > 0)
   {
     attachModes(modes, output);
+  }
+  if (this->NumberOfCouplingModes > 0)
+  {
+    attachCouplingModes(coupling.values, output);
   }
   if (this->LoadedPoint >= 0)
   {
@@ -229,6 +261,11 @@ std::string vtkElasticCompliance::CheckProperties(const palpate::FactorRequest& 
     return palpate::joined("NumberOfModes must lie between 0 and ", palpate::MostGlobalModes,
       ", but is ", this->NumberOfModes);
   }
+  if (this->NumberOfCouplingModes < 0 || this->NumberOfCouplingModes > palpate::MostCouplingModes)
+  {
+    return palpate::joined("NumberOfCouplingModes must lie between 0 and ",
+      palpate::MostCouplingModes, ", but is ", this->NumberOfCouplingModes);
+  }
   if (this->LoadedPoint < -1 || !std::isfinite(this->LoadForce))
   {
     return palpate::joined("LoadedPoint must be -1 or a point and LoadForce finite, but they are ",
@@ -248,6 +285,8 @@ void vtkElasticCompliance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Solver: " << this->Solver << "\n";
   os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
   os << indent << "NeglectedByModes: " << this->NeglectedByModes << "\n";
+  os << indent << "NumberOfCouplingModes: " << this->NumberOfCouplingModes << "\n";
+  os << indent << "NeglectedByCouplingModes: " << this->NeglectedByCouplingModes << "\n";
   os << indent << "LoadedPoint: " << this->LoadedPoint << "\n";
   os << indent << "LoadForce: " << this->LoadForce << " N\n";
 }

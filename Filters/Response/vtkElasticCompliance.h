@@ -25,6 +25,10 @@
  * - `OriginalPointIds` (vtkIdType): the points of the input;
  * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
  * s_k (int, 1 or -1), NumberOfModes of them: how the body moves as a whole, see below;
+ * - `CouplingModes` φ (float, NumberOfCouplingModes of them, sqrt(mm/N)): by how much the body
+ * moves inward along its normal at each point; a force pressed in at j lets i down by F Σ φ(i) φ(j)
+ * beside the dent (palpate/CouplingModes.h), a finger on the other side of a plate up. With
+ * vtkToolContactResponse::CouplingOn and the compliance they are part of its response;
  * - `LoadedDisplacement` (double 3, mm), if LoadedPoint is set: the motion of the whole surface
  * under LoadForce on the patch of that point, towards the body. Within about a patch radius of the
  * point it is that of the patch, not of a tool.
@@ -161,6 +165,18 @@ public:
   vtkGetMacro(LoadForce, double);
   ///@}
 
+  ///@{
+  /** How many components CouplingModes has, 0 (default: no such array) to 16. Each takes eight
+   * solutions of the whole body. A strip needs four, a plate twelve; GetNeglectedByCouplingModes()
+   * tells. */
+  vtkSetMacro(NumberOfCouplingModes, int);
+  vtkGetMacro(NumberOfCouplingModes, int);
+  ///@}
+
+  /** What these neglect in the last run: root mean square of C_ij - Σ φ(i) φ(j) between points
+   * spread over the surface, relative to that of C_ij; 0 without. */
+  vtkGetMacro(NeglectedByCouplingModes, double);
+
   /** What the modes of the last run neglect: the root mean square of C_g - Σ s (n·φ)² over the
    * points of status 0, relative to that of C_g; 0 without modes. */
   vtkGetMacro(NeglectedByModes, double);
@@ -190,6 +206,8 @@ private:
   double LoadForce = 1.0;
   int NumberOfModes = 0;
   double NeglectedByModes = 0.0;
+  int NumberOfCouplingModes = 0;
+  double NeglectedByCouplingModes = 0.0;
   double MemoryEstimate = 0.0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkToolContactProbe.h"
 
+#include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
 #include "Response/Pieces/BodyPiece.h"
 #include "Response/Pieces/BodySeam.h"
@@ -9,7 +10,9 @@
 #include "Response/Pieces/OwnPiece.h"
 #include "Response/Pieces/PieceProbe.h"
 #include "Response/Pieces/Ranks.h"
+#include "Response/Touch/CoupledTips.h"
 #include "Response/Touch/TipContacts.h"
+#include "Response/Touch/TipPoses.h"
 #include "Response/Touch/TipTimes.h"
 
 #include "vtkInformation.h"
@@ -32,9 +35,10 @@ namespace
 constexpr double BuildShare = 0.9;
 
 /// Why the response of a piece cannot be read, or is of another kind than those of other pieces; ""
-/// if all can be. Collective; then `isSlow` is whether nothing relaxes.
-std::string checkPieces(
-  const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name, bool& isSlow)
+/// if all can be. Collective; then `isSlow` is whether nothing relaxes, `isCoupled` whether
+/// contacts may feel one another.
+std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name,
+  bool& isSlow, bool& isCoupled)
 {
   std::string fault;
   palpate::ResponseArrays arrays;
@@ -52,15 +56,18 @@ std::string checkPieces(
   {
     return fault;
   }
-  using Kind = std::array<double, 6 + 2 * palpate::PronySeries::LargestCount>;
+  using Kind = std::array<double, 11 + 2 * palpate::PronySeries::LargestCount>;
   const palpate::RelaxationTerms& terms = arrays.relaxation;
+  const palpate::CouplingTerms& couples = arrays.coupling;
   Kind own{ static_cast<double>(arrays.samples), static_cast<double>(arrays.laws), arrays.exponent,
     static_cast<double>(terms.series.count), terms.strength ? 1.0 : 0.0,
-    terms.elasticCompliance ? 1.0 : 0.0 };
+    terms.elasticCompliance ? 1.0 : 0.0, couples.modulus, couples.thickness,
+    static_cast<double>(couples.modeCount), couples.localModulus ? 1.0 : 0.0,
+    couples.localThickness ? 1.0 : 0.0 };
   for (std::size_t i = 0; i < terms.series.count; ++i)
   {
-    own[6 + 2 * i] = terms.series.strength[i];
-    own[7 + 2 * i] = terms.series.time[i];
+    own[11 + 2 * i] = terms.series.strength[i];
+    own[12 + 2 * i] = terms.series.time[i];
   }
   const auto all = ranks.gather(hasPiece ? std::vector<Kind>{ own } : std::vector<Kind>{});
   for (const std::vector<Kind>& each : all)
@@ -68,11 +75,35 @@ std::string checkPieces(
     if (hasPiece && !each.empty() && each.front() != own)
     {
       fault = "the pieces of the body have responses '" + name +
-        "' of different samples, laws, exponent or relaxation: make them together";
+        "' of different samples, laws, exponent, relaxation or coupling: make them together";
     }
   }
   isSlow = !ranks.any(terms.areFelt());
+  isCoupled = ranks.any(couples.areFelt());
   return ranks.firstFault(fault);
+}
+
+std::string uncoupledFault(const std::string& name)
+{
+  return "Coupled is on, but response '" + name +
+    "' does not tell how contacts feel one another: " + "field array '" +
+    palpate::arrayName(name, palpate::ResponseArray::Coupling) +
+    "' is missing (vtkToolContactResponse::CouplingOn)";
+}
+
+/// Why tips on several ranks cannot press at once, or "". Collective.
+std::string checkTogether(const palpate::Ranks& ranks, vtkPolyData* tips)
+{
+  int count = 0;
+  for (const std::vector<char>& each :
+    ranks.gather(std::vector<char>(tips->GetNumberOfPoints() > 0 ? 1 : 0)))
+  {
+    count += static_cast<int>(each.size());
+  }
+  return count > 1 ? palpate::joined("Coupled is on, but the tips are on ", count,
+                       " processes, and those of one do not feel those of another: give all of "
+                       "them to one process")
+                   : std::string();
 }
 } // namespace
 
@@ -183,7 +214,12 @@ int vtkToolContactProbe::RequestData(
     vtkErrorMacro(<< "Indentation must be finite (mm), but is " << this->Indentation << ".");
     return 0;
   }
-  fault = ranks.firstFault(hasTips ? palpate::checkTips(tips) : std::string());
+  fault = hasTips ? palpate::checkTips(tips) : std::string();
+  if (fault.empty() && hasTips && this->Coupled)
+  {
+    fault = palpate::checkCoupledTips(tips);
+  }
+  fault = ranks.firstFault(fault);
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong tips: " << fault << ".");
@@ -196,8 +232,15 @@ int vtkToolContactProbe::RequestData(
       return 0;
     }
     const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
-    palpate::ContactArrays arrays(tips->GetNumberOfPoints(), this->Body->relaxation != nullptr);
-    palpate::touchWithTips(*this->Body, tips, settings, this->Indentation,
+    if (this->Coupled && !this->Body->coupling)
+    {
+      vtkErrorMacro(<< uncoupledFault(this->ResponseName) << ".");
+      return 0;
+    }
+    palpate::ContactArrays arrays(
+      tips->GetNumberOfPoints(), this->Body->relaxation != nullptr, palpate::haveAxes(tips));
+    const auto touch = this->Coupled ? palpate::touchTogether : palpate::touchWithTips;
+    touch(*this->Body, tips, settings, this->Indentation,
       [&arrays, firstPoly](vtkIdType tip, const palpate::Contact& contact, const palpate::Vector3&)
       { arrays.store(tip, contact, firstPoly); });
     output->ShallowCopy(tips);
@@ -218,11 +261,21 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
   const auto own = palpate::ownPiece(body, ranks);
   const auto tips = palpate::ownPiece(givenTips, ranks);
   bool isSlow = true;
-  std::string fault = checkPieces(ranks, own, this->ResponseName, isSlow);
+  bool isCoupled = false;
+  std::string fault = checkPieces(ranks, own, this->ResponseName, isSlow, isCoupled);
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong body: " << fault << ".");
     return false;
+  }
+  if (this->Coupled)
+  {
+    fault = isCoupled ? checkTogether(ranks, tips) : uncoupledFault(this->ResponseName);
+    if (!fault.empty())
+    {
+      vtkErrorMacro(<< fault << ".");
+      return false;
+    }
   }
   const vtkMTimeType time = body ? body->GetMTime() : 0;
   const bool isNew = ranks.any(!this->Piece || this->BodySource != body || this->BodyTime != time);
@@ -237,7 +290,7 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
   }
   palpate::PieceProbe probe(ranks, *this->Piece, this->ResponseName);
   std::vector<palpate::PieceProbe::Touch> touched;
-  fault = probe.touch(tips, settings, this->Indentation, touched);
+  fault = probe.touch(tips, settings, this->Indentation, this->Coupled, touched);
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong body: " << fault << ".");
@@ -248,7 +301,7 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
     vtkWarningMacro(<< "The mesh of the body around the tips is not sound: " << probe.defects()
                     << ".");
   }
-  palpate::ContactArrays arrays(tips->GetNumberOfPoints(), !isSlow);
+  palpate::ContactArrays arrays(tips->GetNumberOfPoints(), !isSlow, palpate::haveAxes(tips));
   vtkNew<vtkIntArray> rankOf;
   rankOf->SetName("ContactRank");
   for (std::size_t i = 0; i < touched.size(); ++i)
@@ -271,6 +324,7 @@ void vtkToolContactProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "Settings:\n";
   this->Settings->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Coupled: " << this->Coupled << "\n";
   os << indent << "Indentation: " << this->Indentation << " mm\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

@@ -9,6 +9,21 @@
  * followed from point to point, with friction, as a tool that moves along it would feel it. A point
  * in several polylines holds the value of the last.
  *
+ * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, any length) says how
+ * the tool is held: a response that knows tilts (`<name>Tilt...`) is felt by it, one that does not
+ * feels as along the normal. Three numbers that are not finite, or all zero, are an error.
+ *
+ * With **Coupled** tips that are there at once press at once and feel one another
+ * (palpate/CoupledContacts.h): along polylines those of the same `Time`, to the bit, or, without
+ * Time, of the same place in their polylines; of the single points those of the same Time, or all
+ * of them; points and polylines do not feel each other. At most 64 at once. Between its first and
+ * its last point a polyline must have one, and no more, at each Time that another has; before and
+ * after them its tool is not there. Each moment is solved to the last bits, where a servo loop goes
+ * round twice a tick. The response must tell how contacts couple
+ * (vtkToolContactResponse::CouplingOn): without, an error. Deflection is then that of the tool's
+ * own dent: what the others have let down is not in it. NormalForce counts with EnergyConsistent
+ * the pull of the dents in Force alone.
+ *
  * An optional point array `Time` (s, one number per point) says when the tool is where. A body that
  * relaxes (vtkToolContactResponse::AddRelaxation) is felt in time by it: along each polyline its
  * memory begins at the first point, where it has none, and goes on from point to point, each time
@@ -32,6 +47,8 @@
  * - `MemoryForce` (double, N), where the body relaxes: what of NormalForce is more than the slow
  *   response at this depth, less than 0 while the tool comes out; 0 for single points and without
  *   Time;
+ * - `Torque` (double 3, N mm), about the tip, and `Tilt` (double, degrees), of the axis from
+ * Normal, where the tips have a ToolAxis;
  * - `RelativeError` (double), where the response keeps its error: the estimated error of Force,
  *   relative, blended as the force is; 0 without contact, NaN beyond range. On one process only.
  *
@@ -56,7 +73,8 @@
  * what of the body lies around its own tips; the result is that of one process but for the last
  * bits where normals of several triangles are summed in another order. What is said of the mesh is
  * said of those parts, and whether triangles wind against their neighbours is judged there. An
- * error on one is an error on all. All processes must update the filter.
+ * error on one is an error on all. All processes must update the filter. With Coupled all tips are
+ * on one of them, or it is an error.
  *
  * Input that is no vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
  *
@@ -168,6 +186,13 @@ public:
   ///@}
 
   ///@{
+  /** Whether tips that are there at once feel one another, see above. Default off. */
+  vtkSetMacro(Coupled, bool);
+  vtkGetMacro(Coupled, bool);
+  vtkBooleanMacro(Coupled, bool);
+  ///@}
+
+  ///@{
   /** Prefix of the response arrays. Default "Response". */
   vtkSetMacro(ResponseName, std::string);
   vtkGetMacro(ResponseName, std::string);
@@ -208,6 +233,7 @@ private:
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkContactSettings> Settings;
+  bool Coupled = false;
   double Indentation = 0.0;
   std::string ResponseName = "Response";
 

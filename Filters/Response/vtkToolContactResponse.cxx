@@ -86,7 +86,7 @@ int vtkToolContactResponse::RequestData(
         this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
       this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
       this->EdgeCorrection, this->MaximumTilt },
-    nullptr, relaxation };
+    nullptr, relaxation, this->Coupling };
   std::string warning;
   fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
@@ -140,6 +140,7 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
+  os << indent << "Coupling: " << this->Coupling << "\n";
   os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
   os << indent << "StrainModel: " << this->StrainModel << "\n";

@@ -218,6 +218,21 @@ public:
 
   ///@{
   /**
+   * Whether several tools that press at once feel one another (vtkToolContactProbe::Coupled,
+   * palpate/CoupledContacts.h): the law C(r) of how far the surface gives way beside a force, in
+   * field array `<name>Coupling` (double 3), of the half-space or of the layers; where modulus or
+   * thickness vary, point arrays `<name>CouplingModulus` (float, MPa) and `<name>CouplingThickness`
+   * (float, mm); and where the body has a point array `CouplingModes` (vtkElasticCompliance) and
+   * a global compliance, `<name>CouplingModes` (float, √(mm/N)). Layers must be everywhere or
+   * nowhere, a second layer of one thickness; Poisson's ratio counts by its middle. Default off.
+   */
+  vtkSetMacro(Coupling, bool);
+  vtkGetMacro(Coupling, bool);
+  vtkBooleanMacro(Coupling, bool);
+  ///@}
+
+  ///@{
+  /**
    * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch with its strength p >= 0,
    * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. Default none.
    *
@@ -391,6 +406,7 @@ private:
   bool CurvatureCorrection = true;
   bool EdgeCorrection = false;
   double MaximumTilt = 0.0;
+  bool Coupling = false;
   palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
   int StrainModel = SmallStrain;

@@ -14,13 +14,15 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr std::size_t HeaderSizes[] = { 408, 416, 456, 560 };
+constexpr std::size_t HeaderSizes[] = { 408, 416, 456, 560, 616 };
 constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyHeader.h
 constexpr std::size_t ChecksumAt = 24;
 constexpr std::size_t CountsAt = 32;
 constexpr std::size_t OffsetsAt = 64;
 constexpr std::size_t BranchesAt = 456;
 constexpr std::size_t LaterOffsetsAt = 544;
+constexpr std::size_t CouplingAt = 560;
+constexpr std::size_t CouplingOffsetsAt = 584;
 
 std::uint64_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t place)
 {
@@ -65,7 +67,7 @@ void mend(std::vector<std::uint8_t>& bytes)
     return;
   }
   const std::uint64_t version = wordAt(bytes, 8) & 0xffffffffU;
-  const std::size_t header = version >= 1 && version <= 4 ? HeaderSizes[version - 1] : size + 1;
+  const std::size_t header = version >= 1 && version <= 5 ? HeaderSizes[version - 1] : size + 1;
   if (header > size)
   {
     return;
@@ -73,16 +75,21 @@ void mend(std::vector<std::uint8_t>& bytes)
   const std::uint64_t relaxation = version < 4 ? 0 : wordAt(bytes, BranchesAt);
   const std::uint64_t branches = relaxation & 0xffU;
   const std::uint64_t parts = relaxation >> 32;
+  const std::uint64_t coupling = version < 5 ? 0 : wordAt(bytes, CouplingAt);
+  const std::uint64_t modes = (coupling >> 32) & 0xffU;
   const std::uint64_t curves = laws > 0 ? 0 : 4 * n * samples;
   const std::uint64_t sizes[] = { 24 * n, 12 * triangles, curves, curves, 8 * laws * samples,
     4 * n * laws, 12 * n, 4 * n, n, 4 * n, n, (parts & 1U) != 0 ? 4 * n * branches : 0,
-    (parts & 2U) != 0 ? 4 * n : 0 };
+    (parts & 2U) != 0 ? 4 * n : 0, (coupling & 1U) != 0 ? std::uint64_t{ 79 * 24 } : 0,
+    (coupling & 2U) != 0 ? 4 * n : 0, (coupling & 4U) != 0 ? 4 * n : 0, 4 * n * modes };
   std::uint64_t sum = 0xcbf29ce484222325ULL;
   add(sum, bytes, 0, header);
-  for (std::size_t k = 0; k < 13; ++k)
+  for (std::size_t k = 0; k < 17; ++k)
   {
-    const std::uint64_t offset =
-      sizes[k] == 0 ? 0 : wordAt(bytes, k < 11 ? OffsetsAt + 8 * k : LaterOffsetsAt + 8 * (k - 11));
+    const std::size_t place = k < 11 ? OffsetsAt + 8 * k
+      : k < 13                       ? LaterOffsetsAt + 8 * (k - 11)
+                                     : CouplingOffsetsAt + 8 * (k - 13);
+    const std::uint64_t offset = sizes[k] == 0 ? 0 : wordAt(bytes, place);
     if (offset > size || sizes[k] > size - offset)
     {
       return;

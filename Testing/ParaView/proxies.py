@@ -31,7 +31,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0,
-        "Curvature Correction": 1, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Relaxation": 0, "Relaxations": None,
+        "Curvature Correction": 1, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Coupling": 0, "Relaxation": 0,
+        "Relaxations": None,
         "Relaxation Array": "None", "Compliance Relaxes": 1, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
         "Error Tolerance": 0.05, "Store Error": 1, "Least Law That Keeps Forces": 0, "Term Tolerance": 0.01,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Response Name": "Response"},
@@ -43,7 +44,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Response Name": "Response"},
     ("filters", "ToolContactProbe"): {
-        "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Friction Coefficient": 0.0, "Friction Model": 0,
+        "Body": None, "Tips": None, "Indentation (mm)": 0.0, "Coupled": 0, "Friction Coefficient": 0.0, "Friction Model": 0,
         "Tangential Stiffness (N/mm)": 1.0, "Friction Breakaway": 0.8, "Friction Stick Radius": 0.9,
         "Poisson's Ratio": 0.5, "Relaxation Elements": 16, "Force Form": 1, "Contact Surface": 0, "Response Name": "Response"},
     ("filters", "ContactDeflection"): {
@@ -91,7 +92,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45,
         "Poisson's Ratio Array": "None", "Patch Radius (mm)": 0.0, "Memory Limit (MiB)": 0.0, "Solver": 0,
-        "Number Of Modes": 0, "Loaded Point": -1, "Load Force (N)": 1.0},
+        "Number Of Modes": 0, "Number Of Coupling Modes": 0, "Loaded Point": -1, "Load Force (N)": 1.0},
     ("filters", "VoxelBody"): {
         "Input": None, "Length Unit": 0, "Spacing (mm)": 2.0, "Fixed Faces": "z-", "Conform": 1},
     ("filters", "GradedBody"): {

@@ -322,6 +322,51 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(force, tool.GetForce(depth, REDUCED), delta=2e-4 * force)
 
 
+class Coupled(unittest.TestCase):
+    """Flat ends of 2 mm on a half-space: F = 2 E* a d, and Boussinesq's 1/(pi E* r) between them."""
+
+    def forces(self, depths, apart):
+        own, other = 1 / (2 * REDUCED * 2), 1 / (math.pi * REDUCED * apart)
+        return np.linalg.solve([[own, other], [other, own]], depths)
+
+    def test_several_tools_feel_one_another(self):
+        body = palpate.response(plate(), "flat:2", young=YOUNG, poisson=POISSON, coupling=True)
+        tips = np.array([[-3.3, 0.7, -0.5], [2.7, 0.7, -0.4]])
+        felt = palpate.probe(body, tips, coupled=True)
+        np.testing.assert_allclose(felt.normal_force, self.forces([0.5, 0.4], 6.0), rtol=2e-6)      # floats
+        self.assertTrue((palpate.probe(body, tips).normal_force > felt.normal_force).all())
+        # Pairs by their times, each for itself.
+        twice = palpate.probe(body, np.vstack([tips, tips - [0, 0, 0.1]]), coupled=True, time=[0, 0, 1, 1])
+        np.testing.assert_array_equal(twice.forces[:2], felt.forces)
+        np.testing.assert_allclose(twice.normal_force[2:], self.forces([0.6, 0.5], 6.0), rtol=2e-6)
+
+    def test_along_paths(self):
+        body = palpate.response(plate(), "flat:2", young=YOUNG, poisson=POISSON, coupling=True)
+        depths = np.linspace(0.1, 0.6, 7)
+        tips = np.zeros((7, 2, 3))
+        tips[:, 0] = np.column_stack([np.full(7, -3.3), np.full(7, 0.7), -depths])
+        tips[:, 1] = np.column_stack([np.full(7, 2.7), np.full(7, 0.7), -0.5 * depths - 0.1])
+        for time in (None, np.linspace(0, 1, 7)):
+            felt = palpate.probe(body, tips, path=True, coupled=True, time=time)
+            self.assertEqual(felt.forces.shape, (7, 2, 3))
+            self.assertEqual(felt.deflection.shape, (7, 2))
+            for i, depth in enumerate(depths):
+                np.testing.assert_allclose(felt.normal_force[i], self.forces([depth, 0.5 * depth + 0.1], 6.0), rtol=1e-5)
+
+    def test_axes_give_torques(self):
+        body = palpate.response(plate(), "sphere:5")
+        tip = [0.3, 0.7, -0.5]
+        without, upright = palpate.probe(body, tip), palpate.probe(body, tip, axis=[0, 0, 3])
+        np.testing.assert_array_equal(without.torque, np.zeros((1, 3)))
+        np.testing.assert_array_equal(without.tilt, [0])
+        self.assertEqual((upright.torque.shape, upright.tilt.shape), ((1, 3), (1,)))
+        np.testing.assert_allclose(upright.torque, 0, atol=1e-9)        # upright: none
+        np.testing.assert_array_equal(upright.forces, without.forces)
+        each = palpate.probe(body, [tip, tip], axis=[[0, 0, 1], [0, 0, 2]])
+        np.testing.assert_array_equal(each.forces[0], each.forces[1])
+        self.assertEqual(palpate.probe(body, np.zeros((0, 3))).torque.shape, (0, 3))
+
+
 class PerPoint(unittest.TestCase):
     def test_a_modulus_per_point(self):
         points, triangles = plate()
@@ -671,6 +716,10 @@ class Errors(unittest.TestCase):
                 (ValueError, "surface must be one of", {"surface": "round"}),
                 (ValueError, "Indentation must be finite", {"indentation": math.nan}),
                 (ValueError, "no response 'Other'|Other", {"name": "Other"}),
+                (ValueError, "Coupled is on, but response 'Response' does not tell", {"coupled": True}),
+                (ValueError, r"'ToolAxis' is \(0, 0, 0\) at point 0", {"axis": [0, 0, 0]}),
+                (ValueError, r"axis must have shape \(1, 3\)", {"axis": np.ones((2, 3))}),
+                (ValueError, r"tips of a path that is coupled must have shape", {"coupled": True, "path": True}),
                 (ValueError, r"time \(s\) must have shape \(1,\), but has \(2,\)", {"path": True, "time": [0, 1]})):
             with self.subTest(options=options):
                 self.complains(kind, words, palpate.probe, body, tip, **options)

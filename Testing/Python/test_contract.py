@@ -14,6 +14,7 @@ import unittest
 
 import numpy as np
 
+import palpate
 from palpate import (contract, vtkContactTool, vtkReducedContactResponse, vtkResponseCurves, vtkToolContactProbe,
                      vtkToolContactResponse)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -114,14 +115,20 @@ class AgainstTheTable(unittest.TestCase):
         response.AddRelaxation(0.5, 0.1)
         response.AddRelaxation(0.25, 2.0)
         response.ComplianceRelaxesOff()
+        response.ComplianceExcludesLayerOn()
+        response.CouplingOn()
         ball.Update()
         body = ball.GetOutput()
-        for index, name, values in ((2, "GlobalCompliance", np.full(body.GetNumberOfPoints(), 0.1)),
-                                    (5, "Strengths", np.full((body.GetNumberOfPoints(), 2), 0.75))):
+        count = body.GetNumberOfPoints()
+        for index, name, values in ((0, "Modulus", np.full(count, 0.2)), (1, "Thickness", np.full(count, 5.0)),
+                                    (2, "GlobalCompliance", np.full(count, 0.1)),
+                                    (5, "Strengths", np.full((count, 2), 0.75)),
+                                    (None, "CouplingModes", np.full((count, 3), 0.01))):
             array = numpy_to_vtk(values, deep=1)
             array.SetName(name)
             body.GetPointData().AddArray(array)
-            response.SetInputArrayToProcess(index, 0, 0, 0, name)
+            if index is not None:
+                response.SetInputArrayToProcess(index, 0, 0, 0, name)
         response.SetInputData(body)
         compact = vtkReducedContactResponse()
         compact.SetInputConnection(response.GetOutputPort())
@@ -129,7 +136,7 @@ class AgainstTheTable(unittest.TestCase):
         for filter, form, absent in ((response, "PerPoint", "Compact"), (compact, "Compact", "PerPoint")):
             body = filter.GetOutput()
             laws = body.GetFieldData().GetArray("ResponseBasis")
-            width = {"One": 1, "Three": 3, "Five": 5, "Samples": 7, "TwoSamples": 14, "Branches": 2,
+            width = {"One": 1, "Three": 3, "Five": 5, "Samples": 7, "TwoSamples": 14, "Branches": 2, "Modes": 3,
                      "Laws": laws.GetNumberOfTuples() if laws else 0}
             for name, place, kind, components, use in self.rows:
                 data = body.GetPointData() if place == "Points" else body.GetFieldData()
@@ -150,8 +157,48 @@ class AgainstTheTable(unittest.TestCase):
     def test_the_numpy_contract_reads_what_evaluation_needs(self):
         with open(contract.__file__, encoding="utf-8") as file:
             read = set(re.findall(r'fetch\(\w+, "(\w+)"\)', file.read()))
-        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact", "Relaxation")}
+        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact", "Relaxation", "Coupling")}
         self.assertEqual(read, needed)
+
+
+class Coupling(unittest.TestCase):
+    def pressed(self, **material):
+        """Two flat ends at two points of a plate, and what the contract makes of them: the linear system."""
+        x, y = np.meshgrid(np.arange(9) * 3.0, np.arange(9) * 3.0)
+        points = np.column_stack([x.ravel(), y.ravel(), np.zeros(81)])
+        corner = (np.arange(8)[:, None] * 9 + np.arange(8)).ravel()
+        triangles = np.vstack([np.column_stack([corner, corner + 1, corner + 10]),
+                               np.column_stack([corner, corner + 10, corner + 9])])
+        body = palpate.response((points, triangles), "flat:1", poisson=0.4, coupling=True, maximum_deflection=0.5,
+                                **material)
+        one, other = 30, 32
+        tips = points[[one, other]] - [0, 0, 0.2]
+        together = palpate.probe(body, tips, coupled=True).normal_force
+        alone = palpate.probe(body, tips)
+        between = contract.coupling(body)(one, other)
+        self.assertAlmostEqual(between, contract.coupling(body)(other, one), places=12)
+        own = 0.2 / alone.normal_force
+        expected = np.linalg.solve([[own[0], between], [between, own[1]]], [0.2, 0.2])
+        # A flat end's curve is a straight line, kept as floats; so are the normals of the points.
+        np.testing.assert_allclose(together, expected, rtol=2e-6)
+        return body, between
+
+    def test_the_probe_solves_it(self):
+        body, between = self.pressed(young=0.5)
+        self.assertAlmostEqual(between, (1 - 0.16) / (np.pi * 0.5 * 6.0), places=7)      # Boussinesq; normals are floats
+        self.pressed(young=0.5, layer=4.0)
+        random = np.random.default_rng(4)
+        self.pressed(young=random.uniform(0.3, 0.6, 81), layer=random.uniform(3.0, 6.0, 81))
+
+    def test_without_arrays_there_is_none(self):
+        self.assertIsNone(contract.coupling(random_body(np.random.default_rng(2), 1.5, 8)))
+
+    def test_modes_add_up(self):
+        body = random_body(np.random.default_rng(2), 1.5, 8)
+        modes = np.random.default_rng(5).normal(size=(body.GetNumberOfPoints(), 3)).astype(np.float32)
+        add_array(body.GetFieldData(), "Coupling", np.zeros((1, 3)))                     # no surface
+        add_array(body.GetPointData(), "CouplingModes", modes)
+        self.assertAlmostEqual(contract.coupling(body)(3, 7), float(modes[3].astype(float) @ modes[7]), places=6)
 
 
 class Relaxation(unittest.TestCase):

@@ -4,6 +4,7 @@
 #include "Response/BodyConversion.h"
 #include "Contact/ContactBody.h"
 #include "Response/Pieces/GatheredBody.h"
+#include "Response/Touch/CoupledTips.h"
 #include "Response/Touch/TipContacts.h"
 
 #include "vtkCellArray.h"
@@ -121,7 +122,7 @@ std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentatio
 }
 
 std::string PieceProbe::touch(vtkPolyData* tips, const ContactSettings& settings,
-  double indentation, std::vector<Touch>& touched)
+  double indentation, bool areTogether, std::vector<Touch>& touched)
 {
   const double margin =
     this->LongestEdge * (settings.surface == ContactSurface::Smooth ? SmoothRings : FacetRings);
@@ -130,7 +131,7 @@ std::string PieceProbe::touch(vtkPolyData* tips, const ContactSettings& settings
   {
     std::vector<double> needed;
     const std::string fault =
-      this->touchPart(balls, margin, tips, settings, indentation, needed, touched);
+      this->touchPart(balls, margin, tips, settings, indentation, areTogether, needed, touched);
     if (!fault.empty())
     {
       return fault;
@@ -152,7 +153,7 @@ std::string PieceProbe::touch(vtkPolyData* tips, const ContactSettings& settings
 }
 
 std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double margin,
-  vtkPolyData* tips, const ContactSettings& settings, double indentation,
+  vtkPolyData* tips, const ContactSettings& settings, double indentation, bool areTogether,
   std::vector<double>& needed, std::vector<Touch>& touched)
 {
   std::vector<TipBall> finite;
@@ -192,7 +193,8 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     else if (const auto body = makeContactBody(gathered.body(), this->Name, fault))
     {
       this->Defects = describeDefects(*body);
-      touchWithTips(*body, tips, settings, indentation,
+      const auto touch = areTogether ? touchTogether : touchWithTips;
+      touch(*body, tips, settings, indentation,
         [&touched](vtkIdType tip, const Contact& contact, const Vector3& at) {
           touched[static_cast<std::size_t>(tip)] = { at, contact };
         });

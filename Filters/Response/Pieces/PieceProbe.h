@@ -44,8 +44,9 @@ public:
   PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::string& name);
 
   /// The contacts of the own tips, which have passed checkTips; the same error on all ranks, or "".
+  /// Together: they have passed checkCoupledTips, and feel one another.
   std::string touch(vtkPolyData* tips, const ContactSettings& settings, double indentation,
-    std::vector<Touch>& touched);
+    bool areTogether, std::vector<Touch>& touched);
 
   /// What is wrong with the mesh around the own tips (describeDefects).
   const std::string& defects() const noexcept { return this->Defects; }
@@ -53,8 +54,8 @@ public:
 private:
   std::vector<TipBall> firstBalls(vtkPolyData* tips, double indentation) const;
   std::string touchPart(const std::vector<TipBall>& balls, double margin, vtkPolyData* tips,
-    const ContactSettings& settings, double indentation, std::vector<double>& needed,
-    std::vector<Touch>& touched);
+    const ContactSettings& settings, double indentation, bool areTogether,
+    std::vector<double>& needed, std::vector<Touch>& touched);
   static std::vector<double> neededRadii(
     const ContactBody& body, vtkPolyData* tips, const std::vector<Touch>& touched);
 

@@ -2,7 +2,7 @@
 #include "Response/Touch/TipContacts.h"
 
 #include "Response/Touch/TipOrder.h"
-#include "Contact/TriangleSearch.h"
+#include "Response/Touch/TipPoses.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -19,29 +19,6 @@ namespace palpate
 {
 namespace
 {
-/// The tip moved inward along the blended normal at its closest point.
-Vector3 pressedTip(
-  const ContactBody& body, TriangleSearch& search, const Vector3& tip, double indentation)
-{
-  if (indentation == 0.0)
-  {
-    return tip;
-  }
-  const SurfacePoint nearest = search.closestLocal(body.surface.toLocal(tip));
-  if (nearest.triangle < 0)
-  {
-    return tip;
-  }
-  Vector3 normal = Vector3::Zero();
-  for (int k = 0; k < 3; ++k)
-  {
-    normal += nearest.projection.weights[k] *
-      body.response.normal(body.surface.corners(nearest.triangle)[static_cast<std::size_t>(k)]);
-  }
-  const double length = normal.norm();
-  return length > 0.0 ? Vector3(tip - indentation / length * normal) : tip;
-}
-
 /// What is wrong with the polylines, or "".
 std::string checkLines(vtkPolyData* tips)
 {
@@ -107,8 +84,9 @@ std::string checkTimes(vtkPolyData* tips)
 
 std::string checkTips(vtkPolyData* tips)
 {
-  const std::string fault = checkLines(tips);
-  return fault.empty() ? checkTimes(tips) : fault;
+  std::string fault = checkLines(tips);
+  fault = fault.empty() ? checkTimes(tips) : fault;
+  return fault.empty() ? checkAxes(tips) : fault;
 }
 
 void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
@@ -117,7 +95,7 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
   const vtkIdType count = tips->GetNumberOfPoints();
   std::vector<char> inHistory(static_cast<std::size_t>(count), 0);
   vtkCellArray* lines = tips->GetLines();
-  TriangleSearch search(body.tree);
+  TipPoses poses(body, tips, indentation);
   vtkDataArray* times = tips->GetPointData()->GetArray("Time");
   for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
   {
@@ -130,16 +108,14 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
     {
       const vtkIdType tip = points[i];
       inHistory[static_cast<std::size_t>(tip)] = 1;
-      Vector3 position;
-      tips->GetPoint(tip, position.data());
-      const Vector3 pressed = pressedTip(body, search, position, indentation);
+      const ToolPose pose = poses.at(tip);
       if (!times)
       {
-        visit(tip, history.update(pressed), pressed);
+        visit(tip, history.update(pose), pose.tip);
         continue;
       }
       const double now = times->GetTuple1(tip);
-      visit(tip, history.update(pressed, i > 0 ? now - before : 0.0), pressed);
+      visit(tip, history.update(pose, i > 0 ? now - before : 0.0), pose.tip);
       before = now;
     }
   }
@@ -149,7 +125,7 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
     [&](vtkIdType first, vtkIdType last)
     {
       ToolContact single(body, frictionless);
-      TriangleSearch start(body.tree);
+      TipPoses start(body, tips, indentation);
       TipOrder order;
       // What is felt goes to its place in one piece, and from there, in the order of the tips, to
       // the many arrays of the visitor.
@@ -172,9 +148,10 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
               __builtin_prefetch(reinterpret_cast<const char*>(felt.data() + next) + line, 1);
             }
             Felt& at = felt[k];
-            at.pressed = pressedTip(body, start, order.tips()[k].position, indentation);
+            const ToolPose pose = start.at(order.tips()[k].id, order.tips()[k].position);
+            at.pressed = pose.tip;
             single.reset();
-            at.contact = single.update(at.pressed);
+            at.contact = single.update(pose);
           });
         for (std::size_t k = 0; k < felt.size(); ++k)
         {

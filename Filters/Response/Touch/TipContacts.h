@@ -13,7 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// What is wrong with the polylines of tips, or with their array `Time` along these; "" if nothing.
+/// What is wrong with the polylines of tips, with their array `Time` along these, or with their
+/// array `ToolAxis`; "" if nothing.
 std::string checkTips(vtkPolyData* tips);
 
 /// Told each tip, its contact, and where the tip was after Indentation. From several threads, for
@@ -23,8 +24,9 @@ using TipVisitor =
 
 /**
  * Touches a body with tips that have passed checkTips: those of a polyline as one history, with
- * friction, and in time where they have the array `Time`; the others one by one, without. Each is
- * first moved inward by `indentation` (mm) along the blended normal at its closest point.
+ * friction, and in time where they have the array `Time`; the others one by one, without; with
+ * their axes where they have the array `ToolAxis`. Each is first moved inward by `indentation` (mm)
+ * along the blended normal at its closest point.
  */
 void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
   double indentation, const TipVisitor& visit);

@@ -33,12 +33,14 @@ class Probe(NamedTuple):
     contact_state: np.ndarray
     memory: np.ndarray
     error: np.ndarray
+    torque: np.ndarray
+    tilt: np.ndarray
 
 
 def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffness=1.0,
           friction_model="elasto-plastic", friction_breakaway=0.8, friction_stick_radius=0.9, poisson=0.5,
           force_form="normalized-direction", surface="facets", indentation=0.0, name="Response",
-          relaxation_elements=16) -> Probe:
+          relaxation_elements=16, axis=None, coupled=False) -> Probe:
     """The contact force at given tool tips, by the kernel of the servo tick.
 
     Parameters
@@ -61,6 +63,11 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     indentation : mm by which each tip is first moved inward, so that points on the surface press.
     name : prefix of the response arrays.
     relaxation_elements : how finely a body that relaxes is felt, 0 (quasi-linear) to 32.
+    axis : how the tool is held: from the tip up its shaft, any length, shape (3,) for all tips or as `tips`. A response
+        that knows tilts is felt by it, and gives torques. None: along the normal of the body.
+    coupled : True: tips that are there at once press at once and feel one another, 64 at most, on a body made with
+        palpate.response(..., coupling=True). Without path all tips, or those of the same `time`; with path=True `tips`
+        has the shape (n, k, 3), k tools at n moments, and each field of the result n rows of k.
 
     Returns
     -------
@@ -76,7 +83,9 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
             5 invalid (a tip that is not finite, or no response there);
         memory (n,) : of a body that relaxes, the part of normal_force that is more than the slow response, N; else 0;
         error (n,) : estimated error of the force, a fraction of it (0.04 for 4 %); 0 without contact, NaN beyond the
-            range and of a response that keeps none.
+            range and of a response that keeps none;
+        torque (n, 3) : about the tip, N mm; zeros without an axis;
+        tilt (n,) : of the axis from `normal`, degrees; 0 without an axis.
 
     Raises ValueError with the words of vtkToolContactProbe, TypeError for things of another kind, OSError and
     RuntimeError for files; defects of the mesh give a RuntimeWarning. Tips for themselves run on all threads of
@@ -84,7 +93,8 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     body builds a search structure (0.3 s for 150 thousand points), which is kept for the next call on the same one.
     """
     body = as_body(body)
-    tips = _as_tips(tips, path, time)
+    shape = np.shape(tips)[:-1] if coupled and path and np.ndim(tips) == 3 else None
+    tips = _as_tips(tips, path, time, axis, coupled)
     friction = float(friction)
     if friction != 0.0 and tips.GetNumberOfLines() == 0:
         raise ValueError("friction acts along a path only: give path=True")
@@ -100,32 +110,53 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         felt.SetPoissonRatio(poisson)
         felt.SetIndentation(indentation)
         felt.SetRelaxationElements(relaxation_elements)
+        felt.SetCoupled(bool(coupled))
         points = _filters.run(felt).GetOutput().GetPointData()
         arrays = [points.GetArray(array) for array in (
             "Force", "Deflection", "NormalForce", "FrictionForce", "Normal", "ContactPoint", "ContactCell",
-            "ContactState", "MemoryForce", "RelativeError")]
+            "ContactState", "MemoryForce", "RelativeError", "Torque", "Tilt")]
     if arrays[0] is None:                               # no tips, or a body without points
         return _nothing(tips.GetNumberOfPoints())
-    *others, memory, error = arrays
+    *others, memory, error, torque, tilt = arrays
     count = tips.GetNumberOfPoints()
-    return Probe(*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
-                 np.full(count, np.nan) if error is None else _arrays.to_numpy(error))
+    found = Probe(*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
+                  np.full(count, np.nan) if error is None else _arrays.to_numpy(error),
+                  np.zeros((count, 3)) if torque is None else _arrays.to_numpy(torque),
+                  np.zeros(count) if tilt is None else _arrays.to_numpy(tilt))
+    # The points lie tool by tool.
+    return found if shape is None else Probe(*(
+        np.swapaxes(each.reshape(shape[::-1] + each.shape[1:]), 0, 1) for each in found))
 
 
-def _as_tips(tips, path, time):
+def _as_tips(tips, path, time, axis, coupled):
     if isinstance(tips, vtkPolyData):
-        if path or time is not None:
-            raise ValueError("path and time are for arrays of tips; a vtkPolyData has polylines and an array 'Time'")
+        if path or time is not None or axis is not None:
+            raise ValueError("path, time and axis are for arrays of tips; a vtkPolyData has polylines and arrays 'Time' "
+                             "and 'ToolAxis'")
         return tips
-    if np.ndim(tips) == 1:
+    lines = 1
+    if path and coupled:
+        tips = _arrays.reals(tips, "tips of a path that is coupled", (None, None, 3))
+        moments, lines = tips.shape[:2]
+        if axis is not None:
+            axis = np.swapaxes(np.broadcast_to(_arrays.reals(axis, "axis", np.shape(axis)), tips.shape), 0, 1)
+            axis = axis.reshape(-1, 3)
+        if time is not None:
+            time = np.tile(_arrays.reals(time, "time (s)", (moments,)), lines)
+        tips = np.ascontiguousarray(np.swapaxes(tips, 0, 1)).reshape(-1, 3)
+    elif np.ndim(tips) == 1:
         tips = np.asarray(tips)[None, :]
     tips = _arrays.reals(tips, "tips", (None, 3))
     made = vtkPolyData()
     made.SetPoints(_arrays.to_points(tips))
     if path and len(tips):
-        made.SetLines(_arrays.to_cells(np.arange(len(tips)), len(tips)))
+        made.SetLines(_arrays.to_cells(np.arange(len(tips)), len(tips) // lines))
     if time is not None:
         made.GetPointData().AddArray(_arrays.to_vtk(_arrays.reals(time, "time (s)", (len(tips),)), "Time"))
+    if axis is not None:
+        axis = np.broadcast_to(_arrays.reals(axis, "axis", (3,)), tips.shape) if np.ndim(axis) == 1 else axis
+        axis = np.array(_arrays.reals(axis, "axis", (len(tips), 3)), dtype=float)
+        made.GetPointData().AddArray(_arrays.to_vtk(axis, "ToolAxis"))
     return made
 
 
@@ -137,7 +168,8 @@ def _choose(argument, value):
 
 def _nothing(count):
     return Probe(*(np.zeros((count, 3) if isvector else count) for isvector in (1, 0, 0, 1, 1, 1)),
-                 np.full(count, -1), np.zeros(count, dtype=np.uint8), np.zeros(count), np.zeros(count))
+                 np.full(count, -1), np.zeros(count, dtype=np.uint8), np.zeros(count), np.zeros(count),
+                 np.zeros((count, 3)), np.zeros(count))
 
 
 class _prepared:

@@ -19,7 +19,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
              strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
-             relax=(), compliance_relaxes=True, tilt=0.0) -> vtkPolyData:
+             relax=(), compliance_relaxes=True, coupling=False, tilt=0.0) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -58,6 +58,9 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         with E the slow modulus, that of `young` and of the curves. A strength may vary from point to point, as `young`
         may. It is felt in time, by palpate.probe along paths with times and in sessions.
     compliance_relaxes : whether what yields as a whole is of the same material; False: a `compliance` is elastic.
+    coupling : whether palpate.probe(..., coupled=True) may have several tools feel one another: through the half-space
+        or the layers, and, where the body has a point array 'CouplingModes' (vtkElasticCompliance) and a `compliance`,
+        as it bends.
 
     tilt : how far the tool will be tilted against the body's normal, degrees; 0: it counts as upright. Above 0 its force
         and its torque follow the axis that palpate.probe or a session is told.
@@ -88,6 +91,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made.SetCurvatureCorrection(bool(curvature))
     made.SetEdgeCorrection(bool(edges))
     made.SetMaximumTilt(_number(tilt, "tilt (degrees)"))
+    made.SetCoupling(bool(coupling))
     _set_relaxation(made, given, relax)
     made.SetComplianceRelaxes(bool(compliance_relaxes))
     _set_strain(made, strain)

@@ -78,3 +78,33 @@ def relaxation(body, prefix="Response"):
     return None if time is None else {
         "time": time.ravel(), "strength": strength.ravel() if local is None else local.reshape(-1, time.size),
         "elastic": fetch(points, "ElasticCompliance")}
+
+
+def coupling(body, prefix="Response"):
+    """How far a force at one point lets another down, mm/N: a function of two point numbers; None where contacts do
+    not feel each other. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes; of points, so r is not held at contact radii."""
+    points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
+    law, modes = fetch(field, "Coupling"), fetch(points, "CouplingModes")
+    modulus, thickness = fetch(points, "CouplingModulus"), fetch(points, "CouplingThickness")
+    if law is None:
+        return None
+    (constant, layer, _), knots = law[0], law[1:]
+
+    def compliance(one, other):
+        pair = [one, other]
+        mean = lambda values, otherwise: otherwise if values is None else np.sqrt(np.prod(values[pair].astype(float)))
+        normals = fetch(points, "Normal")[pair].astype(float)
+        facing = max(0.0, normals[0] @ normals[1] / np.prod(np.linalg.norm(normals, axis=1)))
+        r = np.linalg.norm(np.subtract(body.GetPoint(one), body.GetPoint(other)))
+        share = 1.0
+        if len(knots):
+            x = r / mean(thickness, layer)
+            k = min(int(80 * x / (1 + x)), len(knots) - 2)
+            t = min(80 * x / (1 + x) - k, 1.0)
+            (a, da, _), (b, db, _) = knots[k:k + 2]
+            share = ((2*t**3 - 3*t**2 + 1) * a + (t**3 - 2*t**2 + t) * da / 80
+                     + (3*t**2 - 2*t**3) * b + (t**3 - t**2) * db / 80)
+        surface = facing * share / (np.pi * r * mean(modulus, constant)) if constant > 0 else 0.0
+        moved = 0.0 if modes is None else modes.reshape(len(modes), -1)[pair].astype(float).prod(axis=0).sum()
+        return surface + moved
+    return compliance

@@ -26,7 +26,9 @@ constexpr std::size_t BranchesAt = 456;
 constexpr std::size_t TimesAt = 496;
 constexpr std::size_t ContactAt = 528;
 constexpr std::size_t LaterOffsetsAt = 544;
-constexpr std::size_t HeaderSize = 632;
+constexpr std::size_t CouplingAt = 560;
+constexpr std::size_t CouplingOffsetsAt = 632;
+constexpr std::size_t HeaderSize = 688;
 
 class FlatBodyFormatsTest : public FlatBodyFixture
 {
@@ -57,11 +59,14 @@ protected:
 
   /// Writes the checksum that a file of this header and these sections must have: FNV-1a over
   /// words.
-  void mend(std::vector<char>& file, std::size_t header, std::size_t branches) const
+  void mend(
+    std::vector<char>& file, std::size_t header, std::size_t branches, bool isCoupled = false) const
   {
     const std::size_t n = this->Ball.points.size();
     const std::size_t sizes[] = { 24 * n, 12 * this->Ball.triangles.size(), 32 * n, 32 * n, 0, 0,
-      12 * n, 4 * n, n, 4 * n, n, 4 * n * branches, branches > 0 ? 4 * n : 0 };
+      12 * n, 4 * n, n, 4 * n, n, 4 * n * branches, branches > 0 ? 4 * n : 0,
+      isCoupled ? std::size_t{ 79 * 24 } : 0, isCoupled ? 4 * n : 0, isCoupled ? 4 * n : 0,
+      isCoupled ? 8 * n : 0 };
     std::memset(file.data() + ChecksumAt, 0, 8);
     std::uint64_t sum = 0xcbf29ce484222325ULL;
     const auto mix = [&sum](std::uint64_t word)
@@ -82,11 +87,14 @@ protected:
       }
     };
     add(0, header);
-    for (std::size_t k = 0; k < 13; ++k)
+    for (std::size_t k = 0; k < 17; ++k)
     {
       if (sizes[k] > 0)
       {
-        add(this->wordAt(file, k < 11 ? 64 + 8 * k : LaterOffsetsAt + 8 * (k - 11)), sizes[k]);
+        const std::size_t place = k < 11 ? 64 + 8 * k
+          : k < 13                       ? LaterOffsetsAt + 8 * (k - 11)
+                                         : CouplingOffsetsAt + 8 * (k - 13);
+        add(this->wordAt(file, place), sizes[k]);
       }
     }
     std::memcpy(file.data() + ChecksumAt, &sum, sizeof sum);
@@ -112,6 +120,45 @@ protected:
 
   std::vector<float> Strength;
   std::vector<float> Elastic;
+};
+
+/// How contacts on a layer feel one another, with all that may vary.
+struct Coupled
+{
+  explicit Coupled(std::size_t points)
+    : knots(CouplingLaw::KnotCount)
+  {
+    for (std::size_t k = 0; k < this->knots.size(); ++k)
+    {
+      const auto number = static_cast<double>(k);
+      this->knots[k] = { 1.0 / (1.0 + number), -0.1 * number, 0.3 * number };
+    }
+    for (std::size_t i = 0; i < points; ++i)
+    {
+      const auto number = static_cast<float>(i);
+      this->modulus.push_back(0.1F + 0.01F * number);
+      this->thickness.push_back(5.0F + 0.1F * number);
+      this->modes.insert(this->modes.end(), { 0.5F * number, -0.25F * number });
+    }
+  }
+
+  CouplingTerms terms() const
+  {
+    CouplingTerms terms;
+    terms.modulus = 0.7;
+    terms.thickness = 4.5;
+    terms.knots = this->knots.data();
+    terms.localModulus = this->modulus.data();
+    terms.localThickness = this->thickness.data();
+    terms.modes = this->modes.data();
+    terms.modeCount = 2;
+    return terms;
+  }
+
+  std::vector<CouplingKnot> knots;
+  std::vector<float> modulus;
+  std::vector<float> thickness;
+  std::vector<float> modes;
 };
 } // namespace
 
@@ -167,6 +214,7 @@ TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
     EXPECT_EQ(read.body().points, body.points);
     EXPECT_EQ(read.body().response.edges.areFelt(), version >= 3);
     EXPECT_EQ(read.body().response.edges.extent, version >= 3 ? 6.0 : 0.0);
+    EXPECT_FALSE(read.body().response.coupling.areFelt());
     EXPECT_EQ(read.body().response.relaxation.series.count, 0U);
     EXPECT_EQ(read.body().response.relaxation.elasticCompliance, nullptr);
     EXPECT_FALSE(read.body().response.tilt.areFelt());
@@ -197,6 +245,69 @@ TEST_F(FlatBodyFormatsTest, WrongRelaxationIsRefused)
   EXPECT_TRUE(
     contains(this->errorWith(elastic + 4 * 9, -1.0F), "an elastic compliance of -1 at point 9"));
   EXPECT_TRUE(contains(this->errorWith(EdgesAt, -1.0), "damaged header"));
+}
+
+TEST_F(FlatBodyFormatsTest, CouplingComesBackToTheBit)
+{
+  const Coupled coupled(this->Ball.points.size());
+  FlatBody body = this->flat();
+  body.response.coupling = coupled.terms();
+  ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
+  FlatBodyFile file;
+  ASSERT_EQ(file.open(this->Path), "");
+  const CouplingTerms& read = file.body().response.coupling;
+  EXPECT_EQ(read.modulus, 0.7);
+  EXPECT_EQ(read.thickness, 4.5);
+  EXPECT_EQ(read.modeCount, 2);
+  EXPECT_EQ(std::memcmp(read.knots, coupled.knots.data(), 79 * sizeof(CouplingKnot)), 0);
+  const std::size_t bytes = 4 * body.points;
+  EXPECT_EQ(std::memcmp(read.localModulus, coupled.modulus.data(), bytes), 0);
+  EXPECT_EQ(std::memcmp(read.localThickness, coupled.thickness.data(), bytes), 0);
+  EXPECT_EQ(std::memcmp(read.modes, coupled.modes.data(), 2 * bytes), 0);
+  EXPECT_NE(makeContactBody(file.body())->coupling, nullptr);
+
+  body.response.coupling = {};
+  body.response.coupling.modulus = 0.25; // of a half-space, which has no arrays
+  ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
+  ASSERT_EQ(file.open(this->Path), "");
+  EXPECT_EQ(file.body().response.coupling.modulus, 0.25);
+  EXPECT_EQ(file.body().response.coupling.knots, nullptr);
+  EXPECT_EQ(file.body().response.coupling.modes, nullptr);
+  body.response.coupling = {};
+  ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
+  ASSERT_EQ(file.open(this->Path), "");
+  EXPECT_EQ(makeContactBody(file.body())->coupling, nullptr);
+}
+
+TEST_F(FlatBodyFormatsTest, WrongCouplingIsRefused)
+{
+  const Coupled coupled(this->Ball.points.size());
+  FlatBody body = this->flat();
+  body.response.coupling = coupled.terms();
+  const auto errorWith = [&](std::size_t place, auto number)
+  {
+    EXPECT_EQ(FlatBodyFile::write(this->Path, body), "");
+    std::vector<char> file = this->bytes();
+    std::memcpy(file.data() + place, &number, sizeof number);
+    this->mend(file, HeaderSize, 0, true);
+    this->replace(file);
+    return this->openError();
+  };
+  EXPECT_EQ(errorWith(CouplingAt + 8, 0.9), "");
+  for (const std::int32_t parts : { -1, 8, 1 << 30 })
+  {
+    EXPECT_TRUE(contains(errorWith(CouplingAt, parts), "damaged header")) << parts;
+  }
+  EXPECT_TRUE(contains(errorWith(CouplingAt + 4, std::int32_t{ 17 }), "damaged header"));
+  EXPECT_TRUE(contains(errorWith(CouplingAt + 8, std::nan("")), "damaged header"));
+  EXPECT_TRUE(contains(errorWith(CouplingAt + 16, -1.0), "damaged header"));
+  EXPECT_TRUE(contains(errorWith(CouplingAt + 16, 0.0), "couples wrongly: the thickness"));
+  const std::vector<char> file = this->bytes();
+  const auto section = [&](std::size_t k) { return this->wordAt(file, CouplingOffsetsAt + 8 * k); };
+  EXPECT_TRUE(contains(errorWith(section(0) + 24 * 3, std::nan("")), "knot 3 must be finite"));
+  EXPECT_TRUE(contains(errorWith(section(1) + 4 * 9, 0.0F), "modulus (MPa) of point 9"));
+  EXPECT_TRUE(contains(errorWith(section(2) + 4 * 5, -1.0F), "thickness (mm) of point 5"));
+  EXPECT_TRUE(contains(errorWith(section(3) + 4 * 7, std::nanf("")), "mode 1 of point 3"));
 }
 
 namespace

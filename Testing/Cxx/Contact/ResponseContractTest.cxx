@@ -97,10 +97,12 @@ TEST(ResponseContract, WidthsFollowSamplesAndLaws)
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::RelaxationTime), 8, 3, 2), 1);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::LocalRelaxation), 8, 3, 2), 2);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::ElasticCompliance), 8, 3, 2), 1);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::Coupling), 8, 3), 3);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::CouplingModes), 8, 3, 2, 6), 6);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::Tilt), 8, 3), 7);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::TiltDrop), 8, 3), 2);
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::TiltNode), 8, 3), 4);
-  EXPECT_EQ(componentsOf(contractOf(ResponseArray::TiltWeight), 8, 3, 2, 5), 5);
+  EXPECT_EQ(componentsOf(contractOf(ResponseArray::TiltWeight), 8, 3, 2, 6, 5), 5);
 }
 
 // The texts that were written before there were parts.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tick touches no heap: not on onset, sliding, leaving, at borders, beyond range, on NaN.
 #include "AllocationCount.h"
+#include "CoupledPlate.h"
 #include "RelaxingPlate.h"
 #include "SampleResponses.h"
+#include "Contact/Coupled/CoupledContacts.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 
@@ -204,6 +206,40 @@ TEST(TickAllocation, OfABodyThatRelaxes)
       EXPECT_GT(states[static_cast<std::size_t>(ContactState::None)], 20);
     }
   }
+}
+
+TEST(TickAllocation, OfSeveralThatFeelOneAnother)
+{
+  const auto plate = CoupledPlate().body();
+  palpate::ContactSettings settings;
+  settings.form = palpate::ForceForm::EnergyConsistent;
+  palpate::CoupledContacts contacts(*plate, settings, 5);
+  States states{};
+  int sunk = 0;
+  const long before = allocationCount();
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    std::array<palpate::ToolPose, 5> poses{ palpate::ToolPose(6.0 * pathOf(tick)),
+      palpate::ToolPose(6.0 * pathOf(tick + 40) + Vector3d(0.0, 0.0, -5.6)),
+      palpate::ToolPose(6.0 * pathOf(tick + 80) + Vector3d(0.0, 0.0, -5.6)),
+      palpate::ToolPose(6.0 * pathOf(tick + 120) + Vector3d(0.0, 0.0, -5.6)),
+      palpate::ToolPose(Vector3d(31.0, 29.0, -0.5)) };
+    const bool isSettled = tick % 50 == 0;
+    const auto& felt =
+      isSettled ? contacts.settle(poses.data(), 1e-3) : contacts.update(poses.data(), 1e-3);
+    contacts.foresee();
+    const double share = contacts.cappedShare(0, 1.0);
+    met(states, share >= 0.0 ? felt[1].state : ContactState::Stick);
+    sunk += contacts.sunk(4) > 0.0;
+    if (tick % 700 == 0)
+    {
+      contacts.lose(1);
+      contacts.reset();
+    }
+  }
+  EXPECT_EQ(allocationCount(), before);
+  expectEverywhere(states);
+  EXPECT_GT(sunk, Ticks / 4);
 }
 
 TEST(TickAllocation, DeviceToForceToDevice)

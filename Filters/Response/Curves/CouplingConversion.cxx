@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Curves/CouplingConversion.h"
+
+#include "Laws/BodyMaterial.h"
+#include "Mechanics/Coupling/CouplingLaw.h"
+#include "Mechanics/Layers/LayerKernel.h"
+#include "Response/ArrayFetch.h"
+#include "Response/BodyConversion.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Components = componentsOf(contractOf(ResponseArray::Coupling), 0, 0);
+static_assert(sizeof(CouplingKnot) == Components * sizeof(double), "knots are read as tuples");
+
+void addPointValues(vtkPolyData* body, const std::string& name, ResponseArray which, int components,
+  const std::function<float(vtkIdType)>& value)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(arrayName(name, which).c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(body->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+  {
+    array->SetValue(i, value(i));
+  }
+  body->GetPointData()->AddArray(array);
+}
+
+void addLaw(vtkPolyData* body, const std::string& name, const CouplingTerms& terms)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(arrayName(name, ResponseArray::Coupling).c_str());
+  array->SetNumberOfComponents(Components);
+  array->InsertNextTuple3(terms.modulus, terms.thickness, 0.0);
+  for (int k = 0; terms.knots && k < CouplingLaw::KnotCount; ++k)
+  {
+    array->InsertNextTuple3(terms.knots[k].share, terms.knots[k].slope, terms.knots[k].ratio);
+  }
+  body->GetFieldData()->AddArray(array);
+}
+
+/// The law of the layers, all of them at the middle of the Poisson's ratios; of a half-space none.
+CouplingLaw lawOf(const MaterialRange& range)
+{
+  if (!range.hasLayers())
+  {
+    return CouplingLaw();
+  }
+  return range.hasStack()
+    ? CouplingLaw(LayerKernel(range.stack))
+    : CouplingLaw(LayerKernel(0.5 * (range.leastRatio + range.mostRatio), range.layers.base));
+}
+
+/// The modes of a body, or what is wrong with them.
+std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
+{
+  vtkAbstractArray* found = body->GetPointData()->GetAbstractArray(CouplingModesName);
+  modes = vtkDataArray::SafeDownCast(found);
+  if (found &&
+    (!modes || modes->GetNumberOfTuples() != body->GetNumberOfPoints() ||
+      modes->GetNumberOfComponents() < 1 ||
+      modes->GetNumberOfComponents() > CouplingTerms::MostModes))
+  {
+    return joined("point array '", CouplingModesName, "' must have 1 to ", CouplingTerms::MostModes,
+      " components and a tuple per point, but is ", shapeOf(found));
+  }
+  return {};
+}
+} // namespace
+
+std::string checkCouples(const BodyMaterial& material, vtkPolyData* body)
+{
+  const MaterialRange& range = material.range();
+  if (range.hasLayers() && range.hasHalfSpace)
+  {
+    return "Coupling needs layers everywhere or nowhere, but some points have a thickness of 0";
+  }
+  if (material.spots().second)
+  {
+    return "Coupling needs a second layer of one thickness, but it varies from point to point";
+  }
+  vtkDataArray* modes = nullptr;
+  std::string fault = findModes(body, modes);
+  if (fault.empty() && modes && (material.modelParts() & GlobalCompliancePart) == 0)
+  {
+    fault = joined("point array '", CouplingModesName,
+      "' tells how the body moves as a whole, but the response has no global compliance (array to "
+      "process 2), which is part of that");
+  }
+  return fault;
+}
+
+void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPolyData* output)
+{
+  const ContactSpots spots = material.spots();
+  const MaterialRange& range = material.range();
+  const CouplingLaw law = lawOf(range);
+  CouplingTerms terms;
+  terms.modulus = spots.constant.reducedModulus;
+  terms.thickness = !law.isLayered() ? 0.0
+    : spots.thickness                ? range.layers.thinnest
+                                     : spots.constant.thickness;
+  terms.knots = law.isLayered() ? law.knots().data() : nullptr;
+  removeCoupling(output, name);
+  addLaw(output, name, terms);
+  const auto spotAt = [&spots](vtkIdType i) { return spots.at(static_cast<std::size_t>(i)); };
+  if (spots.reducedModulus)
+  {
+    addPointValues(output, name, ResponseArray::CouplingModulus, 1,
+      [&](vtkIdType i) { return static_cast<float>(spotAt(i).reducedModulus); });
+  }
+  if (spots.thickness && law.isLayered())
+  {
+    addPointValues(output, name, ResponseArray::CouplingThickness, 1,
+      [&](vtkIdType i) { return static_cast<float>(spotAt(i).thickness); });
+  }
+  vtkDataArray* modes = nullptr;
+  findModes(output, modes);
+  if (modes)
+  {
+    const int count = modes->GetNumberOfComponents();
+    addPointValues(output, name, ResponseArray::CouplingModes, count,
+      [modes, count](vtkIdType i)
+      { return static_cast<float>(modes->GetComponent(i / count, static_cast<int>(i % count))); });
+  }
+}
+
+void describeCoupling(vtkPolyData* body, const std::string& name, const CouplingTerms& terms)
+{
+  removeCoupling(body, name);
+  addLaw(body, name, terms);
+  const auto add = [&](ResponseArray which, const float* values, int components)
+  {
+    if (values)
+    {
+      addPointValues(body, name, which, components, [values](vtkIdType i) { return values[i]; });
+    }
+  };
+  add(ResponseArray::CouplingModulus, terms.localModulus, 1);
+  add(ResponseArray::CouplingThickness, terms.localThickness, 1);
+  add(ResponseArray::CouplingModes, terms.modes, terms.modeCount);
+}
+
+void removeCoupling(vtkPolyData* body, const std::string& name)
+{
+  for (const ContractArray& array : ResponseContract)
+  {
+    if (array.use == ContractArray::Use::Coupling)
+    {
+      placeOf(array, body)->RemoveArray(array.named(name).c_str());
+    }
+  }
+}
+
+bool viewCoupling(
+  vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
+{
+  const std::string full = arrayName(name, ResponseArray::Coupling);
+  vtkAbstractArray* found = body->GetFieldData()->GetAbstractArray(full.c_str());
+  const auto has = [&](ResponseArray which)
+  { return body->GetPointData()->HasArray(arrayName(name, which).c_str()) != 0; };
+  if (!found)
+  {
+    for (const ResponseArray which : { ResponseArray::CouplingModulus,
+           ResponseArray::CouplingThickness, ResponseArray::CouplingModes })
+    {
+      if (has(which))
+      {
+        error =
+          "field array '" + full + "' is missing, but '" + arrayName(name, which) + "' is there";
+        return false;
+      }
+    }
+    return true;
+  }
+  auto* law = vtkDoubleArray::FastDownCast(found);
+  if (!law || law->GetNumberOfComponents() != Components ||
+    (law->GetNumberOfTuples() != 1 && law->GetNumberOfTuples() != 1 + CouplingLaw::KnotCount))
+  {
+    error = joined("field array '", full, "' must be double with ", Components,
+      " components and 1 or ", 1 + CouplingLaw::KnotCount, " tuples, but is ", shapeOf(found));
+    return false;
+  }
+  CouplingTerms& terms = arrays.coupling;
+  terms.modulus = law->GetComponent(0, 0);
+  terms.thickness = law->GetComponent(0, 1);
+  terms.knots = law->GetNumberOfTuples() > 1
+    ? reinterpret_cast<const CouplingKnot*>(law->GetPointer(Components))
+    : nullptr;
+  if (has(ResponseArray::CouplingModes))
+  {
+    terms.modeCount = body->GetPointData()
+                        ->GetAbstractArray(arrayName(name, ResponseArray::CouplingModes).c_str())
+                        ->GetNumberOfComponents();
+  }
+  const auto fetch = [&](ResponseArray which, const float*& values)
+  {
+    values = has(which) ? fetchArray<vtkFloatArray>(body, name, which, arrays, error) : nullptr;
+    return !has(which) || values;
+  };
+  if (!fetch(ResponseArray::CouplingModulus, terms.localModulus) ||
+    !fetch(ResponseArray::CouplingThickness, terms.localThickness) ||
+    !fetch(ResponseArray::CouplingModes, terms.modes))
+  {
+    return false;
+  }
+  error = faultOfCoupling(terms, arrays.points);
+  if (!error.empty())
+  {
+    error = "coupling of response '" + name + "': " + error;
+  }
+  return error.empty();
+}
+} // namespace palpate

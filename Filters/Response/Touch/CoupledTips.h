@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CoupledTips_h
+#define CoupledTips_h
+
+#include "Response/Touch/TipContacts.h"
+
+#include <string>
+
+namespace palpate
+{
+/**
+ * What keeps tips that have passed checkTips from pressing at once, or "": more than
+ * CoupledContacts::Most polylines, or as many single points (at one Time); with Time a polyline
+ * that has two points at one time, or none at one of another polyline's between its first and its
+ * last; a Time of a single point that is no number.
+ */
+std::string checkCoupledTips(vtkPolyData* tips);
+
+/**
+ * As touchWithTips, but tips that are there at once press at once and feel one another
+ * (CoupledContacts::settle): along polylines those of one Time, or, without Time, of one place in
+ * their polylines; of the single points those of one Time, or all. Single points and polylines do
+ * not feel one another. The tips have passed checkCoupledTips, the body has a coupling.
+ */
+void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
+  double indentation, const TipVisitor& visit);
+} // namespace palpate
+
+#endif

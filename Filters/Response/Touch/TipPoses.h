@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TipPoses_h
+#define TipPoses_h
+
+#include "Contact/ContactBody.h"
+#include "Contact/ToolPose.h"
+#include "Contact/TriangleSearch.h"
+
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace palpate
+{
+/// The point array of tips that holds the axes of the tools.
+constexpr const char* ToolAxisName = "ToolAxis";
+
+/// Whether the axes of the tools are known.
+bool haveAxes(vtkPolyData* tips);
+
+/// What is wrong with the axes of tips, naming the first tip of a wrong one, or "".
+std::string checkAxes(vtkPolyData* tips);
+
+/**
+ * Where the tools of tips are, whose axes have passed checkAxes: each moved inward by `indentation`
+ * (mm) along the blended normal at its closest point, with its axis where there are axes. Serves
+ * one thread; body and tips must outlive it.
+ */
+class TipPoses
+{
+public:
+  TipPoses(const ContactBody& body, vtkPolyData* tips, double indentation);
+
+  ToolPose at(vtkIdType tip);
+  /// The same of a tip whose position is known.
+  ToolPose at(vtkIdType tip, const Vector3& position);
+
+private:
+  Vector3 pressed(const Vector3& tip);
+
+  const ContactBody& Body;
+  vtkPolyData* Tips;
+  vtkDataArray* Axes;
+  TriangleSearch Search;
+  double Indentation;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_CoupledPlate_h
+#define palpate_testing_CoupledPlate_h
+
+#include "Contact/ContactBody.h"
+#include "Contact/ToolPose.h"
+#include "SampleBodies.h"
+#include "SampleResponses.h"
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace palpate::testing
+{
+/// A half-space as a plate at z = 0, 60 mm wide, on which a ball of 5 mm has F = 10 δ^1.5 (N, mm),
+/// as on E* of 3.35 MPa; or a flat end of 2 mm F = 4E* δ on 1 MPa. In the memory of the test.
+struct CoupledPlate
+{
+  static constexpr double Radius = 5.0;
+  static constexpr double Flat = 2.0;
+
+  explicit CoupledPlate(bool isFlat = false)
+    : surface(openPlate(60.0, 12))
+    , store(surface.points.size())
+    , isLinear(isFlat)
+  {
+    constexpr std::size_t samples = 8;
+    for (std::size_t i = 0; isFlat && i < this->store.force.size(); ++i)
+    {
+      const double s = static_cast<double>(i % samples + 1) / samples;
+      this->store.force[i] = static_cast<float>(2.0 * Flat * 2.0 * s * s);
+      this->store.stiffness[i] = static_cast<float>(2.0 * Flat);
+    }
+    this->terms.modulus = isFlat ? 1.0 : 7.5 / std::sqrt(Radius);
+  }
+
+  /// With coupling, or without.
+  std::unique_ptr<ContactBody> body(bool isCoupled = true) const
+  {
+    ResponseArrays arrays = this->store.arrays();
+    arrays.exponent = this->isLinear ? 1.0 : 1.5;
+    if (isCoupled)
+    {
+      arrays.coupling = this->terms;
+    }
+    return std::make_unique<ContactBody>(this->surface.points.front().data(),
+      this->surface.points.size(), this->surface.triangles.front().data(),
+      this->surface.triangles.size(), arrays);
+  }
+
+  Surface surface;
+  ResponseStore store;
+  CouplingTerms terms;
+  bool isLinear;
+};
+
+/// Tips pressed into the plate at (x, y).
+struct PressedTip
+{
+  double x, y, depth;
+};
+
+inline std::vector<ToolPose> posesOf(const std::vector<PressedTip>& tips)
+{
+  std::vector<ToolPose> poses;
+  for (const PressedTip& tip : tips)
+  {
+    poses.emplace_back(Vector3(tip.x, tip.y, -tip.depth));
+  }
+  return poses;
+}
+} // namespace palpate::testing
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fingers on bodies that bend: two on a strip held at one end, against the theory of beams, and
+// opposite ones on a plate held at its rim, against its solution under one of them.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkCellType.h"
+#include "vtkElasticCompliance.h"
+#include "vtkToolContactProbe.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace
+{
+using namespace palpate::testing;
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+constexpr double Young = 10.0; // MPa
+constexpr double Poisson = 0.3;
+
+/// Voxels of 1 mm, held where `isFixed` says so.
+Grid voxels(int x, int y, int z, const std::function<bool(int, int)>& isFixed)
+{
+  auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> fixed;
+  fixed->SetName("Fixed");
+  for (int k = 0; k <= z; ++k)
+  {
+    for (int j = 0; j <= y; ++j)
+    {
+      for (int i = 0; i <= x; ++i)
+      {
+        points->InsertNextPoint(i, j, k);
+        fixed->InsertNextValue(isFixed(i, j) ? 7 : 0);
+      }
+    }
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(fixed);
+  const auto id = [&](int i, int j, int k) -> vtkIdType { return (k * (y + 1) + j) * (x + 1) + i; };
+  for (int k = 0; k < z; ++k)
+  {
+    for (int j = 0; j < y; ++j)
+    {
+      for (int i = 0; i < x; ++i)
+      {
+        const std::array<vtkIdType, 8> corners = { id(i, j, k), id(i + 1, j, k), id(i, j + 1, k),
+          id(i + 1, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i, j + 1, k + 1),
+          id(i + 1, j + 1, k + 1) };
+        grid->InsertNextCell(VTK_VOXEL, 8, corners.data());
+      }
+    }
+  }
+  return grid;
+}
+
+vtkSmartPointer<vtkElasticCompliance> solved(vtkUnstructuredGrid* grid, int modes)
+{
+  auto filter = vtkSmartPointer<vtkElasticCompliance>::New();
+  filter->SetInputData(grid);
+  filter->SetYoungsModulus(Young);
+  filter->SetPoissonRatio(Poisson);
+  filter->SetNumberOfCouplingModes(modes);
+  return filter;
+}
+
+/// A ball of 2 mm on the body, in series with its compliance, coupled.
+Body pressed(vtkPolyData* body)
+{
+  auto response = filterOf(body, "sphere:2", 0.5);
+  response->SetYoungsModulus(Young);
+  response->SetPoissonRatio(Poisson);
+  response->SetInputArrayToProcess(2, 0, 0, 0, "GlobalCompliance");
+  response->SetCurvatureCorrection(false);
+  response->CouplingOn();
+  response->Update();
+  return response->GetOutput();
+}
+
+/// Normal forces of tips at places, pressed in at once, or one by one.
+std::array<double, 2> forces(
+  vtkPolyData* body, const std::array<std::array<double, 3>, 2>& tips, bool together)
+{
+  auto data = Body::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& tip : tips)
+  {
+    points->InsertNextPoint(tip.data());
+  }
+  data->SetPoints(points);
+  vtkNew<vtkToolContactProbe> probe;
+  probe->SetInputData(body);
+  probe->SetTipData(data);
+  probe->SetCoupled(together);
+  probe->Update();
+  vtkDataArray* felt = probe->GetOutput()->GetPointData()->GetArray("NormalForce");
+  return { felt->GetTuple1(0), felt->GetTuple1(1) };
+}
+
+double between(vtkPolyData* body, vtkIdType one, vtkIdType other)
+{
+  vtkDataArray* modes = body->GetPointData()->GetArray("CouplingModes");
+  double sum = 0.0;
+  for (int m = 0; m < modes->GetNumberOfComponents(); ++m)
+  {
+    sum += modes->GetComponent(one, m) * modes->GetComponent(other, m);
+  }
+  return sum;
+}
+
+/// What a strip of length × 3 × 3 mm gives way at x under 1 N at a >= x: bending and shear.
+double beam(double x, double a)
+{
+  const double inertia = 27.0 * 3.0 / 12.0;
+  const double shear = Young / (2.0 * (1.0 + Poisson)) * 9.0 * 5.0 / 6.0;
+  return x * x * (3.0 * a - x) / (6.0 * Young * inertia) + x / shear;
+}
+
+void checkStrip()
+{
+  const Grid grid = voxels(30, 3, 3, [](int i, int) { return i == 0; });
+  const auto filter = solved(grid, 4);
+  filter->Update();
+  vtkPolyData* body = filter->GetOutput();
+  std::cout << "strip: modes neglect " << filter->GetNeglectedByCouplingModes() << std::endl;
+  PALPATE_CHECK(filter->GetNeglectedByCouplingModes() < 0.01);
+  const std::array<double, 3> far = { 27.0, 2.0, 3.0 };
+  const std::array<double, 3> near = { 15.0, 1.0, 3.0 };
+  const std::array<double, 3> under = { 15.0, 1.0, 0.0 };
+  const auto at = [body](const std::array<double, 3>& x)
+  { return body->FindPoint(x[0], x[1], x[2]); };
+  // A beam ten times as long as thick, its end not quite clamped by elements: 3 %.
+  PALPATE_CHECK_NEAR(between(body, at(near), at(far)) / beam(15.0, 27.0), 1.0, 0.03);
+  PALPATE_CHECK_NEAR(between(body, at(under), at(far)) / beam(15.0, 27.0), -1.0, 0.03);
+
+  // The two dents are small beside that: C F = δ by the beam, which Hertz' dents soften by the
+  // per cent that they are of the depth.
+  const Body whole = pressed(body);
+  const double depth = 0.2;
+  const std::array<std::array<double, 3>, 2> tips = { { { 27.0, 2.0, 3.0 - depth },
+    { 15.0, 1.0, 3.0 - depth } } };
+  const auto felt = forces(whole, tips, true);
+  const auto alone = forces(whole, tips, false);
+  const double c11 = beam(27.0, 27.0);
+  const double c12 = beam(15.0, 27.0);
+  const double c22 = beam(15.0, 15.0);
+  const double reduced = Young / (1.0 - Poisson * Poisson);
+  const auto dent = [reduced](double force)
+  {
+    return force > 0.0 ? std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0)
+                       : 0.0; // of Hertz
+  };
+  PALPATE_CHECK_NEAR(alone[0] * c11 + dent(alone[0]), depth, 0.04 * depth);
+  PALPATE_CHECK_NEAR(alone[1] * c22 + dent(alone[1]), depth, 0.04 * depth);
+  // Near the support holds the far one up: it alone would have let the other down by more.
+  PALPATE_CHECK(c12 * alone[0] < depth && c12 / c22 * depth > depth);
+  PALPATE_CHECK(felt[0] == 0.0);
+  PALPATE_CHECK_NEAR(felt[1], alone[1], 1e-9);
+  // Deeper at the end than the other bends it: both press.
+  const std::array<std::array<double, 3>, 2> both = { { { 27.0, 2.0, 2.5 }, { 15.0, 1.0, 2.8 } } };
+  const auto pair = forces(whole, both, true);
+  PALPATE_CHECK(pair[0] > 0.0 && pair[1] > 0.0);
+  PALPATE_CHECK_NEAR(pair[0] * c11 + pair[1] * c12 + dent(pair[0]), 0.5, 0.04 * 0.5);
+  PALPATE_CHECK_NEAR(pair[0] * c12 + pair[1] * c22 + dent(pair[1]), 0.2, 0.04 * 0.5);
+}
+
+void checkPlate()
+{
+  constexpr int side = 16;
+  const Grid grid =
+    voxels(side, side, 2, [](int i, int j) { return i == 0 || j == 0 || i == side || j == side; });
+  const auto filter = solved(grid, 12);
+  filter->Update();
+  const std::array<double, 3> above = { 8.0, 8.0, 2.0 };
+  const std::array<double, 3> below = { 8.0, 8.0, 0.0 };
+  const vtkIdType top = filter->GetOutput()->FindPoint(above[0], above[1], above[2]);
+  const vtkIdType bottom = filter->GetOutput()->FindPoint(below[0], below[1], below[2]);
+  filter->SetLoadedPoint(top);
+  filter->Update();
+  vtkPolyData* body = filter->GetOutput();
+  std::cout << "plate: modes neglect " << filter->GetNeglectedByCouplingModes() << std::endl;
+  PALPATE_CHECK(filter->GetNeglectedByCouplingModes() < 0.1);
+  // The whole solution under the finger above tells what the one below feels: it goes out there.
+  const double moved =
+    body->GetPointData()->GetArray("LoadedDisplacement")->GetComponent(bottom, 2);
+  PALPATE_CHECK(moved < 0.0);
+  PALPATE_CHECK_NEAR(between(body, top, bottom) / moved, 1.0, 0.1); // what the modes neglect
+
+  // Opposite fingers bend nothing: each presses as on a body that is held there, stiffer than
+  // alone; what is left is the dent, in a plate 2 mm thick.
+  const Body whole = pressed(body);
+  const std::array<std::array<double, 3>, 2> tips = { { { 8.0, 8.0, 1.8 }, { 8.0, 8.0, 0.2 } } };
+  const auto felt = forces(whole, tips, true);
+  const auto alone = forces(whole, tips, false);
+  const double compliance = body->GetPointData()->GetArray("GlobalCompliance")->GetTuple1(top);
+  const double reduced = Young / (1.0 - Poisson * Poisson);
+  const auto local = [reduced](double force)
+  { return std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0); };
+  // In closed form, Hertz and the compliances of the elements: δ = δ(F) + (C_11 + C_12) F. Floats
+  // of curves between eight samples; the modes.
+  PALPATE_CHECK_NEAR(local(alone[0]) + compliance * alone[0], 0.2, 0.002);
+  PALPATE_CHECK_NEAR(local(felt[0]) + (compliance + moved) * felt[0], 0.2, 0.01);
+  PALPATE_CHECK_NEAR(felt[0], felt[1], 0.02 * felt[0]); // the plate is the same from below
+  PALPATE_CHECK(felt[0] > 1.5 * alone[0]);
+}
+
+void checkFaults()
+{
+  const Grid grid = voxels(6, 3, 3, [](int i, int) { return i == 0; });
+  const auto filter = solved(grid, 17);
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK_TEXT(
+    messages.takeErrors(), "NumberOfCouplingModes must lie between 0 and 16, but is 17");
+  filter->SetNumberOfCouplingModes(0);
+  filter->Update();
+  PALPATE_CHECK(messages.none());
+  PALPATE_CHECK(!filter->GetOutput()->GetPointData()->HasArray("CouplingModes"));
+  PALPATE_CHECK(filter->GetNeglectedByCouplingModes() == 0.0);
+  filter->SetNumberOfCouplingModes(2);
+  const AbortAfter abort(filter, 0.92);
+  filter->Update();
+  PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+}
+} // namespace
+
+int TestCouplingModes(int, char*[])
+{
+  checkStrip();
+  checkPlate();
+  checkFaults();
+  return palpate::testing::result();
+}
