@@ -72,12 +72,18 @@ ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
 
 void ToolContact::sink(const ContactPlace& place) noexcept
 {
-  this->Sunk = this->LetDown;
-  if (this->Tilt.isFelt())
-  {
-    this->Sunk += this->Tilt.turn(
-      this->Body.surface.corners(place.triangle), place.projection.weights, this->Body.response);
-  }
+  this->Sunk = this->LetDown + this->underTool(place);
+}
+
+ResponseValue ToolContact::slowResponse(const ContactPlace& place, double depth) const noexcept
+{
+  const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
+  const Vector3& weights = place.projection.weights;
+  const BlendedResponse response(this->Body.response, corners, weights);
+  const ResponseValue upright = response.evaluate(depth);
+  return this->Tilt.isFelt() && depth > 0.0
+    ? this->Tilt.tilted(corners, weights, depth, upright, response.energy(depth))
+    : upright;
 }
 
 Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const noexcept

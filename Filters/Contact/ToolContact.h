@@ -69,6 +69,19 @@ public:
   /// The second half: what it feels there, where something else has let the surface down by
   /// `sunk` mm. Once after each find.
   Contact feel(ContactTracker::Result found, double sunk) noexcept;
+
+  // Between the two, for who lets the surface down:
+  /// The point that was sought, of a tool in that pose: under its tip, where it is tilted, ...
+  const Vector3& followed() const noexcept { return this->LastTip; }
+  /// ... and by how much that lies deeper than the tool presses there, mm.
+  double underTool(const ContactPlace& place) noexcept
+  {
+    return this->Tilt.isFelt() ? this->Tilt.turn(this->Body.surface.corners(place.triangle),
+                                   place.projection.weights, this->Body.response)
+                               : 0.0;
+  }
+  /// The slow response of the tool, as it is tilted, pressed so deep there (mm).
+  ResponseValue slowResponse(const ContactPlace& place, double depth) const noexcept;
   /// Time passes, and nobody knows where the tip is.
   void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
   /// All is forgotten.

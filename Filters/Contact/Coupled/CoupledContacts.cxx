@@ -109,7 +109,7 @@ const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses) noexc
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)
   {
     this->Loads[i].found = this->Contacts[i].find(poses[i]);
-    this->load(i, poses[i]);
+    this->load(i);
   }
   return this->feelAll(Rounds);
 }
@@ -119,7 +119,7 @@ const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses, doubl
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)
   {
     this->Loads[i].found = this->Contacts[i].find(poses[i], elapsed);
-    this->load(i, poses[i]);
+    this->load(i);
   }
   return this->feelAll(Rounds);
 }
@@ -129,7 +129,7 @@ const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses) noexc
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)
   {
     this->Loads[i].found = this->Contacts[i].find(poses[i]);
-    this->load(i, poses[i]);
+    this->load(i);
     this->Loads[i].force = 0.0;
   }
   return this->feelAll(SettlingRounds);
@@ -140,17 +140,17 @@ const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses, doubl
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)
   {
     this->Loads[i].found = this->Contacts[i].find(poses[i], elapsed);
-    this->load(i, poses[i]);
+    this->load(i);
     this->Loads[i].force = 0.0;
   }
   return this->feelAll(SettlingRounds);
 }
 
-void CoupledContacts::load(std::size_t contact, const ToolPose& pose) noexcept
+void CoupledContacts::load(std::size_t contact) noexcept
 {
   Load& load = this->Loads[contact];
   load.sunk = 0.0;
-  load.presses = this->Body.coupling && this->place(load, pose.tip);
+  load.presses = this->Body.coupling && this->place(contact);
   if (!load.presses)
   {
     load.force = 0.0;
@@ -165,11 +165,13 @@ void CoupledContacts::load(std::size_t contact, const ToolPose& pose) noexcept
   load.force = last > 0.0 && load.before > 0.0 ? std::max(0.0, 2.0 * last - load.before) : last;
   load.before = last;
   load.spot = this->Body.coupling->at(
-    load.place.triangle, load.place.projection.weights, this->slow(load, load.depth).stiffness);
+    load.place.triangle, load.place.projection.weights, this->slow(contact, load.depth).stiffness);
 }
 
-bool CoupledContacts::place(Load& load, const Vector3& tip) const noexcept
+bool CoupledContacts::place(std::size_t contact) noexcept
 {
+  Load& load = this->Loads[contact];
+  const Vector3& tip = this->Contacts[contact].followed();
   using Outcome = ContactTracker::Outcome;
   const Outcome outcome = load.found.outcome;
   if (outcome == Outcome::Outside || outcome == Outcome::Invalid)
@@ -189,11 +191,12 @@ bool CoupledContacts::place(Load& load, const Vector3& tip) const noexcept
     }
   }
   load.share = 1.0;
+  const double under = this->Contacts[contact].underTool(place);
   if (outcome == Outcome::Border)
   {
     const BorderFade left = BorderFade::at(
       surface, place.triangle, place.projection.weights, tip - place.projection.point);
-    load.depth = left.depth;
+    load.depth = left.depth - under;
     load.share = left.fraction;
     place.weightGradients.setZero();
     return load.depth > 0.0 && load.share > 0.0;
@@ -207,12 +210,14 @@ bool CoupledContacts::place(Load& load, const Vector3& tip) const noexcept
   {
     place = EnergyGradient::onFacet(surface, tip, place);
   }
-  load.depth = -place.signedDistance;
+  load.depth = -place.signedDistance - under;
   if (isAtEdge)
   {
     const Vector3 normal = place.onCrease ? surface.faceNormal(place.triangle) : place.normal;
-    const EdgeEffect effect = this->Body.edges->at(
-      surface.toLocal(tip), place.triangle, normal, normal.dot(place.projection.point - tip));
+    const Vector3 pressed = tip + under * normal;
+    const double depth = normal.dot(place.projection.point - pressed);
+    const EdgeEffect effect =
+      this->Body.edges->at(surface.toLocal(pressed), place.triangle, normal, depth);
     const BlendedResponse response(this->Body.response, corners, place.projection.weights);
     const double whole = response.evaluate(effect.depth).force;
     load.depth = effect.depth;
@@ -222,11 +227,10 @@ bool CoupledContacts::place(Load& load, const Vector3& tip) const noexcept
   return load.depth > 0.0 && load.share > 0.0;
 }
 
-ResponseValue CoupledContacts::slow(const Load& load, double depth) const noexcept
+ResponseValue CoupledContacts::slow(std::size_t contact, double depth) const noexcept
 {
-  const BlendedResponse response(this->Body.response,
-    this->Body.surface.corners(load.place.triangle), load.place.projection.weights);
-  ResponseValue value = response.evaluate(depth);
+  const Load& load = this->Loads[contact];
+  ResponseValue value = this->Contacts[contact].slowResponse(load.place, depth);
   value.force *= load.share;
   value.stiffness *= load.share;
   return value;
@@ -270,7 +274,7 @@ double CoupledContacts::goRound() noexcept
       continue;
     }
     load.sunk = this->sunkBy(i);
-    const ResponseValue value = this->slow(load, load.depth - load.sunk);
+    const ResponseValue value = this->slow(i, load.depth - load.sunk);
     change = std::max(change, std::abs(value.force - load.whole));
     largest = std::max(largest, value.force);
     load.whole = std::isfinite(value.force) ? value.force : 0.0;

@@ -99,10 +99,10 @@ private:
   };
 
   const std::vector<Contact>& feelAll(int rounds) noexcept;
-  void load(std::size_t contact, const ToolPose& pose) noexcept;
+  void load(std::size_t contact) noexcept;
   /// Depth and share of a contact that was found; false: it does not press.
-  bool place(Load& load, const Vector3& tip) const noexcept;
-  ResponseValue slow(const Load& load, double depth) const noexcept;
+  bool place(std::size_t contact) noexcept;
+  ResponseValue slow(std::size_t contact, double depth) const noexcept;
   void fillCompliances() noexcept;
   /// By how much the others let a contact down, mm.
   double sunkBy(std::size_t contact) const noexcept;

@@ -34,6 +34,13 @@ double angleBetween(const Vector3& a, const Vector3& b) noexcept
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
+
+ResponseValue combined(const ResponseValue& upright, double work, const TiltFactor& tau) noexcept
+{
+  return { upright.force * tau.value + work * tau.byDepth,
+    upright.stiffness * tau.value + 2.0 * upright.force * tau.byDepth + work * tau.byDepthTwice,
+    upright.beyondRange };
+}
 } // namespace
 
 Vector3 ContactTilt::follow(const ToolPose& pose, bool isFollowed) noexcept
@@ -98,6 +105,13 @@ Eigen::Matrix3d ContactTilt::ofTip(const Eigen::Matrix3d& weightGradients,
   return isInvertible ? Eigen::Matrix3d(inverse.transpose() * weightGradients) : weightGradients;
 }
 
+ResponseValue ContactTilt::tilted(const TriangleCorners& corners, const Vector3& weights,
+  double depth, const ResponseValue& upright, double work) const noexcept
+{
+  const BodyTilt::Weights laws = this->Body->weights(corners, weights);
+  return combined(upright, work, this->Body->table().at(depth, this->Angle, laws.data()));
+}
+
 ResponseValue ContactTilt::press(const TriangleCorners& corners, const Vector3& weights,
   double depth, const ResponseValue& upright, double work) noexcept
 {
@@ -105,10 +119,7 @@ ResponseValue ContactTilt::press(const TriangleCorners& corners, const Vector3& 
   this->Depth = depth;
   const BodyTilt::Weights laws = this->Body->weights(corners, weights);
   this->Factor = this->Body->table().at(depth, this->Angle, laws.data());
-  const TiltFactor& t = this->Factor;
-  this->Force = { upright.force * t.value + work * t.byDepth,
-    upright.stiffness * t.value + 2.0 * upright.force * t.byDepth + work * t.byDepthTwice,
-    upright.beyondRange };
+  this->Force = combined(upright, work, this->Factor);
   return this->Force;
 }
 

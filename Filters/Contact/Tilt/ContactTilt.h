@@ -48,6 +48,9 @@ public:
   Eigen::Matrix3d ofTip(const Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
     const ResponseField& response) const noexcept;
 
+  /// What press() gives, of another depth.
+  ResponseValue tilted(const TriangleCorners& corners, const Vector3& weights, double depth,
+    const ResponseValue& upright, double work) const noexcept;
   /// The force of the tilted tool at a depth > 0 of its deepest point, from that of the upright one
   /// and its work there.
   ResponseValue press(const TriangleCorners& corners, const Vector3& weights, double depth,
