@@ -3,6 +3,7 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/SharedWork.h"
+#include "Mechanics/Tilt/TiltError.h"
 #include "Mechanics/Tilt/TiltGeometry.h"
 #include "Mechanics/Tilt/TiltedFlat.h"
 #include "Mechanics/Tilt/TiltedHalfSpace.h"
@@ -184,6 +185,34 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
   }
   return tool.checkDepth(range);
 }
+
+/// The largest tiltError at the depths of the nodes, tilted most and half as much.
+double largestError(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
+  double largest, const std::vector<TiltBody>& bodies)
+{
+  double error = 0.0;
+  for (int i = 1; i < Depths; ++i)
+  {
+    const double x = static_cast<double>(i) / (Depths - 1);
+    const double depth = range * x * x;
+    for (const double angle : { 0.5 * largest, largest })
+    {
+      const auto tilted = halfSpace.equivalent(angle);
+      const double rim = halfSpace.dropScale() * halfSpace.drop().at(angle).drop / depth;
+      for (const TiltBody& body : bodies)
+      {
+        if (body.hasLayer())
+        {
+          const double stretch =
+            pressedInto(*tilted, body, depth).force / pressedInto(tool, body, depth).force;
+          error = std::max(
+            error, tiltError({ tool.contactRadius(depth) / body.thickness, stretch, rim }));
+        }
+      }
+    }
+  }
+  return error;
+}
 } // namespace
 
 MadeTilt makeTiltTable(
@@ -191,7 +220,7 @@ MadeTilt makeTiltTable(
 {
   if (!(range > 0.0 && std::isfinite(range)))
   {
-    return { {}, joined("the range of tilts must be > 0 mm, not ", range) };
+    return { {}, joined("the range of tilts must be > 0 mm, not ", range), 0.0 };
   }
   if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
   {
@@ -202,7 +231,7 @@ MadeTilt makeTiltTable(
   {
     if (!fault.empty())
     {
-      return { {}, fault };
+      return { {}, fault, 0.0 };
     }
   }
   const bool isLayered = std::any_of(bodies.begin(), bodies.end(),
@@ -215,7 +244,7 @@ MadeTilt makeTiltTable(
     std::string fault = faultOf(tool, halfSpace, range, largest, body);
     if (!fault.empty())
     {
-      return { {}, fault };
+      return { {}, fault, 0.0 };
     }
   }
 
@@ -244,7 +273,8 @@ MadeTilt makeTiltTable(
     });
   const std::vector<double>& drops = halfSpace.drop().nodes();
   std::string fault = TiltTable::faultOf(terms, drops.data(), nodes.data());
-  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "" }
-                       : MadeTilt{ {}, fault };
+  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "",
+    largestError(tool, halfSpace, range, largest, bodies) }
+                       : MadeTilt{ {}, fault, 0.0 };
 }
 } // namespace palpate

@@ -18,6 +18,7 @@ struct MadeTilt
 {
   TiltTable table;
   std::string fault;
+  double error = 0.0; ///< the largest that tiltError expects of it, at the nodes
 };
 
 /**
