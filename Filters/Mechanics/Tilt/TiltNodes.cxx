@@ -215,30 +215,46 @@ double largestError(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
 }
 } // namespace
 
-MadeTilt makeTiltTable(
-  const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies)
+std::string checkTiltDemand(const AxisymmetricTool& tool, double range, double largest)
 {
   if (!(range > 0.0 && std::isfinite(range)))
   {
-    return { {}, joined("the range of tilts must be > 0 mm, not ", range), 0.0 };
+    return joined("the range of tilts must be > 0 mm, not ", range);
   }
-  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
+  const std::string fault = checkTilt(tool, largest);
+  return fault.empty() ? tool.checkDepth(range) : fault;
+}
+
+double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered)
+{
+  return std::min((isLayered ? OnLayers : OnHalfSpace) * range, tool.depthLimit().depth);
+}
+
+MadeTilt makeTiltTable(
+  const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies)
+{
+  const std::string fault = checkTiltDemand(tool, range, largest);
+  if (!fault.empty())
   {
-    return { {},
-      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()) };
-  }
-  for (const std::string& fault : { checkTilt(tool, largest), tool.checkDepth(range) })
-  {
-    if (!fault.empty())
-    {
-      return { {}, fault, 0.0 };
-    }
+    return { {}, fault, 0.0 };
   }
   const bool isLayered = std::any_of(bodies.begin(), bodies.end(),
     [](const TiltBody& body) { return body.hasLayer() || body.yielding < 0.0; });
-  const double deepest =
-    std::min((isLayered ? OnLayers : OnHalfSpace) * range, tool.depthLimit().depth);
-  const TiltedHalfSpace halfSpace(tool, deepest, largest);
+  return makeTiltTable(
+    TiltedHalfSpace(tool, depthToSolve(tool, range, isLayered), largest), range, bodies);
+}
+
+MadeTilt makeTiltTable(
+  const TiltedHalfSpace& halfSpace, double range, const std::vector<TiltBody>& bodies)
+{
+  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
+  {
+    return { {},
+      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()),
+      0.0 };
+  }
+  const AxisymmetricTool& tool = halfSpace.tool();
+  const double largest = halfSpace.drop().largest();
   for (const TiltBody& body : bodies)
   {
     std::string fault = faultOf(tool, halfSpace, range, largest, body);
