@@ -17,7 +17,7 @@ namespace
 {
 const GaussLegendre& workRule()
 {
-  static const GaussLegendre rule(24);
+  static const GaussLegendre rule(16);
   return rule;
 }
 } // namespace

@@ -34,7 +34,7 @@ struct TiltWork
 };
 
 /// A tool pressed D > 0 deep (mm) into a body; NaN where its law does not answer. The work is
-/// integrated to 1e-7 between the kinks of the tool's profile.
+/// integrated to 1e-6 between the kinks of the tool's profile.
 PALPATE_EXPORT TiltWork pressedInto(
   const AxisymmetricTool& tool, const TiltBody& body, double depth);
 } // namespace palpate

@@ -3,6 +3,7 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/SharedWork.h"
+#include "Mechanics/Tilt/TiltError.h"
 #include "Mechanics/Tilt/TiltGeometry.h"
 #include "Mechanics/Tilt/TiltedFlat.h"
 #include "Mechanics/Tilt/TiltedHalfSpace.h"
@@ -184,38 +185,82 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
   }
   return tool.checkDepth(range);
 }
+
+/// The largest tiltError at the depths of the nodes, tilted most and half as much.
+double largestError(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
+  double largest, const std::vector<TiltBody>& bodies)
+{
+  double error = 0.0;
+  for (int i = 1; i < Depths; ++i)
+  {
+    const double x = static_cast<double>(i) / (Depths - 1);
+    const double depth = range * x * x;
+    for (const double angle : { 0.5 * largest, largest })
+    {
+      const auto tilted = halfSpace.equivalent(angle);
+      const double rim = halfSpace.dropScale() * halfSpace.drop().at(angle).drop / depth;
+      for (const TiltBody& body : bodies)
+      {
+        if (body.hasLayer())
+        {
+          const double stretch =
+            pressedInto(*tilted, body, depth).force / pressedInto(tool, body, depth).force;
+          error = std::max(
+            error, tiltError({ tool.contactRadius(depth) / body.thickness, stretch, rim }));
+        }
+      }
+    }
+  }
+  return error;
+}
 } // namespace
+
+std::string checkTiltDemand(const AxisymmetricTool& tool, double range, double largest)
+{
+  if (!(range > 0.0 && std::isfinite(range)))
+  {
+    return joined("the range of tilts must be > 0 mm, not ", range);
+  }
+  const std::string fault = checkTilt(tool, largest);
+  return fault.empty() ? tool.checkDepth(range) : fault;
+}
+
+double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered)
+{
+  return std::min((isLayered ? OnLayers : OnHalfSpace) * range, tool.depthLimit().depth);
+}
 
 MadeTilt makeTiltTable(
   const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies)
 {
-  if (!(range > 0.0 && std::isfinite(range)))
+  const std::string fault = checkTiltDemand(tool, range, largest);
+  if (!fault.empty())
   {
-    return { {}, joined("the range of tilts must be > 0 mm, not ", range) };
-  }
-  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
-  {
-    return { {},
-      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()) };
-  }
-  for (const std::string& fault : { checkTilt(tool, largest), tool.checkDepth(range) })
-  {
-    if (!fault.empty())
-    {
-      return { {}, fault };
-    }
+    return { {}, fault, 0.0 };
   }
   const bool isLayered = std::any_of(bodies.begin(), bodies.end(),
     [](const TiltBody& body) { return body.hasLayer() || body.yielding < 0.0; });
-  const double deepest =
-    std::min((isLayered ? OnLayers : OnHalfSpace) * range, tool.depthLimit().depth);
-  const TiltedHalfSpace halfSpace(tool, deepest, largest);
+  return makeTiltTable(
+    TiltedHalfSpace(tool, depthToSolve(tool, range, isLayered), largest), range, bodies);
+}
+
+MadeTilt makeTiltTable(
+  const TiltedHalfSpace& halfSpace, double range, const std::vector<TiltBody>& bodies)
+{
+  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
+  {
+    return { {},
+      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()),
+      0.0 };
+  }
+  const AxisymmetricTool& tool = halfSpace.tool();
+  const double largest = halfSpace.drop().largest();
   for (const TiltBody& body : bodies)
   {
     std::string fault = faultOf(tool, halfSpace, range, largest, body);
     if (!fault.empty())
     {
-      return { {}, fault };
+      return { {}, fault, 0.0 };
     }
   }
 
@@ -244,7 +289,8 @@ MadeTilt makeTiltTable(
     });
   const std::vector<double>& drops = halfSpace.drop().nodes();
   std::string fault = TiltTable::faultOf(terms, drops.data(), nodes.data());
-  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "" }
-                       : MadeTilt{ {}, fault };
+  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "",
+    largestError(tool, halfSpace, range, largest, bodies) }
+                       : MadeTilt{ {}, fault, 0.0 };
 }
 } // namespace palpate

@@ -12,12 +12,14 @@
 namespace palpate
 {
 class AxisymmetricTool;
+class TiltedHalfSpace;
 
 /// A table of tilts, or why there is none.
 struct MadeTilt
 {
   TiltTable table;
   std::string fault;
+  double error = 0.0; ///< the largest that tiltError expects of it, at the nodes
 };
 
 /**
@@ -36,6 +38,19 @@ struct MadeTilt
  */
 PALPATE_EXPORT MadeTilt makeTiltTable(
   const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies);
+
+/// What is wrong with pressing a tool so deep (mm) and tilting it so far (rad), or "".
+PALPATE_EXPORT std::string checkTiltDemand(
+  const AxisymmetricTool& tool, double range, double largest);
+
+/// The same of a tool that was solved for already, to depthToSolve at least, and up to its largest
+/// tilt.
+PALPATE_EXPORT MadeTilt makeTiltTable(
+  const TiltedHalfSpace& halfSpace, double range, const std::vector<TiltBody>& bodies);
+
+/// How deep a half-space is to be solved for (mm), that tables to `range` may come from it, on
+/// layers or not.
+PALPATE_EXPORT double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered);
 } // namespace palpate
 
 #endif

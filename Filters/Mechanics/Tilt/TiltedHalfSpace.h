@@ -42,6 +42,7 @@ public:
   /// The half-space itself, without the detour over a profile.
   TiltWork pressed(double depth, double angle) const;
 
+  const AxisymmetricTool& tool() const { return this->Tool; }
   const ToolDrop& drop() const { return this->Drop; }
   /// κ, see TiltTerms::dropScale.
   double dropScale() const { return this->DropScale; }

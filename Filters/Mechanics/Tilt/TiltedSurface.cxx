@@ -15,7 +15,6 @@ TiltedSurface::TiltedSurface(const AxisymmetricTool& tool, double angle)
   , Sine(std::sin(angle))
   , Cosine(std::cos(angle))
   , Drop(deepestPoint(tool, angle).drop)
-  , Deepest(0.0)
 {
   // x = r cos θ + f sin θ and -h = f cos θ - r sin θ, turned back.
   const DeepestPoint deepest = deepestPoint(tool, angle);

@@ -34,7 +34,7 @@ private:
   double Sine;
   double Cosine;
   double Drop;
-  double Deepest; ///< radius of the deepest point
+  double Deepest = 0.0; ///< radius of the deepest point
 };
 } // namespace palpate
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BodyTilt_h
+#define palpate_BodyTilt_h
+
+#include "Laws/ContactSpot.h"
+#include "Laws/MaterialRange.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Tilt/TiltTable.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// What tilting a tool makes of its force at every point of a body.
+struct BodyTilt
+{
+  TiltTable table;
+  std::vector<float> weights; ///< of each point, one per law, sum 1; none where there is one law
+  std::string fault;          ///< why there is no table, or ""
+  double error = 0.0;         ///< of forces, the largest that tiltError expects
+  /// The thinnest layer there is a law for, mm, 0 without layers; points with less take this one's.
+  double thinnest = 0.0;
+};
+
+/**
+ * The table of a tool tilted by up to `largest` (rad), pressed up to `range` (mm) into a body, and
+ * the weights of its `points` points.
+ *
+ * A modulus scales all and changes no factor: one law. What does is spanned by nodes, a law each,
+ * with linear weights between: the thickness of layers, even in a/(a + h), a the contact radius at
+ * the range, so that a half-space is its end; Poisson's ratio of layers; the thickness of a stack's
+ * second layer; compliance times modulus Y, even in YK/(1 + YK), K the stiffness over E* at the
+ * range. Several of them: the grid of all, at most TiltTerms::MostLaws, coarser where need be. With
+ * enough nodes for one of them the force between is met to 1 % (BodyTiltTest.cxx).
+ *
+ * Of a body at finite strain or curved, the factor is that of the flat body at small strain, whose
+ * upright force it multiplies. `bounds` may be of more pieces than `spots`: the same table for all.
+ * `spots` are those of a BodyMaterial. Cost: TiltedHalfSpace and 0.2 to 0.5 s a layer.
+ */
+PALPATE_EXPORT BodyTilt tiltOfBody(const AxisymmetricTool& tool, double range, double largest,
+  const MaterialRange& bounds, const ContactSpots& spots, std::size_t points);
+} // namespace palpate
+
+#endif

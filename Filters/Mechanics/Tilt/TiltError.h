@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TiltError_h
+#define palpate_TiltError_h
+
+#include "Mechanics/PalpateExport.h"
+
+namespace palpate
+{
+/// A tilted contact on a layer, in numbers without a unit.
+struct TiltedLayer
+{
+  double radius = 0.0;  ///< contact radius of the tool upright, as deep in a half-space, over the
+                        ///< thickness of the layer; 0 on a half-space
+  double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
+  double rim = 0.0;     ///< κ h/D of a tool with a flat end (TiltTerms::dropScale), else 0
+};
+
+/**
+ * How far the force of a tilted tool on a bonded layer may be off, as a fraction of it, because an
+ * equivalent profile of revolution stands for it (TiltedTool.h). A contact that is longer than
+ * wide, or on a rim, feels the base otherwise. With T the stretch, where it is more than 1, ρ the
+ * radius times √T and g = ρ³/(ρ³ + 0.22), pointed tools   0.36 (1 - T^-1.2) g,   flat ends   0.18
+ * s²/(1 + s²) g, s the rim's drop, an envelope of what boundary elements on layers, ν = 0.45, show
+ * (Data/Reference/tilt/tilt_layer_nu0.45.csv). 0 on a half-space, for what tilts as a sphere, and
+ * upright.
+ */
+PALPATE_EXPORT double tiltError(const TiltedLayer& contact) noexcept;
+} // namespace palpate
+
+#endif
