@@ -223,7 +223,8 @@ public:
    * field array `<name>Coupling` (double 3), of the half-space or of the layers; where modulus or
    * thickness vary, point arrays `<name>CouplingModulus` (float, MPa) and `<name>CouplingThickness`
    * (float, mm); and where the body has a point array `CouplingModes` (vtkElasticCompliance) and
-   * a global compliance, `<name>CouplingModes` (float, √(mm/N)). Layers must be everywhere or
+   * a global compliance, `<name>CouplingModes` (float, √(mm/N)), less where they tell
+   * of more than the response gives way. Layers must be everywhere or
    * nowhere, a second layer of one thickness; Poisson's ratio counts by its middle. Default off.
    */
   vtkSetMacro(Coupling, bool);

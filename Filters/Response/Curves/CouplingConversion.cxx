@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -59,6 +60,40 @@ CouplingLaw lawOf(const MaterialRange& range)
   return range.hasStack()
     ? CouplingLaw(LayerKernel(range.stack))
     : CouplingLaw(LayerKernel(0.5 * (range.leastRatio + range.mostRatio), range.layers.base));
+}
+
+/// Attaches modes, less where they tell of more than the response itself gives way: that, and a
+/// third of what its local part does at the last sample, which the surface's share leaves (1 - 2/π
+/// of 1/(2E*a)). Then the compliances of all contacts are positive definite, whatever the depths.
+void addModes(
+  const ContactSpots& spots, const std::string& name, vtkDataArray* modes, vtkPolyData* body)
+{
+  constexpr double left = 0.36;
+  vtkDataArray* stiffness =
+    body->GetPointData()->GetArray(arrayName(name, ResponseArray::Stiffness).c_str());
+  const int count = modes->GetNumberOfComponents();
+  const int last = stiffness->GetNumberOfComponents() - 1;
+  vtkIdType at = -1;
+  double factor = 0.0;
+  addPointValues(body, name, ResponseArray::CouplingModes, count,
+    [&](vtkIdType i)
+    {
+      if (i / count != at)
+      {
+        at = i / count;
+        double sum = 0.0;
+        for (int m = 0; m < count; ++m)
+        {
+          sum += modes->GetComponent(at, m) * modes->GetComponent(at, m);
+        }
+        const double own = spots.at(static_cast<std::size_t>(at)).compliance;
+        const double whole = stiffness->GetComponent(at, last);
+        const double local = whole > 0.0 ? std::max(0.0, 1.0 / whole - own) : 0.0;
+        const double most = std::max(0.0, own + left * local);
+        factor = sum > most ? std::sqrt(most / sum) : 1.0;
+      }
+      return static_cast<float>(factor * modes->GetComponent(at, static_cast<int>(i % count)));
+    });
 }
 
 /// The modes of a body, or what is wrong with them.
@@ -128,10 +163,7 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
   findModes(output, modes);
   if (modes)
   {
-    const int count = modes->GetNumberOfComponents();
-    addPointValues(output, name, ResponseArray::CouplingModes, count,
-      [modes, count](vtkIdType i)
-      { return static_cast<float>(modes->GetComponent(i / count, static_cast<int>(i % count))); });
+    addModes(spots, name, modes, output);
   }
 }
 
