@@ -236,9 +236,9 @@ bool BridgeDevice::writeWrench(const Wrench& wrench) noexcept
     this->send({}, false);
     return false;
   }
-  return this->send(wrench.isFinite()
-      ? wrench.within(this->Limits.maximumForce, this->Limits.maximumTorque)
-      : Wrench(),
+  const bool isFinite = std::isfinite(wrench.force.norm() + wrench.torque.norm());
+  return this->send(
+    isFinite ? wrench.within(this->Limits.maximumForce, this->Limits.maximumTorque) : Wrench(),
     true);
 }
 

@@ -180,7 +180,8 @@ bool HidDevice::writeWrench(const Wrench& wrench) noexcept
   {
     return false;
   }
-  if (!wrench.isFinite() || link.Faulty.load(std::memory_order_relaxed))
+  const bool isFinite = std::isfinite(wrench.force.norm() + wrench.torque.norm());
+  if (!isFinite || link.Faulty.load(std::memory_order_relaxed))
   {
     link.Writer.send(Wrench(), this->StateSequence);
     return false;

@@ -29,7 +29,7 @@ struct PALPATE_EXPORT ServoLoopSettings
 
   double rate = 1000.0; ///< ticks per second, 1 to MaximumRate
   /// How long (s) ticks are kept for drain() before they are lost; 0: there is no recording. The
-  /// memory is taken at once, some 300 bytes per tick.
+  /// memory is taken at once, some 440 bytes per tick.
   double recordedSeconds = 0.0;
   RealTimeRequest realTime;
 

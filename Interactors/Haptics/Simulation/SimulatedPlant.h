@@ -25,14 +25,14 @@ namespace palpate
  */
 struct SimulatedPlant
 {
-  double mass = 0.1;        ///< m, apparent, kg; at least 1e-6
-  double damping = 1.0;     ///< b, viscous, N s/m
-  double friction = 0.0;    ///< f_c, Coulomb's, N, of each axis
-  double encoderStep = 0.0; ///< positions read are whole multiples of it, m; 0: not rounded
-  double forceDelay = 0.0;  ///< a force acts so long after the tick that wrote it, s; at most 1
-  double sampleDelay = 0.0; ///< a reading is so old, s; at most 1
-  double inertia = 0.0;     ///< I, kg m²; 0: it has no torque, and is turned as the hand means
-  double turnDamping = 0.0; ///< b_θ, N m s/rad
+  double mass = 0.1;         ///< m, apparent, kg; at least 1e-6
+  double damping = 1.0;      ///< b, viscous, N s/m
+  double friction = 0.0;     ///< f_c, Coulomb's, N, of each axis
+  double encoderStep = 0.0;  ///< positions read are whole multiples of it, m; 0: not rounded
+  double forceDelay = 0.0;   ///< a force acts so long after the tick that wrote it, s; at most 1
+  double sampleDelay = 0.0;  ///< a reading is so old, s; at most 1
+  double inertia = 0.0;      ///< I, kg m²; 0: it has no torque, and is turned as the hand means
+  double turnDamping = 1e-3; ///< b_θ, N m s/rad
 };
 
 /**
@@ -77,10 +77,15 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
  * | `stiffness`    | hand, towards where it means | N/m   | 0 to 1e9    | 300     |
  * | `hand-damping` | hand                         | N s/m | 0 to 1e9    | 5       |
  * | `hand-force`   | hand, the most               | N     | from 0      | endless |
- * | `inertia`      | device; 0: no torque         | kg m² | 0 to 1e9    | 0       |
- * | `turn-damping` | device, of turns             | N m s | 0 to 1e9    | 0       |
- * | `turn-stiffness` | hand, of turns             | N m   | 0 to 1e9    | 0.5     |
- * | `turn-hand-damping` | hand, of turns          | N m s | 0 to 1e9    | 0.005   |
+ * | `inertia`      | device; 0: it has no torque  | kg m² | 0 to 1e9    | 0       |
+ *
+ * and of turns, per rad:
+ *
+ * | name                | of                              | unit  | range    | default |
+ * |---------------------|---------------------------------|-------|----------|---------|
+ * | `turn-damping`      | device                          | N m s | 0 to 1e9 | 0.001   |
+ * | `turn-stiffness`    | hand, towards the axis it means | N m   | 0 to 1e9 | 0.5     |
+ * | `turn-hand-damping` | hand                            | N m s | 0 to 1e9 | 0.005   |
  */
 PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
 

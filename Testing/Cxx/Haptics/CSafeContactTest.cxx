@@ -244,62 +244,6 @@ TEST(CSafeContact, DefaultsAreThoseOfTheKernel)
   EXPECT_EQ(safety.sample_time_out, usual.sampleTimeOut);
 }
 
-TEST(CSafeContact, TorqueIsOfferedAndLimitedAsTheKernelDoes)
-{
-  palpate_device device;
-  palpate_device_default(&device);
-  EXPECT_EQ(device.maximum_torque, 0.0); // none, as before there was any
-  device.maximum_torque = 0.25;
-  palpate_safety safety;
-  palpate_safety_of(&device, &safety);
-  EXPECT_EQ(safety.maximum_torque, 0.25);
-  EXPECT_EQ(
-    safety.maximum_torsional_stiffness, palpate::DeviceSpecification().maximumTorsionalStiffness);
-  device.maximum_torsional_stiffness = 2.0;
-  palpate_safety_of(&device, &safety);
-  EXPECT_EQ(safety.maximum_torsional_stiffness, 2.0);
-  const Ball ball(1.0F);
-  EXPECT_EQ(refusal(ball.c.get(), nullptr, &safety), "");
-  safety.maximum_torque = -1.0;
-  EXPECT_EQ(refusal(ball.c.get(), nullptr, &safety),
-    "maximum_torque must not be negative (N m), but is -1");
-  safety.maximum_torque = 0.25;
-  safety.maximum_torque_rate = -2.0;
-  EXPECT_EQ(refusal(ball.c.get(), nullptr, &safety),
-    "maximum_torque_rate must be positive (N m/s), but is -2");
-  safety.maximum_torque_rate = 0.0; // any
-
-  // A turned tool goes through mapping and chain as in the kernel's step.
-  palpate::SafetySettings settings = palpate::SafetySettings::of(palpate::DeviceSpecification());
-  settings.maximumTorque = 0.25;
-  settings.maximumTorsionalStiffness = 2.0;
-  palpate::ServoStep servo(
-    std::make_unique<palpate::ServoScene>(ball.kernel), palpate::WorkspaceMapping(), settings);
-  const ContactHandle contact = makeContact(ball.c.get(), nullptr, safety);
-  for (int i = 0; i < 100; ++i)
-  {
-    palpate_sample sample;
-    palpate_sample_default(&sample);
-    sample.position[2] = 0.0202 - 5e-6 * i;
-    sample.orientation[0] = std::cos(0.05);
-    sample.orientation[2] = std::sin(0.05);
-    palpate::DeviceSample reading;
-    reading.position.z() = sample.position[2];
-    reading.orientation = { sample.orientation[0], 0.0, sample.orientation[2], 0.0 };
-    reading.valid = true;
-    palpate_full_tick tick;
-    palpate_step_sample(contact.get(), &sample, 1e-3 * i, &tick);
-    const palpate::Tick expected = servo.step(reading, 1e-3 * i);
-    ASSERT_TRUE(expected.hasAxis());
-    expectSame(tick, expected);
-    for (int k = 0; k < 3; ++k)
-    {
-      EXPECT_EQ(tick.device_torque[k], expected.deviceTorque[k]);
-      EXPECT_EQ(tick.ideal_torque[k], expected.idealTorque[k]);
-    }
-  }
-}
-
 TEST(CSafeContact, EachSafetyReachesTheChain)
 {
   // Switched off one by one, the contact is the plain one again.

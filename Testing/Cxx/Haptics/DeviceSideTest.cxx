@@ -59,7 +59,7 @@ TEST(DeviceSide, TheHostReadsItsStates)
   device.hid.sequence = 6;
   device.hid.force_sequence = 6;
   const palpate_hid_reading reading = { { 0.125F, -0.5F, 1e-4F }, { -1.0F, 2.0F, 0.75F },
-    0x80000001, true };
+    0x80000001, true, {} };
   HapticReportBytes bytes;
   palpate_hid_state(&device.hid, 0x0102030405060708, &reading, bytes.data());
   bytes[3] |= 1; // amplifiers on, as in the known one; there was no force here
@@ -87,7 +87,8 @@ TEST(DeviceSide, TheHostReadsItsStates)
 TEST(DeviceSide, TheHostReadsItsDescription)
 {
   palpate_hid_description description = { true, true, 6.0F, 2500.0F,
-    std::numeric_limits<float>::infinity(), 8.0F, { 0.08F, 0.06F, 0.0F }, 4000.0F, 0.01F, {} };
+    std::numeric_limits<float>::infinity(), 8.0F, { 0.08F, 0.06F, 0.0F }, 4000.0F, 0.01F, {}, false,
+    0.0F, 0.0F, 0.0F };
   std::memcpy(description.name, "Palpate one", 11);
   HapticReportBytes bytes;
   palpate_hid_describe(&description, 99, bytes.data());

@@ -41,7 +41,7 @@ struct RecordedSample
 class PALPATE_EXPORT RecordingDevice final : public HapticDevice
 {
 public:
-  /// `capacity`: readings kept until they are drained; 96 bytes each.
+  /// `capacity`: readings kept until they are drained; 150 bytes each.
   RecordingDevice(std::unique_ptr<HapticDevice> device, std::size_t capacity);
 
   const DeviceSpecification& specification() const noexcept override;

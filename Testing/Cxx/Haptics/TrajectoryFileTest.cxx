@@ -263,8 +263,8 @@ TEST(TrajectoryFile, ErrorsNameFileAndLine)
   EXPECT_EQ(faultOf(Head + "\n1,1,2,3\n0.5,1,2,3\n"), "t.csv:4: time_s decreases");
 
   const std::string whole = Columns + "\n";
-  EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0,5\n"), "");
-  for (const char* const state : { "6", "-1", "0.5" })
+  EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0,6\n"), "");
+  for (const char* const state : { "7", "-1", "0.5" })
   {
     EXPECT_EQ(faultOf(whole + "0,0,0,0,0,0,0,0,0,0,0,0,0," + state + "\n"),
       "t.csv:2: state must be a whole number from 0 to 6");

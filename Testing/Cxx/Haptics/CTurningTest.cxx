@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C interface with a device that turns and is sent torque gives the numbers of ServoStep.
+#include "Haptics/palpate.h"
+
+#include "Contact/FlatBodyFile.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "SampleResponses.h"
+#include "ScratchFile.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace palpate::testing;
+
+namespace
+{
+using BodyHandle = std::unique_ptr<palpate_body, decltype(&palpate_body_free)>;
+using ContactHandle = std::unique_ptr<palpate_contact, decltype(&palpate_contact_free)>;
+
+/// The same ball for C and for C++.
+struct Ball
+{
+  BodyHandle c{ nullptr, &palpate_body_free };
+  std::shared_ptr<const palpate::ContactBody> kernel;
+
+  Ball()
+  {
+    const Surface ball = icosphere(20.0, 3);
+    ResponseStore store(ball.points.size());
+    store.normalsFromPoints(ball);
+    const std::vector<float> validity(ball.points.size(), 1.0F);
+    const std::vector<std::uint8_t> limit(ball.points.size(), 0);
+    palpate::FlatBody body;
+    body.points = ball.points.size();
+    body.triangles = ball.triangles.size();
+    body.coordinates = ball.points.front().data();
+    body.corners = ball.triangles.front().data();
+    body.response = store.arrays();
+    body.validity = validity.data();
+    body.limit = limit.data();
+    const ScratchFile scratch(".palpate");
+    EXPECT_EQ(palpate::FlatBodyFile::write(scratch.path(), body), "");
+    this->c.reset(palpate_body_load(scratch.path().c_str(), nullptr, 0));
+    this->kernel = contactBody(ball, store);
+  }
+
+  ContactHandle contact(const palpate_safety& safety) const
+  {
+    return { palpate_contact_new_safe(this->c.get(), nullptr, &safety, nullptr, 0, nullptr, 0),
+      &palpate_contact_free };
+  }
+  /// Why a contact is refused; "" if it is not.
+  std::string refusal(const palpate_safety& safety) const
+  {
+    std::array<char, 256> reason{};
+    const ContactHandle contact{ palpate_contact_new_safe(this->c.get(), nullptr, &safety, nullptr,
+                                   0, reason.data(), reason.size()),
+      &palpate_contact_free };
+    EXPECT_EQ(contact == nullptr, reason[0] != '\0');
+    return reason.data();
+  }
+};
+} // namespace
+
+TEST(CTurning, TorqueIsOfferedAndLimitedAsTheKernelDoes)
+{
+  palpate_device device;
+  palpate_device_default(&device);
+  EXPECT_EQ(device.maximum_torque, 0.0); // none, as before there was any
+  device.maximum_torque = 0.25;
+  palpate_safety safety;
+  palpate_safety_of(&device, &safety);
+  EXPECT_EQ(safety.maximum_torque, 0.25);
+  EXPECT_EQ(
+    safety.maximum_torsional_stiffness, palpate::DeviceSpecification().maximumTorsionalStiffness);
+  device.maximum_torsional_stiffness = 2.0;
+  palpate_safety_of(&device, &safety);
+  EXPECT_EQ(safety.maximum_torsional_stiffness, 2.0);
+  const Ball ball;
+  EXPECT_EQ(ball.refusal(safety), "");
+  safety.maximum_torque = -1.0;
+  EXPECT_EQ(ball.refusal(safety), "maximum_torque must not be negative (N m), but is -1");
+  safety.maximum_torque = 0.25;
+  safety.maximum_torque_rate = -2.0;
+  EXPECT_EQ(ball.refusal(safety), "maximum_torque_rate must be positive (N m/s), but is -2");
+  safety.maximum_torque_rate = 0.0; // any
+
+  // A turned tool goes through mapping and chain as in the kernel's step.
+  palpate::SafetySettings settings = palpate::SafetySettings::of(palpate::DeviceSpecification());
+  settings.maximumTorque = 0.25;
+  settings.maximumTorsionalStiffness = 2.0;
+  palpate::ServoStep servo(
+    std::make_unique<palpate::ServoScene>(ball.kernel), palpate::WorkspaceMapping(), settings);
+  const ContactHandle contact = ball.contact(safety);
+  for (int i = 0; i < 100; ++i)
+  {
+    palpate_sample sample;
+    palpate_sample_default(&sample);
+    sample.position[2] = 0.0202 - 5e-6 * i;
+    sample.orientation[0] = std::cos(0.05);
+    sample.orientation[2] = std::sin(0.05);
+    palpate::DeviceSample reading;
+    reading.position.z() = sample.position[2];
+    reading.orientation = { sample.orientation[0], 0.0, sample.orientation[2], 0.0 };
+    reading.valid = true;
+    palpate_full_tick tick;
+    palpate_step_sample(contact.get(), &sample, 1e-3 * i, &tick);
+    const palpate::Tick expected = servo.step(reading, 1e-3 * i);
+    ASSERT_TRUE(expected.hasAxis());
+    ASSERT_EQ(tick.acted, expected.acted);
+    EXPECT_EQ(tick.tick.tilt, expected.contact.tilt);
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_EQ(tick.tick.device_force[k], expected.deviceForce[k]);
+      EXPECT_EQ(tick.tick.torque[k], expected.contact.torque[k]);
+      EXPECT_EQ(tick.device_torque[k], expected.deviceTorque[k]);
+      EXPECT_EQ(tick.ideal_torque[k], expected.idealTorque[k]);
+    }
+  }
+}
