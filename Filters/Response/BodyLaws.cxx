@@ -12,6 +12,7 @@
 #include "Response/Curves/CurvatureBound.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/Curves/ResponseStorage.h"
+#include "Response/Curves/TiltRequest.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/ReplacedCurves.h"
@@ -116,11 +117,6 @@ std::string checkRequest(const LawRequest& request)
     return joined(
       "TermTolerance must be finite and not negative (a fraction of the force), but is ", change);
   }
-  const double tilt = request.terms.tilt;
-  if (!(tilt >= 0.0 && std::isfinite(tilt)))
-  {
-    return joined("MaximumTilt must be finite and not negative (degrees), but is ", tilt);
-  }
   return request.responseName.empty() ? "ResponseName must not be empty" : "";
 }
 
@@ -166,6 +162,12 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   if (!fault.empty())
   {
     return "MaximumDeflection: " + fault;
+  }
+  const TiltRequest tilts{ tool, request.terms.tilt, request.deflection };
+  fault = checkTilts(tilts);
+  if (!fault.empty())
+  {
+    return fault;
   }
   const std::string& name = request.responseName;
   const vtkIdType count = body->GetNumberOfPoints();
@@ -250,6 +252,11 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   {
     addText(output, termsName(name), reason);
   }
-  return {};
+  fault = attachTilts(tilts, &material, terms.errorTolerance, name, output);
+  if (!fault.empty())
+  {
+    output->Initialize();
+  }
+  return fault;
 }
 } // namespace palpate

@@ -8,6 +8,7 @@
 #include "Response/Bodies/SolvedBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
+#include "Response/Curves/TiltRequest.h"
 #include "Response/Curves/AutomaticTerms.h"
 #include "Response/FilterThreads.h"
 #include "Response/ReplacedCurves.h"
@@ -124,6 +125,9 @@ std::string vtkElasticContactResponse::CheckProperties()
   }
   palpate::PronySeries series;
   fault = fault.empty() ? this->Relaxations.fillSeries(series) : fault;
+  fault = fault.empty()
+    ? palpate::checkTilts({ *this->Tool->GetKernel(), this->MaximumTilt, this->MaximumDeflection })
+    : fault;
   fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
                         : fault;
   return fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
@@ -238,6 +242,14 @@ std::string vtkElasticContactResponse::Respond(
       palpate::edgeTermsOf(*this->Tool->GetKernel(), this->MaximumDeflection, 0.5);
     edges.isInCurves = true;
     palpate::describeEdges(output, this->ResponseName, edges);
+  }
+  const std::string fault =
+    palpate::attachTilts({ *this->Tool->GetKernel(), this->MaximumTilt, this->MaximumDeflection },
+      nullptr, 0.0, this->ResponseName, output);
+  if (!fault.empty())
+  {
+    output->Initialize();
+    return fault;
   }
   if (this->AutomaticTerms)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tilted tool at every point of a body: laws between whose nodes the force is met.
-#include "Laws/BodyTilt.h"
+#include "Laws/MaterialTilts.h"
 
 #include "Laws/BodyMaterial.h"
 #include "Mechanics/Tilt/TiltNodes.h"
@@ -52,7 +52,7 @@ void compare(const std::string& text, double range, double largest, const BodyMa
 {
   const auto tool = toolOf(text);
   const ContactSpots spots = material.spots();
-  const BodyTilt tilt = tiltOfBody(*tool, range, largest, material.range(), spots, points);
+  const MaterialTilts tilt = tiltsOf(*tool, range, largest, material.range(), spots, points);
   ASSERT_EQ(tilt.fault, "");
   const auto laws = static_cast<std::size_t>(tilt.table.terms().laws);
   ASSERT_EQ(tilt.weights.size(), points * laws);
@@ -90,15 +90,15 @@ void compare(const std::string& text, double range, double largest, const BodyMa
 }
 } // namespace
 
-TEST(BodyTilt, AModulusAloneIsOneLaw)
+TEST(MaterialTilts, AModulusAloneIsOneLaw)
 {
   BodyMaterial::Values values;
   values.youngsModulus = { "E", { 0.1, 0.2, 5.0 } };
   const BodyMaterial material =
     bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 3);
   const auto tool = toolOf("flat:1");
-  const BodyTilt tilt =
-    tiltOfBody(*tool, 1.0, 30.0 * Degree, material.range(), material.spots(), 3);
+  const MaterialTilts tilt =
+    tiltsOf(*tool, 1.0, 30.0 * Degree, material.range(), material.spots(), 3);
   ASSERT_EQ(tilt.fault, "");
   EXPECT_EQ(tilt.table.terms().laws, 1);
   EXPECT_TRUE(tilt.weights.empty());
@@ -107,7 +107,7 @@ TEST(BodyTilt, AModulusAloneIsOneLaw)
 }
 
 // Linear between nodes: 1 % of the force.
-TEST(BodyTilt, ThicknessesAreMetBetweenTheNodes)
+TEST(MaterialTilts, ThicknessesAreMetBetweenTheNodes)
 {
   BodyMaterial::Values values;
   values.thickness = { "h", { 1.1, 1.7, 2.3, 4.1, 9.0, 0.0 } };
@@ -116,7 +116,7 @@ TEST(BodyTilt, ThicknessesAreMetBetweenTheNodes)
   compare("flat:1", 0.5, 20.0 * Degree, material, 6, 0.01);
 }
 
-TEST(BodyTilt, APointedToolToo)
+TEST(MaterialTilts, APointedToolToo)
 {
   BodyMaterial::Values values;
   values.thickness = { "h", { 1.1, 1.7, 2.9, 6.0 } };
@@ -125,7 +125,7 @@ TEST(BodyTilt, APointedToolToo)
   compare("cone:60", 1.0, 15.0 * Degree, material, 4, 0.01);
 }
 
-TEST(BodyTilt, CompliancesAreMetBetweenTheNodes)
+TEST(MaterialTilts, CompliancesAreMetBetweenTheNodes)
 {
   BodyMaterial::Values values;
   values.youngsModulus = { "E", { 0.1, 0.2, 0.1, 0.3 } };
@@ -136,7 +136,7 @@ TEST(BodyTilt, CompliancesAreMetBetweenTheNodes)
 }
 
 // A grid of all that varies is coarser: 2 %.
-TEST(BodyTilt, SeveralThingsMakeAGrid)
+TEST(MaterialTilts, SeveralThingsMakeAGrid)
 {
   BodyMaterial::Values values;
   values.thickness = { "h", { 1.5, 2.0, 4.0 } };
@@ -146,15 +146,15 @@ TEST(BodyTilt, SeveralThingsMakeAGrid)
   compare("cone:60", 1.0, 15.0 * Degree, material, 3, 0.02);
 }
 
-TEST(BodyTilt, AStackHasAKernelOfItsOwn)
+TEST(MaterialTilts, AStackHasAKernelOfItsOwn)
 {
   // A stack of two equal layers is one layer of both.
   const BodyMaterial two =
     bodyOf({ 0.1, 0.45, 1.0, LayerBase::Bonded, false, { StackLayer{ 2.0, 0.1, 0.45 } } }, {}, 1);
   const BodyMaterial one = bodyOf({ 0.1, 0.45, 3.0, LayerBase::Bonded, false }, {}, 1);
   const auto tool = toolOf("cone:60");
-  const BodyTilt stacked = tiltOfBody(*tool, 0.8, 15.0 * Degree, two.range(), two.spots(), 1);
-  const BodyTilt single = tiltOfBody(*tool, 0.8, 15.0 * Degree, one.range(), one.spots(), 1);
+  const MaterialTilts stacked = tiltsOf(*tool, 0.8, 15.0 * Degree, two.range(), two.spots(), 1);
+  const MaterialTilts single = tiltsOf(*tool, 0.8, 15.0 * Degree, one.range(), one.spots(), 1);
   ASSERT_EQ(stacked.fault, "");
   ASSERT_EQ(single.fault, "");
   // LayerStack: one layer to 1e-12; its kernel's table, 1e-10, over differences of 1e-2 of y.
@@ -162,27 +162,27 @@ TEST(BodyTilt, AStackHasAKernelOfItsOwn)
   EXPECT_GT(single.table.at(0.5, 0.2).value, 1.1);
 }
 
-TEST(BodyTilt, RefusesInWords)
+TEST(MaterialTilts, RefusesInWords)
 {
   const BodyMaterial material = bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, {}, 1);
-  const BodyTilt steep =
-    tiltOfBody(*toolOf("cone:60"), 1.0, 40.0 * Degree, material.range(), material.spots(), 1);
+  const MaterialTilts steep =
+    tiltsOf(*toolOf("cone:60"), 1.0, 40.0 * Degree, material.range(), material.spots(), 1);
   EXPECT_NE(steep.fault.find("40 degrees"), std::string::npos) << steep.fault;
   EXPECT_NE(steep.fault.find("26 degrees"), std::string::npos) << steep.fault;
   const BodyMaterial thin = bodyOf({ 0.1, 0.45, 0.02, LayerBase::Bonded, false }, {}, 1);
-  const BodyTilt deep =
-    tiltOfBody(*toolOf("cone:60"), 1.0, 10.0 * Degree, thin.range(), thin.spots(), 1);
+  const MaterialTilts deep =
+    tiltsOf(*toolOf("cone:60"), 1.0, 10.0 * Degree, thin.range(), thin.spots(), 1);
   EXPECT_NE(deep.fault.find("0.02 mm"), std::string::npos) << deep.fault;
 }
 
-TEST(BodyTilt, ALayerTooThinTakesTheThinnestThatAnswers)
+TEST(MaterialTilts, ALayerTooThinTakesTheThinnestThatAnswers)
 {
   BodyMaterial::Values values;
   values.thickness = { "h", { 0.02, 3.0 } };
   const BodyMaterial material =
     bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 2);
-  const BodyTilt tilt =
-    tiltOfBody(*toolOf("cone:60"), 1.0, 10.0 * Degree, material.range(), material.spots(), 2);
+  const MaterialTilts tilt =
+    tiltsOf(*toolOf("cone:60"), 1.0, 10.0 * Degree, material.range(), material.spots(), 2);
   ASSERT_EQ(tilt.fault, "");
   EXPECT_GT(tilt.thinnest, 0.02);
   const auto laws = static_cast<std::size_t>(tilt.table.terms().laws);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Laws/BodyTilt.h"
+#include "Laws/MaterialTilts.h"
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -270,10 +270,10 @@ private:
 };
 } // namespace
 
-BodyTilt tiltOfBody(const AxisymmetricTool& tool, double range, double largest,
+MaterialTilts tiltsOf(const AxisymmetricTool& tool, double range, double largest,
   const MaterialRange& bounds, const ContactSpots& spots, std::size_t points)
 {
-  BodyTilt result;
+  MaterialTilts result;
   result.fault = checkTiltDemand(tool, range, largest);
   if (!result.fault.empty())
   {

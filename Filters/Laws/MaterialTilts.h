@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_BodyTilt_h
-#define palpate_BodyTilt_h
+#ifndef palpate_MaterialTilts_h
+#define palpate_MaterialTilts_h
 
 #include "Laws/ContactSpot.h"
 #include "Laws/MaterialRange.h"
@@ -16,7 +16,7 @@ namespace palpate
 class AxisymmetricTool;
 
 /// What tilting a tool makes of its force at every point of a body.
-struct BodyTilt
+struct MaterialTilts
 {
   TiltTable table;
   std::vector<float> weights; ///< of each point, one per law, sum 1; none where there is one law
@@ -35,13 +35,13 @@ struct BodyTilt
  * the range, so that a half-space is its end; Poisson's ratio of layers; the thickness of a stack's
  * second layer; compliance times modulus Y, even in YK/(1 + YK), K the stiffness over E* at the
  * range. Several of them: the grid of all, at most TiltTerms::MostLaws, coarser where need be. With
- * enough nodes for one of them the force between is met to 1 % (BodyTiltTest.cxx).
+ * enough nodes for one of them the force between is met to 1 % (MaterialTiltsTest.cxx).
  *
  * Of a body at finite strain or curved, the factor is that of the flat body at small strain, whose
  * upright force it multiplies. `bounds` may be of more pieces than `spots`: the same table for all.
  * `spots` are those of a BodyMaterial. Cost: TiltedHalfSpace and 0.2 to 0.5 s a layer.
  */
-PALPATE_EXPORT BodyTilt tiltOfBody(const AxisymmetricTool& tool, double range, double largest,
+PALPATE_EXPORT MaterialTilts tiltsOf(const AxisymmetricTool& tool, double range, double largest,
   const MaterialRange& bounds, const ContactSpots& spots, std::size_t points);
 } // namespace palpate
 
