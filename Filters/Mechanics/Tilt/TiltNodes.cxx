@@ -174,6 +174,13 @@ private:
   std::vector<std::vector<TiltWork>> Uprights; ///< of each depth, each body
 };
 
+std::string countFault(const std::vector<TiltBody>& bodies)
+{
+  return !bodies.empty() && bodies.size() <= TiltTerms::MostLaws
+    ? ""
+    : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size());
+}
+
 /// Why a tool cannot be pressed so deep into a body, tilted or upright; "" if it can.
 std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const TiltBody& body)
@@ -188,11 +195,11 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
       continue;
     }
     double answered = 0.0;
-    double not_answered = range;
+    double unanswered = range;
     for (int i = 0; i < 30; ++i)
     {
-      const double middle = 0.5 * (answered + not_answered);
-      (answers(middle) ? answered : not_answered) = middle;
+      const double middle = 0.5 * (answered + unanswered);
+      (answers(middle) ? answered : unanswered) = middle;
     }
     constexpr double Degrees = 57.29577951308232;
     return joined("on ", body.describe(), " the tool's law answers to ", answered, " mm only",
@@ -249,10 +256,12 @@ double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered)
 MadeTilt makeTiltTable(
   const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies)
 {
-  const std::string fault = checkTiltDemand(tool, range, largest);
-  if (!fault.empty())
+  for (const std::string& fault : { countFault(bodies), checkTiltDemand(tool, range, largest) })
   {
-    return { {}, fault, 0.0 };
+    if (!fault.empty())
+    {
+      return { {}, fault, 0.0 };
+    }
   }
   const bool isLayered = std::any_of(bodies.begin(), bodies.end(),
     [](const TiltBody& body) { return body.hasLayer() || body.yielding < 0.0; });
@@ -263,20 +272,19 @@ MadeTilt makeTiltTable(
 MadeTilt makeTiltTable(
   const TiltedHalfSpace& halfSpace, double range, const std::vector<TiltBody>& bodies)
 {
-  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
+  const std::string fault = countFault(bodies);
+  if (!fault.empty())
   {
-    return { {},
-      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()),
-      0.0 };
+    return { {}, fault, 0.0 };
   }
   const AxisymmetricTool& tool = halfSpace.tool();
   const double largest = halfSpace.drop().largest();
   for (const TiltBody& body : bodies)
   {
-    std::string fault = faultOf(tool, halfSpace, range, largest, body);
-    if (!fault.empty())
+    const std::string tooDeep = faultOf(tool, halfSpace, range, largest, body);
+    if (!tooDeep.empty())
     {
-      return { {}, fault, 0.0 };
+      return { {}, tooDeep, 0.0 };
     }
   }
 
@@ -304,9 +312,9 @@ MadeTilt makeTiltTable(
       }
     });
   const std::vector<double>& drops = halfSpace.drop().nodes();
-  std::string fault = TiltTable::faultOf(terms, drops.data(), nodes.data());
-  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "",
+  const std::string wrong = TiltTable::faultOf(terms, drops.data(), nodes.data());
+  return wrong.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "",
     largestError(tool, halfSpace, range, largest, bodies) }
-                       : MadeTilt{ {}, fault, 0.0 };
+                       : MadeTilt{ {}, wrong, 0.0 };
 }
 } // namespace palpate

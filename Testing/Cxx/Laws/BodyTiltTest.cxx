@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -133,6 +134,7 @@ TEST(BodyTilt, CompliancesAreMetBetweenTheNodes)
   const BodyMaterial material =
     bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 4);
   compare("cone:60", 1.0, 15.0 * Degree, material, 4, 0.01);
+  compare("flat:1", 0.5, 20.0 * Degree, material, 4, 0.01);
 }
 
 // A grid of all that varies is coarser: 2 %.
