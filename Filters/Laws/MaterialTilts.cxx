@@ -65,6 +65,11 @@ public:
     constexpr double Thickness = 0.1;
     constexpr double Ratio = 0.05;
     constexpr double Yielding = 0.15;
+    if (bounds.hasStack() && bounds.second.thickest > 0.0)
+    {
+      this->Axes[2] = Axis(this->thicknessPlace(bounds.second.thickest),
+        this->thicknessPlace(bounds.second.thinnest), Thickness);
+    }
     if (bounds.hasLayers())
     {
       const std::vector<double>& ratios = bounds.layers.poissonsRatios;
@@ -75,11 +80,6 @@ public:
       this->findThinnest(tool, range);
       this->Axes[0] = Axis(bounds.hasHalfSpace ? 0.0 : this->thicknessPlace(bounds.layers.thickest),
         this->thicknessPlace(std::max(this->Thinnest, bounds.layers.thinnest)), Thickness);
-    }
-    if (bounds.hasStack() && bounds.second.thickest > 0.0)
-    {
-      this->Axes[2] = Axis(this->thicknessPlace(bounds.second.thickest),
-        this->thicknessPlace(bounds.second.thinnest), Thickness);
     }
     double least = Infinity;
     double most = -Infinity;
@@ -254,9 +254,10 @@ private:
         const auto own = this->Bounds.hasStack() ? this->kernelOf(thickness, first) : kernel;
         return LayerContact(*tilted, own, thickness).deepest() >= range;
       };
-      while (!answers(answered))
+      constexpr double Thicker = 1.1;
+      constexpr int MostSteps = 300; // by 1e12
+      for (int step = 0; step < MostSteps && !answers(answered); ++step)
       {
-        constexpr double Thicker = 1.1;
         answered *= Thicker;
       }
     }

@@ -54,60 +54,75 @@ public:
     , Largest(largest)
     , Bodies(bodies)
     , HalfSpace(halfSpace)
+    , Uprights(Depths)
   {
+    shareWork(this->Uprights.size(),
+      [this](std::size_t depth)
+      {
+        for (const TiltBody& body : this->Bodies)
+        {
+          this->Uprights[depth].push_back(
+            pressedInto(this->Tool, body, this->depthAt(static_cast<int>(depth))));
+        }
+      });
   }
 
   /// Those of all bodies at one place.
   std::vector<Node> at(int depth, int angle) const
   {
-    const double x = static_cast<double>(depth) / (Depths - 1);
-    const double y = static_cast<double>(angle) / (Angles - 1);
-    if (depth > 0)
+    std::vector<Node> nodes = angle > 0
+      ? this->tilted(depth, static_cast<double>(angle) / (Angles - 1))
+      : this->upright(depth);
+    if (depth == 0)
     {
-      return angle > 0 ? this->tilted(x, y) : this->upright(x);
-    }
-    // Nothing is pressed at 0: straight on from beside it.
-    const double beside = AlmostNone / (Depths - 1);
-    std::vector<Node> nodes = angle > 0 ? this->tilted(beside, y) : this->upright(beside);
-    for (Node& node : nodes)
-    {
-      node[0] -= beside * node[1];
-      node[2] -= beside * node[3];
+      const double beside = placeAt(0);
+      for (Node& node : nodes)
+      {
+        node[0] -= beside * node[1];
+        node[2] -= beside * node[3];
+      }
     }
     return nodes;
   }
 
 private:
+  /// x of a node; nothing is pressed at 0, which is found straight on from beside it.
+  static double placeAt(int depth)
+  {
+    return (depth > 0 ? static_cast<double>(depth) : AlmostNone) / (Depths - 1);
+  }
+  double depthAt(int depth) const { return this->Range * placeAt(depth) * placeAt(depth); }
+
   /// Where η = 1, and W is even in θ at one depth of the tip, so that M = 0:
   /// F dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
-  std::vector<Node> upright(double x) const
+  std::vector<Node> upright(int node) const
   {
     const double scale = this->HalfSpace.dropScale();
-    const double depth = this->Range * x * x;
+    const double depth = this->depthAt(node);
     const double offset = this->HalfSpace.drop().at(0.0).offset;
     std::vector<Node> nodes;
-    for (const TiltBody& body : this->Bodies)
+    for (const TiltWork& at : this->Uprights[static_cast<std::size_t>(node)])
     {
-      Node node{ 1.0, 0.0, 0.0, 0.0 };
+      Node made{ 1.0, 0.0, 0.0, 0.0 };
       if (scale > 0.0)
       {
-        const TiltWork at = pressedInto(this->Tool, body, depth);
         const double rise = at.force / at.work;
         const double riseByDepth = at.stiffness / at.work - rise * rise;
         const double rim = 2.0 * scale / 3.0 / depth;
-        node[2] = this->Largest * offset * (rim - rise);
-        node[3] = this->Largest * offset * (-rim / depth - riseByDepth) * 2.0 * this->Range * x;
+        made[2] = this->Largest * offset * (rim - rise);
+        made[3] =
+          this->Largest * offset * (-rim / depth - riseByDepth) * 2.0 * this->Range * placeAt(node);
       }
-      nodes.push_back(node);
+      nodes.push_back(made);
     }
     return nodes;
   }
 
   /// By differences over y, and F = dW/dD over x.
-  std::vector<Node> tilted(double x, double y) const
+  std::vector<Node> tilted(int node, double y) const
   {
-    const double depth = this->Range * x * x;
-    const double depthByX = 2.0 * this->Range * x;
+    const double depth = this->depthAt(node);
+    const double depthByX = 2.0 * this->Range * placeAt(node);
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
     std::array<Ratio, 3> rim{};    // ρ
     std::array<Ratio, 3> missed{}; // what the profile's work misses of a half-space's
@@ -130,14 +145,14 @@ private:
         over(this->HalfSpace.pressed(depth, angle), pressedInto(*tools[i], TiltBody(), depth));
     }
     std::vector<Node> nodes;
-    for (const TiltBody& body : this->Bodies)
+    for (std::size_t body = 0; body < this->Bodies.size(); ++body)
     {
-      const TiltWork upright = pressedInto(this->Tool, body, depth);
+      const TiltWork& upright = this->Uprights[static_cast<std::size_t>(node)][body];
       std::array<double, 3> eta{};
       std::array<double, 3> byX{};
       for (std::size_t i = 0; i < 3; ++i)
       {
-        const Ratio tau = over(pressedInto(*tools[i], body, depth), upright);
+        const Ratio tau = over(pressedInto(*tools[i], this->Bodies[body], depth), upright);
         eta[i] = tau.value * missed[i].value / rim[i].value;
         byX[i] = eta[i] * depthByX *
           (tau.byDepth / tau.value + missed[i].byDepth / missed[i].value -
@@ -156,7 +171,15 @@ private:
   double Largest;
   const std::vector<TiltBody>& Bodies;
   const TiltedHalfSpace& HalfSpace;
+  std::vector<std::vector<TiltWork>> Uprights; ///< of each depth, each body
 };
+
+std::string countFault(const std::vector<TiltBody>& bodies)
+{
+  return !bodies.empty() && bodies.size() <= TiltTerms::MostLaws
+    ? ""
+    : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size());
+}
 
 /// Why a tool cannot be pressed so deep into a body, tilted or upright; "" if it can.
 std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
@@ -172,11 +195,11 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
       continue;
     }
     double answered = 0.0;
-    double not_answered = range;
+    double unanswered = range;
     for (int i = 0; i < 30; ++i)
     {
-      const double middle = 0.5 * (answered + not_answered);
-      (answers(middle) ? answered : not_answered) = middle;
+      const double middle = 0.5 * (answered + unanswered);
+      (answers(middle) ? answered : unanswered) = middle;
     }
     constexpr double Degrees = 57.29577951308232;
     return joined("on ", body.describe(), " the tool's law answers to ", answered, " mm only",
@@ -233,10 +256,12 @@ double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered)
 MadeTilt makeTiltTable(
   const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies)
 {
-  const std::string fault = checkTiltDemand(tool, range, largest);
-  if (!fault.empty())
+  for (const std::string& fault : { countFault(bodies), checkTiltDemand(tool, range, largest) })
   {
-    return { {}, fault, 0.0 };
+    if (!fault.empty())
+    {
+      return { {}, fault, 0.0 };
+    }
   }
   const bool isLayered = std::any_of(bodies.begin(), bodies.end(),
     [](const TiltBody& body) { return body.hasLayer() || body.yielding < 0.0; });
@@ -247,20 +272,19 @@ MadeTilt makeTiltTable(
 MadeTilt makeTiltTable(
   const TiltedHalfSpace& halfSpace, double range, const std::vector<TiltBody>& bodies)
 {
-  if (bodies.empty() || bodies.size() > TiltTerms::MostLaws)
+  const std::string fault = countFault(bodies);
+  if (!fault.empty())
   {
-    return { {},
-      joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size()),
-      0.0 };
+    return { {}, fault, 0.0 };
   }
   const AxisymmetricTool& tool = halfSpace.tool();
   const double largest = halfSpace.drop().largest();
   for (const TiltBody& body : bodies)
   {
-    std::string fault = faultOf(tool, halfSpace, range, largest, body);
-    if (!fault.empty())
+    const std::string tooDeep = faultOf(tool, halfSpace, range, largest, body);
+    if (!tooDeep.empty())
     {
-      return { {}, fault, 0.0 };
+      return { {}, tooDeep, 0.0 };
     }
   }
 
@@ -288,9 +312,9 @@ MadeTilt makeTiltTable(
       }
     });
   const std::vector<double>& drops = halfSpace.drop().nodes();
-  std::string fault = TiltTable::faultOf(terms, drops.data(), nodes.data());
-  return fault.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "",
+  const std::string wrong = TiltTable::faultOf(terms, drops.data(), nodes.data());
+  return wrong.empty() ? MadeTilt{ TiltTable(terms, drops.data(), nodes.data()), "",
     largestError(tool, halfSpace, range, largest, bodies) }
-                       : MadeTilt{ {}, fault, 0.0 };
+                       : MadeTilt{ {}, wrong, 0.0 };
 }
 } // namespace palpate

@@ -29,8 +29,10 @@ struct MadeTilt
  *
  * Force of the interpolated table, dW/dD, against boundary elements between all nodes on a
  * half-space: spheres exact, flat ends as their universal law, cones and blunted cones 0.5 %, other
- * flat ends 3 % from a depth of 0.1 of their size on and 1 % from 0.2 (TiltNodesTest.cxx). On
- * layers tiltError tells what the equivalent profile costs. Upright M is 0 to 1e-3 F a.
+ * flat ends 3 % from a depth of 0.1 of their size on and 1 % from 0.2 (TiltNodesTest.cxx); sampled
+ * profiles 1 %, but 6 % where a facet of theirs is about to lie on the body. On
+ * layers tiltError tells what the equivalent profile costs of the force; of the torque it may cost
+ * four times as much of F a. Upright M is 0 to 1e-3 F a.
  *
  * A fault names the tilt that is too much for the tool, or the depth to which a law answers.
  * Cost: that of TiltedHalfSpace and 0.2 s per layer, on all threads; same bits whatever the

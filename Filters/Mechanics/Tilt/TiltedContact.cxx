@@ -98,6 +98,7 @@ std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& hei
     }
     const double step = along / curved;
     bool isSettled = true;
+    bool hasGrown = false;
     for (std::size_t i = 0; i < count; ++i)
     {
       if (pressure[i] > 0.0)
@@ -108,11 +109,11 @@ std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& hei
       else if (gap[i] < 0.0)
       {
         pressure[i] = -step * gap[i];
-        isSettled = false;
+        hasGrown = true;
       }
     }
-    goesOn = isSettled;
-    if (isSettled &&
+    goesOn = !hasGrown;
+    if (isSettled && !hasGrown &&
       square <= Tolerance * Tolerance * depth * depth * static_cast<double>(touching))
     {
       break;

@@ -110,6 +110,8 @@ TiltedHalfSpace::TiltedHalfSpace(const AxisymmetricTool& tool, double depth, dou
       ? Kind::ScaleFree
       : Kind::Solved;
   }
+  this->IsFaceted =
+    !(this->DropScale > 0.0) && (!specification || specification->Shape == ToolShape::Profile);
   if (this->Is == Kind::ScaleFree || this->Is == Kind::Solved)
   {
     this->solveRows(depth);
@@ -162,7 +164,8 @@ void TiltedHalfSpace::solveRows(double depth)
       const double tau = tilted.work > 0.0 ? tilted.work / solved[row * columns].work : 1.0;
       works.push_back(this->DropScale > 0.0
           ? tau / tiltedFlatWork(this->rimRatio(at, angles[column])).value
-          : std::pow(tau, Power));
+          : this->IsFaceted ? std::log(tau)
+                            : std::pow(tau, Power));
     }
     std::optional<double> slope;
     if (!(this->DropScale > 0.0))
@@ -271,14 +274,22 @@ TiltWork TiltedHalfSpace::workOf(
 {
   const double depth = upright.depth;
   const TiltWork& at = upright.at;
-  const double power = this->DropScale > 0.0 ? 1.0 : 1.0 / Power;
   const SplinePoint eta = stored.at(std::log(depth));
-  const double etaSlope = eta.slope / eta.value;
+  double logarithm = eta.value; // and its derivatives
+  double logarithmSlope = eta.slope;
+  double logarithmBend = eta.bend;
+  if (!this->IsFaceted)
+  {
+    const double power = this->DropScale > 0.0 ? 1.0 : 1.0 / Power;
+    const double relative = eta.slope / eta.value;
+    logarithm = power * std::log(eta.value);
+    logarithmSlope = power * relative;
+    logarithmBend = power * (eta.bend / eta.value - relative * relative);
+  }
   const double m = depth * at.force / at.work;
-  double work = at.work * std::pow(eta.value, power);
-  double slope = m + power * etaSlope;
-  double bend = m + depth * depth * at.stiffness / at.work - m * m +
-    power * (eta.bend / eta.value - etaSlope * etaSlope);
+  double work = at.work * std::exp(logarithm);
+  double slope = m + logarithmSlope;
+  double bend = m + depth * depth * at.stiffness / at.work - m * m + logarithmBend;
   if (this->DropScale > 0.0)
   {
     const double ratio = this->rimRatio(depth, angle);

@@ -22,8 +22,9 @@ namespace palpate
  * have the work smoother than the force. Of spheres τ is 1, of flat ends closed (TiltedFlat.h), of
  * cones, which have no length, a function of the angle; all others are solved for (TiltedContact.h)
  * at some thirteen depths and angles, of blunted cones where the tip does not touch alone. Splined
- * over θ and over ln D is τ^-1.2, of a tool with a flat end τ over that of the flat end. Against
- * boundary elements between all nodes: 1e-3, flat ends 3e-3 (TiltedHalfSpaceTest.cxx).
+ * over θ and over ln D is τ^-1.2, of a sampled profile, whose facets lie on the body one after the
+ * other, ln τ, of a tool with a flat end τ over that of the flat end. Against
+ * boundary elements between all nodes: 1e-3, flat ends 3e-3 (TiltNodesTest.cxx).
  *
  * Cost: 1 to 4 s of a tool that is solved for, on all threads, else nothing to speak of; of
  * equivalent() 0.1 ms. Same bits whatever the threads.
@@ -79,6 +80,7 @@ private:
   ToolDrop Drop;
   double DropScale;
   Kind Is = Kind::Solved;
+  bool IsFaceted = false; ///< so that ln τ is splined, not τ^-1.2
   std::vector<Row> Rows;
   std::vector<Upright> Uprights; ///< from the deepest on
 };

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -110,19 +111,19 @@ TEST(MaterialTilts, AModulusAloneIsOneLaw)
 TEST(MaterialTilts, ThicknessesAreMetBetweenTheNodes)
 {
   BodyMaterial::Values values;
-  values.thickness = { "h", { 1.1, 1.7, 2.3, 4.1, 9.0, 0.0 } };
+  values.thickness = { "h", { 1.6, 2.6, 0.0 } };
   const BodyMaterial material =
-    bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 6);
-  compare("flat:1", 0.5, 20.0 * Degree, material, 6, 0.01);
+    bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 3);
+  compare("flat:1", 0.5, 20.0 * Degree, material, 3, 0.01);
 }
 
 TEST(MaterialTilts, APointedToolToo)
 {
   BodyMaterial::Values values;
-  values.thickness = { "h", { 1.1, 1.7, 2.9, 6.0 } };
+  values.thickness = { "h", { 1.1, 1.7, 2.9 } };
   const BodyMaterial material =
-    bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 4);
-  compare("cone:60", 1.0, 15.0 * Degree, material, 4, 0.01);
+    bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 3);
+  compare("cone:60", 1.0, 15.0 * Degree, material, 3, 0.01);
 }
 
 TEST(MaterialTilts, CompliancesAreMetBetweenTheNodes)
@@ -133,14 +134,15 @@ TEST(MaterialTilts, CompliancesAreMetBetweenTheNodes)
   const BodyMaterial material =
     bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 4);
   compare("cone:60", 1.0, 15.0 * Degree, material, 4, 0.01);
+  compare("flat:1", 0.5, 20.0 * Degree, material, 4, 0.01);
 }
 
 // A grid of all that varies is coarser: 2 %.
 TEST(MaterialTilts, SeveralThingsMakeAGrid)
 {
   BodyMaterial::Values values;
-  values.thickness = { "h", { 1.5, 2.0, 4.0 } };
-  values.compliance = { "C", { 0.5, 0.1, 2.0 } };
+  values.thickness = { "h", { 1.5, 2.0, 2.6 } };
+  values.compliance = { "C", { 0.5, 0.1, 0.9 } };
   const BodyMaterial material =
     bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, true }, std::move(values), 3);
   compare("cone:60", 1.0, 15.0 * Degree, material, 3, 0.02);
@@ -178,7 +180,7 @@ TEST(MaterialTilts, RefusesInWords)
 TEST(MaterialTilts, ALayerTooThinTakesTheThinnestThatAnswers)
 {
   BodyMaterial::Values values;
-  values.thickness = { "h", { 0.02, 3.0 } };
+  values.thickness = { "h", { 0.02, 0.4 } };
   const BodyMaterial material =
     bodyOf({ 0.1, 0.45, 0.0, LayerBase::Bonded, false }, std::move(values), 2);
   const MaterialTilts tilt =
