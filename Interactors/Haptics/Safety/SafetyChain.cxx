@@ -125,7 +125,7 @@ Wrench SafetyChain::shape(const SafetyInput& input, SafeForce& result) noexcept
   // The last step of a ramp belongs to it.
   const bool changing = input.changing || gate < 1.0 || this->LastGateShare < 1.0;
   this->LastGateShare = gate;
-  const Wrench passive = this->controlPassivity(input, changing, wanted, limited);
+  Wrench passive = this->controlPassivity(input, changing, wanted, limited);
   mark(result.acted, SafetyLink::Passivity,
     passive.force != limited.force || passive.torque != limited.torque);
   return passive;
@@ -139,7 +139,7 @@ Eigen::Vector3d SafetyChain::shapeTorque(
   wanted = share * (caps ? input.cappedTorque : input.idealTorque);
   const Eigen::Vector3d slewed = this->TorqueSlew.limit(input.time, wanted);
   mark(result.acted, SafetyLink::Slew, slewed != wanted);
-  const Eigen::Vector3d limited = this->TorqueMagnitude.limit(slewed);
+  Eigen::Vector3d limited = this->TorqueMagnitude.limit(slewed);
   mark(result.acted, SafetyLink::Magnitude, limited != slewed);
   return limited;
 }

@@ -98,6 +98,28 @@ TEST(PassivityTorque, CountsTheWorkOfBothInEachHold)
   EXPECT_NEAR(control.energy(), 11e-3 - work + damping - 0.05 * 0.05 / (2.0 * Torsion), 1e-15);
 }
 
+TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
+{
+  // A scene that has been given 6.25 mJ, F²/2K of 5 N, and turns the hand on for ever.
+  PassivityControl control(Stiffest, Period, 0.0, Torsion);
+  control.observe(0.0, Vector3d::Zero(), ToolOrientation::Identity());
+  control.grant(5.0, 0.0);
+  const double whole = 5.0 * 5.0 / (2.0 * Stiffest);
+  constexpr double Turn = 1e-3; // rad per tick
+  double given = 0.0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Wrench sent = control.limit(Wrench{ Vector3d::Zero(), Vector3d(0.05, 0.0, 0.0) });
+    control.sent(Period * i, sent);
+    given += sent.torque.x() * Turn;
+    const Vector3d angle(Turn * (i + 1), 0.0, 0.0);
+    control.observe(Period * (i + 1), Vector3d::Zero(), turnedBy(angle));
+  }
+  const double damping = 1000 * 0.5 * Torsion * Turn * Turn;
+  EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // rounding
+  EXPECT_GT(given, 0.9 * whole);                                       // and it can be had
+}
+
 TEST(PassivityTorque, DoesNothingToASpringOfForceAndTorque)
 {
   // U = ½ K_max z² + ½ K_θ θ², as stiff as allowed: half of each, and a coupling that makes up the
