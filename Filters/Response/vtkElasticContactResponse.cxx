@@ -243,13 +243,13 @@ std::string vtkElasticContactResponse::Respond(
     edges.isInCurves = true;
     palpate::describeEdges(output, this->ResponseName, edges);
   }
-  const std::string fault =
+  const std::string untilted =
     palpate::attachTilts({ *this->Tool->GetKernel(), this->MaximumTilt, this->MaximumDeflection },
       nullptr, 0.0, this->ResponseName, output);
-  if (!fault.empty())
+  if (!untilted.empty())
   {
     output->Initialize();
-    return fault;
+    return untilted;
   }
   if (this->AutomaticTerms)
   {
