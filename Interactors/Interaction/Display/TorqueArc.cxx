@@ -27,14 +27,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double TubeRadius = 0.55; // mm
-constexpr double HeadRadius = 1.6;  // mm
-constexpr double HeadLength = 3.6;  // mm
-constexpr double MostTurn = 5.2;    // rad
-constexpr double LeastTurn = 0.15;  // rad, below which it is a head alone
-constexpr int Sides = 24;
-constexpr int Pieces = 48;
-constexpr int LabelSize = 18; // points
+constexpr double ArcTubeRadius = 0.55; // mm
+constexpr double ArcHeadRadius = 1.6;  // mm
+constexpr double ArcHeadLength = 3.6;  // mm
+constexpr double ArcMostTurn = 5.2;    // rad
+constexpr double ArcLeastTurn = 0.15;  // rad, below which it is a head alone
+constexpr int ArcSides = 24;
+constexpr int ArcPieces = 48;
+constexpr int ArcLabelSize = 18; // points
 } // namespace
 
 TorqueArc::TorqueArc()
@@ -44,15 +44,15 @@ TorqueArc::TorqueArc()
   , Label(vtkSmartPointer<vtkTextActor>::New())
 {
   this->Arc->UseNormalAndAngleOn();
-  this->Arc->SetResolution(Pieces);
+  this->Arc->SetResolution(ArcPieces);
   vtkNew<vtkTubeFilter> tube;
   tube->SetInputConnection(this->Arc->GetOutputPort());
-  tube->SetRadius(TubeRadius);
-  tube->SetNumberOfSides(Sides);
+  tube->SetRadius(ArcTubeRadius);
+  tube->SetNumberOfSides(ArcSides);
   tube->CappingOn();
-  this->Cone->SetResolution(Sides);
-  this->Cone->SetRadius(HeadRadius);
-  this->Cone->SetHeight(HeadLength);
+  this->Cone->SetResolution(ArcSides);
+  this->Cone->SetRadius(ArcHeadRadius);
+  this->Cone->SetHeight(ArcHeadLength);
   vtkNew<vtkAppendPolyData> both;
   both->AddInputConnection(tube->GetOutputPort());
   both->AddInputConnection(this->Cone->GetOutputPort());
@@ -65,7 +65,7 @@ TorqueArc::TorqueArc()
 
   vtkTextProperty* text = this->Label->GetTextProperty();
   text->SetColor(TorqueColor.data());
-  text->SetFontSize(LabelSize);
+  text->SetFontSize(ArcLabelSize);
   text->SetBold(1);
   text->SetBackgroundColor(BackgroundColor.data());
   text->SetBackgroundOpacity(0.65);
@@ -79,7 +79,7 @@ void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torqu
   const Eigen::Vector3d& from, double scale)
 {
   const double magnitude = torque.norm();
-  const double turn = std::min(magnitude * scale / (Radius * Radius), MostTurn);
+  const double turn = std::min(magnitude * scale / (Radius * Radius), ArcMostTurn);
   if (!std::isfinite(turn) || !(turn > 0.0))
   {
     this->hide();
@@ -89,7 +89,7 @@ void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torqu
   Eigen::Vector3d first = from - normal.dot(from) * normal;
   first = first.norm() > 1e-6 * from.norm() ? first.normalized() : normal.unitOrthogonal();
   // It begins before that side and ends behind it.
-  const double shown = std::max(turn, LeastTurn);
+  const double shown = std::max(turn, ArcLeastTurn);
   const Eigen::Vector3d begin = Eigen::AngleAxisd(-0.5 * shown, normal) * first;
   const Eigen::Vector3d end = Eigen::AngleAxisd(0.5 * shown, normal) * first;
   const Eigen::Vector3d ahead = normal.cross(end);
@@ -98,8 +98,8 @@ void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torqu
   this->Arc->SetPolarVector(Radius * begin.x(), Radius * begin.y(), Radius * begin.z());
   this->Arc->SetAngle(vtkMath::DegreesFromRadians(shown));
   this->Tail = center + Radius * begin;
-  this->Head = center + Radius * end + HeadLength * ahead;
-  const Eigen::Vector3d middle = center + Radius * end + 0.5 * HeadLength * ahead;
+  this->Head = center + Radius * end + ArcHeadLength * ahead;
+  const Eigen::Vector3d middle = center + Radius * end + 0.5 * ArcHeadLength * ahead;
   this->Cone->SetCenter(middle.x(), middle.y(), middle.z());
   this->Cone->SetDirection(ahead.x(), ahead.y(), ahead.z());
   this->Actor->VisibilityOn();
