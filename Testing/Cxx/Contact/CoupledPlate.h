@@ -41,6 +41,7 @@ struct CoupledPlate
   {
     ResponseArrays arrays = this->store.arrays();
     arrays.exponent = this->isLinear ? 1.0 : 1.5;
+    arrays.relaxation = this->relaxation;
     if (isCoupled)
     {
       arrays.coupling = this->terms;
@@ -53,6 +54,7 @@ struct CoupledPlate
   Surface surface;
   ResponseStore store;
   CouplingTerms terms;
+  RelaxationTerms relaxation; ///< none, unless set
   bool isLinear;
 };
 
