@@ -152,6 +152,10 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             at.pressed = pose.tip;
             single.reset();
             at.contact = single.update(pose);
+            if (pose.hasAxis())
+            {
+              at.contact = single.update(pose); // followed along the normal that was found
+            }
           });
         for (std::size_t k = 0; k < felt.size(); ++k)
         {
