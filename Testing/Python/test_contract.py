@@ -15,12 +15,13 @@ import unittest
 import numpy as np
 
 import palpate
-from palpate import (contract, vtkContactTool, vtkReducedContactResponse, vtkResponseCurves, vtkToolContactProbe,
+from palpate import (contract, tilts, vtkContactTool, vtkReducedContactResponse, vtkResponseCurves, vtkToolContactProbe,
                      vtkToolContactResponse)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 TOLERANCE = 1e-12
 RADIUS = 20.0
@@ -101,7 +102,7 @@ class AgainstTheTable(unittest.TestCase):
         header = os.path.join(os.path.dirname(__file__), "../../Filters/Contact/ResponseContract.h")
         with open(header, encoding="utf-8") as file:
             self.rows = self.ROW.findall(file.read())
-        self.assertEqual(len(self.rows), 25)
+        self.assertEqual(len(self.rows), 29)
 
     def test_filters_attach_what_the_table_says(self):
         ball = vtkSphereSource()
@@ -117,10 +118,11 @@ class AgainstTheTable(unittest.TestCase):
         response.ComplianceRelaxesOff()
         response.ComplianceExcludesLayerOn()
         response.CouplingOn()
+        response.SetMaximumTilt(30)
         ball.Update()
         body = ball.GetOutput()
         count = body.GetNumberOfPoints()
-        for index, name, values in ((0, "Modulus", np.full(count, 0.2)), (1, "Thickness", np.full(count, 5.0)),
+        for index, name, values in ((0, "Modulus", np.full(count, 0.2)), (1, "Thickness", np.linspace(5.0, 9.0, count)),
                                     (2, "GlobalCompliance", np.full(count, 0.1)),
                                     (5, "Strengths", np.full((count, 2), 0.75)),
                                     (None, "CouplingModes", np.full((count, 3), 0.01))):
@@ -137,6 +139,8 @@ class AgainstTheTable(unittest.TestCase):
             body = filter.GetOutput()
             laws = body.GetFieldData().GetArray("ResponseBasis")
             width = {"One": 1, "Three": 3, "Five": 5, "Samples": 7, "TwoSamples": 14, "Branches": 2, "Modes": 3,
+                     "Two": 2, "Four": 4, "Seven": 7,
+                     "TiltLaws": int(body.GetFieldData().GetArray("ResponseTilt").GetComponent(0, 6)),
                      "Laws": laws.GetNumberOfTuples() if laws else 0}
             for name, place, kind, components, use in self.rows:
                 data = body.GetPointData() if place == "Points" else body.GetFieldData()
@@ -155,9 +159,11 @@ class AgainstTheTable(unittest.TestCase):
                         self.assertEqual(array.GetNumberOfTuples(), body.GetNumberOfPoints())
 
     def test_the_numpy_contract_reads_what_evaluation_needs(self):
-        with open(contract.__file__, encoding="utf-8") as file:
-            read = set(re.findall(r'fetch\(\w+, "(\w+)"\)', file.read()))
-        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact", "Relaxation", "Coupling")}
+        read = set()
+        for module in (contract, tilts):
+            with open(module.__file__, encoding="utf-8") as file:
+                read |= set(re.findall(r'fetch\(\w+, "(\w+)"\)', file.read()))
+        needed = {name for name, *_, use in self.rows if use in ("Evaluation", "PerPoint", "Compact", "Relaxation", "Coupling", "Tilt")}
         self.assertEqual(read, needed)
 
 
@@ -199,6 +205,65 @@ class Coupling(unittest.TestCase):
         add_array(body.GetFieldData(), "Coupling", np.zeros((1, 3)))                     # no surface
         add_array(body.GetPointData(), "CouplingModes", modes)
         self.assertAlmostEqual(contract.coupling(body)(3, 7), float(modes[3].astype(float) @ modes[7]), places=6)
+
+
+class Tilts(unittest.TestCase):
+    """palpate.tilts against the probe: force and torque are derivatives of one work."""
+
+    def felt(self, body, depth, angle):
+        tips, points = vtkPolyData(), vtkPoints()
+        points.SetDataTypeToDouble()
+        points.InsertNextPoint(0.3, 0.7, -depth)
+        tips.SetPoints(points)
+        axis = numpy_to_vtk(np.array([[math.sin(angle), 0.0, math.cos(angle)]]), deep=1)
+        axis.SetName("ToolAxis")
+        tips.GetPointData().AddArray(axis)
+        probe = vtkToolContactProbe()
+        probe.SetInputData(body)
+        probe.SetTipData(tips)
+        probe.Update()
+        data = probe.GetOutput().GetPointData()
+        return data.GetArray("NormalForce").GetTuple1(0), -data.GetArray("Torque").GetComponent(0, 1)
+
+    def test_force_and_torque_are_those_of_the_work(self):
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-20, -20, 0)
+        plane.SetPoint1(20, -20, 0)
+        plane.SetPoint2(-20, 20, 0)
+        plane.SetResolution(4, 4)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(plane.GetOutputPort())
+        for tool in ("flat:2", "cone:60", "sphere:5"):
+            response = vtkToolContactResponse()
+            response.SetInputConnection(triangles.GetOutputPort())
+            made = vtkContactTool()
+            made.SetSpecification(tool)
+            response.SetTool(made)
+            response.SetMaximumTilt(20)
+            response.Update()
+            body = response.GetOutput()
+            table, stored = tilts.load(body), contract.load(body)
+
+            def work(depth, angle):
+                deep = depth + float(tilts.deepest(table, angle)[0])
+                if deep <= 0.0:
+                    return 0.0
+                steps = np.linspace(0.0, deep, 4001)
+                forces = contract.evaluate(stored, np.zeros(steps.size, int), steps)[0]
+                upright = float(np.sum(0.5 * (forces[1:] + forces[:-1]) * np.diff(steps)))
+                return upright * tilts.factor(table, deep, angle)
+
+            for depth, angle in ((0.5, 0.1), (0.9, 0.3), (-0.02, 0.25)):
+                step = 1e-4
+                force, torque = self.felt(body, depth, angle)
+                by_depth = (work(depth + step, angle) - work(depth - step, angle)) / (2 * step)
+                by_angle = (work(depth, angle + step) - work(depth, angle - step)) / (2 * step)
+                with self.subTest(tool=tool, depth=depth):     # central differences of a sum of 4000 trapezia
+                    self.assertAlmostEqual(force, by_depth, delta=2e-4 * max(force, 1e-3))
+                    self.assertAlmostEqual(torque, by_angle, delta=5e-4 * max(abs(torque), 1e-3))
+
+    def test_without_tilts_there_are_none(self):
+        self.assertIsNone(tilts.load(random_body(np.random.default_rng(2), 1.5, 8)))
 
 
 class Relaxation(unittest.TestCase):
