@@ -120,7 +120,8 @@ void SceneCaption::describe(
         ", friction " + newtons(contact.tick.contact.friction)
       : "";
     const double torque = contact.tick.contact.torque.norm();
-    if (contact.tick.contact.tilt > 0.0)
+    constexpr double upright = 1e-3; // rad
+    if (contact.tick.contact.tilt > upright)
     {
       text += "\nTilted by " + degrees(contact.tick.contact.tilt);
       text += torque > 0.0 ? ", torque " + newtonMillimetres(torque) : "";

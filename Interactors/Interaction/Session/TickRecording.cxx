@@ -13,7 +13,10 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpate
@@ -166,6 +169,13 @@ bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tic
   read("ContactState", &state);
   read("ToolAxis", tick.axis.data());
   read("Torque", contact.torque.data());
+  tick.idealTorque = contact.torque;
+  if (tick.hasAxis() && contact.triangle >= 0)
+  {
+    tick.axis.normalize();
+    contact.tilt =
+      std::atan2(tick.axis.cross(contact.normal).norm(), tick.axis.dot(contact.normal));
+  }
   contact.state = static_cast<ContactState>(static_cast<int>(state));
   tips->GetPoint(index, tick.tip.data());
   tick.idealForce = contact.force;

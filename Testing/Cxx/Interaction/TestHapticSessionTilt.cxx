@@ -119,6 +119,69 @@ void checkSteered(vtkPolyData* body)
   session->Stop();
 }
 
+/// A flat end pressed a fifth of its radius deep, at its deepest point, upright and by 5 degrees.
+void checkFelt()
+{
+  constexpr double radius = 3.0;
+  const double angle = vtkMath::RadiansFromDegrees(5.0);
+  vtkNew<vtkToolContactResponse> filter;
+  filter->SetInputData(planeBody(20.0, 8));
+  filter->SetTool(makeTool("flat:3"));
+  filter->SetYoungsModulus(1.0);
+  filter->SetPoissonRatio(0.0);
+  filter->SetMaximumDeflection(1.0);
+  filter->SetMaximumTilt(10.0);
+  makePlain(filter);
+  filter->Update();
+  const auto pressed = [&filter](double tilt)
+  {
+    const double depth = 0.2 * radius - radius * std::sin(tilt);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(0.3, 0.7, 2.0);
+    points->InsertNextPoint(0.3, 0.7, -depth);
+    points->InsertNextPoint(0.3, 0.7, -depth);
+    vtkNew<vtkCellArray> line;
+    line->InsertNextCell({ 0, 1, 2 });
+    vtkNew<vtkDoubleArray> time;
+    time->SetName("Time");
+    vtkNew<vtkDoubleArray> axes;
+    axes->SetName("ToolAxis");
+    axes->SetNumberOfComponents(3);
+    for (const double at : { 0.0, 0.5, 0.6 })
+    {
+      time->InsertNextValue(at);
+      axes->InsertNextTuple3(std::sin(tilt), 0.0, std::cos(tilt));
+    }
+    Body path = Body::New();
+    path->SetPoints(points);
+    path->SetLines(line);
+    path->GetPointData()->AddArray(time);
+    path->GetPointData()->AddArray(axes);
+    auto session = vtkSmartPointer<vtkHapticSession>::New();
+    session->SetBody(filter->GetOutput());
+    session->GetDevice()->SetPath(path);
+    PALPATE_CHECK(session->Start());
+    session->Step(0.6);
+    return session;
+  };
+  double force[3];
+  double torque[3];
+  const auto upright = pressed(0.0);
+  upright->GetIdealForce(force);
+  PALPATE_CHECK_NEAR(force[2], 2.0 * radius * 0.2 * radius, 1e-5);
+  upright->GetIdealTorque(torque);
+  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]); // of the table, near upright
+  const double whole = force[2];
+  const auto leaning = pressed(angle);
+  leaning->GetIdealForce(force);
+  leaning->GetIdealTorque(torque);
+  // tilt_bem.csv, D = 0.2 of the radius: T = 0.5757; its torque 0.1073 E* a^3, about -y.
+  PALPATE_CHECK_NEAR(force[2] / whole, 0.5757, 0.003);
+  PALPATE_CHECK_NEAR(torque[1], -0.1073 * radius * radius * radius, 0.02);
+  PALPATE_CHECK_NEAR(leaning->GetTilt(), 5.0, 1e-9);
+}
+
 void checkErrors(vtkPolyData* body, vtkPolyData* path)
 {
   Body wrong = tilting(path);
@@ -143,6 +206,7 @@ int TestHapticSessionTilt(int, char*[])
   checkTold(body, path);
   checkNotTold(body, path);
   checkSteered(body);
+  checkFelt();
   checkErrors(body, path);
   return palpate::testing::result();
 }
