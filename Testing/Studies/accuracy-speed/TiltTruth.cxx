@@ -118,7 +118,7 @@ void writeTimes(std::ostream& stream, const StudyTool& tool, MethodTimer& timer)
   };
   take(tiltTicks(tool), 0);
   take(tiltMethods(tool), 3);                                  // those that are no ticks
-  timer.coldCalls = std::min<std::size_t>(timer.coldCalls, 9); // each flushes 96 MiB
+  timer.coldCalls = std::min<std::size_t>(timer.coldCalls, 5); // each flushes 96 MiB
   const std::vector<MethodTimes> times = timer.run(methods, flatTips(4.0, TimedDepth, 500, 1000));
   for (std::size_t m = 0; m < methods.size(); ++m)
   {

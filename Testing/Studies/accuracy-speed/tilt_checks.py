@@ -54,10 +54,11 @@ class TiltChecks:
             self.assertLess(abs(row["error"]), 1e-3)           # turning about its middle is nothing
 
     def test_what_a_tilt_is_worth(self):
-        # T = 0.576 and 0.378 of the flat end at 5 and 10 degrees, 0.2 of its radius deep (tilt_bem.csv).
+        # T = 0.576 and 0.378 of the flat end at 5 and 10 degrees, 0.2 of its radius deep (tilt_bem.csv); T is over a force
+        # upright that its staircase makes 0.24 % too small.
         for degrees, left in ((5, 0.5757), (10, 0.3784)):
             row, = self.of(tool="flat:1", method=tilt.DEEPEST, source=tilt.OTHER, tilt_deg=degrees, depth_mm=0.2)
-            self.assertAlmostEqual(row["error"], 1 / left - 1, delta=5e-3)
+            self.assertAlmostEqual(row["error"], 1 / left - 1, delta=3e-3 / left)
 
     def test_circles_are_a_bound(self):
         for row in self.of(method=tilt.CIRCLES):
