@@ -41,15 +41,15 @@ class TiltChecks:
         for row in self.of(method=tilt.ELEMENTS):              # 64 pixels: 0.5 % at sharp rims, else 1e-4 and the table's own
             self.assertLess(abs(row["error"]), 5e-3 if row["tool"] in ("flat:1", "truncated:1,45") else 5e-4, row)
 
-    def test_upright_tools_feel_no_tilt(self):
+    def test_upright_tools_feel_no_tilt(self):                 # closed forms; forces are written with five digits
         for row in self.of(tool="flat:1", method=tilt.DEEPEST):
-            self.assertAlmostEqual(row["force_mm2"], 2 * row["depth_mm"], delta=1e-5 * row["depth_mm"])
+            self.assertAlmostEqual(row["force_mm2"], 2 * row["depth_mm"], delta=5e-5)
         for row in self.of(tool="flat:1", method=tilt.TIP):
             depth = row["depth_mm"] - math.sin(math.radians(row["tilt_deg"]))
-            self.assertAlmostEqual(row["force_mm2"], max(2 * depth, 0), delta=1e-5)
+            self.assertAlmostEqual(row["force_mm2"], max(2 * depth, 0), delta=5e-5)
         for row in self.of(tool="cone:60", method=tilt.TIP):
             upright = 2 / math.pi * math.tan(math.radians(60)) * row["depth_mm"] ** 2
-            self.assertAlmostEqual(row["force_mm2"], upright, delta=1e-5 * upright)
+            self.assertAlmostEqual(row["force_mm2"], upright, delta=5e-5 * upright)
         for row in self.of(tool="sphere:1", method=tilt.DEEPEST):
             self.assertLess(abs(row["error"]), 1e-3)           # turning about its middle is nothing
 
