@@ -8,6 +8,7 @@
 #include "StrainTruth.h"
 #include "StudyConvergence.h"
 #include "StudyScene.h"
+#include "TiltTruth.h"
 
 #include <CLI/CLI.hpp>
 
@@ -38,6 +39,7 @@ struct Options
   bool withFinite = true;
   std::string strain;
   std::string relaxation;
+  std::string tilt;
   bool isDeep = false;
 };
 
@@ -190,6 +192,11 @@ void study(const Options& options, std::ostream& stream)
     studyRelaxation(stream, options.relaxation, timer.get());
     return;
   }
+  if (!options.tilt.empty())
+  {
+    studyTilt(stream, options.tilt, options.isQuick, timer.get());
+    return;
+  }
   Report report(stream);
   const std::vector<StudyScene> scenes = makeScenes(options, effort);
   for (const StudyScene& scene : scenes)
@@ -218,6 +225,7 @@ int main(int argc, char* argv[])
   app.add_option("--strain", options.strain, "folder Data: instead, against finite strain");
   app.add_option(
     "--relaxation", options.relaxation, "folder Data: instead, bodies that relax in time");
+  app.add_option("--tilt", options.tilt, "folder Data: instead, tools that lean");
   app.add_flag("--deep", options.isDeep, "--strain also where the solver is asked");
   CLI11_PARSE(app, argc, argv);
   try

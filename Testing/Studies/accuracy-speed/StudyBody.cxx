@@ -98,9 +98,11 @@ StudyBody::Store StudyBody::store(const SampledCurves& curves) const
   return store;
 }
 
-std::unique_ptr<ContactBody> StudyBody::respond(const SampledCurves& curves) const
+std::unique_ptr<ContactBody> StudyBody::respond(
+  const SampledCurves& curves, const TiltViews& tilts) const
 {
-  const Store store = this->store(curves);
+  Store store = this->store(curves);
+  store.arrays.tilt = tilts;
   return std::make_unique<ContactBody>(*this->Contact, store.arrays);
 }
 

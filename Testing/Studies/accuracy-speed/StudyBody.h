@@ -30,8 +30,10 @@ public:
   /// What every method reads: surface and index, bytes.
   std::size_t meshBytes() const { return this->packed().memory() + this->Contact->tree.memory(); }
 
-  /// The body with these curves at its points, and the normals of its mesh.
-  std::unique_ptr<ContactBody> respond(const SampledCurves& curves) const;
+  /// The body with these curves at its points, and the normals of its mesh; of a tool that may be
+  /// tilted, with its tilts.
+  std::unique_ptr<ContactBody> respond(
+    const SampledCurves& curves, const TiltViews& tilts = {}) const;
   /// The same with the fewest numbers that keep every curve within `tolerance`.
   std::unique_ptr<ContactBody> respondReduced(const SampledCurves& curves, double tolerance) const;
 

@@ -3,7 +3,7 @@
 """Ways to render a contact: how true, how fast, how large.
 
     ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...] [--only-strain]
-                               [--only-shape] [--only-relaxation]
+                               [--only-shape] [--only-relaxation] [--only-tilt]
 
 Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
@@ -11,8 +11,8 @@ convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed
 matplotlib accuracy-speed.png and convergence.png. Then the same for finite strain itself as the truth: finite-strain.csv,
 finite-strain.md, finite-strain.png (--only-strain: these alone). Then an edge, a horn and a nodule, through the VTK filters:
 shape.csv, shape.md, shape.png (--only-shape: these alone). Then bodies that relax, against exact theory: relaxation.csv,
-relaxation-curves.csv, relaxation.md, relaxation.png (--only-relaxation). Times are of this machine; all else is the same
-everywhere.
+relaxation-curves.csv, relaxation.md, relaxation.png (--only-relaxation). Then tools that lean, against boundary elements:
+tilt.csv, tilt.md, tilt.png (--only-tilt). Times are of this machine; all else is the same everywhere.
 """
 import argparse
 import csv
@@ -27,6 +27,7 @@ import relaxation
 import rows as study
 import shape
 import strain
+import tilt
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build" / "release" / "bin" / "palpateAccuracySpeed"
@@ -152,6 +153,20 @@ def report_relaxation(program, quick, folder):
     print(relaxation.tables(rows))
 
 
+def measure_tilt(program, options):
+    return subprocess.run([str(program), "--tilt", str(DATA)] + list(options), check=True, stdout=subprocess.PIPE,
+                          universal_newlines=True).stdout
+
+
+def report_tilt(program, quick, folder):
+    rows = tilt.read(measure_tilt(program, ["--quick"] if quick else []))
+    write(folder / "tilt.csv", rows, tilt.COLUMNS)
+    (folder / "tilt.md").write_text(tilt.tables(rows), encoding="utf-8")
+    if not tilt.draw(rows, folder / "tilt.png"):
+        print("no tilt.png: no matplotlib", file=sys.stderr)
+    print(tilt.tables(rows))
+
+
 def report_shape(quick, folder):
     try:
         import palpate  # noqa: F401
@@ -177,12 +192,17 @@ def main():
     parser.add_argument("--only-strain", action="store_true", help="against finite strain alone")
     parser.add_argument("--only-shape", action="store_true", help="on an edge, a horn and a nodule alone")
     parser.add_argument("--only-relaxation", action="store_true", help="bodies that relax alone")
+    parser.add_argument("--only-tilt", action="store_true", help="tools that lean alone")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     if arguments.only_shape:
         return report_shape(arguments.quick, arguments.output)
     if not arguments.program.exists() and not arguments.redraw:
         parser.error("there is no {}: was it left out of the build?".format(arguments.program))
+    if not arguments.redraw and not arguments.only_strain and not arguments.only_relaxation:
+        report_tilt(arguments.program, arguments.quick, arguments.output)
+    if arguments.only_tilt:
+        return
     if not arguments.redraw and not arguments.only_strain:
         report_relaxation(arguments.program, arguments.quick, arguments.output)
     if arguments.only_relaxation:

@@ -24,6 +24,7 @@ import run
 import rows as study
 import shape
 import strain
+import tilt_checks
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
 STORED = ("Hermite 5", "Hermite 8", "Hermite 16", "Hermite 8, smooth surface", "Hermite 8, float32", "Hermite 8, float64")
@@ -250,6 +251,14 @@ class RelaxationCommitted(relaxation_checks.RelaxationChecks, unittest.TestCase)
     def setUpClass(cls):
         file = run.DATA / "Studies" / "accuracy-speed" / "relaxation.csv"
         cls.rows = relaxation.read(file.read_text(encoding="utf-8"))
+
+
+class Tilt(tilt_checks.TiltChecks, unittest.TestCase):
+    text = staticmethod(lambda: run.measure_tilt(PROGRAM, ["--quick", "--no-times"]))
+
+
+class TiltCommitted(tilt_checks.TiltChecks, unittest.TestCase):
+    text = staticmethod(tilt_checks.committed)
 
 
 def shape_table(name):
