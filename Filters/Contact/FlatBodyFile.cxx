@@ -182,7 +182,7 @@ std::string checkRelaxation(const FlatBody& body)
 std::string checkTilts(const FlatBody& body)
 {
   const TiltViews& tilt = body.response.tilt;
-  const std::string fault = tilt.areFelt() ? faultOfTilts(tilt, body.points) : "";
+  const std::string fault = tilt.areFelt() ? faultOfTiltViews(tilt, body.points) : "";
   return fault.empty() ? fault : "has tilts that cannot be felt: " + fault;
 }
 

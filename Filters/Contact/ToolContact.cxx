@@ -81,7 +81,7 @@ ResponseValue ToolContact::slowResponse(const ContactPlace& place, double depth)
   const Vector3& weights = place.projection.weights;
   const BlendedResponse response(this->Body.response, corners, weights);
   const ResponseValue upright = response.evaluate(depth);
-  return this->Tilt.isFelt() && depth > 0.0
+  return this->Tilt.isTilted() && depth > 0.0
     ? this->Tilt.tilted(corners, weights, depth, upright, response.energy(depth))
     : upright;
 }
@@ -352,7 +352,7 @@ bool ToolContact::blend(
   result.deflection = -place.signedDistance;
   const ResponseValue upright = response.evaluate(result.deflection);
   ResponseValue value = upright;
-  if (this->Tilt.isFelt())
+  if (this->Tilt.isTilted())
   {
     value = this->Tilt.press(this->LastCorners, this->LastWeights, result.deflection, upright,
       response.energy(result.deflection));
@@ -397,7 +397,7 @@ void ToolContact::relax(const ContactPlace& place, const BlendedResponse& respon
   ContactTilt::Alike upright;
   upright.depth = result.deflection;
   upright.value = slow;
-  if (this->Tilt.isFelt())
+  if (this->Tilt.isTilted())
   {
     upright = this->Tilt.alike(response);
   }
@@ -412,7 +412,7 @@ void ToolContact::relax(const ContactPlace& place, const BlendedResponse& respon
 Vector3 ToolContact::energies(const BlendedResponse& response, double deflection) const noexcept
 {
   Vector3 energies = response.energies(deflection);
-  if (this->Tilt.isFelt())
+  if (this->Tilt.isTilted())
   {
     energies = this->Tilt.energies(this->LastCorners, energies);
   }
@@ -432,7 +432,7 @@ double ToolContact::cappedShare(const Contact& contact, double maximumStiffness)
   const BlendedResponse response = this->response();
   double depth = contact.deflection;
   double cap = maximumStiffness;
-  if (this->Tilt.isFelt() && contact.normalForce > 0.0)
+  if (this->Tilt.isTilted() && contact.normalForce > 0.0)
   {
     const ContactTilt::Alike upright = this->Tilt.alike(response);
     depth = upright.depth;
@@ -464,7 +464,7 @@ Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& fact
 void ToolContact::complete(const ContactPlace& place, const BlendedResponse& response, double share,
   Contact& result) noexcept
 {
-  if (this->Tilt.isFelt())
+  if (this->Tilt.isTilted())
   {
     this->addTorque(place, share, result);
   }

@@ -130,7 +130,7 @@ private:
   /// Taken by the response of the tool as it is tilted, N mm.
   double work(const BlendedResponse& response, double deflection) const noexcept
   {
-    return this->Tilt.isFelt() ? this->Tilt.work() : response.energy(deflection);
+    return this->Tilt.isTilted() ? this->Tilt.work() : response.energy(deflection);
   }
   /// Work of each corner's curve, and what memory stores there.
   Vector3 energies(const BlendedResponse& response, double deflection) const noexcept;

@@ -5,7 +5,10 @@
 #include "Contact/Coupled/StiffnessBound.h"
 #include "Contact/EnergyGradient.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palpate
@@ -213,15 +216,85 @@ double CoupledContacts::goRound() noexcept
   return largest > 0.0 ? change / largest : 0.0;
 }
 
+double CoupledContacts::solveRound() noexcept
+{
+  // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i, of those that touch; the others come to none.
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MostSolved, MostSolved>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, MostSolved, 1>;
+  std::array<std::size_t, MostSolved> active{};
+  std::array<double, MostSolved> lack{}; // f_i - F_i
+  Eigen::Index rows = 0;
+  double largest = 0.0;
+  double change = 0.0;
+  for (std::size_t i = 0; i < this->Loads.size(); ++i)
+  {
+    Load& load = this->Loads[i];
+    if (!load.presses)
+    {
+      continue;
+    }
+    load.sunk = this->sunkBy(i);
+    const ResponseValue value = this->slow(i, load.depth - load.sunk);
+    load.whole = std::isfinite(value.force) ? value.force : 0.0;
+    load.stiffness = value.stiffness;
+    largest = std::max(largest, load.whole);
+    const double felt = load.isOff ? 0.0 : load.whole;
+    lack[i] = felt - load.force;
+    change = std::max(change, std::abs(lack[i]));
+    if (felt > 0.0 && load.stiffness > 0.0)
+    {
+      active[static_cast<std::size_t>(rows++)] = i;
+    }
+  }
+  const auto isActive = [&](std::size_t i)
+  { return std::find(active.begin(), active.begin() + rows, i) != active.begin() + rows; };
+  Matrix system(rows, rows);
+  Vector right(rows);
+  for (Eigen::Index r = 0; r < rows; ++r)
+  {
+    const std::size_t i = active[static_cast<std::size_t>(r)];
+    const double own = 1.0 / this->Loads[i].stiffness;
+    right[r] = own * lack[i];
+    for (std::size_t j = 0; j < this->Loads.size(); ++j)
+    {
+      right[r] -= j == i || isActive(j) ? 0.0 : this->compliance(i, j) * lack[j];
+    }
+    for (Eigen::Index k = 0; k < rows; ++k)
+    {
+      const std::size_t j = active[static_cast<std::size_t>(k)];
+      system(r, k) = j == i ? own : this->compliance(i, j);
+    }
+  }
+  const Eigen::LLT<Eigen::Ref<Matrix>> factor(system);
+  const bool isSolved = factor.info() == Eigen::Success;
+  if (isSolved)
+  {
+    factor.solveInPlace(right);
+  }
+  for (std::size_t i = 0; i < this->Loads.size(); ++i)
+  {
+    this->Loads[i].force += this->Loads[i].presses && !isActive(i) ? lack[i] : 0.0;
+  }
+  for (Eigen::Index r = 0; r < rows; ++r)
+  {
+    const std::size_t i = active[static_cast<std::size_t>(r)];
+    Load& load = this->Loads[i];
+    // Compliances that are no body's: as if the others stayed.
+    load.force = std::max(0.0, load.force + (isSolved ? right[r] : lack[i]));
+  }
+  return largest > 0.0 ? change / largest : 0.0;
+}
+
 const std::vector<Contact>& CoupledContacts::feelAll(int rounds) noexcept
 {
   if (this->Body.coupling)
   {
     this->fillCompliances();
+    const bool isSolved = this->Loads.size() <= MostSolved;
     double change = 1.0;
     for (int round = 0; round < rounds && change > Settled; ++round)
     {
-      change = this->goRound();
+      change = isSolved ? this->solveRound() : this->goRound();
     }
   }
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)

@@ -34,6 +34,12 @@ public:
 
   /// Whether the last pose had an axis, and the body knows of tilts.
   bool isFelt() const noexcept { return this->IsFelt; }
+  /// Whether it makes another force of that of the upright tool, where the contact is.
+  bool isTilted() const noexcept
+  {
+    constexpr double upright = 1e-7; // rad: M and the change of F are as small a part of F
+    return this->IsFelt && this->Angle > upright;
+  }
 
   /// The point to be followed, of a tool in this pose; its tip, if no tilt is felt.
   Vector3 follow(const ToolPose& pose, bool isFollowed) noexcept;
@@ -81,7 +87,7 @@ public:
     const Eigen::Matrix3d& weightGradients, const ResponseField& response) const noexcept;
 
   double angle() const noexcept { return this->Angle; }
-  bool isTooFar() const noexcept { return this->Angle > this->Body->table().terms().largest; }
+  bool isTooFar() const noexcept { return this->Body->table().isBeyond(this->Angle); }
 
 private:
   const BodyTilt* Body;

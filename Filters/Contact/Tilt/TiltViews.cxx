@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-std::string faultOfTilts(const TiltViews& views, std::size_t points)
+std::string faultOfTiltViews(const TiltViews& views, std::size_t points)
 {
   std::string fault = TiltTable::faultOf(views.terms, views.drops, views.nodes);
   if (!fault.empty() || (views.terms.laws == 1 && !views.weight))

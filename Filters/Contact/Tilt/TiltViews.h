@@ -25,7 +25,7 @@ struct TiltViews
 
 /// What is wrong with those of a body of so many points, naming it and the number; "" for what can
 /// be felt.
-PALPATE_EXPORT std::string faultOfTilts(const TiltViews& views, std::size_t points);
+PALPATE_EXPORT std::string faultOfTiltViews(const TiltViews& views, std::size_t points);
 } // namespace palpate
 
 #endif

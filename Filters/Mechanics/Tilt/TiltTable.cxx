@@ -145,7 +145,7 @@ DeepestPoint TiltTable::deepest(double angle) const noexcept
   const double largest = this->Terms.largest;
   const auto along = [&](const std::array<double, 4>& b)
   { return node[0] * b[0] + largest * node[1] * b[1] + node[2] * b[2] + largest * node[3] * b[3]; };
-  const bool isBeyond = angle > largest;
+  const bool isBeyond = this->isBeyond(angle);
   return { along(basis.value), isBeyond ? 0.0 : along(basis.slope) / largest };
 }
 
@@ -175,7 +175,7 @@ TiltFactor TiltTable::at(double depth, double angle, const double* weights) cons
   }
   const double xByDepth = x > 1.0 ? 0.0 : 0.5 * x / depth;
   const double xByDepthTwice = -0.5 * xByDepth / depth;
-  const double yByAngle = y > 1.0 ? 0.0 : 1.0 / terms.largest;
+  const double yByAngle = this->isBeyond(angle) ? 0.0 : 1.0 / terms.largest;
   const TiltFactor smooth{ sum.value, sum.byX * xByDepth,
     sum.byXTwice * xByDepth * xByDepth + sum.byX * xByDepthTwice, sum.byY * yByAngle };
   if (!(terms.dropScale > 0.0))

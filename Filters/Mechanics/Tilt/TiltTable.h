@@ -91,6 +91,12 @@ public:
   const std::vector<double>& drops() const noexcept { return this->Drops; }
   const std::vector<double>& nodes() const noexcept { return this->Nodes; }
 
+  /// Whether a tilt is further than the largest, by more than it may be rounded.
+  bool isBeyond(double angle) const noexcept
+  {
+    constexpr double rounding = 1e-9;
+    return angle > this->Terms.largest + rounding;
+  }
   /// θ >= 0, rad.
   DeepestPoint deepest(double angle) const noexcept;
   /// D > 0, mm; θ >= 0, rad; one weight per law.

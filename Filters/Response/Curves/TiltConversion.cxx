@@ -133,7 +133,7 @@ bool viewTilts(
       return false;
     }
   }
-  error = faultOfTilts(tilt, arrays.points);
+  error = faultOfTiltViews(tilt, arrays.points);
   if (!error.empty())
   {
     error = "tilts of '" + name + "': " + error;
