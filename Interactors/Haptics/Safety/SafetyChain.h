@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -109,6 +110,13 @@ public:
   void stop() noexcept;
   void start() noexcept { this->IsStopped = false; }
   bool isStopped() const noexcept { return this->IsStopped; }
+  /// Whether apply() will send nothing for a valid sample at that time, whatever the scene gives:
+  /// it is stopped, the device has been silent, or the time is none.
+  bool isEnded(double time) const noexcept
+  {
+    return this->IsStopped ||
+      (this->UsesTime && (!std::isfinite(time) || this->Watchdog.wouldBeLost(time)));
+  }
   /// As if nothing had been; what is stopped stays stopped.
   void reset() noexcept;
 
