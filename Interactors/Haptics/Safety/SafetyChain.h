@@ -133,6 +133,12 @@ public:
   bool hasTorque() const noexcept { return this->Settings.maximumTorque > 0.0; }
   /// What the hand has put in and not got back, J (PassivityControl); 0 where that is off.
   double energy() const noexcept { return this->Passivity.energy(); }
+  /// What of it may go to another chain on the same body, and what goes (PassivityControl).
+  double spareEnergy() const noexcept
+  {
+    return this->Settings.controlPassivity ? this->Passivity.spare() : 0.0;
+  }
+  void transferEnergy(double energy) noexcept { this->Passivity.transfer(energy); }
 
 private:
   /// Which links end the force now.

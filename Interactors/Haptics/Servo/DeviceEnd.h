@@ -50,6 +50,8 @@ public:
   /// For a scene of factor 1.
   const StiffnessLimits& limits() const noexcept { return this->Limits; }
   double energy() const noexcept { return this->Chain.energy(); }
+  double spareEnergy() const noexcept { return this->Chain.spareEnergy(); }
+  void transferEnergy(double energy) noexcept { this->Chain.transferEnergy(energy); }
 
 private:
   WorkspaceMapping Mapping;

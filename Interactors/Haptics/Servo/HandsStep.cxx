@@ -41,6 +41,8 @@ HandsStep::HandsStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>&
   }
   this->Ticks.resize(count);
   this->Inputs.resize(count);
+  this->AtWork.resize(count);
+  this->Wanted.resize(count);
   const std::size_t contacts = std::max<std::size_t>(count, 1);
   this->Poses.assign(contacts, nowhere());
   this->Current = sceneFor(std::move(scene), contacts);
@@ -54,12 +56,32 @@ const std::vector<Tick>& HandsStep::step(const DeviceSample* samples, double tim
   {
     this->take();
   }
+  this->read(samples, time, elapsed);
+  this->feelAll(elapsed);
+  if (this->Current->body->coupling)
+  {
+    this->shareEnergy();
+  }
+  constexpr auto shut = static_cast<std::uint16_t>(SafetyLink::Gate);
+  for (std::size_t i = 0; i < this->Ends.size(); ++i)
+  {
+    Tick& tick = this->Ticks[i];
+    tick.scene = this->Changes;
+    const bool isOver = this->Ends[i].send(this->Inputs[i], tick);
+    this->AtWork[i] = !isOver && tick.valid && (tick.acted & shut) == 0;
+    if (isOver)
+    {
+      this->Current->together->lose(i);
+    }
+  }
+  return this->Ticks;
+}
+
+void HandsStep::feelAll(double elapsed) noexcept
+{
   const double faded = this->Fade.share();
   const double share = this->Fade.advance(this->Waiting ? 0.0 : 1.0, elapsed);
-
-  this->read(samples, time, elapsed);
-  CoupledContacts& together = *this->Current->together;
-  const std::vector<Contact>& felt = together.update(this->Poses.data(), elapsed);
+  const std::vector<Contact>& felt = this->Current->together->update(this->Poses.data(), elapsed);
   for (std::size_t i = 0; i < this->Ends.size(); ++i)
   {
     if (!this->Poses[i].tip.allFinite())
@@ -74,15 +96,41 @@ const std::vector<Tick>& HandsStep::step(const DeviceSample* samples, double tim
     force.cappedTorque *= share;
     this->Ends[i].feel(force, this->Ticks[i], this->Inputs[i]);
   }
+}
+
+void HandsStep::shareEnergy() noexcept
+{
+  // What a linear scene holds of each hand is half of this.
+  const auto held = [this](std::size_t i)
+  { return this->Inputs[i].idealForce.norm() * this->Inputs[i].depth; };
+  const auto takesPart = [this](std::size_t i)
+  { return this->AtWork[i] != 0 && this->Poses[i].tip.allFinite(); };
+  double energy = 0.0;
+  double all = 0.0;
   for (std::size_t i = 0; i < this->Ends.size(); ++i)
   {
-    this->Ticks[i].scene = this->Changes;
-    if (this->Ends[i].send(this->Inputs[i], this->Ticks[i]))
-    {
-      together.lose(i);
-    }
+    energy += takesPart(i) ? this->Ends[i].energy() : 0.0;
+    all += takesPart(i) ? held(i) : 0.0;
   }
-  return this->Ticks;
+  if (!(all > 0.0) || !std::isfinite(all))
+  {
+    return;
+  }
+  double pool = 0.0;
+  double wanted = 0.0;
+  for (std::size_t i = 0; i < this->Ends.size(); ++i)
+  {
+    const double spare = takesPart(i) ? this->Ends[i].spareEnergy() : 0.0;
+    const double needed = this->Ends[i].energy() - spare;
+    this->Wanted[i] = takesPart(i) ? std::max(0.0, energy * held(i) / all - needed) : 0.0;
+    pool += spare;
+    wanted += this->Wanted[i];
+  }
+  for (std::size_t i = 0; wanted > 0.0 && i < this->Ends.size(); ++i)
+  {
+    const double spare = takesPart(i) ? this->Ends[i].spareEnergy() : 0.0;
+    this->Ends[i].transferEnergy(pool * (this->Wanted[i] / wanted) - spare);
+  }
 }
 
 void HandsStep::read(const DeviceSample* samples, double time, double elapsed) noexcept
@@ -113,7 +161,9 @@ SceneForce HandsStep::feel(std::size_t hand, const Contact& contact) noexcept
   const double share = isCapped
     ? this->Current->together->cappedShare(hand, limits.straight / this->Current->forceFactor)
     : 1.0;
-  return forceOf(*this->Current, contact, share, this->Poses[hand], limits);
+  SceneForce felt = forceOf(*this->Current, contact, share, this->Poses[hand], limits);
+  felt.reach += this->Current->together->sunk(hand);
+  return felt;
 }
 
 bool HandsStep::change(std::unique_ptr<ServoScene> next) noexcept
@@ -166,6 +216,7 @@ void HandsStep::start() noexcept
 void HandsStep::stop(std::size_t hand) noexcept
 {
   this->Ends[hand].stop();
+  this->AtWork[hand] = 0;
   this->Current->together->lose(hand);
 }
 
@@ -181,6 +232,7 @@ void HandsStep::reset() noexcept
   }
   this->Current->together->reset();
   this->Fade = ForceRamp(1.0);
+  std::fill(this->AtWork.begin(), this->AtWork.end(), char{ 0 });
   this->LastTime = NotANumber;
 }
 } // namespace palpate

@@ -26,9 +26,10 @@ namespace palpate
  * has taken off, is in the body, and the others feel it.
  *
  * The stiffness cap of each counts by how much contacts are stiffer together: no motion of all
- * hands, in or out, is stiffer than the device's limit. The passivity control is of each hand
- * alone: it gets no more than it has itself put in, also where another hand has let go of the body
- * under it; the force may then be less than the scene's on its way out.
+ * hands, in or out, is stiffer than the device's limit. Where contacts feel one another the
+ * passivity controls have one account: what one hand put in comes out at another when the first
+ * lets go, so what no force needs goes in each tick to where the scene holds it. All hands together
+ * get no more than they have put in and their devices' damping takes.
  *
  * Another scene is taken from no force: the forces of all hands go to nothing within 50 ms, and
  * come from the other scene within another 50.
@@ -88,11 +89,15 @@ private:
   void retire(std::unique_ptr<ServoScene> scene) noexcept;
   void read(const DeviceSample* samples, double time, double elapsed) noexcept;
   SceneForce feel(std::size_t hand, const Contact& contact) noexcept;
+  void feelAll(double elapsed) noexcept;
+  void shareEnergy() noexcept;
 
   std::vector<DeviceEnd> Ends;
   std::vector<Tick> Ticks;
   std::vector<SafetyInput> Inputs;
   std::vector<ToolPose> Poses; ///< not finite of a hand that is not there
+  std::vector<char> AtWork;    ///< whose gate is open, and whose force the tick before did not end
+  std::vector<double> Wanted;  ///< J, of each account
   std::unique_ptr<ServoScene> Current;
   std::unique_ptr<ServoScene> Waiting; ///< null but until the forces have gone
   std::unique_ptr<ServoScene> Retired;
