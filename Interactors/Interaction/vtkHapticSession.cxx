@@ -84,38 +84,6 @@ vtkHapticDevice* vtkHapticSession::GetDevice(int index)
   return index >= 0 && place < devices.size() ? devices[place] : nullptr;
 }
 
-int vtkHapticSession::AddDevice(const std::string& name)
-{
-  constexpr int most = palpate::HandsStep::Most;
-  if (this->GetNumberOfDevices() >= most)
-  {
-    vtkErrorMacro(<< "Device '" << name << "' would be one too many: a session has " << most
-                  << " at most.");
-    return -1;
-  }
-  auto device = vtkSmartPointer<vtkHapticDevice>::New();
-  if (!device->Open(name))
-  {
-    return -1;
-  }
-  this->Added.push_back(device);
-  this->Modified();
-  return this->GetNumberOfDevices() - 1;
-}
-
-void vtkHapticSession::RemoveAddedDevices()
-{
-  this->Added.clear();
-  this->Modified();
-}
-
-std::vector<vtkHapticDevice*> vtkHapticSession::Devices() const
-{
-  std::vector<vtkHapticDevice*> devices{ this->Device };
-  devices.insert(devices.end(), this->Added.begin(), this->Added.end());
-  return devices;
-}
-
 void vtkHapticSession::SetSafety(vtkHapticSafety* safety)
 {
   this->Exchange(this->Safety, safety);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what a session was told to what runs: body, settings, device, safety.
+// From what a session was told to what runs: body, settings, devices, safety.
 #include "vtkHapticSession.h"
 
 #include "Haptics/Devices/DeviceFit.h"
@@ -22,6 +22,38 @@ vtkIdType firstPolyOf(vtkPolyData* body)
   return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 } // namespace
+
+int vtkHapticSession::AddDevice(const std::string& name)
+{
+  constexpr int most = palpate::HandsStep::Most;
+  if (this->GetNumberOfDevices() >= most)
+  {
+    vtkErrorMacro(<< "Device '" << name << "' would be one too many: a session has " << most
+                  << " at most.");
+    return -1;
+  }
+  auto device = vtkSmartPointer<vtkHapticDevice>::New();
+  if (!device->Open(name))
+  {
+    return -1;
+  }
+  this->Added.push_back(device);
+  this->Modified();
+  return this->GetNumberOfDevices() - 1;
+}
+
+void vtkHapticSession::RemoveAddedDevices()
+{
+  this->Added.clear();
+  this->Modified();
+}
+
+std::vector<vtkHapticDevice*> vtkHapticSession::Devices() const
+{
+  std::vector<vtkHapticDevice*> devices{ this->Device };
+  devices.insert(devices.end(), this->Added.begin(), this->Added.end());
+  return devices;
+}
 
 bool vtkHapticSession::Start()
 {
