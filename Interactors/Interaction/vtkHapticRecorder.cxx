@@ -39,11 +39,24 @@ const palpate::ServoLoop* vtkHapticRecorder::Loop()
   return run ? run->loop() : nullptr;
 }
 
+namespace
+{
+bool has(const palpate::SessionRun* run, int device)
+{
+  return run && device >= 0 && static_cast<std::size_t>(device) < run->hands();
+}
+} // namespace
+
 const std::vector<palpate::Tick>& vtkHapticRecorder::GetTicks()
+{
+  return this->GetTicks(0);
+}
+
+const std::vector<palpate::Tick>& vtkHapticRecorder::GetTicks(int device)
 {
   static const std::vector<palpate::Tick> none;
   const palpate::SessionRun* run = this->Collected();
-  return run ? run->ticks() : none;
+  return has(run, device) ? run->ticks(static_cast<std::size_t>(device)) : none;
 }
 
 const palpate::TickHistory& vtkHapticRecorder::GetLastTicks()
@@ -61,7 +74,12 @@ const std::shared_ptr<palpate::TickTape>& vtkHapticRecorder::GetTape()
 
 void vtkHapticRecorder::GetRecording(vtkPolyData* recording)
 {
-  const auto& ticks = this->GetTicks();
+  this->GetRecording(recording, 0);
+}
+
+void vtkHapticRecorder::GetRecording(vtkPolyData* recording, int device)
+{
+  const auto& ticks = this->GetTicks(device);
   const auto run = this->Run.lock();
   palpate::fillRecording(ticks, run ? run->firstPoly : 0, recording);
 }
@@ -87,14 +105,22 @@ vtkIdType vtkHapticRecorder::GetNumberOfLostTicks()
 
 void vtkHapticRecorder::GetStatistics(vtkTable* statistics)
 {
+  this->GetStatistics(statistics, 0);
+}
+
+void vtkHapticRecorder::GetStatistics(vtkTable* statistics, int device)
+{
   palpate::SessionRun* run = this->Collected();
-  if (const palpate::ServoLoop* loop = this->Loop())
+  const bool isThere = has(run, device);
+  const auto hand = static_cast<std::size_t>(device);
+  const palpate::ServoLoop* loop = this->Loop();
+  if (isThere && loop)
   {
-    palpate::fillStatistics(run->summary(), loop->statistics(), statistics);
+    palpate::fillStatistics(run->summary(hand), loop->statistics(), statistics);
   }
-  else if (run)
+  else if (isThere)
   {
-    palpate::fillStatistics(run->summary(), run->nanoseconds(), statistics);
+    palpate::fillStatistics(run->summary(hand), run->nanoseconds(), statistics);
   }
   else
   {

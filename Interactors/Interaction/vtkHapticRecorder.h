@@ -65,6 +65,9 @@ public:
    * `Torque` (3, N mm, ideal, about the tip) where any tick knows its axis. Cells are counted as in
    * the newest body. */
   void GetRecording(vtkPolyData* recording);
+  /** The same of one of several devices, by its index; empty for none. History, and what else does
+   * not name a device, is of the first. */
+  void GetRecording(vtkPolyData* recording, int device);
   /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
    */
   void GetHistory(vtkPolyData* history);
@@ -80,6 +83,9 @@ public:
    * invalid and repeated, forces refused, ticks not recorded, scene changes, and the device's own
    * errors. */
   void GetStatistics(vtkTable* statistics);
+  /** The same of one of several devices: contacts and peaks are its own, times and errors those of
+   * all. */
+  void GetStatistics(vtkTable* statistics, int device);
   /** Statistics and timing, in lines for a person. */
   std::string GetStatisticsText();
   /** With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): which time that share
@@ -95,6 +101,7 @@ public:
 #ifndef __VTK_WRAP__
   /** Every tick since Start. */
   const std::vector<palpate::Tick>& GetTicks();
+  const std::vector<palpate::Tick>& GetTicks(int device);
   /** Those of the last HistorySeconds, numbered. */
   const palpate::TickHistory& GetLastTicks();
   /** Takes up the ticks of a part of the session, from one run to the next. */

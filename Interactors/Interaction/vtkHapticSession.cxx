@@ -77,6 +77,13 @@ vtkHapticDevice* vtkHapticSession::GetDevice()
   return this->Device;
 }
 
+vtkHapticDevice* vtkHapticSession::GetDevice(int index)
+{
+  const auto devices = this->Devices();
+  const auto place = static_cast<std::size_t>(index);
+  return index >= 0 && place < devices.size() ? devices[place] : nullptr;
+}
+
 void vtkHapticSession::SetSafety(vtkHapticSafety* safety)
 {
   this->Exchange(this->Safety, safety);
@@ -132,13 +139,18 @@ void vtkHapticSession::Step(double seconds)
 
 int vtkHapticSession::GetState() const
 {
+  return this->GetState(0);
+}
+
+int vtkHapticSession::GetState(int device) const
+{
   if (!this->Run || !this->Run->run->isRunning())
   {
     return Stopped;
   }
   constexpr unsigned lost = static_cast<unsigned>(palpate::SafetyLink::NoSample) |
     static_cast<unsigned>(palpate::SafetyLink::Watchdog);
-  return (this->Run->run->newest().acted & lost) != 0 ? DeviceLost : Running;
+  return (this->Newest(device).acted & lost) != 0 ? DeviceLost : Running;
 }
 
 double vtkHapticSession::GetTime() const
@@ -146,40 +158,62 @@ double vtkHapticSession::GetTime() const
   return this->Run ? this->Run->run->time() : 0.0;
 }
 
-const palpate::Tick& vtkHapticSession::Newest() const
+const palpate::Tick& vtkHapticSession::Newest(int device) const
 {
   static const palpate::Tick none;
-  return this->Run ? this->Run->run->newest() : none;
+  const auto hand = static_cast<std::size_t>(device);
+  const bool isThere = this->Run && device >= 0 && hand < this->Run->run->hands();
+  return isThere ? this->Run->run->newest(hand) : none;
 }
 
 void vtkHapticSession::GetTip(double tip[3])
 {
-  std::copy_n(this->Newest().tip.data(), 3, tip);
+  this->GetTip(0, tip);
+}
+
+void vtkHapticSession::GetTip(int device, double tip[3])
+{
+  std::copy_n(this->Newest(device).tip.data(), 3, tip);
 }
 
 void vtkHapticSession::GetContactPoint(double point[3])
 {
-  std::copy_n(this->Newest().contact.contactPoint.data(), 3, point);
+  this->GetContactPoint(0, point);
+}
+
+void vtkHapticSession::GetContactPoint(int device, double point[3])
+{
+  std::copy_n(this->Newest(device).contact.contactPoint.data(), 3, point);
 }
 
 void vtkHapticSession::GetIdealForce(double force[3])
 {
-  std::copy_n(this->Newest().idealForce.data(), 3, force);
+  this->GetIdealForce(0, force);
+}
+
+void vtkHapticSession::GetIdealForce(int device, double force[3])
+{
+  std::copy_n(this->Newest(device).idealForce.data(), 3, force);
 }
 
 void vtkHapticSession::GetForce(double force[3])
 {
+  this->GetForce(0, force);
+}
+
+void vtkHapticSession::GetForce(int device, double force[3])
+{
   // A stopped session exerts nothing, whatever the last tick was.
   std::fill_n(force, 3, 0.0);
-  if (this->GetState() == Running)
+  if (this->GetState(device) == Running)
   {
-    std::copy_n(this->Newest().appliedForce.data(), 3, force);
+    std::copy_n(this->Newest(device).appliedForce.data(), 3, force);
   }
 }
 
 double vtkHapticSession::GetForceFactor()
 {
-  return this->GetNumberOfTicks() > 0 ? this->Newest().forceFactor : this->FittedFactor;
+  return this->GetNumberOfTicks() > 0 ? this->Newest(0).forceFactor : this->FittedFactor;
 }
 
 double vtkHapticSession::GetMaximumForce()
@@ -189,69 +223,129 @@ double vtkHapticSession::GetMaximumForce()
 
 std::string vtkHapticSession::GetSafetyText()
 {
-  const palpate::Tick& newest = this->Newest();
+  return this->GetSafetyText(0);
+}
+
+std::string vtkHapticSession::GetSafetyText(int device)
+{
+  const palpate::Tick& newest = this->Newest(device);
   return palpate::describeSafety(newest.acted, newest.forceFactor);
 }
 
 void vtkHapticSession::GetFrictionForce(double force[3])
 {
-  std::copy_n(this->Newest().contact.friction.data(), 3, force);
+  this->GetFrictionForce(0, force);
+}
+
+void vtkHapticSession::GetFrictionForce(int device, double force[3])
+{
+  std::copy_n(this->Newest(device).contact.friction.data(), 3, force);
 }
 
 void vtkHapticSession::GetNormal(double normal[3])
 {
-  std::copy_n(this->Newest().contact.normal.data(), 3, normal);
+  this->GetNormal(0, normal);
+}
+
+void vtkHapticSession::GetNormal(int device, double normal[3])
+{
+  std::copy_n(this->Newest(device).contact.normal.data(), 3, normal);
 }
 
 vtkIdType vtkHapticSession::GetContactCell()
 {
-  const std::int32_t triangle = this->Newest().contact.triangle;
+  return this->GetContactCell(0);
+}
+
+vtkIdType vtkHapticSession::GetContactCell(int device)
+{
+  const std::int32_t triangle = this->Newest(device).contact.triangle;
   return triangle < 0 ? -1 : this->Run->run->firstPoly + static_cast<vtkIdType>(triangle);
 }
 
 double vtkHapticSession::GetDeflection()
 {
-  return this->Newest().contact.deflection;
+  return this->GetDeflection(0);
+}
+
+double vtkHapticSession::GetDeflection(int device)
+{
+  return this->Newest(device).contact.deflection;
 }
 
 int vtkHapticSession::GetContactState()
 {
-  return static_cast<int>(this->Newest().contact.state);
+  return this->GetContactState(0);
+}
+
+int vtkHapticSession::GetContactState(int device)
+{
+  return static_cast<int>(this->Newest(device).contact.state);
 }
 
 void vtkHapticSession::GetAxis(double axis[3])
 {
-  std::copy_n(this->Newest().axis.data(), 3, axis);
+  this->GetAxis(0, axis);
+}
+
+void vtkHapticSession::GetAxis(int device, double axis[3])
+{
+  std::copy_n(this->Newest(device).axis.data(), 3, axis);
 }
 
 void vtkHapticSession::GetIdealTorque(double torque[3])
 {
-  std::copy_n(this->Newest().idealTorque.data(), 3, torque);
+  this->GetIdealTorque(0, torque);
+}
+
+void vtkHapticSession::GetIdealTorque(int device, double torque[3])
+{
+  std::copy_n(this->Newest(device).idealTorque.data(), 3, torque);
 }
 
 void vtkHapticSession::GetTorque(double torque[3])
 {
+  this->GetTorque(0, torque);
+}
+
+void vtkHapticSession::GetTorque(int device, double torque[3])
+{
   std::fill_n(torque, 3, 0.0); // as GetForce
-  if (this->GetState() == Running)
+  if (this->GetState(device) == Running)
   {
-    std::copy_n(this->Newest().appliedTorque.data(), 3, torque);
+    std::copy_n(this->Newest(device).appliedTorque.data(), 3, torque);
   }
 }
 
 double vtkHapticSession::GetTilt()
 {
-  return vtkMath::DegreesFromRadians(this->Newest().contact.tilt);
+  return this->GetTilt(0);
+}
+
+double vtkHapticSession::GetTilt(int device)
+{
+  return vtkMath::DegreesFromRadians(this->Newest(device).contact.tilt);
 }
 
 const palpate::Tick& vtkHapticSession::GetNewestTick()
 {
-  return this->Newest();
+  return this->GetNewestTick(0);
+}
+
+const palpate::Tick& vtkHapticSession::GetNewestTick(int device)
+{
+  return this->Newest(device);
 }
 
 vtkMTimeType vtkHapticSession::GetMTime()
 {
-  return std::max({ this->Superclass::GetMTime(), this->Settings->GetMTime(),
-    this->Device->GetMTime(), this->Safety->GetMTime(), this->Recorder->GetMTime() });
+  vtkMTimeType newest = std::max({ this->Superclass::GetMTime(), this->Settings->GetMTime(),
+    this->Safety->GetMTime(), this->Recorder->GetMTime() });
+  for (vtkHapticDevice* device : this->Devices())
+  {
+    newest = std::max(newest, device->GetMTime());
+  }
+  return newest;
 }
 
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
@@ -263,6 +357,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RealTime: " << this->RealTime << "\n";
   os << indent << "LockMemory: " << this->LockMemory << "\n";
   os << indent << "Time: " << this->GetTime() << " s\n";
+  os << indent << "NumberOfDevices: " << this->GetNumberOfDevices() << "\n";
   const std::initializer_list<std::pair<const char*, vtkObject*>> parts = { { "Settings",
                                                                               this->Settings },
     { "Device", this->Device }, { "Safety", this->Safety }, { "Recorder", this->Recorder } };

@@ -24,6 +24,13 @@
  * A device that is lost leaves the session running, with no force, in the state DeviceLost, until
  * it returns.
  *
+ * AddDevice puts further devices, up to four in all, on the same body, each with a mapping and a
+ * safety chain of its own: all tick in one loop, at one time. On a body whose response tells how
+ * its contacts feel one another (vtkToolContactResponse) they do; a device that is lost is felt by
+ * the others no more. Another body or other settings then come after no force, 50 ms down and 50
+ * up. What is told of a device is told by its index, 0 the one of GetDevice; of an index that none
+ * has, what a session tells before the first tick.
+ *
  * What is wrong with the mesh of the body is said in one warning, as by vtkToolContactProbe.
  *
  * Not thread-safe: one thread steers, steps and reads; it never waits for the servo thread but in
@@ -42,6 +49,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkPolyData;
 
@@ -51,6 +59,7 @@ struct BodyKernels;
 struct ContactBody;
 struct SafetySettings;
 struct ServoScene;
+class SessionRun;
 struct Tick;
 } // namespace palpate
 
@@ -99,6 +108,18 @@ public:
    * of null: one of its own, "simulated". */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
+  ///@}
+  ///@{
+  /** Further devices, from the next Start on: of a name as of vtkHapticDevice::Open; returns its
+   * index, or -1 after an error. A path, mapping and steering are each one's own: GetDevice(index),
+   * null for none. RemoveAddedDevices leaves the first. */
+  int AddDevice(const std::string& name);
+  void RemoveAddedDevices();
+  int GetNumberOfDevices() const
+  {
+    return 1 + static_cast<int>(this->Added.size());
+  }
+  vtkHapticDevice* GetDevice(int index);
   ///@}
   ///@{
   /** The safety chain. Read at Start, the fit of the force at ApplyChanges too. Default, and in
@@ -161,6 +182,8 @@ public:
   void Step(double seconds);
 
   int GetState() const;
+  /** Of another device: DeviceLost is of each alone. */
+  int GetState(int device) const;
   /** Virtual time, s, of the next tick. */
   double GetTime() const;
 
@@ -188,6 +211,23 @@ public:
   void GetTorque(double torque[3]);
   double GetTilt();
   ///@}
+  ///@{
+  /** The same of a device of several, by its index. */
+  void GetTip(int device, double tip[3]);
+  void GetContactPoint(int device, double point[3]);
+  void GetIdealForce(int device, double force[3]);
+  void GetForce(int device, double force[3]);
+  void GetFrictionForce(int device, double force[3]);
+  void GetNormal(int device, double normal[3]);
+  vtkIdType GetContactCell(int device);
+  double GetDeflection(int device);
+  int GetContactState(int device);
+  void GetAxis(int device, double axis[3]);
+  void GetIdealTorque(int device, double torque[3]);
+  void GetTorque(int device, double torque[3]);
+  double GetTilt(int device);
+  std::string GetSafetyText(int device);
+  ///@}
   /** By which factor the newest tick's ideal force was fitted to the device; before the first that
    * of Start. */
   double GetForceFactor();
@@ -201,6 +241,7 @@ public:
 #ifndef __VTK_WRAP__
   /** The newest tick, whole: valid until the next call. A default one before the first. */
   const palpate::Tick& GetNewestTick();
+  const palpate::Tick& GetNewestTick(int device);
 #endif
 
   /** Its parts count. */
@@ -214,20 +255,25 @@ private:
   vtkHapticSession(const vtkHapticSession&) = delete;
   void operator=(const vtkHapticSession&) = delete;
 
+  struct Hand;
   template <class Part>
   void Exchange(vtkSmartPointer<Part>& held, Part* part);
-  const palpate::Tick& Newest() const;
+  const palpate::Tick& Newest(int device) const;
+  std::vector<vtkHapticDevice*> Devices() const;
   std::shared_ptr<const palpate::ContactBody> ReadBody(const std::string& responseName);
   bool CheckSettings();
-  bool ReadSafety(palpate::SafetySettings& safety);
-  std::unique_ptr<palpate::ServoScene> MakeScene(
-    const palpate::SafetySettings& safety, double scale);
+  bool PrepareDevices();
+  void ReleaseDevices();
+  bool ReadSafety(std::vector<Hand>& hands);
+  std::unique_ptr<palpate::ServoScene> MakeScene(const std::vector<Hand>& hands);
   bool FitToDevice(const palpate::SafetySettings& safety, double scale, double& factor);
-  bool StartRun(const palpate::SafetySettings& safety);
+  std::shared_ptr<palpate::SessionRun> MakeRun(const std::vector<Hand>& hands);
+  bool StartRun(const std::vector<Hand>& hands);
 
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkContactSettings> Settings;
   vtkSmartPointer<vtkHapticDevice> Device;
+  std::vector<vtkSmartPointer<vtkHapticDevice>> Added;
   vtkSmartPointer<vtkHapticSafety> Safety;
   vtkSmartPointer<vtkHapticRecorder> Recorder;
   std::string ResponseName = "Response";

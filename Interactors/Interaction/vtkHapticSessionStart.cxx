@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what a session was told to what runs: body, settings, device, safety.
+// From what a session was told to what runs: body, settings, devices, safety.
 #include "vtkHapticSession.h"
 
 #include "Haptics/Devices/DeviceFit.h"
@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -20,11 +23,43 @@ vtkIdType firstPolyOf(vtkPolyData* body)
 }
 } // namespace
 
+int vtkHapticSession::AddDevice(const std::string& name)
+{
+  constexpr int most = palpate::HandsStep::Most;
+  if (this->GetNumberOfDevices() >= most)
+  {
+    vtkErrorMacro(<< "Device '" << name << "' would be one too many: a session has " << most
+                  << " at most.");
+    return -1;
+  }
+  auto device = vtkSmartPointer<vtkHapticDevice>::New();
+  if (!device->Open(name))
+  {
+    return -1;
+  }
+  this->Added.push_back(device);
+  this->Modified();
+  return this->GetNumberOfDevices() - 1;
+}
+
+void vtkHapticSession::RemoveAddedDevices()
+{
+  this->Added.clear();
+  this->Modified();
+}
+
+std::vector<vtkHapticDevice*> vtkHapticSession::Devices() const
+{
+  std::vector<vtkHapticDevice*> devices{ this->Device };
+  devices.insert(devices.end(), this->Added.begin(), this->Added.end());
+  return devices;
+}
+
 bool vtkHapticSession::Start()
 {
   this->Run.reset();
   this->Recorder->Follow(nullptr);
-  this->Device->Release();
+  this->ReleaseDevices();
   if (!this->Known->given)
   {
     *this->Known = {}; // the body may have been changed in place
@@ -34,21 +69,43 @@ bool vtkHapticSession::Start()
   {
     return false;
   }
-  double bounds[6];
-  this->Body->GetBounds(bounds);
-  const std::string fault = this->Device->Prepare(bounds, this->RealTime, this->Rate);
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return false;
-  }
-  palpate::SafetySettings safety;
-  if (this->ReadSafety(safety) && this->StartRun(safety))
+  std::vector<Hand> hands;
+  if (this->PrepareDevices() && this->ReadSafety(hands) && this->StartRun(hands))
   {
     return true;
   }
-  this->Device->Release();
+  this->ReleaseDevices();
   return false;
+}
+
+bool vtkHapticSession::PrepareDevices()
+{
+  double bounds[6];
+  this->Body->GetBounds(bounds);
+  const auto devices = this->Devices();
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    const bool isTwice =
+      std::find(devices.begin(), devices.begin() + static_cast<std::ptrdiff_t>(i), devices[i]) !=
+      devices.begin() + static_cast<std::ptrdiff_t>(i);
+    const std::string fault = isTwice ? "It is the same object as another device"
+                                      : devices[i]->Prepare(bounds, this->RealTime, this->Rate);
+    if (!fault.empty())
+    {
+      const std::string which = i > 0 ? "Device " + std::to_string(i) + ": " : std::string();
+      vtkErrorMacro(<< which << fault << ".");
+      return false;
+    }
+  }
+  return true;
+}
+
+void vtkHapticSession::ReleaseDevices()
+{
+  for (vtkHapticDevice* device : this->Devices())
+  {
+    device->Release();
+  }
 }
 
 bool vtkHapticSession::ApplyChanges()
@@ -57,7 +114,7 @@ bool vtkHapticSession::ApplyChanges()
   {
     return true;
   }
-  auto scene = this->MakeScene(this->Run->safety, this->Run->scale);
+  auto scene = this->MakeScene(this->Run->hands);
   if (!scene)
   {
     return false;
@@ -114,30 +171,42 @@ bool vtkHapticSession::CheckSettings()
   return fault.empty();
 }
 
-bool vtkHapticSession::ReadSafety(palpate::SafetySettings& safety)
+bool vtkHapticSession::ReadSafety(std::vector<Hand>& hands)
 {
-  safety =
-    this->Safety->GetSettings(this->Device->GetHand()->specification(), this->Device->IsStiff());
-  const palpate::SettingFault fault = palpate::faultOf(safety);
-  if (fault)
+  for (vtkHapticDevice* device : this->Devices())
   {
-    vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+    const palpate::SafetySettings safety =
+      this->Safety->GetSettings(device->GetHand()->specification(), device->IsStiff());
+    if (const palpate::SettingFault fault = palpate::faultOf(safety))
+    {
+      vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+      return false;
+    }
+    hands.push_back({ safety, device->GetMapping().scale() });
   }
-  return !fault;
+  return true;
 }
 
-std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(
-  const palpate::SafetySettings& safety, double scale)
+std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(const std::vector<Hand>& hands)
 {
   auto body = this->CheckSettings() ? this->ReadBody(this->ResponseName) : nullptr;
-  double factor = 1.0;
-  if (!body || !this->FitToDevice(safety, scale, factor))
+  if (!body)
   {
     return nullptr;
   }
+  double factor = 1.0; // one for all, so that what they feel stays comparable
+  for (const Hand& hand : hands)
+  {
+    double fitted = 1.0;
+    if (!this->FitToDevice(hand.safety, hand.scale, fitted))
+    {
+      return nullptr;
+    }
+    factor = std::min(factor, fitted);
+  }
   this->FittedFactor = factor;
   return std::make_unique<palpate::ServoScene>(
-    std::move(body), this->Settings->GetKernel(), factor);
+    std::move(body), this->Settings->GetKernel(), factor, hands.size() > 1 ? hands.size() : 0);
 }
 
 bool vtkHapticSession::FitToDevice(
@@ -188,45 +257,73 @@ bool vtkHapticSession::FitToDevice(
   return true;
 }
 
-bool vtkHapticSession::StartRun(const palpate::SafetySettings& safety)
+std::shared_ptr<palpate::SessionRun> vtkHapticSession::MakeRun(const std::vector<Hand>& hands)
 {
-  const palpate::WorkspaceMapping& mapping = this->Device->GetMapping();
-  auto scene = this->MakeScene(safety, mapping.scale());
+  auto scene = this->MakeScene(hands);
   if (!scene)
   {
-    return false;
+    return nullptr;
   }
-  palpate::ServoStep step(std::move(scene), mapping, safety, this->Device->GetClutchButtons());
   vtkHapticRecorder* recorder = this->Recorder;
   const palpate::TicksKept kept{ recorder->GetRecording(), recorder->GetHistorySeconds(),
     recorder->GetTape() };
-  std::shared_ptr<palpate::SessionRun> run;
-  if (!this->RealTime)
+  palpate::ServoLoopSettings settings;
+  settings.rate = this->Rate;
+  settings.recordedSeconds = kept.all
+    ? recorder->GetRecordedSeconds()
+    : std::min(recorder->GetRecordedSeconds(), kept.historySeconds);
+  settings.realTime.lockMemory = this->LockMemory;
+  std::shared_ptr<palpate::RealTimeRun> live;
+  if (hands.size() == 1)
   {
-    run = std::make_shared<palpate::VirtualRun>(
-      this->Device->GetHand(), std::move(step), this->Rate, kept);
+    palpate::ServoStep step(std::move(scene), this->Device->GetMapping(), hands[0].safety,
+      this->Device->GetClutchButtons());
+    if (!this->RealTime)
+    {
+      return std::make_shared<palpate::VirtualRun>(
+        this->Device->GetHand(), std::move(step), this->Rate, kept);
+    }
+    live = std::make_shared<palpate::RealTimeRun>(
+      this->Device->GetHand(), std::move(step), settings, kept);
   }
   else
   {
-    palpate::ServoLoopSettings settings;
-    settings.rate = this->Rate;
-    settings.recordedSeconds = kept.all
-      ? recorder->GetRecordedSeconds()
-      : std::min(recorder->GetRecordedSeconds(), kept.historySeconds);
-    settings.realTime.lockMemory = this->LockMemory;
-    auto live = std::make_shared<palpate::RealTimeRun>(
-      this->Device->GetHand(), std::move(step), settings, kept);
-    const std::string error = live->start();
-    if (!error.empty())
+    palpate::SessionHands devices;
+    std::vector<palpate::HandsStep::Hand> ends;
+    for (vtkHapticDevice* device : this->Devices())
     {
-      vtkErrorMacro(<< "The servo thread does not start: " << error << ".");
-      return false;
+      ends.push_back(
+        { device->GetMapping(), hands[devices.size()].safety, device->GetClutchButtons() });
+      devices.push_back(device->GetHand());
     }
-    run = std::move(live);
+    palpate::HandsStep step(std::move(scene), ends);
+    if (!this->RealTime)
+    {
+      return std::make_shared<palpate::VirtualRun>(
+        std::move(devices), std::move(step), this->Rate, kept);
+    }
+    live =
+      std::make_shared<palpate::RealTimeRun>(std::move(devices), std::move(step), settings, kept);
+  }
+  const std::string error = live->start();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< "The servo thread does not start: " << error << ".");
+    return nullptr;
+  }
+  return live;
+}
+
+bool vtkHapticSession::StartRun(const std::vector<Hand>& hands)
+{
+  auto run = this->MakeRun(hands);
+  if (!run)
+  {
+    return false;
   }
   run->firstPoly = firstPolyOf(this->Body);
-  recorder->Follow(run);
-  this->Run = std::make_unique<Started>(Started{ safety, mapping.scale(), std::move(run) });
+  this->Recorder->Follow(run);
+  this->Run = std::make_unique<Started>(Started{ hands, std::move(run) });
   ++this->Starts;
   return true;
 }

@@ -11,36 +11,35 @@ namespace palpate
 namespace
 {
 std::atomic<int> Holding{ 0 };
-thread_local HapticDevice* Held = nullptr; ///< of this servo thread
 std::atomic<std::terminate_handler> HandlerBefore{ nullptr };
-
-void letGo() noexcept
-{
-  Held = nullptr;
-  Holding.fetch_sub(1);
-}
 } // namespace
 
 std::atomic<bool> ForceHold::Releasing{ false };
+thread_local ForceHold* ForceHold::Newest = nullptr;
 
 ForceHold::ForceHold(HapticDevice& device) noexcept
+  : Device(device)
+  , Before(Newest)
 {
-  Held = &device;
+  Newest = this;
   Holding.fetch_add(1);
 }
 
 ForceHold::~ForceHold()
 {
-  letGo();
+  Newest = this->Before;
+  Holding.fetch_sub(1);
 }
 
 void ForceHold::releaseAll() noexcept
 {
   Releasing.store(true);
-  if (HapticDevice* const device = Held)
+  while (const ForceHold* const hold = Newest)
   {
-    letGo(); // first: it may be the device's write that has thrown, and will again
-    device->write(Eigen::Vector3d::Zero());
+    // First: it may be the device's write that has thrown, and will again.
+    Newest = hold->Before;
+    Holding.fetch_sub(1);
+    hold->Device.write(Eigen::Vector3d::Zero());
   }
   for (int i = 0; i < 100 && Holding.load() > 0; ++i)
   {

@@ -23,7 +23,8 @@ namespace palpate
  */
 PALPATE_EXPORT void releaseForceOnTerminate() noexcept;
 
-/// What a servo thread has on its stack for as long as its device may exert a force.
+/// What a servo thread has on its stack for as long as its device may exert a force: one for each
+/// of its devices, of which the last made ends first.
 class PALPATE_EXPORT ForceHold
 {
 public:
@@ -40,6 +41,10 @@ private:
   static void releaseAll() noexcept;
 
   static std::atomic<bool> Releasing;
+  static thread_local ForceHold* Newest; ///< of this servo thread
+
+  HapticDevice& Device;
+  ForceHold* Before;
 };
 } // namespace palpate
 

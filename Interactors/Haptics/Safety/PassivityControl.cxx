@@ -277,6 +277,18 @@ void PassivityControl::interrupt(double time) noexcept
   this->send(time, {});
 }
 
+double PassivityControl::spare() const noexcept
+{
+  const bool isKnown =
+    this->HasPosition && !this->IsInterrupted && this->SentTicks <= 1 && this->UnderWay.late() == 0;
+  if (!isKnown || !std::isfinite(this->Stiffness) || !(this->Stiffness > 0.0))
+  {
+    return 0.0;
+  }
+  const double needed = this->Force.squaredNorm() / (2.0 * this->Share * this->Stiffness);
+  return std::max(0.0, this->Energy - needed);
+}
+
 void PassivityControl::reset() noexcept
 {
   *this = PassivityControl(this->Stiffness, this->Period, this->Delay, this->TorsionalStiffness);

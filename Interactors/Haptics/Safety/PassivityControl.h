@@ -112,6 +112,14 @@ public:
   /// giving a hand more than E; infinite for none. A hand as where readings are missing.
   double holdTime() const noexcept;
 
+  /// What of E the force that was sent last cannot need, J, so that it may go to the account of
+  /// another device which the same scene holds; none while readings are missing, and where a device
+  /// is late.
+  double spare() const noexcept;
+  /// E is more by so much, or less by no more than spare(). Where what one is given another gives,
+  /// all together get no more than they have put in.
+  void transfer(double energy) noexcept { this->Energy += energy; }
+
   /// E, J.
   double energy() const noexcept { return this->Energy; }
   /// Whether nothing has been observed since the beginning or reset().

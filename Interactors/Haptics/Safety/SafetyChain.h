@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -109,6 +110,13 @@ public:
   void stop() noexcept;
   void start() noexcept { this->IsStopped = false; }
   bool isStopped() const noexcept { return this->IsStopped; }
+  /// Whether apply() will send nothing for a valid sample at that time, whatever the scene gives:
+  /// it is stopped, the device has been silent, or the time is none.
+  bool isEnded(double time) const noexcept
+  {
+    return this->IsStopped ||
+      (this->UsesTime && (!std::isfinite(time) || this->Watchdog.wouldBeLost(time)));
+  }
   /// As if nothing had been; what is stopped stays stopped.
   void reset() noexcept;
 
@@ -125,6 +133,12 @@ public:
   bool hasTorque() const noexcept { return this->Settings.maximumTorque > 0.0; }
   /// What the hand has put in and not got back, J (PassivityControl); 0 where that is off.
   double energy() const noexcept { return this->Passivity.energy(); }
+  /// What of it may go to another chain on the same body, and what goes (PassivityControl).
+  double spareEnergy() const noexcept
+  {
+    return this->Settings.controlPassivity ? this->Passivity.spare() : 0.0;
+  }
+  void transferEnergy(double energy) noexcept { this->Passivity.transfer(energy); }
 
 private:
   /// Which links end the force now.

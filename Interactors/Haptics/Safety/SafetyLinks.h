@@ -205,6 +205,12 @@ public:
     }
     return wentBack || isOld;
   }
+  /// Whether isLost would say so now.
+  bool wouldBeLost(double time) const noexcept
+  {
+    const double since = this->HasTime ? time - this->LastFresh : 0.0;
+    return (this->HasTime && time < this->LastTime) || !(since <= this->TimeOut);
+  }
   /// Whether readings that are missing now, or not valid, are a gap: the last new one is not older
   /// than the time-out, nor than LongestGap where there is none.
   bool isGap(double time) const noexcept

@@ -37,27 +37,11 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
 SceneForce feel(
   ServoScene& scene, const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
-  SceneForce felt;
-  felt.contact = scene.contact.update(pose, elapsed);
-  felt.forceFactor = scene.forceFactor;
-  felt.idealForce = felt.contact.force;
-  felt.cappedForce = felt.contact.force;
-  double share = 1.0;
-  if (felt.contact.normalForce > 0.0 && !std::isinf(limits.straight))
-  {
-    share = scene.contact.cappedShare(felt.contact, limits.straight / scene.forceFactor);
-    felt.cappedForce *= share;
-  }
-  if (pose.hasAxis())
-  {
-    // A force that is less presses less, and turns by as much less.
-    const double turning = cappedTorqueShare(felt.contact, limits.turning / scene.forceFactor);
-    felt.idealTorque = felt.contact.torque;
-    felt.cappedTorque = std::min(share, turning) * felt.contact.torque;
-  }
-  felt.reach = reachOf(felt.contact, scene.settings.friction);
-  felt.outside = felt.contact.state == ContactState::None;
-  return felt;
+  const Contact contact = scene.contact.update(pose, elapsed);
+  const bool isCapped = contact.normalForce > 0.0 && !std::isinf(limits.straight);
+  const double share =
+    isCapped ? scene.contact.cappedShare(contact, limits.straight / scene.forceFactor) : 1.0;
+  return forceOf(scene, contact, share, pose, limits);
 }
 
 /// So that the next tick finds the contact on that side of the body where another has it.
@@ -72,6 +56,26 @@ void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noe
   }
 }
 } // namespace
+
+SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
+  const ToolPose& pose, const StiffnessLimits& limits) noexcept
+{
+  SceneForce felt;
+  felt.contact = contact;
+  felt.forceFactor = scene.forceFactor;
+  felt.idealForce = contact.force;
+  felt.cappedForce = share * contact.force;
+  if (pose.hasAxis())
+  {
+    // A force that is less presses less, and turns by as much less.
+    const double turning = cappedTorqueShare(contact, limits.turning / scene.forceFactor);
+    felt.idealTorque = contact.torque;
+    felt.cappedTorque = std::min(share, turning) * contact.torque;
+  }
+  felt.reach = reachOf(contact, scene.settings.friction);
+  felt.outside = contact.state == ContactState::None;
+  return felt;
+}
 
 SceneSwitch::SceneSwitch(std::unique_ptr<ServoScene> scene) noexcept
   : Current(std::move(scene))

@@ -4,8 +4,10 @@
 
 #include "Haptics/Safety/SafetyLinks.h"
 #include "Mechanics/PalpateExport.h"
+#include "Contact/Coupled/CoupledContacts.h"
 #include "Contact/ToolContact.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -21,12 +23,16 @@ struct ServoScene
 {
   /// `contactBody` must not be null and is kept alive by the scene. `sceneForceFactor` (0, 1] fits
   /// this scene to the device, beside SafetySettings::forceFactor: their product is what counts.
-  /// Outside of its range it gives no force.
+  /// Outside of its range it gives no force. For a HandsStep each
+  /// of its hands has a contact; 0: for a ServoStep.
   explicit ServoScene(std::shared_ptr<const ContactBody> contactBody,
-    const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0)
+    const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0,
+    std::size_t hands = 0)
     : body(std::move(contactBody))
     , settings(contactSettings)
     , contact(*this->body, contactSettings)
+    , together(hands > 0 ? std::make_unique<CoupledContacts>(*this->body, contactSettings, hands)
+                         : nullptr)
     , forceFactor(sceneForceFactor > 0.0 && sceneForceFactor <= 1.0 ? sceneForceFactor : 0.0)
   {
   }
@@ -43,6 +49,7 @@ struct ServoScene
     : body(other.body)
     , settings(other.settings)
     , contact(other.contact)
+    , together(other.together ? std::make_unique<CoupledContacts>(*other.together) : nullptr)
     , forceFactor(other.forceFactor)
   {
   }
@@ -51,6 +58,7 @@ struct ServoScene
   const std::shared_ptr<const ContactBody> body;
   const ContactSettings settings;
   ToolContact contact;
+  const std::unique_ptr<CoupledContacts> together; ///< of several hands, instead; or null
   const double forceFactor;
   /// Scenes no longer needed are a list: freeing the first frees all.
   std::unique_ptr<ServoScene> next;
@@ -89,6 +97,11 @@ struct SceneForce
   bool outside = true;   ///< no contact
   bool changing = false; ///< the share is another than in the tick before
 };
+
+/// What a contact of a scene is to a tool in that pose, where of its force `share` may stay under
+/// the stiffness cap.
+PALPATE_EXPORT SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
+  const ToolPose& pose, const StiffnessLimits& limits) noexcept;
 
 /**
  * The scene of a ServoStep, and how it is left for another while the tip may be in contact.

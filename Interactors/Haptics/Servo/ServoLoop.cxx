@@ -74,17 +74,30 @@ std::string ServoLoopSettings::fault() const
 }
 
 ServoLoop::ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings)
-  : Device(device)
+  : Devices{ &device }
   , Step(std::move(step))
   , Settings(settings)
-  , Recording(recordedTicks(settings))
 {
+  this->Channels.push_back(std::make_unique<Channel>(recordedTicks(settings)));
   this->resetStatistics();
 }
 
 ServoLoop::ServoLoop(HapticDevice& device, ServoStep step, double rate)
   : ServoLoop(device, std::move(step), settingsOf(rate))
 {
+}
+
+ServoLoop::ServoLoop(
+  std::vector<HapticDevice*> devices, HandsStep step, const ServoLoopSettings& settings)
+  : Devices(std::move(devices))
+  , Hands(std::move(step))
+  , Settings(settings)
+{
+  for (std::size_t i = 0; i < this->Devices.size(); ++i)
+  {
+    this->Channels.push_back(std::make_unique<Channel>(recordedTicks(settings)));
+  }
+  this->resetStatistics();
 }
 
 ServoLoop::~ServoLoop()
@@ -137,8 +150,8 @@ ServoStatistics ServoLoop::statistics() const
   this->Meter.read(statistics);
   statistics.rate = this->Settings.rate;
   statistics.grant = this->Grant;
-  statistics.overruns = this->Recording.overruns() - this->OverrunsBefore;
-  const DeviceErrors errors = this->Device.errors();
+  statistics.overruns = this->overruns() - this->OverrunsBefore;
+  const DeviceErrors errors = this->errors();
   statistics.device.malformed = errors.malformed - this->ErrorsBefore.malformed;
   statistics.device.stale = errors.stale - this->ErrorsBefore.stale;
   statistics.device.lost = errors.lost - this->ErrorsBefore.lost;
@@ -150,8 +163,33 @@ ServoStatistics ServoLoop::statistics() const
 void ServoLoop::resetStatistics()
 {
   this->Meter.reset();
-  this->OverrunsBefore = this->Recording.overruns();
-  this->ErrorsBefore = this->Device.errors();
+  this->OverrunsBefore = this->overruns();
+  this->ErrorsBefore = this->errors();
+}
+
+std::uint64_t ServoLoop::overruns() const noexcept
+{
+  std::uint64_t sum = 0;
+  for (const std::unique_ptr<Channel>& channel : this->Channels)
+  {
+    sum += channel->recording.overruns();
+  }
+  return sum;
+}
+
+DeviceErrors ServoLoop::errors() const
+{
+  DeviceErrors sum;
+  for (const HapticDevice* device : this->Devices)
+  {
+    const DeviceErrors errors = device->errors();
+    sum.malformed += errors.malformed;
+    sum.stale += errors.stale;
+    sum.lost += errors.lost;
+    sum.unsent += errors.unsent;
+    sum.disconnections += errors.disconnections;
+  }
+  return sum;
 }
 
 bool ServoLoop::goesOn() const noexcept
@@ -162,9 +200,14 @@ bool ServoLoop::goesOn() const noexcept
 void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
 {
   granted.set_value(requestRealTime(this->Settings.realTime));
-  const ForceHold hold(this->Device);
+  std::array<std::optional<ForceHold>, HandsStep::Most> holds;
+  for (std::size_t i = 0; i < this->Devices.size(); ++i)
+  {
+    holds[i].emplace(*this->Devices[i]);
+  }
   const auto period =
     static_cast<std::int64_t>(std::llround(NanosecondsPerSecond / this->Settings.rate));
+  this->Newest = Tick();
   const std::int64_t begin = now();
   std::int64_t deadline = begin;
   std::int64_t before = begin; // when the last tick began
@@ -174,7 +217,6 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
     deadline += periods * period;
     skipped += periods;
   };
-  Tick newest;
   while (this->goesOn())
   {
     const std::int64_t woken = now();
@@ -188,7 +230,7 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
     this->Meter.missed.add(static_cast<std::uint64_t>(skipped));
     skipped = 0;
     this->takeScene();
-    newest = this->tick(static_cast<double>(deadline - begin) / NanosecondsPerSecond);
+    this->tick(static_cast<double>(deadline - begin) / NanosecondsPerSecond);
     const std::int64_t done = now();
     this->Meter.tick.add(done - woken);
     this->Meter.ticks.add();
@@ -197,52 +239,91 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
     {
       skip((done - deadline) / period + 1);
     }
-    this->Step.foresee();
+    this->foresee();
     sleepUntil(deadline);
   }
-  this->finish(newest);
+  this->finish();
 }
 
-Tick ServoLoop::tick(double time) noexcept
+void ServoLoop::tick(double time) noexcept
 {
-  const DeviceSample sample = this->Device.read(time);
-  Tick tick = this->Step.step(sample, time);
-  this->Device.holdFor(tick.holdTime);
-  const bool taken = this->Device.writeWrench(tick.wrench());
-  this->Latest.write(tick);
-  this->Recording.push(tick);
+  if (this->Step)
+  {
+    const DeviceSample sample = this->Devices[0]->read(time);
+    this->Newest = this->Step->step(sample, time);
+    this->write(0, sample, this->Newest);
+    return;
+  }
+  std::array<DeviceSample, HandsStep::Most> samples;
+  for (std::size_t i = 0; i < this->Devices.size(); ++i)
+  {
+    samples[i] = this->Devices[i]->read(time);
+  }
+  const std::vector<Tick>& ticks = this->Hands->step(samples.data(), time);
+  for (std::size_t i = 0; i < this->Devices.size(); ++i)
+  {
+    this->write(i, samples[i], ticks[i]);
+  }
+}
+
+void ServoLoop::write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept
+{
+  this->Devices[device]->holdFor(tick.holdTime);
+  const bool taken = this->Devices[device]->writeWrench(tick.wrench());
+  this->Channels[device]->latest.write(tick);
+  this->Channels[device]->recording.push(tick);
   this->Meter.invalidSamples.add(sample.valid ? 0 : 1);
   this->Meter.repeatedSamples.add(sample.valid && !sample.fresh ? 1 : 0);
   this->Meter.refusedForces.add(taken ? 0 : 1);
-  return tick;
+}
+
+void ServoLoop::foresee() const noexcept
+{
+  this->Step ? this->Step->foresee() : this->Hands->foresee();
 }
 
 void ServoLoop::takeScene() noexcept
 {
   if (std::unique_ptr<ServoScene> scene = this->Scenes.take())
   {
-    this->Step.change(std::move(scene));
+    this->Step ? this->Step->change(std::move(scene))
+               : static_cast<void>(this->Hands->change(std::move(scene)));
     this->Meter.sceneChanges.add();
   }
-  this->Scenes.giveBack(this->Step.takeRetired());
+  this->Scenes.giveBack(this->Step ? this->Step->takeRetired() : this->Hands->takeRetired());
 }
 
-void ServoLoop::finish(const Tick& newest) noexcept
+void ServoLoop::finish() noexcept
 {
   // A device may be at work on the force before; one that is gone takes none.
   constexpr int Attempts = 10;
   constexpr std::int64_t Pause = NanosecondsPerSecond / 1000;
-  for (int i = 1; !this->Device.writeWrench({}) && i < Attempts; ++i)
+  std::array<bool, HandsStep::Most> isDone{};
+  bool areAll = false;
+  for (int i = 0; i < Attempts && !areAll; ++i)
   {
-    sleepUntil(now() + Pause);
+    if (i > 0)
+    {
+      sleepUntil(now() + Pause);
+    }
+    areAll = true;
+    for (std::size_t d = 0; d < this->Devices.size(); ++d)
+    {
+      isDone[d] = isDone[d] || this->Devices[d]->writeWrench({});
+      areAll = areAll && isDone[d];
+    }
   }
-  this->Step.reset();
-  this->Scenes.giveBack(this->Step.takeRetired());
-  Tick last;
-  last.time = newest.time;
-  last.tip = newest.tip;
-  last.scene = newest.scene;
-  last.acted = static_cast<std::uint16_t>(SafetyLink::Stopped);
-  this->Latest.write(last);
+  this->Step ? this->Step->reset() : this->Hands->reset();
+  this->Scenes.giveBack(this->Step ? this->Step->takeRetired() : this->Hands->takeRetired());
+  for (std::size_t d = 0; d < this->Devices.size(); ++d)
+  {
+    const Tick& newest = this->Step ? this->Newest : this->Hands->ticks()[d];
+    Tick last;
+    last.time = newest.time;
+    last.tip = newest.tip;
+    last.scene = newest.scene;
+    last.acted = static_cast<std::uint16_t>(SafetyLink::Stopped);
+    this->Channels[d]->latest.write(last);
+  }
 }
 } // namespace palpate

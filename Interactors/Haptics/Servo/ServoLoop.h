@@ -3,6 +3,7 @@
 #define palpate_ServoLoop_h
 
 #include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/LatestValue.h"
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Servo/RealTimeGrant.h"
@@ -16,8 +17,10 @@
 #include <cstdint>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace palpate
 {
@@ -29,7 +32,7 @@ struct PALPATE_EXPORT ServoLoopSettings
 
   double rate = 1000.0; ///< ticks per second, 1 to MaximumRate
   /// How long (s) ticks are kept for drain() before they are lost; 0: there is no recording. The
-  /// memory is taken at once, some 440 bytes per tick.
+  /// memory is taken at once, some 600 bytes per tick and device.
   double recordedSeconds = 0.0;
   RealTimeRequest realTime;
 
@@ -39,7 +42,8 @@ struct PALPATE_EXPORT ServoLoopSettings
 
 /**
  * The servo thread: device → ServoStep → device at a fixed rate. The newest tick is published in a
- * slot, every tick in a ring.
+ * slot, every tick in a ring. Or several devices → HandsStep → devices: all are read, then stepped,
+ * then written, in one thread and at one time; each has a slot and a ring of its own.
  *
  * Deadlines are absolute: tick k is due k periods after the start, and that is the time it is
  * given, whenever it wakes up. A tick that cannot begin before the next one is due is missed:
@@ -63,6 +67,8 @@ public:
   ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings);
   /// `rate` in ticks per second.
   ServoLoop(HapticDevice& device, ServoStep step, double rate);
+  /// As many devices as the step has hands, none of them null.
+  ServoLoop(std::vector<HapticDevice*> devices, HandsStep step, const ServoLoopSettings& settings);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
@@ -76,46 +82,66 @@ public:
   /// What the thread of the newest start was granted.
   const RealTimeGrant& grant() const noexcept { return this->Grant; }
 
-  /// The newest tick; a default one before the first.
-  const Tick& newest() noexcept { return this->Latest.read(); }
+  std::size_t devices() const noexcept { return this->Devices.size(); }
+  /// The newest tick of a device; a default one before the first.
+  const Tick& newest(std::size_t device = 0) noexcept
+  {
+    return this->Channels[device]->latest.read();
+  }
   /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns how
   /// many. Also after a stop. Ticks for which there was no room are counted in the statistics.
   template <class Sink>
-  std::size_t drain(Sink&& sink)
+  std::size_t drain(Sink&& sink, std::size_t device = 0)
   {
-    return this->Recording.drain(sink);
+    return this->Channels[device]->recording.drain(sink);
   }
 
   /// Renders another scene from the next tick on, or from the next start: the force goes over to
   /// it within 50 ms (ServoStep). Of several in quick succession the newest is certain to be
-  /// rendered. Frees the scenes that are no longer in use.
+  /// rendered. Frees the scenes that are no longer in use. Of several devices: a scene made for as
+  /// many, HandsStep.
   void changeScene(std::unique_ptr<ServoScene> scene);
   /// The same without another scene, some time later; returns how many were freed.
   std::size_t freeScenes() noexcept { return this->Scenes.collect(); }
 
   /// Since the loop was made, or since the last reset; see ServoMeter for what may differ by a
-  /// tick.
+  /// tick. Samples, forces and errors are counted of each device, and summed.
   ServoStatistics statistics() const;
   void resetStatistics();
   /// Since the loop was made.
   std::uint64_t ticks() const noexcept { return this->Meter.ticks.total(); }
   std::uint64_t missed() const noexcept { return this->Meter.missed.total(); }
   /// Ticks that drain() will never see.
-  std::uint64_t overruns() const noexcept { return this->Recording.overruns(); }
+  std::uint64_t overruns() const noexcept;
 
 private:
+  /// What the owner is told of one device.
+  struct Channel
+  {
+    explicit Channel(std::size_t recordedTicks)
+      : recording(recordedTicks)
+    {
+    }
+    LatestValue<Tick> latest;
+    SampleRing<Tick> recording;
+  };
+
   void run(std::promise<RealTimeGrant>& granted) noexcept;
   bool goesOn() const noexcept;
-  Tick tick(double time) noexcept;
+  void tick(double time) noexcept;
+  void write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept;
   void takeScene() noexcept;
-  /// Leaves no force: on the device, in the step, in what is published.
-  void finish(const Tick& newest) noexcept;
+  void foresee() const noexcept;
+  /// Leaves no force: on the devices, in the step, in what is published.
+  void finish() noexcept;
+  DeviceErrors errors() const;
 
-  HapticDevice& Device;
-  ServoStep Step;
+  std::vector<HapticDevice*> Devices;
+  std::optional<ServoStep> Step;  ///< of one device
+  std::optional<HandsStep> Hands; ///< of several, instead
   ServoLoopSettings Settings;
-  LatestValue<Tick> Latest;
-  SampleRing<Tick> Recording;
+  std::vector<std::unique_ptr<Channel>> Channels;
+  Tick Newest; ///< of one device
   SceneExchange<ServoScene> Scenes;
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };

@@ -8,6 +8,7 @@
 #include "vtkHapticSession.h"
 
 #include <memory>
+#include <vector>
 
 /// What was read of the body, per response, as long as it is the same.
 struct vtkHapticSession::Kernels : palpate::BodyKernels
@@ -17,11 +18,17 @@ struct vtkHapticSession::Kernels : palpate::BodyKernels
   bool given = false; ///< by the caller, for the next Start
 };
 
-/// From Start to the next Start.
-struct vtkHapticSession::Started
+/// What a scene is fitted to.
+struct vtkHapticSession::Hand
 {
   palpate::SafetySettings safety;
   double scale = 1.0; ///< of the workspace
+};
+
+/// From Start to the next Start.
+struct vtkHapticSession::Started
+{
+  std::vector<Hand> hands;
   std::shared_ptr<palpate::SessionRun> run;
 };
 

@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Session/SessionRun.h"
 
+#include <array>
 #include <chrono>
 #include <utility>
 
 namespace palpate
 {
+namespace
+{
+std::vector<HapticDevice*> pointersTo(const SessionHands& hands)
+{
+  std::vector<HapticDevice*> devices;
+  for (const auto& hand : hands)
+  {
+    devices.push_back(hand.get());
+  }
+  return devices;
+}
+} // namespace
+
 VirtualRun::VirtualRun(
   std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept)
-  : SessionRun(std::move(hand), rate, kept)
+  : SessionRun({ std::move(hand) }, rate, kept)
   , Step(std::move(servo))
   , Period(1.0 / rate)
+  , Newest(1)
+{
+}
+
+VirtualRun::VirtualRun(SessionHands hands, HandsStep servo, double rate, const TicksKept& kept)
+  : SessionRun(std::move(hands), rate, kept)
+  , Together(std::move(servo))
+  , Period(1.0 / rate)
+  , Newest(this->hands())
 {
 }
 
@@ -19,18 +42,28 @@ void VirtualRun::stop()
   if (this->Running)
   {
     this->Running = false;
-    this->Device->writeWrench({});
+    for (const auto& hand : this->Hands)
+    {
+      hand->writeWrench({});
+    }
   }
 }
 
 void VirtualRun::change(std::unique_ptr<ServoScene> scene)
 {
-  this->Step.change(std::move(scene));
+  if (this->Step)
+  {
+    this->Step->change(std::move(scene));
+  }
+  else
+  {
+    this->Together->change(std::move(scene));
+  }
 }
 
 double VirtualRun::time() const
 {
-  return static_cast<double>(this->Summary.ticks) * this->Period;
+  return static_cast<double>(this->ticksMade()) * this->Period;
 }
 
 void VirtualRun::step(double seconds)
@@ -48,21 +81,53 @@ void VirtualRun::tick()
 {
   const double time = this->time();
   const auto begin = std::chrono::steady_clock::now();
-  this->Newest = this->Step.step(this->Device->read(time), time);
-  this->Device->writeWrench(this->Newest.wrench());
+  if (this->Step)
+  {
+    this->Newest[0] = this->Step->step(this->Hands[0]->read(time), time);
+    this->Hands[0]->writeWrench(this->Newest[0].wrench());
+  }
+  else
+  {
+    this->stepAll(time);
+  }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-  this->Step.takeRetired(); // and freed here: the tick is over
-  this->keep(this->Newest);
+  // And freed here: the tick is over.
+  this->Step ? this->Step->takeRetired() : this->Together->takeRetired();
+  for (std::size_t i = 0; i < this->hands(); ++i)
+  {
+    this->keep(i, this->Newest[i]);
+  }
   if (this->KeepsAll)
   {
     this->Nanoseconds.push_back(spent.count());
   }
 }
 
+void VirtualRun::stepAll(double time)
+{
+  std::array<DeviceSample, HandsStep::Most> samples;
+  for (std::size_t i = 0; i < this->hands(); ++i)
+  {
+    samples[i] = this->Hands[i]->read(time);
+  }
+  this->Newest = this->Together->step(samples.data(), time);
+  for (std::size_t i = 0; i < this->hands(); ++i)
+  {
+    this->Hands[i]->writeWrench(this->Newest[i].wrench());
+  }
+}
+
 RealTimeRun::RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
   const ServoLoopSettings& settings, const TicksKept& kept)
-  : SessionRun(std::move(hand), settings.rate, kept)
-  , Loop(*this->Device, std::move(servo), settings)
+  : SessionRun({ std::move(hand) }, settings.rate, kept)
+  , Loop(*this->Hands[0], std::move(servo), settings)
+{
+}
+
+RealTimeRun::RealTimeRun(
+  SessionHands hands, HandsStep servo, const ServoLoopSettings& settings, const TicksKept& kept)
+  : SessionRun(std::move(hands), settings.rate, kept)
+  , Loop(pointersTo(this->Hands), std::move(servo), settings)
 {
 }
 
@@ -71,15 +136,18 @@ void RealTimeRun::change(std::unique_ptr<ServoScene> scene)
   this->Loop.changeScene(std::move(scene));
 }
 
-const Tick& RealTimeRun::newest()
+const Tick& RealTimeRun::newest(std::size_t hand)
 {
   this->collect(); // whoever looks at the newest tick at display rate keeps the ring from filling
-  return this->Loop.newest();
+  return this->Loop.newest(hand);
 }
 
 void RealTimeRun::collect()
 {
   this->Loop.freeScenes();
-  this->Loop.drain([this](const Tick& tick) { this->keep(tick); });
+  for (std::size_t i = 0; i < this->hands(); ++i)
+  {
+    this->Loop.drain([this, i](const Tick& tick) { this->keep(i, tick); }, i);
+  }
 }
 } // namespace palpate

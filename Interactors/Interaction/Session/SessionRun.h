@@ -2,6 +2,7 @@
 #ifndef SessionRun_h
 #define SessionRun_h
 
+#include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/ServoLoop.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Servo/TickHistory.h"
@@ -9,30 +10,37 @@
 
 #include "vtkType.h"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate
 {
-/// A device and its servo step, from one Start of a session to the next. For the thread that owns
-/// the session.
+/// The devices of a session, one at least.
+using SessionHands = std::vector<std::shared_ptr<HapticDevice>>;
+
+/// The devices and their servo step, from one Start of a session to the next. For the thread that
+/// owns the session. History and tape are of the first device.
 class SessionRun
 {
 public:
   /// `rate` in ticks per second.
-  SessionRun(std::shared_ptr<HapticDevice> hand, double rate, const TicksKept& kept)
-    : Device(std::move(hand))
+  SessionRun(SessionHands hands, double rate, const TicksKept& kept)
+    : Hands(std::move(hands))
     , KeepsAll(kept.all)
     , Tape(kept.tape)
     , History(kept.historySeconds, rate)
+    , Kept(this->Hands.size())
   {
   }
   virtual ~SessionRun() = default;
   SessionRun(const SessionRun&) = delete;
   SessionRun& operator=(const SessionRun&) = delete;
 
-  /// Leaves no force on the device.
+  /// Leaves no force on the devices.
   virtual void stop() = 0;
   virtual bool isRunning() const = 0;
   /// The force goes over to another scene.
@@ -42,44 +50,52 @@ public:
   /// Virtual time, s, of the next tick; 0 in real time.
   virtual double time() const = 0;
 
-  /// A default one before the first.
-  virtual const Tick& newest() = 0;
+  std::size_t hands() const { return this->Hands.size(); }
+  /// Of a device; a default one before the first.
+  virtual const Tick& newest(std::size_t hand) = 0;
   /// Takes over what has been recorded meanwhile.
   virtual void collect() = 0;
   virtual std::uint64_t ticksMade() const = 0;
   /// Of the servo thread; null where there is none.
   virtual ServoLoop* loop() { return nullptr; }
 
-  HapticDevice& device() { return *this->Device; }
-  /// Every tick, if it is recorded, until the last collect().
-  const std::vector<Tick>& ticks() const { return this->Ticks; }
+  /// Every tick of a device, if it is recorded, until the last collect().
+  const std::vector<Tick>& ticks(std::size_t hand) const { return this->Kept[hand].ticks; }
   /// The last ones, likewise.
   const TickHistory& history() const { return this->History; }
-  const TickSummary& summary() const { return this->Summary; }
+  const TickSummary& summary(std::size_t hand) const { return this->Kept[hand].summary; }
   /// Time each recorded tick took, in virtual time.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
   vtkIdType firstPoly = 0; ///< cell id of the newest body's first triangle
 
 protected:
-  void keep(const Tick& tick)
+  struct HandTicks
   {
-    this->Summary.add(tick);
-    this->History.add(tick);
-    this->Tape->add(tick);
+    std::vector<Tick> ticks;
+    TickSummary summary;
+  };
+
+  void keep(std::size_t hand, const Tick& tick)
+  {
+    this->Kept[hand].summary.add(tick);
+    if (hand == 0)
+    {
+      this->History.add(tick);
+      this->Tape->add(tick);
+    }
     if (this->KeepsAll)
     {
-      this->Ticks.push_back(tick);
+      this->Kept[hand].ticks.push_back(tick);
     }
   }
 
-  std::shared_ptr<HapticDevice> Device;
+  SessionHands Hands;
   bool KeepsAll;
   std::shared_ptr<TickTape> Tape;
   TickHistory History;
-  std::vector<Tick> Ticks;
+  std::vector<HandTicks> Kept;
   std::vector<double> Nanoseconds;
-  TickSummary Summary;
 };
 
 /// In virtual time, on the caller's thread; nothing depends on the machine but nanoseconds().
@@ -88,6 +104,8 @@ class VirtualRun final : public SessionRun
 public:
   VirtualRun(
     std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept);
+  /// Of several devices.
+  VirtualRun(SessionHands hands, HandsStep servo, double rate, const TicksKept& kept);
   ~VirtualRun() override { this->stop(); }
 
   void stop() override;
@@ -95,18 +113,20 @@ public:
   void change(std::unique_ptr<ServoScene> scene) override;
   void step(double seconds) override;
   double time() const override;
-  const Tick& newest() override { return this->Newest; }
+  const Tick& newest(std::size_t hand) override { return this->Newest[hand]; }
   void collect() override {}
-  std::uint64_t ticksMade() const override { return this->Summary.ticks; }
+  std::uint64_t ticksMade() const override { return this->summary(0).ticks; }
 
 private:
   void tick();
+  void stepAll(double time);
 
-  ServoStep Step;
+  std::optional<ServoStep> Step;     ///< of one device
+  std::optional<HandsStep> Together; ///< of several, instead
   double Period;
   double Reached = 0.0; ///< time stepped to so far, s; ticks fall behind by less than one
   bool Running = true;
-  Tick Newest;
+  std::vector<Tick> Newest;
 };
 
 /// On the servo thread.
@@ -115,6 +135,9 @@ class RealTimeRun final : public SessionRun
 public:
   RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
     const ServoLoopSettings& settings, const TicksKept& kept);
+  /// Of several devices.
+  RealTimeRun(
+    SessionHands hands, HandsStep servo, const ServoLoopSettings& settings, const TicksKept& kept);
 
   /// Returns an error, or "".
   std::string start() { return this->Loop.start(); }
@@ -123,13 +146,13 @@ public:
   void change(std::unique_ptr<ServoScene> scene) override;
   void step(double) override {}
   double time() const override { return 0.0; }
-  const Tick& newest() override;
+  const Tick& newest(std::size_t hand) override;
   void collect() override;
   std::uint64_t ticksMade() const override { return this->Loop.ticks(); }
   ServoLoop* loop() override { return &this->Loop; }
 
 private:
-  ServoLoop Loop; ///< after the device, so that it ends before
+  ServoLoop Loop; ///< after the devices, so that it ends before
 };
 } // namespace palpate
 

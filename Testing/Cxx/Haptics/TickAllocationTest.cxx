@@ -5,16 +5,19 @@
 #include "RelaxingPlate.h"
 #include "SampleResponses.h"
 #include "Contact/Coupled/CoupledContacts.h"
+#include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <new>
+#include <vector>
 
 using Eigen::Vector3d;
 using namespace palpate::testing;
@@ -292,4 +295,51 @@ TEST(TickAllocation, OfADeviceThatTurnsAndIsSentTorque)
   }
   EXPECT_EQ(allocationCount(), before);
   EXPECT_GT(valid, Ticks / 2);
+}
+
+TEST(TickAllocation, OfSeveralDevicesOnOneBody)
+{
+  const std::shared_ptr<const palpate::ContactBody> plate = CoupledPlate().body();
+  palpate::ContactSettings rough;
+  rough.friction.coefficient = 0.3;
+  const auto scene = [&] { return std::make_unique<palpate::ServoScene>(plate, rough, 1.0, 3); };
+  const palpate::SafetySettings safety = palpate::SafetySettings::of({});
+  palpate::HandsStep step(scene(), { { {}, safety, 1 }, { {}, safety }, { {}, safety } });
+  auto next = scene();
+  std::array<int, 3> forces{};
+  States states{};
+  const long before = allocationCount();
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    std::array<DeviceSample, 3> samples;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector3d tip = 6.0 * pathOf(tick + 40 * i) + Vector3d(0.0, 0.0, i == 0 ? 0.0 : -5.0);
+      DeviceSample& sample = samples[static_cast<std::size_t>(i)];
+      sample.position = tip / 1000.0;
+      sample.valid = tick % (113 + i) != 0;
+      sample.fresh = tick % 700 > 50;
+      sample.buttons = tick / 150 % 5 == 4 ? 1 : 0;
+    }
+    const std::vector<Tick>& ticks = step.step(samples.data(), 1e-3 * tick);
+    step.foresee();
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      forces[i] += ticks[i].deviceForce.norm() > 0.0;
+      met(states, ticks[i].contact.state);
+    }
+    if (tick == 2000)
+    {
+      step.change(std::move(next));
+    }
+    if (tick % 900 == 899)
+    {
+      step.stop(1);
+      step.start(1);
+    }
+  }
+  EXPECT_EQ(allocationCount(), before);
+  EXPECT_FALSE(step.isSwitching());
+  expectEverywhere(states);
+  EXPECT_GT(*std::min_element(forces.begin(), forces.end()), 100);
 }

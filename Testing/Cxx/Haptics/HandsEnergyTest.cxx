@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What two hands that feel one another are let have by passivity control: all of a passive scene,
+// where one lets go under the other; and together no more than they put in, of one that is not.
+#include "Haptics/Servo/HandsStep.h"
+
+#include "CoupledPlate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+
+using Eigen::Vector3d;
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace
+{
+constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm
+constexpr double Period = 1e-3;
+
+/// Two hands on flat ends 5 mm apart, so deep (mm), that feel their springs times `scale`.
+struct TwoHands
+{
+  TwoHands(const SafetySettings& safety, double scale)
+    : mapping(Eigen::Matrix3d::Identity(), Vector3d::Zero(), scale)
+    , step(std::make_unique<ServoScene>(CoupledPlate(true).body(), ContactSettings(), 1.0, 2),
+        { { mapping, safety }, { mapping, safety } })
+  {
+  }
+
+  const std::vector<Tick>& press(double first, double second)
+  {
+    this->places = { this->mapping.toDevice({ 25.0, 29.3, -first }),
+      this->mapping.toDevice({ 30.0, 29.3, -second }) };
+    std::array<DeviceSample, 2> samples;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      samples[i].valid = true;
+      samples[i].position = this->places[i];
+    }
+    return this->step.step(samples.data(), Period * this->tick++);
+  }
+
+  WorkspaceMapping mapping;
+  HandsStep step;
+  std::array<Vector3d, 2> places; ///< m
+  int tick = 0;
+};
+} // namespace
+
+// The second presses where the first has let the surface down, and comes out when the first has
+// left: what it gets then is more than it put in, by what the first got less.
+TEST(HandsEnergy, WhatOneLeavesTheOtherGets)
+{
+  SafetySettings safety = SafetySettings::of({});
+  safety.capStiffness = false;
+  // 400 and 1000 N/m of one; together 537 and 1342, less than the device's 1500.
+  for (const double scale : { 0.1, 0.25 })
+  {
+    TwoHands hands(safety, scale);
+    std::array<double, 2> depths{ -0.2, -0.2 };
+    double largest = 0.0;
+    const auto go = [&](double first, double second)
+    {
+      const std::array<double, 2> from = depths;
+      for (int i = 1; i <= 300; ++i)
+      {
+        depths = { from[0] + (first - from[0]) * i / 300.0,
+          from[1] + (second - from[1]) * i / 300.0 };
+        for (const Tick& tick : hands.press(depths[0], depths[1]))
+        {
+          EXPECT_EQ(tick.acted & static_cast<std::uint16_t>(SafetyLink::Passivity), 0)
+            << scale << " at " << depths[0] << ", " << depths[1];
+          largest = std::max(largest, tick.deviceForce.z());
+        }
+      }
+    };
+    for (int turn = 0; turn < 2; ++turn)
+    {
+      go(0.8, -0.2);
+      go(0.8, 0.8);
+      go(-0.2, 0.8);
+      go(-0.2, -0.2);
+    }
+    EXPECT_NEAR(largest, 0.8 * Spring, 1e-5); // floats
+  }
+}
+
+// Springs of 4000 N/m on devices whose damping b takes 1500: hands that move at random, each by
+// itself, get no more than b |dx|²/T a tick beyond what they put in, whatever goes between them.
+TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
+{
+  SafetySettings safety = SafetySettings::of({});
+  safety.capStiffness = false;
+  safety.maximumForce = std::numeric_limits<double>::infinity();
+  const double damping = 0.5 * safety.maximumStiffness * Period;
+  std::mt19937 random(5);
+  std::normal_distribution<double> step(0.0, 0.08); // mm
+  TwoHands hands(safety, 1.0);
+  std::array<double, 2> depths{ -0.1, -0.1 };
+  std::array<Vector3d, 2> places;
+  std::array<Vector3d, 2> forces{ Vector3d::Zero(), Vector3d::Zero() };
+  double balance = 0.0; // J
+  double least = 0.0;
+  int acted = 0;
+  for (int tick = 0; tick < 20000; ++tick)
+  {
+    for (double& depth : depths)
+    {
+      depth = std::clamp(depth + step(random), -0.3, 1.0);
+    }
+    const auto& ticks = hands.press(depths[0], depths[1]);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const Vector3d moved = tick > 0 ? Vector3d(hands.places[i] - places[i]) : Vector3d::Zero();
+      balance += damping * moved.squaredNorm() / Period - forces[i].dot(moved);
+      places[i] = hands.places[i];
+      forces[i] = ticks[i].deviceForce;
+      acted += (ticks[i].acted & static_cast<std::uint16_t>(SafetyLink::Passivity)) != 0;
+    }
+    least = std::min(least, balance);
+  }
+  EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // asked back once, of each; rounding
+  EXPECT_GT(acted, 1000);
+}

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two devices on one body: what one feels of the other, against equations solved by hand; what is
+// each one's own; losing one; changing the scene under both.
+#include "Haptics/Servo/HandsStep.h"
+
+#include "CoupledPlate.h"
+#include "Haptics/Servo/ServoStep.h"
+#include "Haptics/Simulation/SimulatedDevice.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+using Eigen::Vector3d;
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace
+{
+constexpr double Circle = 3.14159265358979323846;
+constexpr double Endless = std::numeric_limits<double>::infinity();
+constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, of a flat end on 1 MPa
+constexpr double Apart = 5.0;                       ///< mm
+constexpr double Mutual = 1.0 / (Circle * Apart);   ///< C_12 of Boussinesq, mm/N
+
+using Samples = std::array<DeviceSample, 2>;
+
+DeviceSample sampleOf(const WorkspaceMapping& mapping, const Vector3d& tip)
+{
+  DeviceSample sample;
+  sample.position = mapping.toDevice(tip);
+  sample.valid = true;
+  return sample;
+}
+
+/// Hands at two places, so deep; they touch what is at z = 0.
+Samples pressing(double first, double second)
+{
+  return { sampleOf({}, { 25.0, 29.3, -first }), sampleOf({}, { 25.0 + Apart, 29.3, -second }) };
+}
+
+std::unique_ptr<ServoScene> sceneOf(
+  std::shared_ptr<const ContactBody> body, const ContactSettings& settings = {})
+{
+  return std::make_unique<ServoScene>(std::move(body), settings, 1.0, 2);
+}
+
+std::shared_ptr<const ContactBody> flatPlate(bool isCoupled = true)
+{
+  return CoupledPlate(true).body(isCoupled);
+}
+
+HandsStep handsOn(const std::shared_ptr<const ContactBody>& body,
+  const SafetySettings& safety = SafetySettings::magnitudeOnly(Endless))
+{
+  return { sceneOf(body), { { {}, safety }, { {}, safety } } };
+}
+
+/// Of two linear springs that let one another down; of the first.
+double coupled(double own, double other)
+{
+  return Spring * (own - Mutual * Spring * other) / (1.0 - std::pow(Mutual * Spring, 2));
+}
+
+void expectSame(const Tick& one, const Tick& other)
+{
+  EXPECT_EQ(one.tip, other.tip);
+  EXPECT_EQ(one.contact.state, other.contact.state);
+  EXPECT_EQ(one.contact.force, other.contact.force);
+  EXPECT_EQ(one.idealForce, other.idealForce);
+  EXPECT_EQ(one.appliedForce, other.appliedForce);
+  EXPECT_EQ(one.deviceForce, other.deviceForce);
+  EXPECT_EQ(one.holdTime, other.holdTime);
+  EXPECT_EQ(one.acted, other.acted);
+  EXPECT_EQ(one.clutched, other.clutched);
+}
+
+Vector3d wandering(int tick)
+{
+  const double t = 2e-3 * tick;
+  return { 30.0 + 9.0 * std::sin(3.1 * t), 30.0 + 8.0 * std::cos(1.7 * t),
+    0.6 - 1.4 * std::abs(std::sin(5.0 * t)) };
+}
+} // namespace
+
+// One hand, and two on a body without coupling: to the bit what a ServoStep of its own gives each,
+// through a mapping that turns, every link of the chain and the clutch.
+TEST(HandsStep, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
+{
+  const CoupledPlate plate;
+  const std::shared_ptr<const ContactBody> body = plate.body(false);
+  const std::shared_ptr<const ContactBody> coupling = plate.body(true);
+  const WorkspaceMapping turned(
+    Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()).toRotationMatrix(), { 5, -3, 2 }, 2.0);
+  const SafetySettings safety = SafetySettings::of({});
+  ContactSettings rough;
+  rough.friction.coefficient = 0.4;
+  const auto scene = [&](const auto& of, std::size_t hands)
+  { return std::make_unique<ServoScene>(of, rough, 0.8, hands); };
+  HandsStep hands(scene(body, 2), { { turned, safety, 1 }, { {}, safety } });
+  HandsStep alone(scene(coupling, 1), { { turned, safety, 1 } });
+  ServoStep first(scene(body, 0), turned, safety, 1);
+  ServoStep second(scene(body, 0), {}, safety);
+  int forces = 0;
+  for (int tick = 0; tick < 3000; ++tick)
+  {
+    Samples samples{ sampleOf(turned, wandering(tick)), sampleOf({}, wandering(tick + 500)) };
+    samples[0].buttons = tick / 300 % 3 == 2 ? 1 : 0;
+    samples[0].fresh = tick % 1000 < 960; // silent for longer than the time-out
+    const double time = 1e-3 * tick;
+    const std::vector<Tick>& both = hands.step(samples.data(), time);
+    const Tick one = first.step(samples[0], time);
+    if ((one.acted & static_cast<std::uint16_t>(SafetyLink::Watchdog)) == 0)
+    {
+      expectSame(both[0], one);
+      expectSame(alone.step(samples.data(), time)[0], one);
+    }
+    else // whoever is silent is not felt
+    {
+      EXPECT_EQ(both[0].deviceForce, Vector3d::Zero());
+      EXPECT_EQ(alone.step(samples.data(), time)[0].contact.state, ContactState::Invalid);
+    }
+    expectSame(both[1], second.step(samples[1], time));
+    forces += both[0].deviceForce.norm() > 0.0 && both[1].deviceForce.norm() > 0.0;
+  }
+  EXPECT_GT(forces, 300);
+}
+
+TEST(HandsStep, TheSecondLiftsForceOffTheFirst)
+{
+  const auto body = flatPlate();
+  HandsStep hands = handsOn(body);
+  Samples samples = pressing(0.5, -1.0);
+  EXPECT_NEAR(hands.step(samples.data(), 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6); // floats
+  for (int tick = 1; tick < 200; ++tick)
+  {
+    const double depth = std::min(0.8, 0.008 * tick); // mm, by the second
+    samples = pressing(0.5, depth);
+    const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
+    const double first = coupled(0.5, depth);
+    const double second = coupled(depth, 0.5);
+    // 8 mm/s: two rounds of a tick leave less than 1e-4 of the force in motion.
+    const double left = tick < 110 ? 2e-4 : 2e-6; // 10 ticks at rest later that of floats
+    if (second > 0.02)
+    {
+      EXPECT_NEAR(ticks[0].deviceForce.z(), first, left * Spring) << tick;
+      EXPECT_NEAR(ticks[1].deviceForce.z(), second, left * Spring) << tick;
+    }
+  }
+  // What was lifted off is C_12 F_2 K.
+  const auto& ticks = hands.ticks();
+  EXPECT_NEAR(0.5 * Spring - ticks[0].deviceForce.z(), Mutual * ticks[1].deviceForce.z() * Spring,
+    1e-5); // floats
+  EXPECT_GT(0.5 * Spring - ticks[0].deviceForce.z(), 0.3);
+
+  HandsStep apart = handsOn(flatPlate(false));
+  samples = pressing(0.5, 0.8);
+  EXPECT_NEAR(apart.step(samples.data(), 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6);
+}
+
+// In the tick in which one is lost the other feels the body as if it stood there alone.
+TEST(HandsStep, LosingOneLeavesTheOtherAlone)
+{
+  const auto body = flatPlate();
+  SafetySettings safety = SafetySettings::of({});
+  safety.maximumStiffness = Endless;
+  safety.controlPassivity = false;
+  enum Loss
+  {
+    NoSample,
+    NotFinite,
+    Silent,
+    Stopped
+  };
+  for (const Loss loss : { NoSample, NotFinite, Silent, Stopped })
+  {
+    HandsStep hands = handsOn(body, safety);
+    Samples samples = pressing(-0.5, -0.5);
+    hands.step(samples.data(), 0.0);
+    samples = pressing(0.5, 0.8);
+    for (int tick = 1; tick < 50; ++tick)
+    {
+      hands.step(samples.data(), 1e-3 * tick);
+    }
+    EXPECT_NEAR(hands.ticks()[0].deviceForce.z(), coupled(0.5, 0.8), 1e-5);
+    EXPECT_NEAR(hands.ticks()[1].deviceForce.z(), coupled(0.8, 0.5), 1e-5);
+    int tick = 50;
+    samples[1].valid = loss != NoSample;
+    samples[1].fresh = loss != Silent;
+    samples[1].position.x() = loss == NotFinite ? std::nan("") : samples[1].position.x();
+    if (loss == Stopped)
+    {
+      hands.stop(1);
+    }
+    for (; loss == Silent && tick < 49 + 20; ++tick) // to the time-out it is there
+    {
+      hands.step(samples.data(), 1e-3 * tick);
+      EXPECT_GT(hands.ticks()[1].deviceForce.z(), 0.0);
+    }
+    ++tick; // 20 ms are at the time-out, or beyond it by rounding
+    const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
+    EXPECT_EQ(ticks[1].deviceForce, Vector3d::Zero()) << loss;
+    EXPECT_NEAR(ticks[0].deviceForce.z(), 0.5 * Spring, 1e-6) << loss;
+    EXPECT_EQ(ticks[0].acted, 0) << loss;
+    // It comes back in the depth: the gate is shut, until it has been outside.
+    hands.start(1);
+    for (int again = 1; again < 5; ++again)
+    {
+      samples = pressing(0.5, again == 2 && loss != NoSample ? -0.5 : 0.8);
+      hands.step(samples.data(), 1e-3 * (tick + again));
+      EXPECT_EQ(hands.ticks()[1].deviceForce.z() > 0.0, again > 2 && loss != NoSample) << loss;
+    }
+  }
+}
+
+// Two flat ends at their device's limit together: opposite motion is stiffer than one alone by 1/(1
+// - 2a/(πr)), and the cap leaves that much less of each.
+TEST(HandsStep, TheStiffnessCapCountsBoth)
+{
+  SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
+  safety.capStiffness = true;
+  safety.maximumStiffness = 2000.0; // N/m: half of the spring
+  for (const bool isCoupled : { true, false })
+  {
+    HandsStep hands = handsOn(flatPlate(isCoupled), safety);
+    const Samples samples = pressing(0.5, 0.5);
+    for (int tick = 0; tick < 20; ++tick)
+    {
+      hands.step(samples.data(), 1e-3 * tick);
+    }
+    const double stiffer =
+      isCoupled ? 1.0 / (1.0 - 2.0 * CoupledPlate::Flat / (Circle * Apart)) : 1.0;
+    const double ideal = isCoupled ? coupled(0.5, 0.5) : 0.5 * Spring;
+    const Tick& tick = hands.ticks()[0];
+    EXPECT_NEAR(tick.idealForce.z(), ideal, 1e-5);
+    EXPECT_NEAR(tick.deviceForce.z(), 0.5 / stiffer * ideal, 2e-5); // floats
+  }
+}
+
+// Two masses without a hand, each pressed by a constant force, that swing against one another.
+namespace
+{
+bool calmsDown(bool isCoupled, double stiffness)
+{
+  SimulatedPlant plant;
+  plant.mass = 0.1;
+  plant.damping = 1.0;
+  const double scale = stiffness / (1000.0 * Spring);
+  const WorkspaceMapping mapping(Eigen::Matrix3d::Identity(), Vector3d::Zero(), scale);
+  const SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
+  HandsStep hands(sceneOf(flatPlate(isCoupled)), { { mapping, safety }, { mapping, safety } });
+  const double rest = isCoupled ? coupled(1.0, 1.0) : Spring;
+  const auto device = [&](double x, double depth)
+  {
+    return std::make_unique<SimulatedDevice>(plant, HandModel{ 0.0, 0.0 },
+      std::vector<SimulatedDevice::WayPoint>{ { 0.0, mapping.toDevice({ x, 29.3, -depth }) } });
+  };
+  const std::array<std::unique_ptr<SimulatedDevice>, 2> devices{ device(25.0, 1.05),
+    device(25.0 + Apart, 0.95) };
+  constexpr int Ticks = 20000;
+  constexpr int Window = 1000;
+  double first = 0.0;
+  double last = 0.0;
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    const double time = 1e-3 * tick;
+    const Samples samples{ devices[0]->read(time), devices[1]->read(time) };
+    const auto& ticks = hands.step(samples.data(), time);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      devices[i]->write({ 0.0, 0.0, ticks[i].deviceForce.z() - rest });
+    }
+    const double swing = std::abs(ticks[0].tip.z() - ticks[1].tip.z());
+    first = tick < Window ? std::max(first, swing) : first;
+    last = tick >= Ticks - Window ? std::max(last, swing) : last;
+  }
+  return last < first;
+}
+} // namespace
+
+// The stiffest spring of one such mass is 2003.339 N/m (stability_K_limits.csv); of two whose
+// contacts feel one another the opposite motion reaches it at 1 - 2a/(πr) of that.
+TEST(HandsStep, OppositeMotionIsUnstableWhereItsStiffnessIs)
+{
+  const double limit = 2003.339;
+  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Circle * Apart); // 0.745
+  // 3 % off the limit a swing changes by e^±3 in 20 s.
+  EXPECT_TRUE(calmsDown(true, 0.97 * share * limit));
+  EXPECT_FALSE(calmsDown(true, 1.03 * share * limit));
+  EXPECT_TRUE(calmsDown(false, 1.03 * share * limit));
+  EXPECT_TRUE(calmsDown(false, 0.97 * limit));
+  EXPECT_FALSE(calmsDown(false, 1.03 * limit));
+}
+
+// Work on both devices, in their own units, of a closed path a quarter of a turn apart: the sheet's
+// 2e-6 F δ for two rounds a tick.
+TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
+{
+  const std::shared_ptr<const ContactBody> body = CoupledPlate().body();
+  ContactSettings settings;
+  settings.form = ForceForm::EnergyConsistent;
+  const WorkspaceMapping turned(
+    Eigen::AngleAxisd(0.4, Vector3d(1, -2, 1).normalized()).toRotationMatrix(), { 5, -3, 2 }, 3.0);
+  const std::array<WorkspaceMapping, 2> mappings{ WorkspaceMapping(), turned };
+  const SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
+  HandsStep hands(sceneOf(body, settings), { { mappings[0], safety }, { mappings[1], safety } });
+  std::array<Vector3d, 2> places;
+  std::array<Vector3d, 2> forces;
+  double work = 0.0; // mJ, in the body's units
+  double turnedOver = 0.0;
+  for (int tick = 0; tick <= 2000; ++tick)
+  {
+    const double angle = 2e-3 * Circle * (tick % 1000);
+    Samples samples;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const auto hand = static_cast<double>(i);
+      samples[i] = sampleOf(mappings[i],
+        { 25.0 + 5.0 * hand, 29.3, -0.5 - 0.25 * std::sin(angle + 0.5 * Circle * hand) });
+    }
+    const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      if (tick > 1000)
+      {
+        const double done = 1000.0 * mappings[i].scale() * 0.5 *
+          (forces[i] + ticks[i].deviceForce).dot(samples[i].position - places[i]);
+        work += done;
+        turnedOver += std::abs(done);
+      }
+      places[i] = samples[i].position;
+      forces[i] = ticks[i].deviceForce;
+    }
+  }
+  const double scale = 10.0 * std::pow(0.5, 1.5) * 0.5;
+  EXPECT_LT(std::abs(work), 2e-6 * scale);
+  EXPECT_GT(turnedOver, scale);
+}
+
+TEST(HandsStep, AnotherSceneIsTakenFromNoForce)
+{
+  const auto body = flatPlate();
+  const std::shared_ptr<const ContactBody> ball = CoupledPlate().body();
+  HandsStep hands = handsOn(body);
+  const Samples samples = pressing(0.5, 0.8);
+  int tick = 0;
+  const auto next = [&]() -> const std::vector<Tick>&
+  { return hands.step(samples.data(), 1e-3 * tick++); };
+  for (int i = 0; i < 20; ++i)
+  {
+    next();
+  }
+  EXPECT_FALSE(hands.change(std::make_unique<ServoScene>(ball))); // for one hand
+  EXPECT_FALSE(hands.change(nullptr));
+  EXPECT_FALSE(hands.isSwitching());
+  EXPECT_TRUE(hands.change(sceneOf(body)));
+  EXPECT_TRUE(hands.change(sceneOf(ball))); // the newest counts
+  double before = hands.ticks()[1].deviceForce.z();
+  const double old = before;
+  double least = before;
+  int ramp = 0;
+  for (; hands.isSwitching(); ++ramp)
+  {
+    const Tick& second = next()[1];
+    // T/50 ms of what either scene gives, no more than 10 δ^1.5 of the ball; what two rounds leave
+    // of the new one's first ticks is less.
+    EXPECT_LE(std::abs(second.deviceForce.z() - before), 0.02 * 10.0 * std::pow(0.8, 1.5) + 1e-3);
+    before = second.deviceForce.z();
+    least = std::min(least, before);
+    ASSERT_LT(ramp, 200);
+  }
+  EXPECT_NEAR(ramp, 100, 2); // down and up, 50 ms each
+  EXPECT_EQ(least, 0.0);
+  EXPECT_EQ(hands.ticks()[1].scene, 1U);
+  for (int i = 0; i < 20; ++i)
+  {
+    next();
+  }
+  CoupledContacts expected(*ball, {}, 2);
+  const std::array<ToolPose, 2> poses{ ToolPose(hands.ticks()[0].tip),
+    ToolPose(hands.ticks()[1].tip) };
+  EXPECT_NEAR(hands.ticks()[1].deviceForce.z(), expected.settle(poses.data())[1].force.z(), 1e-6);
+  EXPECT_GT(std::abs(hands.ticks()[1].deviceForce.z() - old), 1.0);
+  int retired = 0;
+  for (auto scene = hands.takeRetired(); scene; scene = std::move(scene->next))
+  {
+    ++retired;
+  }
+  EXPECT_EQ(retired, 3); // the old one, one outdated, one for a single hand
+}
