@@ -159,8 +159,9 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   const Eigen::Vector3d torque(this->TorqueAboutTip);
   if (palpate::isNoticeable(torque / palpate::TorqueArc::Radius, total))
   {
-    const Eigen::Vector3d up(this->Axis);
-    this->Torque->show(Eigen::Vector3d(tip), torque, up, this->ForceScale);
+    // On the side to which the tool leans, where it is pushed up.
+    const Eigen::Vector3d side = Eigen::Vector3d(this->Axis).cross(torque);
+    this->Torque->show(Eigen::Vector3d(tip), torque, side, this->ForceScale);
   }
   else
   {
@@ -201,7 +202,7 @@ int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
   add(*this->Friction, this->Friction->tail());
   if (this->Torque->isShown())
   {
-    labels.push_back({ this->Torque->label(), this->Torque->tail(), this->Torque->head() });
+    labels.push_back({ this->Torque->label(), this->Torque->center(), this->Torque->head() });
   }
   palpate::arrangeLabels(viewport, labels);
   return this->Superclass::RenderOverlay(viewport);

@@ -31,6 +31,7 @@ constexpr double ArcTubeRadius = 0.55; // mm
 constexpr double ArcHeadRadius = 1.6;  // mm
 constexpr double ArcHeadLength = 3.6;  // mm
 constexpr double ArcMostTurn = 5.2;    // rad
+constexpr double ArcStart = 0.15;      // rad: clear of the surface
 constexpr double ArcLeastTurn = 0.15;  // rad, below which it is a head alone
 constexpr int ArcSides = 24;
 constexpr int ArcPieces = 48;
@@ -88,16 +89,15 @@ void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torqu
   const Eigen::Vector3d normal = torque / magnitude;
   Eigen::Vector3d first = from - normal.dot(from) * normal;
   first = first.norm() > 1e-6 * from.norm() ? first.normalized() : normal.unitOrthogonal();
-  // It begins before that side and ends behind it.
   const double shown = std::max(turn, ArcLeastTurn);
-  const Eigen::Vector3d begin = Eigen::AngleAxisd(-0.5 * shown, normal) * first;
-  const Eigen::Vector3d end = Eigen::AngleAxisd(0.5 * shown, normal) * first;
+  const Eigen::Vector3d begin = Eigen::AngleAxisd(ArcStart, normal) * first;
+  const Eigen::Vector3d end = Eigen::AngleAxisd(ArcStart + shown, normal) * first;
   const Eigen::Vector3d ahead = normal.cross(end);
   this->Arc->SetCenter(center.x(), center.y(), center.z());
   this->Arc->SetNormal(normal.x(), normal.y(), normal.z());
   this->Arc->SetPolarVector(Radius * begin.x(), Radius * begin.y(), Radius * begin.z());
   this->Arc->SetAngle(vtkMath::DegreesFromRadians(shown));
-  this->Tail = center + Radius * begin;
+  this->Center = center;
   this->Head = center + Radius * end + ArcHeadLength * ahead;
   const Eigen::Vector3d middle = center + Radius * end + 0.5 * ArcHeadLength * ahead;
   this->Cone->SetCenter(middle.x(), middle.y(), middle.z());

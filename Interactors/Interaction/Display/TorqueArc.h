@@ -25,22 +25,22 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// About `center` (mm), from the side of `from`. As long as the arrow of the force that does the
-  /// same at its radius, at `scale` mm per N, and no more than most of a turn. Zero or not finite:
-  /// nothing.
+  /// About `center` (mm), on from the side of `from`. As long as the arrow of the force that does
+  /// the same at its radius, at `scale` mm per N, and no more than most of a turn. Zero or not
+  /// finite: nothing.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();
   bool isShown() const;
 
   const Eigen::Vector3d& head() const { return this->Head; }
-  const Eigen::Vector3d& tail() const { return this->Tail; }
+  const Eigen::Vector3d& center() const { return this->Center; }
   vtkActor* actor() { return this->Actor; }
   vtkTextActor* label() { return this->Label; }
 
 private:
   Eigen::Vector3d Head = Eigen::Vector3d::Zero();
-  Eigen::Vector3d Tail = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero();
   vtkSmartPointer<vtkArcSource> Arc;
   vtkSmartPointer<vtkConeSource> Cone;
   vtkSmartPointer<vtkActor> Actor;

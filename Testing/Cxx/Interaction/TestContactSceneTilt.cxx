@@ -12,7 +12,7 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double View[3] = { 0.3, 1.0, -0.35 };
+constexpr double View[3] = { 0.25, -1.0, 0.4 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
 /// One tip in the middle, pressed `depth` deep and leaning to +x, felt.

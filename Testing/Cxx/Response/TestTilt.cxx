@@ -95,10 +95,11 @@ void checkAgainstTable(
 
 void checkTables()
 {
-  // The table's own grid: 0.4 % of flats at these depths; its torques are from the pressures, and
-  // lack the couple of their sideways part (2 to 8 % of a cone's). Torques in mm of the force, the
-  // tools being 1 mm.
-  checkAgainstTable("flat", "flat:1", 20.0, 0.008, 0.01);
+  // Of a flat end the table has the wall, too, which leans in with it: 1.7 % of the force up to 30
+  // degrees by the reference sheet, and with a lever of the radius a little more of the torque.
+  // Torques of the others are from the pressures, and lack the couple of their sideways part, 2 to
+  // 8 % of a cone's. Torques are told in mm of the force, the tools being 1 mm.
+  checkAgainstTable("flat", "flat:1", 20.0, 0.017, 0.025);
   checkAgainstTable("cone60", "cone:60", 25.0, 0.006, 0.15);
   checkAgainstTable("blunt45", "blunted:1,45", 30.0, 0.006, 0.03);
 }
@@ -115,12 +116,14 @@ void checkSphere()
       const double deep = depth + 5.0 * (1.0 - std::cos(angle * Degree));
       const double force = deep > 0.0 ? filter->GetTool()->GetForce(deep, 1.0) : 0.0;
       const Felt tilted = felt(filter->GetOutput(), depth, angle);
-      PALPATE_CHECK_NEAR(tilted.force, force, 1e-5 * force); // curves are stored as floats
+      PALPATE_CHECK_NEAR(tilted.force, force, 1e-4 * force); // curves in floats, drops to 1e-8 R
       PALPATE_CHECK_NEAR(tilted.torque, 5.0 * std::sin(angle * Degree) * force, 1e-4 * force);
     }
   }
-  PALPATE_CHECK(felt(filter->GetOutput(), 0.1, 61.0).state == 6);
-  PALPATE_CHECK(felt(filter->GetOutput(), 0.1, 59.0).state == 2);
+  const Filter little = tiltable(planeBody(30.0, 6), "sphere:5", 1.0, 20.0);
+  little->Update();
+  PALPATE_CHECK(felt(little->GetOutput(), 0.1, 21.0).state == 6); // tilted too far
+  PALPATE_CHECK(felt(little->GetOutput(), 0.1, 19.0).state == 2);
 }
 
 /// Five degrees halve a flat end's force at shallow depth.
@@ -180,7 +183,7 @@ void checkLayer()
   PALPATE_CHECK_NEAR(felt(half->GetOutput(), 0.2 - drop, 5.0).force, 0.4052, 0.025 * 0.4052);
 
   const auto validity = [](const Filter& filter, const char* name)
-  { return filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(0); };
+  { return filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(24); }; // the middle
   const Filter upright = layered(0.0, 1.0);
   const Filter tilted = layered(25.0, 1.0);
   PALPATE_CHECK(validity(tilted, "ResponseLimit") == 8.0);
