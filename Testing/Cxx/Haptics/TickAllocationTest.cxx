@@ -4,6 +4,7 @@
 #include "CoupledPlate.h"
 #include "RelaxingPlate.h"
 #include "SampleResponses.h"
+#include "SampleTilts.h"
 #include "Contact/Coupled/CoupledContacts.h"
 #include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -207,6 +208,42 @@ TEST(TickAllocation, OfABodyThatRelaxes)
       EXPECT_EQ(allocationCount(), before);
       EXPECT_GT(remembered, 100);
       EXPECT_GT(states[static_cast<std::size_t>(ContactState::None)], 20);
+    }
+  }
+}
+
+TEST(TickAllocation, OfAToolThatLeans)
+{
+  const TiltStore tilts({ [](double depth, double angle) { return 1.0 + depth * angle; } },
+    dropOfSphere(5.0), 2.0, 0.5);
+  for (const bool relaxes : { false, true })
+  {
+    const RelaxingPlate plate(
+      1.5, relaxes ? relaxation({ { 1.0, 0.02 } }) : palpate::PronySeries{});
+    palpate::ResponseArrays arrays = plate.store.arrays();
+    arrays.exponent = 1.5;
+    arrays.relaxation = plate.terms;
+    arrays.tilt = tilts.views;
+    const palpate::ContactBody body(plate.surface.points.front().data(),
+      plate.surface.points.size(), plate.surface.triangles.front().data(),
+      plate.surface.triangles.size(), arrays);
+    for (const palpate::ContactSettings& settings : allFormsAndSurfaces())
+    {
+      ToolContact contact(body, settings);
+      States states{};
+      int turned = 0;
+      const long before = allocationCount();
+      for (int tick = 0; tick < Ticks; ++tick)
+      {
+        const Vector3d tip = 6.0 * pathOf(tick) + Vector3d(0.0, 0.0, -5.6);
+        const Vector3d axis(0.7 * std::sin(0.01 * tick), 0.3 * std::cos(0.013 * tick), 1.0);
+        const palpate::Contact felt = contact.update(palpate::ToolPose(tip, axis), 1e-3);
+        turned += felt.torque.isZero(0.0) ? 0 : 1;
+        const double share = contact.cappedShare(felt, 1.0);
+        met(states, share >= 0.0 ? felt.state : ContactState::Stick);
+      }
+      EXPECT_EQ(allocationCount(), before);
+      EXPECT_GT(turned, 0);
     }
   }
 }
