@@ -14,7 +14,7 @@ namespace
 constexpr std::array<double, 9> RimTerms = { 0.21967052817978971, 1.3781689290941161,
   -6.757712350273644, 25.83380523956624, -62.31965296945057, 92.52030735421076, -81.92991590971977,
   39.62429688339708, -8.050449186485492 };
-constexpr double Whole = 3.0; // q from which the whole end touches
+constexpr double WholeEnd = 3.0; // q from which the whole end touches
 
 /// ρ over z = √(q/3) < 1, and three derivatives.
 struct RimWork
@@ -41,12 +41,12 @@ RimWork rimWork(double z) noexcept
 
 TiltedFlatTerm tiltedFlatForce(double q) noexcept
 {
-  if (q >= Whole)
+  if (q >= WholeEnd)
   {
     return { q - 1.0, 1.0, 0.0 };
   }
   // With q = 3z², f = 3/4 (4 z² ρ + z³ ρ').
-  const double z = std::sqrt(q / Whole);
+  const double z = std::sqrt(q / WholeEnd);
   const RimWork rho = rimWork(z);
   const double byZ = 0.75 * z * (8.0 * rho.value + z * (7.0 * rho.first + z * rho.second));
   const double byZTwice =
