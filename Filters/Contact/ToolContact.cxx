@@ -2,7 +2,6 @@
 #include "Contact/ToolContact.h"
 
 #include "Contact/BorderFade.h"
-#include "Contact/CappedResponse.h"
 #include "Contact/EnergyGradient.h"
 
 #include <algorithm>
@@ -72,25 +71,59 @@ ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
 
 void ToolContact::sink(const ContactPlace& place) noexcept
 {
-  this->Sunk = this->LetDown + this->underTool(place);
+  this->Sunk = this->LetDown;
+  if (this->Tilt.isFelt())
+  {
+    this->Sunk += this->Tilt.turn(
+      this->Body.surface.corners(place.triangle), place.projection.weights, this->Body.response);
+  }
 }
 
-ResponseValue ToolContact::slowResponse(const ContactPlace& place, double depth) const noexcept
+bool ToolContact::press(const ContactTracker::Result& found, Pressed& pressed) noexcept
 {
-  const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
-  const Vector3& weights = place.projection.weights;
-  const BlendedResponse response(this->Body.response, corners, weights);
-  const ResponseValue upright = response.evaluate(depth);
-  return this->Tilt.isTilted() && depth > 0.0
-    ? this->Tilt.tilted(corners, weights, depth, upright, response.energy(depth))
-    : upright;
+  using Outcome = ContactTracker::Outcome;
+  if (found.outcome == Outcome::Outside || found.outcome == Outcome::Invalid ||
+    !this->hasResponse(found.place))
+  {
+    return false;
+  }
+  pressed.place = found.place;
+  pressed.share = 1.0;
+  this->LetDown = 0.0;
+  this->sink(found.place);
+  const BlendedResponse response(this->Body.response,
+    this->Body.surface.corners(found.place.triangle), found.place.projection.weights);
+  if (found.outcome == Outcome::Border)
+  {
+    const BorderFade left = this->fadeAt(found.place);
+    pressed.depth = left.depth - this->Sunk;
+    pressed.share = left.fraction;
+    pressed.place.weightGradients.setZero();
+  }
+  else if (this->isAtEdges(found))
+  {
+    const EdgeEffect effect = this->edgeEffect(pressed.place);
+    const double whole = response.evaluate(effect.depth).force;
+    pressed.depth = effect.depth;
+    pressed.share =
+      effect.share + (whole > 0.0 ? response.energy(effect.depth) * effect.byDepth / whole : 0.0);
+  }
+  else
+  {
+    this->takeGradients(pressed.place);
+    pressed.depth = -pressed.place.signedDistance - this->Sunk;
+  }
+  pressed.place.weightGradients = this->weightGradients(pressed.place);
+  return pressed.depth > 0.0 && pressed.share > 0.0;
 }
 
-Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const noexcept
+void ToolContact::takeGradients(ContactPlace& place) const noexcept
 {
-  return this->Tilt.isFelt() ? this->Tilt.ofTip(place.weightGradients,
-                                 this->Body.surface.corners(place.triangle), this->Body.response)
-                             : place.weightGradients;
+  if (this->Settings.form == ForceForm::EnergyConsistent &&
+    this->Settings.surface == ContactSurface::Facets)
+  {
+    place = EnergyGradient::onFacet(this->Body.surface, this->LastTip, place);
+  }
 }
 
 Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
@@ -112,9 +145,7 @@ Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
   {
     return this->fade(place);
   }
-  if (outcome == ContactTracker::Outcome::Crease ||
-    (outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
-      this->Body.edges->areNear(place.triangle)))
+  if (this->isAtEdges(found))
   {
     return this->feelEdges(place);
   }
@@ -122,11 +153,7 @@ Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
   {
     return this->end(stateOf(outcome));
   }
-  if (this->Settings.form == ForceForm::EnergyConsistent &&
-    this->Settings.surface == ContactSurface::Facets)
-  {
-    place = EnergyGradient::onFacet(this->Body.surface, this->LastTip, place);
-  }
+  this->takeGradients(place);
   place.signedDistance += this->Sunk;
   if (place.signedDistance > 0.0)
   {
@@ -248,10 +275,15 @@ void ToolContact::applyEdges(
   result.memory *= before > 0.0 ? result.normalForce / before : 0.0;
 }
 
+BorderFade ToolContact::fadeAt(const ContactPlace& place) const noexcept
+{
+  return BorderFade::at(this->Body.surface, place.triangle, place.projection.weights,
+    this->LastTip - place.projection.point);
+}
+
 Contact ToolContact::fade(ContactPlace& place) noexcept
 {
-  const BorderFade left = BorderFade::at(this->Body.surface, place.triangle,
-    place.projection.weights, this->LastTip - place.projection.point);
+  const BorderFade left = this->fadeAt(place);
   const BlendedResponse response(
     this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
   place.signedDistance = this->Sunk - left.depth;
@@ -340,175 +372,5 @@ bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
         this->Body.response.isValid(corners[k]));
   }
   return valid;
-}
-
-bool ToolContact::blend(
-  const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept
-{
-  this->LastCorners = this->Body.surface.corners(place.triangle);
-  this->LastWeights = place.projection.weights;
-  result.triangle = this->Body.surface.inputTriangle(place.triangle);
-  result.contactPoint = place.projection.point;
-  result.deflection = -place.signedDistance;
-  const ResponseValue upright = response.evaluate(result.deflection);
-  ResponseValue value = upright;
-  if (this->Tilt.isTilted())
-  {
-    value = this->Tilt.press(this->LastCorners, this->LastWeights, result.deflection, upright,
-      response.energy(result.deflection));
-  }
-  result.normalForce = value.force;
-  result.stiffness = value.stiffness;
-  result.state = value.beyondRange ? ContactState::BeyondRange : ContactState::Slide;
-  if (this->IsInTime)
-  {
-    this->relax(place, response, value, result);
-  }
-  if (this->Settings.form == ForceForm::EnergyConsistent)
-  {
-    result.normal = place.normal;
-    result.force = EnergyGradient::force(result.normalForce, place.normal,
-      this->weightGradients(place), this->energies(response, result.deflection));
-    return result.force.allFinite();
-  }
-  Vector3 direction = place.normal; // a smooth surface has one of its own
-  if (!place.isSmooth)
-  {
-    direction = this->sumOfNormals(place, Vector3::Ones());
-  }
-  if (this->Settings.form == ForceForm::Paper)
-  {
-    const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
-    const Vector3 sum = this->sumOfNormals(place, { each[0].force, each[1].force, each[2].force });
-    const double more = upright.force > 0.0 ? result.normalForce / upright.force : 1.0;
-    result.normalForce = more * sum.norm();
-    direction = result.normalForce > 0.0 ? sum : direction;
-  }
-  const double length = direction.norm();
-  result.normal = direction / length;
-  result.force = result.normalForce * result.normal;
-  return length > 0.0 && result.force.allFinite(); // neither of them infinite
-}
-
-void ToolContact::relax(const ContactPlace& place, const BlendedResponse& response,
-  const ResponseValue& slow, Contact& result) noexcept
-{
-  // The material under a tilted tool has moved as under the upright one of the same force.
-  ContactTilt::Alike upright;
-  upright.depth = result.deflection;
-  upright.value = slow;
-  if (this->Tilt.isTilted())
-  {
-    upright = this->Tilt.alike(response);
-  }
-  const ContactRelaxation::Force felt = this->Relaxation.press(
-    { this->LastCorners, this->LastWeights, place.projection.point, upright.depth }, upright.value);
-  result.normalForce = felt.total;
-  result.memory = felt.total - slow.force;
-  result.stiffness = felt.stiffness * upright.stiffening;
-  result.state = felt.isTouched ? result.state : ContactState::None;
-}
-
-Vector3 ToolContact::energies(const BlendedResponse& response, double deflection) const noexcept
-{
-  Vector3 energies = response.energies(deflection);
-  if (this->Tilt.isTilted())
-  {
-    energies = this->Tilt.energies(this->LastCorners, energies);
-  }
-  if (this->IsInTime)
-  {
-    // What memory stores is shared out among the corners as their slow work is: curves of one tool
-    // on bodies of unlike stiffness have one form.
-    const double work = energies.isZero(0.0) ? 0.0 : this->work(response, deflection);
-    energies *= work > 0.0 ? 1.0 + this->Relaxation.storedEnergy() / work : 1.0;
-    energies += this->Relaxation.strengthEnergies();
-  }
-  return energies;
-}
-
-double ToolContact::cappedShare(const Contact& contact, double maximumStiffness) const noexcept
-{
-  const BlendedResponse response = this->response();
-  double depth = contact.deflection;
-  double cap = maximumStiffness;
-  if (this->Tilt.isTilted() && contact.normalForce > 0.0)
-  {
-    const ContactTilt::Alike upright = this->Tilt.alike(response);
-    depth = upright.depth;
-    cap /= std::max(upright.stiffening, 1e-9);
-  }
-  if (!this->IsInTime)
-  {
-    return CappedResponse(response, cap).share(depth);
-  }
-  const double slowCap = cap / this->Relaxation.stiffening();
-  const double whole = contact.normalForce;
-  const double capped =
-    this->Relaxation.cappedForce(CappedResponse(response, slowCap).evaluate(depth).force, slowCap);
-  return std::min(1.0, whole > 0.0 ? capped / this->Relaxation.force() : 1.0);
-}
-
-Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept
-{
-  const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
-  Vector3 sum = Vector3::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const auto i = static_cast<Eigen::Index>(k);
-    sum += place.projection.weights[i] * factors[i] * this->Body.response.normal(corners[k]);
-  }
-  return sum;
-}
-
-void ToolContact::complete(const ContactPlace& place, const BlendedResponse& response, double share,
-  Contact& result) noexcept
-{
-  if (this->Tilt.isTilted())
-  {
-    this->addTorque(place, share, result);
-  }
-  this->addFriction(response, result);
-  if (this->Tilt.isFelt() && this->Tilt.isTooFar() && result.state != ContactState::BeyondRange)
-  {
-    result.state = ContactState::TiltedTooFar;
-  }
-}
-
-void ToolContact::addTorque(const ContactPlace& place, double share, Contact& result) const noexcept
-{
-  const double slow = result.normalForce - result.memory;
-  const double memory = slow > 0.0 ? result.normalForce / slow : 1.0;
-  const double moment = this->Tilt.moment(result.normalForce, share * memory);
-  result.tilt = this->Tilt.angle();
-  result.torque = this->Tilt.torque(moment);
-  // Where the form promises an energy, what its tilt changes by from place to place belongs to it.
-  if (this->Settings.form == ForceForm::EnergyConsistent ||
-    (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth))
-  {
-    result.force += this->Tilt.forceBeside(
-      moment, this->LastCorners, this->weightGradients(place), this->Body.response);
-  }
-}
-
-void ToolContact::addFriction(const BlendedResponse& response, Contact& result) noexcept
-{
-  if (this->IsInTime)
-  {
-    result.friction = this->Relaxation.slide(result.contactPoint, result.normal);
-    result.force += result.friction;
-  }
-  if (!(this->Settings.friction.coefficient > 0.0))
-  {
-    return;
-  }
-  const Friction::Result friction = this->Resistance.update(
-    result.contactPoint, result.normal, result.normalForce, result.deflection, response);
-  result.friction = this->IsInTime ? result.friction + friction.force : friction.force; // -0 stays
-  result.force += friction.force;
-  if (!friction.sliding && result.state == ContactState::Slide)
-  {
-    result.state = ContactState::Stick;
-  }
 }
 } // namespace palpate

@@ -16,6 +16,8 @@
 
 namespace palpate
 {
+struct BorderFade;
+
 /**
  * One tick: tip position in, contact force out.
  *
@@ -70,18 +72,18 @@ public:
   /// `sunk` mm. Once after each find.
   Contact feel(ContactTracker::Result found, double sunk) noexcept;
 
-  // Between the two, for who lets the surface down:
-  /// The point that was sought, of a tool in that pose: under its tip, where it is tilted, ...
-  const Vector3& followed() const noexcept { return this->LastTip; }
-  /// ... and by how much that lies deeper than the tool presses there, mm.
-  double underTool(const ContactPlace& place) noexcept
+  /// How the tool presses, for who lets the surface down.
+  struct Pressed
   {
-    return this->Tilt.isFelt() ? this->Tilt.turn(this->Body.surface.corners(place.triangle),
-                                   place.projection.weights, this->Body.response)
-                               : 0.0;
-  }
-  /// The slow response of the tool, as it is tilted, pressed so deep there (mm).
-  ResponseValue slowResponse(const ContactPlace& place, double depth) const noexcept;
+    ContactPlace place; ///< where, with the gradients of its area coordinates as the tip moves
+    double depth = 0.0; ///< mm
+    double share = 1.0; ///< of the slow response at this depth, about: edges and borders leave it
+  };
+  /// Between the two halves; false where nothing is pressed.
+  bool press(const ContactTracker::Result& found, Pressed& pressed) noexcept;
+  /// The slow response of the tool, as it is tilted, so deep there (mm).
+  ResponseValue slowResponse(const Pressed& pressed, double depth) const noexcept;
+
   /// Time passes, and nobody knows where the tip is.
   void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
   /// All is forgotten.
@@ -108,9 +110,17 @@ public:
 
 private:
   ContactTracker::Result follow(const ToolPose& pose) noexcept;
+  bool isAtEdges(const ContactTracker::Result& found) const noexcept
+  {
+    return found.outcome == ContactTracker::Outcome::Crease ||
+      (found.outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
+        this->Body.edges->areNear(found.place.triangle));
+  }
   /// By how much the point followed is deeper than the tool presses: what it was let down, and what
   /// the tilt there takes.
   void sink(const ContactPlace& place) noexcept;
+  /// Of facets, where the form asks for them.
+  void takeGradients(ContactPlace& place) const noexcept;
   /// Of the area coordinates, as the tip moves.
   Eigen::Matrix3d weightGradients(const ContactPlace& place) const noexcept;
   /// What memory makes of the slow response there.
@@ -134,6 +144,8 @@ private:
   }
   /// Work of each corner's curve, and what memory stores there.
   Vector3 energies(const BlendedResponse& response, double deflection) const noexcept;
+  /// How much is left beyond an open border, and how deep it is there.
+  BorderFade fadeAt(const ContactPlace& place) const noexcept;
   /// The force beyond an open border.
   Contact fade(ContactPlace& place) noexcept;
   void prefetchLast() const noexcept;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/RelaxationError.h"
 
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/JoinedText.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 namespace palpate
 {
@@ -34,14 +34,6 @@ double errorAt(std::size_t column, double exponent)
   return a.error[column] + part * (b.error[column] - a.error[column]);
 }
 
-/// In two digits, or whole.
-std::string percent(double share)
-{
-  std::ostringstream words;
-  words.precision(share < 0.995 ? 2 : 9);
-  words << (share < 0.995 ? 100.0 * share : std::round(100.0 * share)) << " %";
-  return words.str();
-}
 } // namespace
 
 double relaxationError(int elements, double exponent)
@@ -104,22 +96,22 @@ std::string relaxationReason(
   }
   if (!need.isFelt)
   {
-    return joined("relaxation is left out: it adds ", percent(need.strength),
-      " to the force at most, within ", percent(tolerance));
+    return joined("relaxation is left out: it adds ", inPercent(need.strength),
+      " to the force at most, within ", inPercent(tolerance));
   }
   std::string words = need.elements == 0
     ? joined("the body relaxes, quasi-linear suffices (RelaxationElements 0): off by ",
-        percent(need.error))
+        inPercent(need.error))
     : joined("the body relaxes, in ", need.elements, " elements (RelaxationElements): off by ",
-        percent(need.error));
+        inPercent(need.error));
   words += " of the largest force";
-  words += need.error > tolerance ? joined(", more than ", percent(tolerance)) : "";
-  words += need.elements > 0 ? joined("; quasi-linear by ", percent(need.simplest)) : "";
+  words += need.error > tolerance ? joined(", more than ", inPercent(tolerance)) : "";
+  words += need.elements > 0 ? joined("; quasi-linear by ", inPercent(need.simplest)) : "";
   const auto [least, most] =
     std::minmax_element(series.time.begin(), series.time.begin() + series.count);
   return words +
     joined("; how fast the tool will move is not known: a press that takes much longer than ",
       *most, " s feels the slow response, one much shorter than ", *least, " s up to ",
-      percent(need.strength), " more");
+      inPercent(need.strength), " more");
 }
 } // namespace palpate

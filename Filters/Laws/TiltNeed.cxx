@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/TiltNeed.h"
 
+#include "Laws/TiltedCurves.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace palpate
 {
-namespace
-{
-/// In two digits.
-std::string inPercent(double share)
-{
-  const double percent = 100.0 * share;
-  const double unit = percent > 0.0 ? std::pow(10.0, std::floor(std::log10(percent)) - 1.0) : 1.0;
-  return joined(std::round(percent / unit) * unit, " %");
-}
-} // namespace
-
 TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance)
 {
   constexpr int angles = 8;
@@ -32,9 +23,7 @@ TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance)
   {
     return need;
   }
-  const TiltTable table(tilts.terms, tilts.drops, tilts.nodes);
-  const ResponseField field(arrays);
-  const auto laws = static_cast<std::size_t>(tilts.terms.laws);
+  const TiltedCurves curves(arrays);
   const std::size_t step = std::max<std::size_t>(1, arrays.points / mostPoints);
   std::size_t seen = 0;
   std::size_t without = 0;
@@ -44,26 +33,15 @@ TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance)
     {
       continue;
     }
-    const auto point = static_cast<std::int32_t>(i);
-    std::array<double, TiltTerms::MostLaws> weights{ 1.0 };
-    if (tilts.weight)
-    {
-      std::copy_n(tilts.weight + laws * i, laws, weights.begin());
-    }
-    const double tip = 0.5 * field.range(point);
-    const double upright = field.evaluate(point, tip).force;
+    const double tip = 0.5 * static_cast<double>(arrays.range[i]);
+    const double upright = curves.upright().evaluate(static_cast<std::int32_t>(i), tip).force;
     double worst = 0.0;
     for (int k = 1; k <= angles && upright > 0.0; ++k)
     {
       const double angle = tilts.terms.largest * k / angles;
-      const DeepestPoint deepest = table.deepest(angle);
-      const double depth = tip + deepest.drop;
-      const TiltFactor factor = table.at(depth, angle, weights.data());
-      const double work = field.energy(point, depth);
-      const double force =
-        field.evaluate(point, depth).force * factor.value + work * factor.byDepth;
-      const double change = std::abs(force / upright - 1.0);
-      need.torque = std::max(need.torque, std::abs(force * deepest.offset + work * factor.byAngle));
+      const TiltedCurves::Felt felt = curves.at(i, tip + curves.table().deepest(angle).drop, angle);
+      const double change = std::abs(felt.force / upright - 1.0);
+      need.torque = std::max(need.torque, std::abs(felt.torque));
       worst = std::max(worst, change);
       if (change > need.change)
       {
@@ -85,7 +63,7 @@ std::string tiltReason(const TiltNeed& need, const TiltViews& tilts, double tole
   {
     return {};
   }
-  constexpr double degrees = 57.29577951308232;
+  constexpr double degrees = 180.0 / Pi;
   const double torque = std::round(100.0 * need.torque) / 100.0;
   if (!need.isFelt)
   {

@@ -3,68 +3,30 @@
 
 #include "Contact/ParallelRanges.h"
 #include "Contact/ResponseContract.h"
+#include "Laws/TiltedCurves.h"
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/Tilt/TiltError.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace palpate
 {
-namespace
-{
-/// The errors of one point's samples by the largest tilt.
-class TiltedSamples
-{
-public:
-  TiltedSamples(const AxisymmetricTool& tool, const ResponseArrays& arrays)
-    : Tool(tool)
-    , Arrays(arrays)
-    , Field(arrays)
-    , Table(arrays.tilt.terms, arrays.tilt.drops, arrays.tilt.nodes)
-    , Deepest(this->Table.deepest(arrays.tilt.terms.largest))
-  {
-  }
-
-  double at(std::size_t point, double thickness, double depth) const
-  {
-    const TiltTerms& terms = this->Arrays.tilt.terms;
-    std::array<double, TiltTerms::MostLaws> weights{ 1.0 };
-    if (this->Arrays.tilt.weight)
-    {
-      const auto laws = static_cast<std::size_t>(terms.laws);
-      std::copy_n(this->Arrays.tilt.weight + laws * point, laws, weights.begin());
-    }
-    const auto place = static_cast<std::int32_t>(point);
-    const TiltFactor tau = this->Table.at(depth, terms.largest, weights.data());
-    const double upright = this->Field.evaluate(place, depth).force;
-    const double tilted = upright * tau.value + this->Field.energy(place, depth) * tau.byDepth;
-    return tiltError({ this->Tool.contactRadius(depth) / thickness,
-      upright > 0.0 ? tilted / upright : 1.0, terms.dropScale * this->Deepest.drop / depth });
-  }
-  double depth(std::size_t point, int sample) const
-  {
-    const auto range = static_cast<double>(this->Arrays.range[point]);
-    return this->Field.sampling().depth(sample, range);
-  }
-
-private:
-  const AxisymmetricTool& Tool;
-  const ResponseArrays& Arrays;
-  ResponseField Field;
-  TiltTable Table;
-  DeepestPoint Deepest;
-};
-} // namespace
-
 void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
   const ResponseArrays& arrays, double tolerance, const TrustSpans& trust)
 {
-  const TiltedSamples tilted(tool, arrays);
+  const TiltedCurves curves(arrays);
+  const TiltTerms& terms = arrays.tilt.terms;
+  const double drop = curves.table().deepest(terms.largest).drop;
+  const auto errorAt = [&](std::size_t i, double thickness, double depth)
+  {
+    const double upright = curves.upright().evaluate(static_cast<std::int32_t>(i), depth).force;
+    const double tilted = curves.at(i, depth, terms.largest).force;
+    return tiltError({ tool.contactRadius(depth) / thickness,
+      upright > 0.0 ? tilted / upright : 1.0, terms.dropScale * drop / depth });
+  };
   const auto samples = static_cast<std::size_t>(arrays.samples);
   const auto limit = [&](std::size_t i)
   {
@@ -77,7 +39,8 @@ void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
     TrustedDepth trusted(range, samples, tolerance);
     for (std::size_t k = samples; k > 0; --k)
     {
-      const double error = tilted.at(i, thickness, tilted.depth(i, static_cast<int>(k) - 1));
+      const double error =
+        errorAt(i, thickness, curves.upright().sampling().depth(static_cast<int>(k) - 1, range));
       trusted.add(k, error);
       if (trust.error)
       {

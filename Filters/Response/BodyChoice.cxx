@@ -56,7 +56,7 @@ void keepRelaxation(vtkPolyData* body, const std::string& name, const Relaxation
   body->GetFieldData()->RemoveArray(elementsName.c_str());
   if (terms.series.count > 0 && !need.isFelt)
   {
-    removeRelaxation(body, name);
+    removeArrays(body, name, ContractArray::Use::Relaxation);
     return;
   }
   if (terms.series.count > 0)
@@ -177,7 +177,7 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   keepRelaxation(output, responseName, relaxation, attached.relaxation);
   if (!attached.tilt.isFelt)
   {
-    removeTilts(output, responseName);
+    removeArrays(output, responseName, ContractArray::Use::Tilt);
   }
   return {};
 }

@@ -143,6 +143,17 @@ vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body)
   return array.place == ContractArray::Place::Points ? body->GetPointData() : body->GetFieldData();
 }
 
+void removeArrays(vtkPolyData* body, const std::string& name, ContractArray::Use use)
+{
+  for (const ContractArray& array : ResponseContract)
+  {
+    if (array.use == use)
+    {
+      placeOf(array, body)->RemoveArray(array.named(name).c_str());
+    }
+  }
+}
+
 std::string checkTriangles(vtkPolyData* body)
 {
   std::ostringstream text;

@@ -41,6 +41,10 @@ PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 /// The point or field data of a body, as the contract has it for an array.
 PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body);
 
+/// Takes the arrays of a response that are of this use away.
+PALPATERESPONSE_EXPORT void removeArrays(
+  vtkPolyData* body, const std::string& name, ContractArray::Use use);
+
 /// The response arrays with prefix `name`, both forms, where they lie; false and an error if they
 /// break the contract.
 PALPATERESPONSE_EXPORT bool viewResponse(

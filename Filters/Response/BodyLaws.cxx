@@ -239,7 +239,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
       material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
   attachRelaxation(request.relaxation, compliance, name, output);
-  removeCoupling(output, name);
+  removeArrays(output, name, ContractArray::Use::Coupling);
   if (request.couples)
   {
     attachCoupling(material, name, output);

@@ -24,13 +24,8 @@ void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to)
 
 void removeCurves(vtkPolyData* body, const std::string& name)
 {
-  for (const ContractArray& array : ResponseContract)
-  {
-    if (array.use == ContractArray::Use::PerPoint || array.use == ContractArray::Use::Compact)
-    {
-      placeOf(array, body)->RemoveArray(array.named(name).c_str());
-    }
-  }
+  removeArrays(body, name, ContractArray::Use::PerPoint);
+  removeArrays(body, name, ContractArray::Use::Compact);
 }
 
 void addFloats(vtkPolyData* body, const std::string& name, ResponseArray which, int components,

@@ -142,7 +142,7 @@ std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
       "as stored in the file: " + responseText(scene.body, "Response", ResponseArray::Model);
     if (options.relaxation.count > 0)
     {
-      removeRelaxation(scene.body, "Response");
+      removeArrays(scene.body, "Response", ContractArray::Use::Relaxation);
       describeRelaxation(scene.body, "Response", options.relaxation);
       scene.modelReason += "; how it relaxes is given on the command line";
     }

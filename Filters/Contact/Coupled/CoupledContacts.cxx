@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Coupled/CoupledContacts.h"
 
-#include "Contact/BorderFade.h"
 #include "Contact/Coupled/StiffnessBound.h"
-#include "Contact/EnergyGradient.h"
 
 #include <Eigen/Cholesky>
 
@@ -36,44 +34,45 @@ CoupledContacts::CoupledContacts(
   this->Work.resize(2 * number * number);
 }
 
-const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses) noexcept
+template <class Find>
+void CoupledContacts::findAll(const Find& find) noexcept
 {
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)
   {
-    this->Loads[i].found = this->Contacts[i].find(poses[i]);
+    this->Loads[i].found = find(i);
     this->load(i);
   }
+}
+
+const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses) noexcept
+{
+  this->findAll([this, poses](std::size_t i) { return this->Contacts[i].find(poses[i]); });
   return this->feelAll(Rounds);
 }
 
 const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses, double elapsed) noexcept
 {
-  for (std::size_t i = 0; i < this->Contacts.size(); ++i)
-  {
-    this->Loads[i].found = this->Contacts[i].find(poses[i], elapsed);
-    this->load(i);
-  }
+  this->findAll([&](std::size_t i) { return this->Contacts[i].find(poses[i], elapsed); });
   return this->feelAll(Rounds);
 }
 
 const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses) noexcept
 {
-  for (std::size_t i = 0; i < this->Contacts.size(); ++i)
-  {
-    this->Loads[i].found = this->Contacts[i].find(poses[i]);
-    this->load(i);
-    this->Loads[i].force = 0.0;
-  }
-  return this->feelAll(SettlingRounds);
+  this->findAll([this, poses](std::size_t i) { return this->Contacts[i].find(poses[i]); });
+  return this->settleAll();
 }
 
 const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses, double elapsed) noexcept
 {
-  for (std::size_t i = 0; i < this->Contacts.size(); ++i)
+  this->findAll([&](std::size_t i) { return this->Contacts[i].find(poses[i], elapsed); });
+  return this->settleAll();
+}
+
+const std::vector<Contact>& CoupledContacts::settleAll() noexcept
+{
+  for (Load& load : this->Loads)
   {
-    this->Loads[i].found = this->Contacts[i].find(poses[i], elapsed);
-    this->load(i);
-    this->Loads[i].force = 0.0;
+    load.force = 0.0;
   }
   return this->feelAll(SettlingRounds);
 }
@@ -81,8 +80,9 @@ const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses, doubl
 void CoupledContacts::load(std::size_t contact) noexcept
 {
   Load& load = this->Loads[contact];
+  const ToolContact::Pressed& pressed = load.pressed;
   load.sunk = 0.0;
-  load.presses = this->Body.coupling && this->place(contact);
+  load.presses = this->Body.coupling && this->Contacts[contact].press(load.found, load.pressed);
   if (!load.presses)
   {
     load.force = 0.0;
@@ -96,76 +96,8 @@ void CoupledContacts::load(std::size_t contact) noexcept
   const double last = load.force;
   load.force = last > 0.0 && load.before > 0.0 ? std::max(0.0, 2.0 * last - load.before) : last;
   load.before = last;
-  load.spot = this->Body.coupling->at(
-    load.place.triangle, load.place.projection.weights, this->slow(contact, load.depth).stiffness);
-}
-
-bool CoupledContacts::place(std::size_t contact) noexcept
-{
-  Load& load = this->Loads[contact];
-  const Vector3& tip = this->Contacts[contact].followed();
-  using Outcome = ContactTracker::Outcome;
-  const Outcome outcome = load.found.outcome;
-  if (outcome == Outcome::Outside || outcome == Outcome::Invalid)
-  {
-    return false;
-  }
-  const PackedMesh& surface = this->Body.surface;
-  ContactPlace& place = load.place;
-  place = load.found.place;
-  const TriangleCorners& corners = surface.corners(place.triangle);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (place.projection.weights[static_cast<Eigen::Index>(k)] != 0.0 &&
-      !this->Body.response.isValid(corners[k]))
-    {
-      return false;
-    }
-  }
-  load.share = 1.0;
-  const double under = this->Contacts[contact].underTool(place);
-  if (outcome == Outcome::Border)
-  {
-    const BorderFade left = BorderFade::at(
-      surface, place.triangle, place.projection.weights, tip - place.projection.point);
-    load.depth = left.depth - under;
-    load.share = left.fraction;
-    place.weightGradients.setZero();
-    return load.depth > 0.0 && load.share > 0.0;
-  }
-  const bool isAtEdge =
-    outcome == Outcome::Crease || (this->Body.edges && this->Body.edges->areNear(place.triangle));
-  if (!place.isSmooth &&
-    (isAtEdge ||
-      (this->Settings.form == ForceForm::EnergyConsistent &&
-        this->Settings.surface == ContactSurface::Facets)))
-  {
-    place = EnergyGradient::onFacet(surface, tip, place);
-  }
-  load.depth = -place.signedDistance - under;
-  if (isAtEdge)
-  {
-    const Vector3 normal = place.onCrease ? surface.faceNormal(place.triangle) : place.normal;
-    const Vector3 pressed = tip + under * normal;
-    const double depth = normal.dot(place.projection.point - pressed);
-    const EdgeEffect effect =
-      this->Body.edges->at(surface.toLocal(pressed), place.triangle, normal, depth);
-    const BlendedResponse response(this->Body.response, corners, place.projection.weights);
-    const double whole = response.evaluate(effect.depth).force;
-    load.depth = effect.depth;
-    load.share =
-      effect.share + (whole > 0.0 ? response.energy(effect.depth) * effect.byDepth / whole : 0.0);
-  }
-  return load.depth > 0.0 && load.share > 0.0;
-}
-
-ResponseValue CoupledContacts::slow(std::size_t contact, double depth) const noexcept
-{
-  const Load& load = this->Loads[contact];
-  ResponseValue value = this->Contacts[contact].slowResponse(load.place, depth);
-  value.force *= load.share;
-  value.stiffness *= load.share;
-  return value;
+  load.spot = this->Body.coupling->at(pressed.place.triangle, pressed.place.projection.weights,
+    this->Contacts[contact].slowResponse(pressed, pressed.depth).stiffness);
 }
 
 void CoupledContacts::fillCompliances() noexcept
@@ -194,6 +126,17 @@ double CoupledContacts::sunkBy(std::size_t contact) const noexcept
   return sum;
 }
 
+double CoupledContacts::press(std::size_t contact) noexcept
+{
+  Load& load = this->Loads[contact];
+  const ResponseValue value =
+    this->Contacts[contact].slowResponse(load.pressed, load.pressed.depth - this->sunkBy(contact));
+  const double before = load.whole;
+  load.whole = std::isfinite(value.force) ? value.force : 0.0;
+  load.stiffness = value.stiffness;
+  return std::abs(load.whole - before);
+}
+
 double CoupledContacts::goRound() noexcept
 {
   double largest = 0.0;
@@ -201,17 +144,12 @@ double CoupledContacts::goRound() noexcept
   for (std::size_t i = 0; i < this->Loads.size(); ++i)
   {
     Load& load = this->Loads[i];
-    if (!load.presses)
+    if (load.presses)
     {
-      continue;
+      change = std::max(change, this->press(i));
+      largest = std::max(largest, load.whole);
+      load.force = load.felt();
     }
-    load.sunk = this->sunkBy(i);
-    const ResponseValue value = this->slow(i, load.depth - load.sunk);
-    change = std::max(change, std::abs(value.force - load.whole));
-    largest = std::max(largest, value.force);
-    load.whole = std::isfinite(value.force) ? value.force : 0.0;
-    load.force = load.isOff ? 0.0 : load.whole;
-    load.stiffness = value.stiffness;
   }
   return largest > 0.0 ? change / largest : 0.0;
 }
@@ -221,48 +159,37 @@ double CoupledContacts::solveRound() noexcept
   // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i, of those that touch; the others come to none.
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MostSolved, MostSolved>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, MostSolved, 1>;
-  std::array<std::size_t, MostSolved> active{};
+  const std::size_t count = this->Loads.size();
   std::array<double, MostSolved> lack{}; // f_i - F_i
-  Eigen::Index rows = 0;
+  std::array<bool, MostSolved> touches{};
   double largest = 0.0;
   double change = 0.0;
-  for (std::size_t i = 0; i < this->Loads.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     Load& load = this->Loads[i];
-    if (!load.presses)
+    if (load.presses)
     {
-      continue;
-    }
-    load.sunk = this->sunkBy(i);
-    const ResponseValue value = this->slow(i, load.depth - load.sunk);
-    load.whole = std::isfinite(value.force) ? value.force : 0.0;
-    load.stiffness = value.stiffness;
-    largest = std::max(largest, load.whole);
-    const double felt = load.isOff ? 0.0 : load.whole;
-    lack[i] = felt - load.force;
-    change = std::max(change, std::abs(lack[i]));
-    if (felt > 0.0 && load.stiffness > 0.0)
-    {
-      active[static_cast<std::size_t>(rows++)] = i;
+      this->press(i);
+      largest = std::max(largest, load.whole);
+      lack[i] = load.felt() - load.force;
+      change = std::max(change, std::abs(lack[i]));
+      touches[i] = load.felt() > 0.0 && load.stiffness > 0.0;
     }
   }
-  const auto isActive = [&](std::size_t i)
-  { return std::find(active.begin(), active.begin() + rows, i) != active.begin() + rows; };
-  Matrix system(rows, rows);
-  Vector right(rows);
-  for (Eigen::Index r = 0; r < rows; ++r)
+  const auto size = static_cast<Eigen::Index>(count);
+  Matrix system = Matrix::Identity(size, size);
+  Vector right(size);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const std::size_t i = active[static_cast<std::size_t>(r)];
-    const double own = 1.0 / this->Loads[i].stiffness;
-    right[r] = own * lack[i];
-    for (std::size_t j = 0; j < this->Loads.size(); ++j)
+    const auto row = static_cast<Eigen::Index>(i);
+    const double own = touches[i] ? 1.0 / this->Loads[i].stiffness : 1.0;
+    system(row, row) = own;
+    right[row] = own * lack[i];
+    for (std::size_t j = 0; j < count; ++j)
     {
-      right[r] -= j == i || isActive(j) ? 0.0 : this->compliance(i, j) * lack[j];
-    }
-    for (Eigen::Index k = 0; k < rows; ++k)
-    {
-      const std::size_t j = active[static_cast<std::size_t>(k)];
-      system(r, k) = j == i ? own : this->compliance(i, j);
+      const double between = touches[i] && j != i ? this->compliance(i, j) : 0.0;
+      right[row] -= touches[j] ? 0.0 : between * lack[j];
+      system(row, static_cast<Eigen::Index>(j)) += touches[j] ? between : 0.0;
     }
   }
   const Eigen::LLT<Eigen::Ref<Matrix>> factor(system);
@@ -271,22 +198,18 @@ double CoupledContacts::solveRound() noexcept
   {
     factor.solveInPlace(right);
   }
-  for (std::size_t i = 0; i < this->Loads.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    this->Loads[i].force += this->Loads[i].presses && !isActive(i) ? lack[i] : 0.0;
-  }
-  for (Eigen::Index r = 0; r < rows; ++r)
-  {
-    const std::size_t i = active[static_cast<std::size_t>(r)];
-    Load& load = this->Loads[i];
     // Compliances that are no body's: as if the others stayed.
-    load.force = std::max(0.0, load.force + (isSolved ? right[r] : lack[i]));
+    const double step = isSolved ? right[static_cast<Eigen::Index>(i)] : lack[i];
+    this->Loads[i].force = std::max(0.0, this->Loads[i].force + step);
   }
   return largest > 0.0 ? change / largest : 0.0;
 }
 
 const std::vector<Contact>& CoupledContacts::feelAll(int rounds) noexcept
 {
+  this->Stiffening = 0.0;
   if (this->Body.coupling)
   {
     this->fillCompliances();
@@ -327,12 +250,12 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
     if (j != contact && other.force > 0.0)
     {
       hasOthers = true;
-      byWeights +=
-        other.force * this->Body.coupling->gradient(own.spot, own.place.triangle, other.spot);
+      byWeights += other.force *
+        this->Body.coupling->gradient(own.spot, own.pressed.place.triangle, other.spot);
     }
   }
   // As the area coordinates sum to 1, a common constant of the derivatives is nothing.
-  const Eigen::Matrix3d& gradients = own.place.weightGradients;
+  const Eigen::Matrix3d& gradients = own.pressed.place.weightGradients;
   const Vector3 side = own.force *
     (gradients.col(1) * (byWeights[1] - byWeights[0]) +
       gradients.col(2) * (byWeights[2] - byWeights[0]));
@@ -357,6 +280,7 @@ void CoupledContacts::reset() noexcept
     this->Contacts[i].reset();
     this->Loads[i] = Load{};
   }
+  this->Stiffening = 0.0;
 }
 
 void CoupledContacts::lose() noexcept
@@ -371,6 +295,7 @@ void CoupledContacts::lose(std::size_t contact) noexcept
 {
   this->Contacts[contact].lose();
   this->Loads[contact] = Load{};
+  this->Stiffening = 0.0;
 }
 
 void CoupledContacts::foresee() const noexcept
@@ -383,33 +308,33 @@ void CoupledContacts::foresee() const noexcept
 
 double CoupledContacts::stiffening() noexcept
 {
+  if (this->Stiffening > 0.0)
+  {
+    return this->Stiffening;
+  }
   std::size_t rows = 0;
   double stiffest = 0.0;
   for (const Load& load : this->Loads)
   {
-    const bool counts = load.force > 0.0 && load.stiffness > 0.0;
-    rows += counts ? 1 : 0;
-    stiffest = counts ? std::max(stiffest, load.stiffness) : stiffest;
-  }
-  if (rows < 2)
-  {
-    return 1.0;
+    rows += load.counts() ? 1 : 0;
+    stiffest = load.counts() ? std::max(stiffest, load.stiffness) : stiffest;
   }
   std::size_t next = 0;
   for (std::size_t i = 0; i < this->Loads.size(); ++i)
   {
     for (std::size_t j = 0; j < this->Loads.size(); ++j)
     {
-      const Load& one = this->Loads[i];
-      const Load& other = this->Loads[j];
-      if (one.force > 0.0 && one.stiffness > 0.0 && other.force > 0.0 && other.stiffness > 0.0)
+      if (this->Loads[i].counts() && this->Loads[j].counts())
       {
-        this->Work[next++] = stiffest * (i == j ? 1.0 / one.stiffness : this->compliance(i, j));
+        this->Work[next++] =
+          stiffest * (i == j ? 1.0 / this->Loads[i].stiffness : this->compliance(i, j));
       }
     }
   }
   double* matrix = this->Work.data();
-  return std::max(1.0, stiffnessBound(matrix, matrix + rows * rows, rows));
+  this->Stiffening =
+    rows < 2 ? 1.0 : std::max(1.0, stiffnessBound(matrix, matrix + rows * rows, rows));
+  return this->Stiffening;
 }
 
 double CoupledContacts::cappedShare(std::size_t contact, double maximumStiffness) noexcept

@@ -87,10 +87,8 @@ private:
   struct Load
   {
     ContactTracker::Result found;
-    ContactPlace place; ///< where it presses, with the gradients of its area coordinates
+    ToolContact::Pressed pressed; ///< if it presses
     bool presses = false;
-    double depth = 0.0;
-    double share = 1.0; ///< of the force at this depth, what edges and borders leave
     double sunk = 0.0;
     double force = 0.0;
     double before = 0.0; ///< of the tick before
@@ -99,16 +97,22 @@ private:
     double whole = 0.0; ///< the force of the curve, also where the tool does not feel it
     /// The tool felt nothing of it: an edge let it go, or a body that relaxes has not come back.
     bool isOff = false;
+
+    double felt() const noexcept { return this->isOff ? 0.0 : this->whole; }
+    bool counts() const noexcept { return this->force > 0.0 && this->stiffness > 0.0; }
   };
 
   const std::vector<Contact>& feelAll(int rounds) noexcept;
+  template <class Find>
+  void findAll(const Find& find) noexcept;
+  const std::vector<Contact>& settleAll() noexcept;
   void load(std::size_t contact) noexcept;
-  /// Depth and share of a contact that was found; false: it does not press.
-  bool place(std::size_t contact) noexcept;
-  ResponseValue slow(std::size_t contact, double depth) const noexcept;
   void fillCompliances() noexcept;
   /// By how much the others let a contact down, mm.
   double sunkBy(std::size_t contact) const noexcept;
+  /// What a contact has of its curve under the forces of the others; by how much that is another
+  /// force than before, N.
+  double press(std::size_t contact) noexcept;
   /// The largest change of a force as part of the largest force.
   double goRound() noexcept;
   /// The same by Newton's method, of up to MostSolved contacts.
@@ -126,6 +130,7 @@ private:
   std::vector<Contact> Felt;
   std::vector<double> Compliance; ///< C_ij, row by row
   std::vector<double> Work;
+  double Stiffening = 0.0; ///< of the last update; 0: nobody has asked
 };
 } // namespace palpate
 

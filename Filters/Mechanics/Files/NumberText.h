@@ -41,6 +41,16 @@ inline std::string shortly(double value)
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
   return buffer;
 }
+
+/// A fraction as "1.3 %": in two digits, or whole.
+inline std::string inPercent(double fraction)
+{
+  char buffer[32];
+  const bool isSmall = fraction < 0.995;
+  const double percent = isSmall ? 100.0 * fraction : std::round(100.0 * fraction);
+  std::snprintf(buffer, sizeof buffer, "%.*g %%", isSmall ? 2 : 9, percent);
+  return buffer;
+}
 } // namespace palpate
 
 #endif

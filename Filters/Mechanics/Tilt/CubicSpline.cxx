@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Tilt/CubicSpline.h"
 
+#include "Mechanics/Numerics/CubicCell.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -75,12 +77,8 @@ SplinePoint CubicSpline::at(double place) const
   const auto i = static_cast<std::size_t>(upper - this->Places.begin()) - 1;
   const double width = this->Places[i + 1] - this->Places[i];
   const double t = (place - this->Places[i]) / width;
-  const double rise = this->Values[i + 1] - this->Values[i];
-  const double p = this->Slopes[i] * width;
-  const double q = this->Slopes[i + 1] * width;
-  const double b = 3.0 * rise - 2.0 * p - q;
-  const double c = p + q - 2.0 * rise;
-  return { this->Values[i] + t * (p + t * (b + t * c)), (p + t * (2.0 * b + 3.0 * t * c)) / width,
-    (2.0 * b + 6.0 * t * c) / (width * width) };
+  const CubicCell cell(
+    this->Values[i + 1] - this->Values[i], this->Slopes[i] * width, this->Slopes[i + 1] * width);
+  return { this->Values[i] + cell.value(t), cell.slope(t) / width, cell.bend(t) / (width * width) };
 }
 } // namespace palpate

@@ -11,7 +11,8 @@ namespace palpate
  * n x n equal rectangles: Love's closed form of one (1929), summed over all by a convolution of
  * twice as many in Fourier space, the rest of them empty.
  *
- * Not for several threads at once: it keeps the room it works in. Cost: 0.2 ms of 64 x 64.
+ * Not for several threads at once: it keeps the room it works in. Cost: 0.2 ms of 64 x 64, of which
+ * Eigen's transform, row by row, takes 2.5 times as much; some 10 000 make a tool's table.
  */
 class RectangleLoads
 {

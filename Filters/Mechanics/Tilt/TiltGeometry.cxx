@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace palpate
 {
@@ -76,19 +78,14 @@ Place deepestOf(const AxisymmetricTool& tool, double angle)
   return { r, tool.profile(r) };
 }
 
-bool readBack(const AxisymmetricTool& tool, ToolSpecification& specification)
-{
-  std::string error;
-  return parseTool(tool.specification(), specification, error);
-}
-
 Place deepestPlace(const AxisymmetricTool& tool, double angle)
 {
-  ToolSpecification s;
-  if (!readBack(tool, s))
+  const std::optional<ToolSpecification> known = specificationOf(tool);
+  if (!known)
   {
     return deepestOf(tool, angle);
   }
+  const ToolSpecification& s = *known;
   const double slope = std::tan(angle);
   double r = 0.0;
   switch (s.Shape)
@@ -123,14 +120,15 @@ Place deepestPlace(const AxisymmetricTool& tool, double angle)
 /// Where the steepest part of the flank lies on the body, rad; a right angle where it never does.
 double flankAngle(const AxisymmetricTool& tool)
 {
-  ToolSpecification s;
-  if (readBack(tool, s) && s.Shape == ToolShape::Profile)
+  const std::optional<ToolSpecification> known = specificationOf(tool);
+  if (known && known->Shape == ToolShape::Profile)
   {
+    const std::vector<ProfilePoint>& points = known->Profile;
     double steepest = 0.0;
-    for (std::size_t i = 1; i < s.Profile.size(); ++i)
+    for (std::size_t i = 1; i < points.size(); ++i)
     {
-      const ProfilePoint& p = s.Profile[i - 1];
-      const ProfilePoint& q = s.Profile[i];
+      const ProfilePoint& p = points[i - 1];
+      const ProfilePoint& q = points[i];
       steepest = std::max(steepest, (q.f - p.f) / (q.r - p.r));
     }
     return steepest > 0.0 ? std::atan(steepest) : 0.5 * Pi;

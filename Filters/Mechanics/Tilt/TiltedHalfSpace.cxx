@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Tilt/TiltedHalfSpace.h"
 
+#include "Mechanics/Numerics/IsotonicRegression.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SharedWork.h"
@@ -30,48 +31,23 @@ constexpr std::size_t OfRows =
 constexpr std::size_t MostSamples = 200; // down to 1e-7 of the least depth, for small tilts
 constexpr double Smallest = 1e-9;        // a contact radius over the depth, whatever the solver
 
-std::optional<ToolSpecification> specificationOf(const AxisymmetricTool& tool)
-{
-  ToolSpecification specification;
-  std::string error;
-  return parseTool(tool.specification(), specification, error)
-    ? std::optional<ToolSpecification>(specification)
-    : std::nullopt;
-}
-
 /// A contact only grows: where radii do not, by the solver's error, they are the mean over the
-/// depth of those that disagree (pool adjacent violators), which leaves the force as it is.
+/// depth of those that disagree, which leaves the force as it is.
 void makeMonotone(std::vector<TiltedTool::Sample>& samples)
 {
-  struct Pool
-  {
-    double sum;
-    double weight;
-    std::size_t count;
-  };
-  std::vector<Pool> pools;
+  std::vector<double> radii;
+  std::vector<double> depths;
   for (const TiltedTool::Sample& sample : samples)
   {
-    pools.push_back({ sample.radius * sample.depth, sample.depth, 1 });
-    while (pools.size() > 1 &&
-      pools.back().sum * pools[pools.size() - 2].weight <=
-        pools[pools.size() - 2].sum * pools.back().weight)
-    {
-      const Pool last = pools.back();
-      pools.pop_back();
-      pools.back().sum += last.sum;
-      pools.back().weight += last.weight;
-      pools.back().count += last.count;
-    }
+    radii.push_back(sample.radius);
+    depths.push_back(sample.depth);
   }
-  std::size_t i = 0;
-  for (const Pool& pool : pools)
+  radii = isotonicRegression(radii, depths);
+  constexpr double Growth = 1e-9; // so that a radius has one depth
+  for (std::size_t i = 0, same = 0; i < samples.size(); ++i)
   {
-    for (std::size_t k = 0; k < pool.count; ++k, ++i)
-    {
-      constexpr double Growth = 1e-9; // so that a radius has one depth
-      samples[i].radius = pool.sum / pool.weight * (1.0 + Growth * static_cast<double>(k));
-    }
+    same = i > 0 && radii[i] == radii[i - 1] ? same + 1 : 0;
+    samples[i].radius = radii[i] * (1.0 + Growth * static_cast<double>(same));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "Mechanics/Tilt/TiltedTool.h"
 
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/CubicCell.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
 #include "Mechanics/Numerics/IncreasingRoot.h"
 
@@ -55,12 +56,9 @@ TiltedTool::Logarithm TiltedTool::radiusIn(std::size_t cell, double t) const
   const Sample& lower = this->Samples[cell];
   const Sample& upper = this->Samples[cell + 1];
   const double width = this->cellWidth(cell);
-  const double rise = std::log(upper.radius / lower.radius);
-  const double p = lower.exponent * width;
-  const double q = upper.exponent * width;
-  const double b = 3.0 * rise - 2.0 * p - q;
-  const double c = p + q - 2.0 * rise;
-  return { std::log(lower.radius) + t * (p + t * (b + t * c)), p + t * (2.0 * b + 3.0 * t * c) };
+  const CubicCell logarithm(
+    std::log(upper.radius / lower.radius), lower.exponent * width, upper.exponent * width);
+  return { std::log(lower.radius) + logarithm.value(t), logarithm.slope(t) };
 }
 
 /// ∫ a dD from the cell's begin.

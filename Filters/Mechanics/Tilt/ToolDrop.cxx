@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Tilt/ToolDrop.h"
 
+#include "Mechanics/Numerics/CubicCell.h"
 #include "Mechanics/Tilt/TiltGeometry.h"
 
 #include <algorithm>
@@ -35,38 +36,8 @@ DeepestPoint ToolDrop::at(double angle) const
     return { node[2] + (angle - this->Largest) * node[3], node[3] };
   }
   const double t = place - cell;
-  const double rise = node[2] - node[0];
-  const double p = node[1] * width;
-  const double q = node[3] * width;
-  const double b = 3.0 * rise - 2.0 * p - q;
-  const double c = p + q - 2.0 * rise;
-  return { node[0] + t * (p + t * (b + t * c)), (p + t * (2.0 * b + 3.0 * t * c)) / width };
+  const CubicCell drop(node[2] - node[0], node[1] * width, node[3] * width);
+  return { node[0] + drop.value(t), drop.slope(t) / width };
 }
 
-double ToolDrop::angleAt(double drop) const
-{
-  double low = 0.0;
-  double high = this->Largest;
-  for (int i = 0; i < 60 && this->at(high).drop > drop; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high)
-    {
-      break;
-    }
-    if (this->at(middle).drop > drop)
-    {
-      high = middle;
-    }
-    else
-    {
-      low = middle;
-      if (!(this->at(high).drop - this->at(low).drop > 1e-15 * drop))
-      {
-        break;
-      }
-    }
-  }
-  return this->at(this->Largest).drop > drop ? low : this->Largest;
-}
 } // namespace palpate

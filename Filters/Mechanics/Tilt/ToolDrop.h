@@ -21,8 +21,6 @@ public:
   ToolDrop(const AxisymmetricTool& tool, double largest);
 
   DeepestPoint at(double angle) const;
-  /// The tilt at which h is `drop`, the largest where it never is.
-  double angleAt(double drop) const;
   double largest() const { return this->Largest; }
   /// h and dh/dθ of each angle.
   const std::vector<double>& nodes() const { return this->Nodes; }

@@ -226,14 +226,22 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
   return false;
 }
 
+std::optional<ToolSpecification> specificationOf(const AxisymmetricTool& tool)
+{
+  ToolSpecification read;
+  std::string error;
+  return parseTool(tool.specification(), read, error) ? std::optional<ToolSpecification>(read)
+                                                      : std::nullopt;
+}
+
 std::unique_ptr<AxisymmetricTool> scaledTool(const AxisymmetricTool& tool, double factor)
 {
-  ToolSpecification s;
-  std::string error;
-  if (!isLength(factor) || !parseTool(tool.specification(), s, error))
+  const std::optional<ToolSpecification> own = specificationOf(tool);
+  if (!isLength(factor) || !own)
   {
     return nullptr;
   }
+  ToolSpecification s = *own;
   s.Radius *= factor;
   s.EdgeRadius *= factor;
   s.Coefficient *= s.Exponent == 1.0 ? 1.0 / factor : std::pow(factor, 1.0 - s.Exponent);

@@ -146,7 +146,7 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
     : spots.thickness                ? range.layers.thinnest
                                      : spots.constant.thickness;
   terms.knots = law.isLayered() ? law.knots().data() : nullptr;
-  removeCoupling(output, name);
+  removeArrays(output, name, ContractArray::Use::Coupling);
   addLaw(output, name, terms);
   const auto spotAt = [&spots](vtkIdType i) { return spots.at(static_cast<std::size_t>(i)); };
   if (spots.reducedModulus)
@@ -169,7 +169,7 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
 
 void describeCoupling(vtkPolyData* body, const std::string& name, const CouplingTerms& terms)
 {
-  removeCoupling(body, name);
+  removeArrays(body, name, ContractArray::Use::Coupling);
   addLaw(body, name, terms);
   const auto add = [&](ResponseArray which, const float* values, int components)
   {
@@ -181,17 +181,6 @@ void describeCoupling(vtkPolyData* body, const std::string& name, const Coupling
   add(ResponseArray::CouplingModulus, terms.localModulus, 1);
   add(ResponseArray::CouplingThickness, terms.localThickness, 1);
   add(ResponseArray::CouplingModes, terms.modes, terms.modeCount);
-}
-
-void removeCoupling(vtkPolyData* body, const std::string& name)
-{
-  for (const ContractArray& array : ResponseContract)
-  {
-    if (array.use == ContractArray::Use::Coupling)
-    {
-      placeOf(array, body)->RemoveArray(array.named(name).c_str());
-    }
-  }
 }
 
 bool viewCoupling(

@@ -32,9 +32,6 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
 PALPATERESPONSE_EXPORT void describeCoupling(
   vtkPolyData* body, const std::string& name, const CouplingTerms& terms);
 
-/// Takes all of the coupling of a response away.
-PALPATERESPONSE_EXPORT void removeCoupling(vtkPolyData* body, const std::string& name);
-
 /// Fills arrays.coupling, of arrays where they lie; the number of points is known. Leaves it as it
 /// is where there is none. False, and an error that names array and number, if it is wrong.
 bool viewCoupling(

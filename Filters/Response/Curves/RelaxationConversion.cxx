@@ -158,17 +158,6 @@ void describeRelaxation(vtkPolyData* body, const std::string& name, const PronyS
   add(ResponseArray::RelaxationTime, series.time);
 }
 
-void removeRelaxation(vtkPolyData* body, const std::string& name)
-{
-  for (const ContractArray& array : ResponseContract)
-  {
-    if (array.use == ContractArray::Use::Relaxation)
-    {
-      placeOf(array, body)->RemoveArray(array.named(name).c_str());
-    }
-  }
-}
-
 bool viewRelaxation(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {

@@ -27,9 +27,6 @@ PALPATERESPONSE_EXPORT bool relaxationOf(
 PALPATERESPONSE_EXPORT void describeRelaxation(
   vtkPolyData* body, const std::string& name, const PronySeries& series);
 
-/// Takes all of the relaxation of a response away.
-PALPATERESPONSE_EXPORT void removeRelaxation(vtkPolyData* body, const std::string& name);
-
 /// Fills arrays.relaxation, the rest of `arrays` being there: series, arrays where they lie, and,
 /// from the text Tool, exponent and contact radius of the tool at the deepest range. Of a tool that
 /// cannot be read, or not be pressed as deep, the exponent is that of the curves, the radius 0.

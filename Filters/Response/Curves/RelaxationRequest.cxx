@@ -2,7 +2,7 @@
 #include "Response/Curves/RelaxationRequest.h"
 
 #include "Mechanics/JoinedText.h"
-#include "Response/Curves/RelaxationConversion.h"
+#include "Response/BodyConversion.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -125,7 +125,7 @@ std::string relaxationInWords(const RelaxationRequest& request, const MaterialAr
 void attachRelaxation(const RelaxationRequest& request, const MaterialArray& compliance,
   const std::string& name, vtkPolyData* output)
 {
-  removeRelaxation(output, name);
+  removeArrays(output, name, ContractArray::Use::Relaxation);
   if (request.series.count == 0)
   {
     return;

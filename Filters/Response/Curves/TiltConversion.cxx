@@ -3,6 +3,7 @@
 
 #include "Response/ArrayFetch.h"
 #include "Response/BodyConversion.h"
+#include "Response/ReplacedCurves.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -38,16 +39,17 @@ TiltTerms termsOf(const TiltNumbers& numbers)
   return { numbers[0], numbers[1], numbers[2], count(3), count(4), count(5), count(6) };
 }
 
-template <class Array, class Values>
-void addArray(vtkPolyData* body, const std::string& name, ResponseArray which, int components,
-  const Values& values)
+template <class Values>
+void addNumbers(
+  vtkPolyData* body, const std::string& name, ResponseArray which, const Values& values)
 {
-  vtkNew<Array> array;
+  const int components = componentsOf(contractOf(which), 0, 0);
+  vtkNew<vtkDoubleArray> array;
   array->SetName(arrayName(name, which).c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
-  placeOf(contractOf(which), body)->AddArray(array);
+  body->GetFieldData()->AddArray(array);
 }
 
 /// The values of a field array of doubles in so many tuples; null, and an error, if it is another.
@@ -72,24 +74,13 @@ const double* viewNumbers(vtkPolyData* body, const std::string& name, ResponseAr
 void describeTilts(vtkPolyData* body, const std::string& name, const TiltTable& table,
   const std::vector<float>& weights)
 {
-  removeTilts(body, name);
-  addArray<vtkDoubleArray>(body, name, ResponseArray::Tilt, 7, numbersOf(table.terms()));
-  addArray<vtkDoubleArray>(body, name, ResponseArray::TiltDrop, 2, table.drops());
-  addArray<vtkDoubleArray>(body, name, ResponseArray::TiltNode, 4, table.nodes());
+  removeArrays(body, name, ContractArray::Use::Tilt);
+  addNumbers(body, name, ResponseArray::Tilt, numbersOf(table.terms()));
+  addNumbers(body, name, ResponseArray::TiltDrop, table.drops());
+  addNumbers(body, name, ResponseArray::TiltNode, table.nodes());
   if (!weights.empty())
   {
-    addArray<vtkFloatArray>(body, name, ResponseArray::TiltWeight, table.terms().laws, weights);
-  }
-}
-
-void removeTilts(vtkPolyData* body, const std::string& name)
-{
-  for (const ContractArray& array : ResponseContract)
-  {
-    if (array.use == ContractArray::Use::Tilt)
-    {
-      placeOf(array, body)->RemoveArray(array.named(name).c_str());
-    }
+    addFloats(body, name, ResponseArray::TiltWeight, table.terms().laws, weights);
   }
 }
 

@@ -24,9 +24,6 @@ namespace palpate
 PALPATERESPONSE_EXPORT void describeTilts(vtkPolyData* body, const std::string& name,
   const TiltTable& table, const std::vector<float>& weights);
 
-/// Takes them away.
-PALPATERESPONSE_EXPORT void removeTilts(vtkPolyData* body, const std::string& name);
-
 /// Fills arrays.tilt where the arrays are there, as views of them. False, and an error that names
 /// the array and the number, if they are wrong.
 bool viewTilts(

@@ -81,7 +81,7 @@ std::string checkTilts(const TiltRequest& request)
 std::string attachTilts(const TiltRequest& request, const BodyMaterial* material, double tolerance,
   const std::string& name, vtkPolyData* output)
 {
-  removeTilts(output, name);
+  removeArrays(output, name, ContractArray::Use::Tilt);
   if (!(request.degrees > 0.0))
   {
     return {};

@@ -2,7 +2,7 @@
 #include "Response/Measured/SiteTables.h"
 
 #include "Mechanics/Numerics/Constants.h"
-#include "Mechanics/Identification/IsotonicRegression.h"
+#include "Mechanics/Numerics/IsotonicRegression.h"
 #include "Mechanics/Identification/RelaxationFit.h"
 
 #include "vtkDoubleArray.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/Identification/IsotonicRegression.h"
+#include "Mechanics/Numerics/IsotonicRegression.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,10 @@
 namespace palpate
 {
 /// The non-decreasing sequence closest to `values` in the least-squares sense, by pooling adjacent
-/// violators (Ayer et al. 1955). O(n).
-PALPATE_EXPORT std::vector<double> isotonicRegression(const std::vector<double>& values);
+/// violators (Ayer et al. 1955). With `weights` > 0, one each, of the squares; without, all alike.
+/// O(n).
+PALPATE_EXPORT std::vector<double> isotonicRegression(
+  const std::vector<double>& values, const std::vector<double>& weights = {});
 } // namespace palpate
 
 #endif

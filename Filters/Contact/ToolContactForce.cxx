@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is felt where a ToolContact presses: force, torque, friction, energy.
+#include "Contact/ToolContact.h"
+
+#include "Contact/CappedResponse.h"
+#include "Contact/EnergyGradient.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+ResponseValue ToolContact::slowResponse(const Pressed& pressed, double depth) const noexcept
+{
+  const TriangleCorners& corners = this->Body.surface.corners(pressed.place.triangle);
+  const Vector3& weights = pressed.place.projection.weights;
+  const BlendedResponse response(this->Body.response, corners, weights);
+  const ResponseValue upright = response.evaluate(depth);
+  ResponseValue value = this->Tilt.isTilted() && depth > 0.0
+    ? this->Tilt.tilted(corners, weights, depth, upright, response.energy(depth))
+    : upright;
+  value.force *= pressed.share;
+  value.stiffness *= pressed.share;
+  return value;
+}
+
+Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const noexcept
+{
+  return this->Tilt.isFelt() ? this->Tilt.ofTip(place.weightGradients,
+                                 this->Body.surface.corners(place.triangle), this->Body.response)
+                             : place.weightGradients;
+}
+
+bool ToolContact::blend(
+  const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept
+{
+  this->LastCorners = this->Body.surface.corners(place.triangle);
+  this->LastWeights = place.projection.weights;
+  result.triangle = this->Body.surface.inputTriangle(place.triangle);
+  result.contactPoint = place.projection.point;
+  result.deflection = -place.signedDistance;
+  const ResponseValue upright = response.evaluate(result.deflection);
+  ResponseValue value = upright;
+  if (this->Tilt.isTilted())
+  {
+    value = this->Tilt.press(this->LastCorners, this->LastWeights, result.deflection, upright,
+      response.energy(result.deflection));
+  }
+  result.normalForce = value.force;
+  result.stiffness = value.stiffness;
+  result.state = value.beyondRange ? ContactState::BeyondRange : ContactState::Slide;
+  if (this->IsInTime)
+  {
+    this->relax(place, response, value, result);
+  }
+  if (this->Settings.form == ForceForm::EnergyConsistent)
+  {
+    result.normal = place.normal;
+    result.force = EnergyGradient::force(result.normalForce, place.normal,
+      this->weightGradients(place), this->energies(response, result.deflection));
+    return result.force.allFinite();
+  }
+  Vector3 direction = place.normal; // a smooth surface has one of its own
+  if (!place.isSmooth)
+  {
+    direction = this->sumOfNormals(place, Vector3::Ones());
+  }
+  if (this->Settings.form == ForceForm::Paper)
+  {
+    const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
+    const Vector3 sum = this->sumOfNormals(place, { each[0].force, each[1].force, each[2].force });
+    const double more = upright.force > 0.0 ? result.normalForce / upright.force : 1.0;
+    result.normalForce = more * sum.norm();
+    direction = result.normalForce > 0.0 ? sum : direction;
+  }
+  const double length = direction.norm();
+  result.normal = direction / length;
+  result.force = result.normalForce * result.normal;
+  return length > 0.0 && result.force.allFinite(); // neither of them infinite
+}
+
+void ToolContact::relax(const ContactPlace& place, const BlendedResponse& response,
+  const ResponseValue& slow, Contact& result) noexcept
+{
+  // The material under a tilted tool has moved as under the upright one of the same force.
+  ContactTilt::Alike upright;
+  upright.depth = result.deflection;
+  upright.value = slow;
+  if (this->Tilt.isTilted())
+  {
+    upright = this->Tilt.alike(response);
+  }
+  const ContactRelaxation::Force felt = this->Relaxation.press(
+    { this->LastCorners, this->LastWeights, place.projection.point, upright.depth }, upright.value);
+  result.normalForce = felt.total;
+  result.memory = felt.total - slow.force;
+  result.stiffness = felt.stiffness * upright.stiffening;
+  result.state = felt.isTouched ? result.state : ContactState::None;
+}
+
+Vector3 ToolContact::energies(const BlendedResponse& response, double deflection) const noexcept
+{
+  Vector3 energies = response.energies(deflection);
+  if (this->Tilt.isTilted())
+  {
+    energies = this->Tilt.energies(this->LastCorners, energies);
+  }
+  if (this->IsInTime)
+  {
+    // What memory stores is shared out among the corners as their slow work is: curves of one tool
+    // on bodies of unlike stiffness have one form.
+    const double work = energies.isZero(0.0) ? 0.0 : this->work(response, deflection);
+    energies *= work > 0.0 ? 1.0 + this->Relaxation.storedEnergy() / work : 1.0;
+    energies += this->Relaxation.strengthEnergies();
+  }
+  return energies;
+}
+
+double ToolContact::cappedShare(const Contact& contact, double maximumStiffness) const noexcept
+{
+  const BlendedResponse response = this->response();
+  double depth = contact.deflection;
+  double cap = maximumStiffness;
+  if (this->Tilt.isTilted() && contact.normalForce > 0.0)
+  {
+    const ContactTilt::Alike upright = this->Tilt.alike(response);
+    depth = upright.depth;
+    cap /= std::max(upright.stiffening, 1e-9);
+  }
+  if (!this->IsInTime)
+  {
+    return CappedResponse(response, cap).share(depth);
+  }
+  const double slowCap = cap / this->Relaxation.stiffening();
+  const double whole = contact.normalForce;
+  const double capped =
+    this->Relaxation.cappedForce(CappedResponse(response, slowCap).evaluate(depth).force, slowCap);
+  return std::min(1.0, whole > 0.0 ? capped / this->Relaxation.force() : 1.0);
+}
+
+Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept
+{
+  const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const auto i = static_cast<Eigen::Index>(k);
+    sum += place.projection.weights[i] * factors[i] * this->Body.response.normal(corners[k]);
+  }
+  return sum;
+}
+
+void ToolContact::complete(const ContactPlace& place, const BlendedResponse& response, double share,
+  Contact& result) noexcept
+{
+  if (this->Tilt.isTilted())
+  {
+    this->addTorque(place, share, result);
+  }
+  this->addFriction(response, result);
+  if (this->Tilt.isFelt() && this->Tilt.isTooFar() && result.state != ContactState::BeyondRange)
+  {
+    result.state = ContactState::TiltedTooFar;
+  }
+}
+
+void ToolContact::addTorque(const ContactPlace& place, double share, Contact& result) const noexcept
+{
+  const double slow = result.normalForce - result.memory;
+  const double memory = slow > 0.0 ? result.normalForce / slow : 1.0;
+  const double moment = this->Tilt.moment(result.normalForce, share * memory);
+  result.tilt = this->Tilt.angle();
+  result.torque = this->Tilt.torque(moment);
+  // Where the form promises an energy, what its tilt changes by from place to place belongs to it.
+  if (this->Settings.form == ForceForm::EnergyConsistent ||
+    (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth))
+  {
+    result.force += this->Tilt.forceBeside(
+      moment, this->LastCorners, this->weightGradients(place), this->Body.response);
+  }
+}
+
+void ToolContact::addFriction(const BlendedResponse& response, Contact& result) noexcept
+{
+  if (this->IsInTime)
+  {
+    result.friction = this->Relaxation.slide(result.contactPoint, result.normal);
+    result.force += result.friction;
+  }
+  if (!(this->Settings.friction.coefficient > 0.0))
+  {
+    return;
+  }
+  const Friction::Result friction = this->Resistance.update(
+    result.contactPoint, result.normal, result.normalForce, result.deflection, response);
+  result.friction = this->IsInTime ? result.friction + friction.force : friction.force; // -0 stays
+  result.force += friction.force;
+  if (!friction.sliding && result.state == ContactState::Slide)
+  {
+    result.state = ContactState::Stick;
+  }
+}
+} // namespace palpate
