@@ -12,7 +12,7 @@
  *   deep, by 0.1 mm a notch;
  * - wheel without a button: it presses too, WheelDepth deep, 0.1 mm more or less a notch; at 0 it
  *   hovers again.
- * - wheel with Shift, and keys [ ] { }: the tool leans, by TiltPerNotch, against the normal there
+ * - wheel with Shift, and keys [ ] { }: the tool leans, by 2.5 degrees, against the normal there
  *   (or against the plane of the picture); 0: upright.
  * - with Steering ViewPlane (key v) the pointer moves the tip in the plane through it that is
  *   parallel to the picture, through free space and body alike, and the wheel moves it away from

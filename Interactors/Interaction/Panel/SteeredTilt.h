@@ -13,6 +13,7 @@ class SteeredTilt
 {
 public:
   static constexpr double Largest = 60.0; ///< degrees
+  static constexpr double PerNotch = 2.5; ///< of a wheel, or a key; degrees
 
   /// To the right and away from the viewer, degrees; no more than Largest either way.
   void set(double right, double away);

@@ -218,8 +218,8 @@ TEST(BodyCoupling, IsSymmetricAndKnowsItsGradients)
   arrays.coupling.modes = modes.data();
   arrays.coupling.modeCount = 3;
   EXPECT_EQ(faultOfCoupling(arrays.coupling, ball.points.size()), "");
-  const ContactBody body(ball.points.front().data(), ball.points.size(),
-    ball.triangles.front().data(), ball.triangles.size(), arrays);
+  const auto made = contactBody(ball, arrays);
+  const ContactBody& body = *made;
   const BodyCoupling& coupling = *body.coupling;
   int facing = 0;
   const auto count = static_cast<std::int32_t>(body.surface.triangleCount());
@@ -264,8 +264,8 @@ TEST(BodyCoupling, OfOppositeSidesIsThatOfTheModes)
   arrays.coupling.modulus = 1.0;
   arrays.coupling.modes = modes.data();
   arrays.coupling.modeCount = 1;
-  const ContactBody body(slab.points.front().data(), slab.points.size(),
-    slab.triangles.front().data(), slab.triangles.size(), arrays);
+  const auto made = contactBody(slab, arrays);
+  const ContactBody& body = *made;
   const auto under = [&body](const Vector3& tip)
   {
     const auto near = body.tree.closest(tip);

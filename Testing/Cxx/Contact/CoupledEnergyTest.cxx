@@ -146,9 +146,7 @@ struct VariedBody
     arrays.coupling.localThickness = this->thickness.data();
     arrays.coupling.modes = this->modes.data();
     arrays.coupling.modeCount = 2;
-    return std::make_unique<ContactBody>(this->surface.points.front().data(),
-      this->surface.points.size(), this->surface.triangles.front().data(),
-      this->surface.triangles.size(), arrays);
+    return contactBody(this->surface, arrays);
   }
 
   Surface surface;

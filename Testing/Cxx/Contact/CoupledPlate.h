@@ -46,9 +46,7 @@ struct CoupledPlate
     {
       arrays.coupling = this->terms;
     }
-    return std::make_unique<ContactBody>(this->surface.points.front().data(),
-      this->surface.points.size(), this->surface.triangles.front().data(),
-      this->surface.triangles.size(), arrays);
+    return contactBody(this->surface, arrays);
   }
 
   Surface surface;

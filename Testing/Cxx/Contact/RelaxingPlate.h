@@ -48,9 +48,7 @@ struct RelaxingPlate
     ResponseArrays arrays = this->store.arrays();
     arrays.exponent = this->curveExponent;
     arrays.relaxation = this->terms;
-    return std::make_unique<ContactBody>(this->surface.points.front().data(),
-      this->surface.points.size(), this->surface.triangles.front().data(),
-      this->surface.triangles.size(), arrays);
+    return contactBody(this->surface, arrays);
   }
 
   Surface surface;

@@ -109,12 +109,17 @@ Vector3 ResponseStore::normalOf(std::size_t point) const
   return Eigen::Map<const Eigen::Vector3f>(this->normal.data() + 3 * point).cast<double>();
 }
 
-std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store)
+std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseArrays& responses)
 {
   return std::make_unique<ContactBody>(
     surface.points.empty() ? nullptr : surface.points.front().data(), surface.points.size(),
     surface.triangles.empty() ? nullptr : surface.triangles.front().data(),
-    surface.triangles.size(), store.arrays());
+    surface.triangles.size(), responses);
+}
+
+std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store)
+{
+  return contactBody(surface, store.arrays());
 }
 
 void takeMeshNormals(ResponseStore& store, const Surface& surface)

@@ -45,6 +45,7 @@ struct ResponseStore
   EdgeTerms edges; ///< not felt, unless set
 };
 
+std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseArrays& responses);
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store);
 
 /// Every force form on every surface, without friction.

@@ -45,8 +45,7 @@ std::unique_ptr<ContactBody> tiltable(const Surface& surface, const ResponseStor
   arrays.tilt.weight = weight;
   arrays.relaxation.series = series;
   arrays.relaxation.exponent = 1.5;
-  return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
-    surface.triangles.front().data(), surface.triangles.size(), arrays);
+  return contactBody(surface, arrays);
 }
 
 /// A plate at z = 0 with F = 10 δ^1.5.

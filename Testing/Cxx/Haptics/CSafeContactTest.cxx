@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of the C interface with mapping, safety, clutch and scenes gives the numbers of
 // ServoStep.
-#include "Haptics/palpate.h"
-
-#include "Contact/FlatBodyFile.h"
-#include "SampleResponses.h"
-#include "ScratchFile.h"
+#include "CBall.h"
 #include "Haptics/Servo/ServoStep.h"
 
 #include <Eigen/Geometry>
@@ -26,42 +22,6 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-using BodyHandle = std::unique_ptr<palpate_body, decltype(&palpate_body_free)>;
-using ContactHandle = std::unique_ptr<palpate_contact, decltype(&palpate_contact_free)>;
-using SceneHandle = std::unique_ptr<palpate_scene, decltype(&palpate_scene_free)>;
-
-/// The same ball for C and for C++: F = `factor` 10 δ^1.5 N.
-struct Ball
-{
-  BodyHandle c{ nullptr, &palpate_body_free };
-  std::shared_ptr<const palpate::ContactBody> kernel;
-
-  explicit Ball(float factor)
-  {
-    const Surface ball = icosphere(20.0, 3);
-    ResponseStore store(ball.points.size());
-    store.normalsFromPoints(ball);
-    for (std::vector<float>* values : { &store.force, &store.stiffness })
-    {
-      std::for_each(values->begin(), values->end(), [factor](float& value) { value *= factor; });
-    }
-    const std::vector<float> validity(ball.points.size(), 1.0F);
-    const std::vector<std::uint8_t> limit(ball.points.size(), 0);
-    palpate::FlatBody body;
-    body.points = ball.points.size();
-    body.triangles = ball.triangles.size();
-    body.coordinates = ball.points.front().data();
-    body.corners = ball.triangles.front().data();
-    body.response = store.arrays();
-    body.validity = validity.data();
-    body.limit = limit.data();
-    const ScratchFile scratch(".palpate");
-    EXPECT_EQ(palpate::FlatBodyFile::write(scratch.path(), body), "");
-    this->c.reset(palpate_body_load(scratch.path().c_str(), nullptr, 0));
-    this->kernel = contactBody(ball, store);
-  }
-};
 
 palpate_safety usualSafety()
 {
@@ -114,8 +74,8 @@ void expectSame(const palpate_full_tick& c, const palpate::Tick& expected)
 
 TEST(CSafeContact, StepsAsServoStepDoesThroughAllThereIs)
 {
-  const Ball soft(1.0F);
-  const Ball hard(6.0F);
+  const CBall soft(1.0F);
+  const CBall hard(6.0F);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
   palpate_mapping place;
@@ -247,7 +207,7 @@ TEST(CSafeContact, DefaultsAreThoseOfTheKernel)
 TEST(CSafeContact, EachSafetyReachesTheChain)
 {
   // Switched off one by one, the contact is the plain one again.
-  const Ball ball(3.0F);
+  const CBall ball(3.0F);
   palpate_safety safety = usualSafety();
   safety.maximum_force = 5.0;
   safety.maximum_force_rate = 500.0;
@@ -284,7 +244,7 @@ TEST(CSafeContact, EachSafetyReachesTheChain)
 
 TEST(CSafeContact, WhatIsOutOfRangeIsRefusedByName)
 {
-  const Ball ball(1.0F);
+  const CBall ball(1.0F);
   const palpate_safety good = usualSafety();
   EXPECT_EQ(refusal(ball.c.get(), nullptr, &good), "");
   EXPECT_EQ(refusal(nullptr, nullptr, &good), "no body is given");
@@ -337,7 +297,7 @@ TEST(CSafeContact, WhatIsOutOfRangeIsRefusedByName)
 
 TEST(CSafeContact, FitsABodyOrSaysWhyNot)
 {
-  const Ball ball(1.0F);
+  const CBall ball(1.0F);
   palpate_mapping mapping;
   palpate_mapping_default(&mapping);
   const double workspace[3] = { 0.1, 0.05, 0.2 };
@@ -364,7 +324,7 @@ TEST(CSafeContact, FitsABodyOrSaysWhyNot)
 
 TEST(CSafeContact, APlainContactStepsWithSamplesToo)
 {
-  const Ball ball(1.0F);
+  const CBall ball(1.0F);
   const ContactHandle plain{ palpate_contact_new(ball.c.get(), 10.0), &palpate_contact_free };
   palpate_sample sample;
   palpate_sample_default(&sample);
@@ -383,7 +343,7 @@ TEST(CSafeContact, APlainContactStepsWithSamplesToo)
 
 TEST(CSafeContact, ABodyMayBeFreedBeforeIt)
 {
-  Ball ball(1.0F);
+  CBall ball(1.0F);
   palpate_safety safety = usualSafety();
   safety.gate = 0;
   const ContactHandle contact = makeContact(ball.c.get(), nullptr, safety);

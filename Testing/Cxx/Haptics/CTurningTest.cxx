@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C interface with a device that turns and is sent torque gives the numbers of ServoStep.
-#include "Haptics/palpate.h"
-
-#include "Contact/FlatBodyFile.h"
+#include "CBall.h"
 #include "Haptics/Servo/ServoStep.h"
-#include "SampleResponses.h"
-#include "ScratchFile.h"
 
 #include <gtest/gtest.h>
 
@@ -19,34 +15,12 @@ using namespace palpate::testing;
 
 namespace
 {
-using BodyHandle = std::unique_ptr<palpate_body, decltype(&palpate_body_free)>;
-using ContactHandle = std::unique_ptr<palpate_contact, decltype(&palpate_contact_free)>;
-
-/// The same ball for C and for C++.
-struct Ball
+/// And what C says of settings for it.
+struct Ball : CBall
 {
-  BodyHandle c{ nullptr, &palpate_body_free };
-  std::shared_ptr<const palpate::ContactBody> kernel;
-
   Ball()
+    : CBall(1.0F)
   {
-    const Surface ball = icosphere(20.0, 3);
-    ResponseStore store(ball.points.size());
-    store.normalsFromPoints(ball);
-    const std::vector<float> validity(ball.points.size(), 1.0F);
-    const std::vector<std::uint8_t> limit(ball.points.size(), 0);
-    palpate::FlatBody body;
-    body.points = ball.points.size();
-    body.triangles = ball.triangles.size();
-    body.coordinates = ball.points.front().data();
-    body.corners = ball.triangles.front().data();
-    body.response = store.arrays();
-    body.validity = validity.data();
-    body.limit = limit.data();
-    const ScratchFile scratch(".palpate");
-    EXPECT_EQ(palpate::FlatBodyFile::write(scratch.path(), body), "");
-    this->c.reset(palpate_body_load(scratch.path().c_str(), nullptr, 0));
-    this->kernel = contactBody(ball, store);
   }
 
   ContactHandle contact(const palpate_safety& safety) const

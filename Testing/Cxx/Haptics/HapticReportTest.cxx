@@ -18,25 +18,6 @@ using namespace palpate::testing;
 namespace
 {
 template <class Report>
-HapticReportBytes packed(const Report& report)
-{
-  HapticReportBytes bytes;
-  bytes.fill(0xAA); // whatever was there before
-  pack(report, bytes);
-  return bytes;
-}
-
-/// With a sound check sum again.
-void seal(HapticReportBytes& bytes)
-{
-  const std::uint32_t sum = reportCheckSum(bytes.data(), 60);
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    bytes[60 + i] = static_cast<std::uint8_t>(sum >> (8 * i));
-  }
-}
-
-template <class Report>
 ReportDefect defectOf(const HapticReportBytes& bytes)
 {
   Report report;

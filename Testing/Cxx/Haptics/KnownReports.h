@@ -5,6 +5,7 @@
 #include "Haptics/Hid/HapticReport.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 /// One report of each kind, made by Python's struct ('<BBBBIQ6fII' for a state) and zlib.crc32, and
@@ -50,6 +51,26 @@ inline constexpr HapticReportBytes TorqueDescriptionBytes = { 0x50, 0x03, 0x01, 
   0x23, 0x3C, 0x50, 0x65, 0x6E, 0x00, 0x00, 0x00, 0x80, 0x3E, 0x00, 0x00, 0xC0, 0x3F, 0x00, 0x00,
   0x80, 0x7F, 0x63, 0x00, 0x00, 0x00, 0x93, 0x05, 0x83, 0xC8 };
 
+/// As packed into bytes that held something else.
+template <class Report>
+HapticReportBytes packed(const Report& report)
+{
+  HapticReportBytes bytes;
+  bytes.fill(0xAA);
+  pack(report, bytes);
+  return bytes;
+}
+
+/// With a sound check sum again.
+inline void seal(HapticReportBytes& bytes)
+{
+  const std::uint32_t sum = reportCheckSum(bytes.data(), 60);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    bytes[60 + i] = static_cast<std::uint8_t>(sum >> (8 * i));
+  }
+}
+
 inline StateReport knownState()
 {
   StateReport report;
@@ -92,6 +113,7 @@ inline DescriptionReport knownDescription()
   report.nonce = 99;
   return report;
 }
+
 inline StateReport knownTurnedState()
 {
   StateReport report = knownState();

@@ -224,12 +224,10 @@ TEST(TickAllocation, OfAToolThatLeans)
     arrays.exponent = 1.5;
     arrays.relaxation = plate.terms;
     arrays.tilt = tilts.views;
-    const palpate::ContactBody body(plate.surface.points.front().data(),
-      plate.surface.points.size(), plate.surface.triangles.front().data(),
-      plate.surface.triangles.size(), arrays);
+    const auto body = contactBody(plate.surface, arrays);
     for (const palpate::ContactSettings& settings : allFormsAndSurfaces())
     {
-      ToolContact contact(body, settings);
+      ToolContact contact(*body, settings);
       States states{};
       int turned = 0;
       const long before = allocationCount();

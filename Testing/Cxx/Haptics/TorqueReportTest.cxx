@@ -26,24 +26,6 @@ namespace
 /// at most √3 times that.
 constexpr double Single = 2e-7;
 
-template <class Report>
-HapticReportBytes packed(const Report& report)
-{
-  HapticReportBytes bytes;
-  bytes.fill(0xAA);
-  pack(report, bytes);
-  return bytes;
-}
-
-void seal(HapticReportBytes& bytes)
-{
-  const std::uint32_t sum = reportCheckSum(bytes.data(), 60);
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    bytes[60 + i] = static_cast<std::uint8_t>(sum >> (8 * i));
-  }
-}
-
 void putSingle(HapticReportBytes& bytes, std::size_t offset, float value)
 {
   std::memcpy(bytes.data() + offset, &value, sizeof value); // little-endian hosts alone test this

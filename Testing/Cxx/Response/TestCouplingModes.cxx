@@ -3,61 +3,21 @@
 // opposite ones on a plate held at its rim, against its solution under one of them.
 #include "FilterChecks.h"
 #include "TestBodies.h"
+#include "VolumeBlock.h"
 
-#include "vtkCellType.h"
 #include "vtkElasticCompliance.h"
 #include "vtkToolContactProbe.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace
 {
 using namespace palpate::testing;
-using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
 constexpr double Young = 10.0; // MPa
 constexpr double Poisson = 0.3;
-
-/// Voxels of 1 mm, held where `isFixed` says so.
-Grid voxels(int x, int y, int z, const std::function<bool(int, int)>& isFixed)
-{
-  auto grid = Grid::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkUnsignedCharArray> fixed;
-  fixed->SetName("Fixed");
-  for (int k = 0; k <= z; ++k)
-  {
-    for (int j = 0; j <= y; ++j)
-    {
-      for (int i = 0; i <= x; ++i)
-      {
-        points->InsertNextPoint(i, j, k);
-        fixed->InsertNextValue(isFixed(i, j) ? 7 : 0);
-      }
-    }
-  }
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(fixed);
-  const auto id = [&](int i, int j, int k) -> vtkIdType { return (k * (y + 1) + j) * (x + 1) + i; };
-  for (int k = 0; k < z; ++k)
-  {
-    for (int j = 0; j < y; ++j)
-    {
-      for (int i = 0; i < x; ++i)
-      {
-        const std::array<vtkIdType, 8> corners = { id(i, j, k), id(i + 1, j, k), id(i, j + 1, k),
-          id(i + 1, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i, j + 1, k + 1),
-          id(i + 1, j + 1, k + 1) };
-        grid->InsertNextCell(VTK_VOXEL, 8, corners.data());
-      }
-    }
-  }
-  return grid;
-}
 
 vtkSmartPointer<vtkElasticCompliance> solved(vtkUnstructuredGrid* grid, int modes)
 {

@@ -4,18 +4,16 @@
 // abort. The kernel: GlobalModesTest.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
+#include "VolumeBlock.h"
 #include "Mechanics/FiniteElements/GlobalModes.h"
 
-#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkElasticCompliance.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -26,7 +24,6 @@
 namespace
 {
 using namespace palpate::testing;
-using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 using Vector = std::array<double, 3>;
 
 constexpr int Length = 40; // of the bar, mm
@@ -35,39 +32,7 @@ constexpr int Side = 4;
 /// length × side × side voxels of 1 mm, held at x = 0.
 Grid bar(int length = Length, int side = Side)
 {
-  auto grid = Grid::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkUnsignedCharArray> fixed;
-  fixed->SetName("Fixed");
-  for (int k = 0; k <= side; ++k)
-  {
-    for (int j = 0; j <= side; ++j)
-    {
-      for (int i = 0; i <= length; ++i)
-      {
-        points->InsertNextPoint(i, j, k);
-        fixed->InsertNextValue(i == 0 ? 7 : 0);
-      }
-    }
-  }
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(fixed);
-  const auto id = [&](int i, int j, int k) -> vtkIdType
-  { return (k * (side + 1) + j) * (length + 1) + i; };
-  for (int k = 0; k < side; ++k)
-  {
-    for (int j = 0; j < side; ++j)
-    {
-      for (int i = 0; i < length; ++i)
-      {
-        const std::array<vtkIdType, 8> corners = { id(i, j, k), id(i + 1, j, k), id(i, j + 1, k),
-          id(i + 1, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i, j + 1, k + 1),
-          id(i + 1, j + 1, k + 1) };
-        grid->InsertNextCell(VTK_VOXEL, 8, corners.data());
-      }
-    }
-  }
-  return grid;
+  return voxels(length, side, side, [](int i, int) { return i == 0; });
 }
 
 vtkSmartPointer<vtkElasticCompliance> makeFilter(vtkUnstructuredGrid* grid, int modes)

@@ -13,6 +13,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace palpate::testing
@@ -60,6 +61,43 @@ inline Grid block(int side, int height, int cellType = VTK_VOXEL)
           std::swap(corners[6], corners[7]);
         }
         grid->InsertNextCell(cellType, 8, corners.data());
+      }
+    }
+  }
+  return grid;
+}
+
+/// x × y × z voxels of 1 mm, held where `isFixed(i, j)` says so of their corners along x and y.
+inline Grid voxels(int x, int y, int z, const std::function<bool(int, int)>& isFixed)
+{
+  auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> fixed;
+  fixed->SetName("Fixed");
+  for (int k = 0; k <= z; ++k)
+  {
+    for (int j = 0; j <= y; ++j)
+    {
+      for (int i = 0; i <= x; ++i)
+      {
+        points->InsertNextPoint(i, j, k);
+        fixed->InsertNextValue(isFixed(i, j) ? 7 : 0);
+      }
+    }
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(fixed);
+  const auto id = [&](int i, int j, int k) -> vtkIdType { return (k * (y + 1) + j) * (x + 1) + i; };
+  for (int k = 0; k < z; ++k)
+  {
+    for (int j = 0; j < y; ++j)
+    {
+      for (int i = 0; i < x; ++i)
+      {
+        const std::array<vtkIdType, 8> corners = { id(i, j, k), id(i + 1, j, k), id(i, j + 1, k),
+          id(i + 1, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i, j + 1, k + 1),
+          id(i + 1, j + 1, k + 1) };
+        grid->InsertNextCell(VTK_VOXEL, 8, corners.data());
       }
     }
   }

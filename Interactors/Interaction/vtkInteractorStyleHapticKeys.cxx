@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The keys of vtkInteractorStyleHaptic, and the help that lists them.
+#include "vtkInteractorStyleHaptic.h"
+
+#include "Interaction/Panel/KeyHelp.h"
+#include "Interaction/Panel/SteeredTilt.h"
+#include "vtkContactScene.h"
+#include "vtkHapticSession.h"
+#include "vtkSessionFiles.h"
+
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <map>
+
+namespace
+{
+constexpr double LargestExaggeration = 64.0;
+
+const std::map<char, unsigned long> ToldKeys = { { ' ', vtkInteractorStyleHaptic::SwitchEvent },
+  { 'c', vtkInteractorStyleHaptic::CompareEvent }, { 'g', vtkInteractorStyleHaptic::ChartsEvent },
+  { 't', vtkInteractorStyleHaptic::HistogramEvent } };
+} // namespace
+
+void vtkInteractorStyleHaptic::OnChar()
+{
+  if (!this->DoKey(this->Interactor->GetKeyCode()))
+  {
+    this->Superclass::OnChar();
+  }
+}
+
+/// False for a key that this style leaves to the one it is made of.
+bool vtkInteractorStyleHaptic::DoKey(char key)
+{
+  if (key >= '1' && key <= '9')
+  {
+    int tool = key - '1';
+    this->InvokeEvent(ToolChosenEvent, &tool);
+    return true;
+  }
+  if (const auto told = ToldKeys.find(key); told != ToldKeys.end())
+  {
+    this->InvokeEvent(told->second);
+    return true;
+  }
+  // X tells the key without the shift: / and = are ? and + of an American keyboard.
+  using Style = vtkInteractorStyleHaptic;
+  static const std::map<char, void (*)(Style&)> actions = {
+    { '?', [](Style& style) { style.SetHelpVisibility(!style.GetHelpVisibility()); } },
+    { '[', [](Style& style) { style.Lean(-palpate::SteeredTilt::PerNotch, 0.0); } },
+    { ']', [](Style& style) { style.Lean(palpate::SteeredTilt::PerNotch, 0.0); } },
+    { '{', [](Style& style) { style.Lean(0.0, -palpate::SteeredTilt::PerNotch); } },
+    { '}', [](Style& style) { style.Lean(0.0, palpate::SteeredTilt::PerNotch); } },
+    { '0', [](Style& style) { style.Lean(-style.Tilt->right(), -style.Tilt->away()); } },
+    { 'v',
+      [](Style& style) { style.SetSteering(style.Steering == Surface ? ViewPlane : Surface); } },
+    { '+', [](Style& style) { style.Exaggerate(2.0); } },
+    { '-', [](Style& style) { style.Exaggerate(0.5); } },
+    { 'x',
+      [](Style& style)
+      {
+        if (style.Session)
+        {
+          style.Session->Toggle();
+        }
+      } },
+    { 'k',
+      [](Style& style)
+      {
+        if (style.Files)
+        {
+          style.Files->ToggleRecording();
+        }
+      } },
+    { 'p',
+      [](Style& style)
+      {
+        if (style.Files)
+        {
+          style.Files->WritePicture();
+        }
+      } },
+    { 'r',
+      [](Style& style)
+      {
+        vtkRenderer* renderer = style.Scene ? style.Scene->GetRenderer() : nullptr;
+        if (renderer)
+        {
+          renderer->ResetCamera();
+        }
+      } },
+  };
+  static const std::map<char, char> sameAs = { { '/', '?' }, { 'h', '?' }, { '=', '+' } };
+  const auto same = sameAs.find(key);
+  const auto action = actions.find(same == sameAs.end() ? key : same->second);
+  if (action == actions.end())
+  {
+    return false;
+  }
+  action->second(*this);
+  return true;
+}
+
+void vtkInteractorStyleHaptic::SetHelpVisibility(bool visible)
+{
+  this->Help->show(visible && this->Scene ? this->Scene->GetRenderer() : nullptr);
+  this->Modified();
+}
+
+bool vtkInteractorStyleHaptic::GetHelpVisibility() const
+{
+  return this->Help->isShown();
+}
+
+void vtkInteractorStyleHaptic::SetKeyHelp(const std::string& text)
+{
+  this->Help->setText(text);
+  this->Modified();
+}
+
+std::string vtkInteractorStyleHaptic::GetKeyHelp() const
+{
+  return this->Help->text();
+}
+
+void vtkInteractorStyleHaptic::Exaggerate(double factor)
+{
+  if (this->Scene)
+  {
+    this->Scene->SetExaggeration(
+      std::clamp(factor * this->Scene->GetExaggeration(), 1.0, LargestExaggeration));
+  }
+}
