@@ -80,7 +80,7 @@ Place deepestOf(const AxisymmetricTool& tool, double angle)
 
 Place deepestPlace(const AxisymmetricTool& tool, double angle)
 {
-  const std::optional<ToolSpecification> known = specificationOf(tool);
+  const std::optional<ToolSpecification> known = knownSpecification(tool);
   if (!known)
   {
     return deepestOf(tool, angle);
@@ -120,7 +120,7 @@ Place deepestPlace(const AxisymmetricTool& tool, double angle)
 /// Where the steepest part of the flank lies on the body, rad; a right angle where it never does.
 double flankAngle(const AxisymmetricTool& tool)
 {
-  const std::optional<ToolSpecification> known = specificationOf(tool);
+  const std::optional<ToolSpecification> known = knownSpecification(tool);
   if (known && known->Shape == ToolShape::Profile)
   {
     const std::vector<ProfilePoint>& points = known->Profile;

@@ -76,7 +76,7 @@ TiltedHalfSpace::TiltedHalfSpace(const AxisymmetricTool& tool, double depth, dou
   , Drop(tool, largest)
   , DropScale(dropScaleOf(tool))
 {
-  const std::optional<ToolSpecification> specification = specificationOf(tool);
+  const std::optional<ToolSpecification> specification = knownSpecification(tool);
   if (specification)
   {
     const ToolShape shape = specification->Shape;
@@ -116,7 +116,7 @@ void TiltedHalfSpace::solveRows(double depth)
   {
     angles[column] = this->Drop.largest() * static_cast<double>(column) / AngleCells;
   }
-  const std::optional<ToolSpecification> specification = specificationOf(this->Tool);
+  const std::optional<ToolSpecification> specification = knownSpecification(this->Tool);
   std::vector<TiltedForce> solved(rows * columns);
   shareWork(rows * columns,
     [&](std::size_t i)

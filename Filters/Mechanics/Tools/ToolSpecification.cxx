@@ -226,7 +226,7 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
   return false;
 }
 
-std::optional<ToolSpecification> specificationOf(const AxisymmetricTool& tool)
+std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool)
 {
   ToolSpecification read;
   std::string error;
@@ -236,7 +236,7 @@ std::optional<ToolSpecification> specificationOf(const AxisymmetricTool& tool)
 
 std::unique_ptr<AxisymmetricTool> scaledTool(const AxisymmetricTool& tool, double factor)
 {
-  const std::optional<ToolSpecification> own = specificationOf(tool);
+  const std::optional<ToolSpecification> own = knownSpecification(tool);
   if (!isLength(factor) || !own)
   {
     return nullptr;

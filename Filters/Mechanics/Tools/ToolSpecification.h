@@ -63,7 +63,7 @@ PALPATE_EXPORT bool parseTool(
   const std::string& text, ToolSpecification& specification, std::string& error);
 
 /// What a tool says of itself, read back; nothing of one that has no writing.
-PALPATE_EXPORT std::optional<ToolSpecification> specificationOf(const AxisymmetricTool& tool);
+PALPATE_EXPORT std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool);
 
 /// The same tool with all lengths times `factor` > 0: its force law is F(δ) → factor² F(δ/factor).
 /// A cone, and a power law of exponent 1, have no length: there tan α grows by the factor. Null if
