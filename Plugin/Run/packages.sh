@@ -47,6 +47,7 @@ declare -rA needs=(
   [package]='core vtk python plugin deb:palpatePacked'
   [docs]='core vtk python pictures docs display:palpatePython'
   [test]='core vtk python plugin tests head display:all'
+  [test-ci]='core vtk python plugin tests head display style sanitizers plain docs deb:all'
   [test-all]='core vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
   [build]='core vtk python plugin tests head display benchmarks style pictures:all palpateLong'
 )

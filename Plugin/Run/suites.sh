@@ -142,7 +142,7 @@ read_log()
 
 add_row() { table+=("$(printf '%-9s %9s %7s %8s %8s s %7s s' "$@")"); }
 
-# Whether the long tests and the other suites are asked for.
+# Whether the long tests are asked for.
 long_tests=
 is_long() { [ -n "$long_tests" ]; }
 
@@ -150,9 +150,11 @@ is_long() { [ -n "$long_tests" ]; }
 run_test()
 {
   local job=test suites=(release)
-  if is_ci || [ "${1:-}" = --all ]; then
-    [ "${1:-}" != --all ] || shift
+  if [ "${1:-}" = --all ]; then
+    shift
     job=test-all suites=(release plain-vtk asan tsan) long_tests=yes
+  elif is_ci; then
+    job=test-ci suites=(release plain-vtk asan tsan)
   fi
   prepare_system "$job"
   local failed=0 preset total_run=0 total_skipped=0 table=() labels=()
@@ -173,7 +175,7 @@ run_test()
   fi
   if [ $failed -eq 0 ]; then
     echo "All tests passed, but for $total_skipped skipped."
-    is_long || echo "The long ones, and those of the other suites, are run by: ./run test --all"
+    is_long || echo "All suites, and the long tests, are run by: ./run test --all"
   else
     for preset in "${suites[@]}"; do show_failures "$preset"; done
     echo 'THERE WERE FAILURES.'
