@@ -39,7 +39,6 @@ LEFT_OUT = {
     "ClosedForm.LoadInsideNearTheAxis": LONG,
     "ResponseEnergy.ClosedFormOfPowerLaws": LONG,
     "ClosedForm.NormalDisplacementOutside": LONG,
-    "IdentificationCoverage.*": "thousands of identifications; BodyIdentification.* remains",
     "LayerContact.DenseSolution": TABLES,
     "LayerTable.SeveralPoissonsRatios": TABLES,
     "LayerTable.AnyThickness": TABLES,
