@@ -30,7 +30,7 @@
 
 namespace
 {
-constexpr vtkIdType CellsBetweenLooks = 4096; // whether to stop
+constexpr vtkIdType ScannedBetweenLooks = 4096; // whether to stop
 constexpr int MostPlaces = 64;
 
 using palpate::ElasticMaterial;
@@ -355,7 +355,7 @@ std::string vtkScannedMaterial::Map(
     const ElasticMaterial material = tissue.material();
     young->SetValue(cell, material.youngsModulus);
     poisson->SetValue(cell, material.poissonRatio);
-    if (cell % CellsBetweenLooks == 0 &&
+    if (cell % ScannedBetweenLooks == 0 &&
       !palpate::FilterStage{ this, 0.0, 1.0 }(
         static_cast<double>(cell) / static_cast<double>(cells)))
     {

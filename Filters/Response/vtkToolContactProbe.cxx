@@ -15,6 +15,7 @@
 #include "Response/Touch/TipPoses.h"
 #include "Response/Touch/TipTimes.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -239,11 +240,21 @@ int vtkToolContactProbe::RequestData(
     }
     palpate::ContactArrays arrays(
       tips->GetNumberOfPoints(), this->Body->relaxation != nullptr, palpate::haveAxes(tips));
-    const auto touch = this->Coupled ? palpate::touchTogether : palpate::touchWithTips;
-    touch(*this->Body, tips, settings, this->Indentation,
+    const palpate::TipVisitor store =
       [&arrays, firstPoly](vtkIdType tip, const palpate::Contact& contact, const palpate::Vector3&)
-      { arrays.store(tip, contact, firstPoly); });
+    { arrays.store(tip, contact, firstPoly); };
     output->ShallowCopy(tips);
+    if (this->Coupled)
+    {
+      vtkNew<vtkDoubleArray> stiffness;
+      stiffness->SetName("CoupledStiffness");
+      palpate::touchTogether(*this->Body, tips, settings, this->Indentation, store, stiffness);
+      output->GetPointData()->AddArray(stiffness);
+    }
+    else
+    {
+      palpate::touchWithTips(*this->Body, tips, settings, this->Indentation, store);
+    }
     arrays.attach(output);
     palpate::addContactErrors(body, this->ResponseName, output);
   }

@@ -49,6 +49,10 @@
  *   Time;
  * - `Torque` (double 3, N mm), about the tip, and `Tilt` (double, degrees), of the axis from
  * Normal, where the tips have a ToolAxis;
+ * - `CoupledStiffness` (double k, N/mm), with Coupled: by how much NormalForce, but for memory,
+ *   rises with the depth of each of the up to k tips that press at once, in the order of their
+ *   polylines, or of the points; its own among them, zeros for those without force. On one process
+ *   only;
  * - `RelativeError` (double), where the response keeps its error: the estimated error of Force,
  *   relative, blended as the force is; 0 without contact, NaN beyond range. On one process only.
  *

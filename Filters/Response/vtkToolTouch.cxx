@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkToolTouch.h"
 
-#include "Response/Touch/ContactArrow.h"
-#include "Response/Touch/DentedBody.h"
+#include "Response/Touch/CoupledTips.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
 #include "Response/ContactArrays.h"
-#include "Response/Pieces/ChosenTip.h"
 #include "Response/Pieces/Ranks.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"
 #include "Response/RoundNumber.h"
 #include "Response/Touch/TouchStart.h"
 #include "Response/Touch/TipContacts.h"
-#include "Response/Touch/ToolSurface.h"
 #include "Response/Touch/TouchText.h"
 #include "Response/Touch/TouchedBody.h"
 #include "vtkContactSettings.h"
 #include "vtkContactTool.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -40,30 +33,22 @@ namespace
 {
 constexpr double ProbeShare = 0.9; // of the progress
 constexpr double ArrowShare = 0.2; // of the body's diagonal: the force at half of Range
-constexpr double ToolShare = 0.25;
-constexpr double ArrowThickness = 0.012;
-constexpr double WidestTool = 0.25; // of its length, where its profile widens for ever
 
 using palpate::Vector3;
 
-vtkSmartPointer<vtkPolyData> singleTip(const Vector3& position)
+vtkSmartPointer<vtkPolyData> tipsAt(const std::vector<palpate::Touch>& touches)
 {
-  auto tip = vtkSmartPointer<vtkPolyData>::New();
+  auto tips = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->InsertNextPoint(position.data());
-  tip->SetPoints(points);
-  return tip;
+  for (const palpate::Touch& touch : touches)
+  {
+    points->InsertNextPoint(touch.tip.data());
+  }
+  tips->SetPoints(points);
+  return tips;
 }
 
-void addField(vtkPolyData* to, const char* name, const double* values, int components)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->InsertNextTuple(values);
-  to->GetFieldData()->AddArray(array);
-}
 } // namespace
 
 vtkStandardNewMacro(vtkToolTouch);
@@ -72,6 +57,7 @@ vtkToolTouch::vtkToolTouch()
   : Settings(vtkSmartPointer<vtkContactSettings>::New())
   , Touched(std::make_unique<palpate::TouchedBody>())
   , Field(std::make_unique<palpate::BodyField>())
+  , SecondField(std::make_unique<palpate::BodyField>())
 {
   this->SetNumberOfOutputPorts(4);
 }
@@ -141,9 +127,14 @@ bool vtkToolTouch::CheckSettings()
 {
   const auto isLength = [](double value) { return std::isfinite(value) && value >= 0.0; };
   const Vector3 tip(this->TipPosition);
+  const Vector3 second(this->SecondTipPosition);
   if (!tip.allFinite())
   {
     vtkErrorMacro(<< "TipPosition must be finite (mm), but is " << tip.transpose() << ".");
+  }
+  else if (this->SecondTip && !second.allFinite())
+  {
+    vtkErrorMacro(<< "SecondTipPosition must be finite (mm), but is " << second.transpose() << ".");
   }
   else if (!isLength(this->Indentation))
   {
@@ -219,15 +210,10 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   return true;
 }
 
-void vtkToolTouch::Probe(palpate::Touch& touch)
+palpate::Touch vtkToolTouch::PressAlone(const double position[3])
 {
-  if (!this->TipIsSet && !this->StartIsFound)
-  {
-    const palpate::TouchedPlace place = palpate::findTouchStart(*this->Touched, this->Tool, {});
-    std::copy_n(place.point.data(), 3, this->Start);
-    this->StartIsFound = true;
-  }
-  touch.tip = Vector3(this->TipIsSet ? this->TipPosition : this->Start);
+  palpate::Touch touch;
+  touch.tip = Vector3(position);
   touch.nearest = this->Touched->nearest(touch.tip);
   double depth = this->Indentation;
   if (this->Snap && touch.nearest.cell >= 0)
@@ -236,95 +222,74 @@ void vtkToolTouch::Probe(palpate::Touch& touch)
     depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
   }
   // One tip: it has no history, so that nothing of friction is asked.
-  const vtkIdType firstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
-  vtkPolyData* probed = this->Probed;
-  probed->ShallowCopy(singleTip(touch.tip));
-  palpate::ContactArrays arrays(1);
-  palpate::touchWithTips(*this->Contact, probed, this->Settings->GetKernel(), depth,
-    [&](vtkIdType tip, const palpate::Contact& contact, const Vector3&)
-    {
-      touch.contact = contact;
-      arrays.store(tip, contact, firstPoly);
-    });
-  arrays.attach(probed);
-  const palpate::Contact& contact = touch.contact;
-  if (contact.triangle >= 0)
+  palpate::touchWithTips(*this->Contact, tipsAt({ touch }), this->Settings->GetKernel(), depth,
+    [&touch](vtkIdType, const palpate::Contact& contact, const Vector3&)
+    { touch.contact = contact; });
+  if (touch.contact.triangle >= 0)
   {
-    touch.place = this->Touched->placeIn(firstPoly + contact.triangle, contact.contactPoint);
-    touch.tip -= depth * contact.normal;
-    touch.range = this->Touched->range(touch.place);
-    touch.stiffness = this->Touched->stiffness(touch.place, contact.deflection);
-    touch.validity = this->Touched->validity(touch.place, contact.deflection);
+    touch.tip -= depth * touch.contact.normal;
   }
   else
   {
     const Vector3 away = touch.tip - touch.nearest.point;
     touch.contact.normal = away.norm() > 0.0 ? Vector3(away.normalized()) : Vector3::UnitZ();
   }
-  touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;
+  return touch;
 }
 
-bool vtkToolTouch::MakeDent(const palpate::Touch& touch, vtkPolyData* output)
+std::vector<palpate::Touch> vtkToolTouch::Probe()
 {
-  const double radius =
-    touch.touches() ? this->Tool->GetContactRadius(touch.contact.deflection) : 0.0; // mm
-  palpate::ChosenTip tip;
-  palpate::chooseTip(palpate::Ranks(), this->Probed, 0, tip);
-  vtkNew<vtkFloatArray> displacement;
-  const std::string fault = this->Field->displace(palpate::Ranks(), this->Body, tip.contact, 0,
-    { this->Tool->GetKernel(), this->ResponseName,
-      { this->PoissonRatio, std::isfinite(radius) ? this->Reach * radius : 0.0 } },
-    displacement);
-  if (this->Fail(fault))
+  if (!this->TipIsSet && !this->StartIsFound)
   {
-    return false;
+    const palpate::TouchedPlace place = palpate::findTouchStart(*this->Touched, this->Tool, {});
+    std::copy_n(place.point.data(), 3, this->Start);
+    this->StartIsFound = true;
   }
-  for (const std::string& warning : this->Field->warnings())
+  std::vector<palpate::Touch> touches{ this->PressAlone(
+    this->TipIsSet ? this->TipPosition : this->Start) };
+  if (this->SecondTip)
   {
-    vtkWarningMacro(<< warning << ".");
+    touches.push_back(this->PressAlone(this->SecondTipPosition));
   }
-  output->ShallowCopy(this->Body);
-  output->GetPointData()->AddArray(displacement);
-  palpate::dentBody(output, displacement, touch.contact.normal);
-  return true;
-}
-
-bool vtkToolTouch::MakeTool(const palpate::Touch& touch, vtkPolyData* output)
-{
-  const double length =
-    this->ToolLength > 0.0 ? this->ToolLength : ToolShare * this->Body->GetLength();
-  if (this->Fail(palpate::makeToolSurface(
-        *this->Tool->GetKernel(), { length, WidestTool * length }, output)))
+  const bool isCoupled = touches.size() > 1 && this->Contact->coupling;
+  this->Probed->ShallowCopy(tipsAt(touches));
+  if (isCoupled)
   {
-    return false;
+    palpate::touchTogether(*this->Contact, this->Probed, this->Settings->GetKernel(), 0.0,
+      [&touches](vtkIdType tip, const palpate::Contact& contact, const Vector3&)
+      {
+        palpate::Touch& touch = touches[static_cast<std::size_t>(tip)];
+        if (contact.triangle >= 0)
+        {
+          touch.sunk = touch.contact.deflection - contact.deflection;
+          touch.contact = contact;
+        }
+      });
   }
-  palpate::standTool(touch.tip, touch.contact.normal, output);
-  return true;
-}
-
-void vtkToolTouch::MakeArrow(const palpate::Touch& touch, vtkPolyData* output)
-{
-  output->ShallowCopy(palpate::makeContactArrow(
-    touch.tip, touch.scale * touch.contact.force, ArrowThickness * this->Body->GetLength()));
-  vtkNew<vtkDoubleArray> force;
-  force->SetName("Force");
-  force->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  const vtkIdType firstPoly = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
+  palpate::ContactArrays arrays(static_cast<vtkIdType>(touches.size()));
+  for (std::size_t i = 0; i < touches.size(); ++i)
   {
-    force->InsertNextTuple(touch.contact.force.data());
+    palpate::Touch& touch = touches[i];
+    const palpate::Contact& contact = touch.contact;
+    palpate::Contact stored = contact;
+    if (contact.triangle >= 0)
+    {
+      touch.place = this->Touched->placeIn(firstPoly + contact.triangle, contact.contactPoint);
+      touch.range = this->Touched->range(touch.place);
+      touch.stiffness = this->Touched->stiffness(touch.place, contact.deflection);
+      touch.validity = this->Touched->validity(touch.place, contact.deflection);
+    }
+    else
+    {
+      stored.normal = Vector3::Zero(); // that of the display is none of the contact
+    }
+    touch.isAlone = touches.size() > 1 && !isCoupled;
+    touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;
+    arrays.store(static_cast<vtkIdType>(i), stored, firstPoly);
   }
-  output->GetPointData()->AddArray(force);
-  vtkPointData* probed = this->Probed->GetPointData();
-  for (int i = 0; i < probed->GetNumberOfArrays(); ++i)
-  {
-    output->GetFieldData()->AddArray(probed->GetArray(i));
-  }
-  const double validity = touch.validity.known ? touch.validity.depth : HUGE_VAL;
-  addField(output, "TipPosition", touch.tip.data(), 3);
-  addField(output, "Stiffness", &touch.stiffness, 1);
-  addField(output, "Validity", &validity, 1);
-  addField(output, "RelativeError", &touch.validity.error, 1);
-  addField(output, "ForceScale", &touch.scale, 1);
+  arrays.attach(this->Probed);
+  return touches;
 }
 
 int vtkToolTouch::RequestData(
@@ -349,21 +314,20 @@ int vtkToolTouch::RequestData(
   {
     return 1;
   }
-  palpate::Touch touch;
   if (!this->CheckSettings() || !this->PrepareBody(body))
   {
     return 0;
   }
-  this->Probe(touch);
-  if (!this->MakeDent(touch, vtkPolyData::GetData(outputVector, BodyPort)) ||
-    !this->MakeTool(touch, vtkPolyData::GetData(outputVector, ToolPort)))
+  const std::vector<palpate::Touch> touches = this->Probe();
+  if (!this->MakeDent(touches, vtkPolyData::GetData(outputVector, BodyPort)) ||
+    !this->MakeTools(touches, vtkPolyData::GetData(outputVector, ToolPort)))
   {
     return 0;
   }
-  this->MakeArrow(touch, vtkPolyData::GetData(outputVector, ArrowPort));
+  this->MakeArrows(touches, vtkPolyData::GetData(outputVector, ArrowPort));
   vtkNew<vtkStringArray> text;
   text->SetName("Text");
-  text->InsertNextValue(palpate::describeTouch(touch, this->Tool->GetDescription()));
+  text->InsertNextValue(palpate::describeTouches(touches, this->Tool->GetDescription()));
   vtkTable::GetData(outputVector, TextPort)->AddColumn(text);
   return 1;
 }
@@ -373,6 +337,9 @@ void vtkToolTouch::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TipPosition: " << this->TipPosition[0] << ", " << this->TipPosition[1] << ", "
      << this->TipPosition[2] << (this->TipIsSet ? " mm\n" : " (not set)\n");
+  os << indent << "SecondTip: " << this->SecondTip << "\n";
+  os << indent << "SecondTipPosition: " << this->SecondTipPosition[0] << ", "
+     << this->SecondTipPosition[1] << ", " << this->SecondTipPosition[2] << " mm\n";
   os << indent << "Snap: " << this->Snap << "\n";
   os << indent << "Indentation: " << this->Indentation << " mm\n";
   os << indent << "Settings:\n";

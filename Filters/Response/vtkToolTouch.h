@@ -26,6 +26,12 @@
  * the law's first assumption breaks, the weakest of the triangle's corners; infinite if none does
  * or the response does not say) and `ForceScale` (mm/N).
  *
+ * With SecondTip another tool of the same kind presses at SecondTipPosition, placed as the first
+ * is: both dents, tools and arrows, and the numbers of both. Where the response tells how contacts
+ * couple (vtkToolContactResponse::CouplingOn) they feel one another, and Deflection is what each
+ * has of its own dent, as of vtkToolContactProbe with Coupled; otherwise each feels what it feels
+ * alone, and the numbers say so. The arrow's field arrays then have a tuple for each.
+ *
  * There is no friction: one touch has no history. For the same reason a body that relaxes is felt
  * as it is when the touch has lasted: its slow response. A body without the response is an error
  * that names the missing array; an empty body gives empty output. Of several processes (the global
@@ -44,6 +50,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkContactSettings;
 class vtkContactTool;
@@ -102,6 +109,18 @@ public:
   vtkSetMacro(Snap, bool);
   vtkGetMacro(Snap, bool);
   vtkBooleanMacro(Snap, bool);
+  ///@}
+
+  ///@{
+  /** Whether a second tool presses at once. Default off. */
+  vtkSetMacro(SecondTip, bool);
+  vtkGetMacro(SecondTip, bool);
+  vtkBooleanMacro(SecondTip, bool);
+  ///@}
+  ///@{
+  /** Where its tip is, in the body's frame, mm. Default 0, 0, 0. */
+  vtkSetVector3Macro(SecondTipPosition, double);
+  vtkGetVector3Macro(SecondTipPosition, double);
   ///@}
 
   ///@{
@@ -175,17 +194,21 @@ private:
   bool CheckSettings();
   /// Takes the body, its tool and its force scale, if they are not those of the last time.
   bool PrepareBody(vtkPolyData* body);
-  /// Puts the tip in its place and probes there.
-  void Probe(palpate::Touch& touch);
-  bool MakeDent(const palpate::Touch& touch, vtkPolyData* output);
-  bool MakeTool(const palpate::Touch& touch, vtkPolyData* output);
-  void MakeArrow(const palpate::Touch& touch, vtkPolyData* output);
+  /// Where a touch is asked for, and how it feels by itself.
+  palpate::Touch PressAlone(const double position[3]);
+  /// Puts the tips in their places and probes there.
+  std::vector<palpate::Touch> Probe();
+  bool MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
+  bool MakeTools(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
+  void MakeArrows(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   /// Reports a fault, unless it is "".
   bool Fail(const std::string& fault);
 
   vtkSmartPointer<vtkContactSettings> Settings; ///< never null
   double TipPosition[3] = { 0.0, 0.0, 0.0 };
   bool TipIsSet = false;
+  bool SecondTip = false;
+  double SecondTipPosition[3] = { 0.0, 0.0, 0.0 };
   bool Snap = true;
   double Indentation = 0.0;
   double PoissonRatio = 0.45;
@@ -194,10 +217,11 @@ private:
   double ToolLength = 0.0;
   std::string ResponseName = "Response";
 
-  vtkNew<vtkPolyData> Probed; ///< the tip, with the arrays of vtkToolContactProbe
+  vtkNew<vtkPolyData> Probed; ///< the tips, with the arrays of vtkToolContactProbe
   // The body of the last time, and what was made of it.
   std::unique_ptr<palpate::TouchedBody> Touched;
   std::unique_ptr<palpate::BodyField> Field;
+  std::unique_ptr<palpate::BodyField> SecondField;
   std::shared_ptr<const palpate::ContactBody> Contact;
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkContactTool> Tool;

@@ -10,6 +10,7 @@ import gc
 import inspect
 import math
 import os
+import pickle
 import subprocess
 import tempfile
 import unittest
@@ -325,9 +326,12 @@ class ClosedForms(unittest.TestCase):
 class Coupled(unittest.TestCase):
     """Flat ends of 2 mm on a half-space: F = 2 E* a d, and Boussinesq's 1/(pi E* r) between them."""
 
-    def forces(self, depths, apart):
+    def compliances(self, apart):
         own, other = 1 / (2 * REDUCED * 2), 1 / (math.pi * REDUCED * apart)
-        return np.linalg.solve([[own, other], [other, own]], depths)
+        return [[own, other], [other, own]]
+
+    def forces(self, depths, apart):
+        return np.linalg.solve(self.compliances(apart), depths)
 
     def test_several_tools_feel_one_another(self):
         body = palpate.response(plate(), "flat:2", young=YOUNG, poisson=POISSON, coupling=True)
@@ -335,6 +339,19 @@ class Coupled(unittest.TestCase):
         felt = palpate.probe(body, tips, coupled=True)
         np.testing.assert_allclose(felt.normal_force, self.forces([0.5, 0.4], 6.0), rtol=2e-6)      # floats
         self.assertTrue((palpate.probe(body, tips).normal_force > felt.normal_force).all())
+        forces, stiffness = felt
+        np.testing.assert_array_equal(forces, felt.forces)
+        np.testing.assert_array_equal(stiffness, felt.stiffness)
+        # Of linear springs the inverse of the compliances, and what a difference of presses shows.
+        np.testing.assert_allclose(stiffness, np.linalg.inv(self.compliances(6.0)), rtol=2e-6)
+        deeper = palpate.probe(body, tips - [[0, 0, 0], [0, 0, 0.1]], coupled=True)
+        np.testing.assert_allclose((deeper.normal_force - felt.normal_force) / 0.1, stiffness[:, 1], rtol=1e-5)
+        again = pickle.loads(pickle.dumps(felt))
+        np.testing.assert_array_equal(again.stiffness, stiffness)
+        np.testing.assert_array_equal(again.normal_force, felt.normal_force)
+        # A tool in the air has none, and takes none.
+        lifted = palpate.probe(body, tips + [[0, 0, 0], [0, 0, 1.0]], coupled=True).stiffness
+        np.testing.assert_allclose(lifted, [[2 * REDUCED * 2, 0], [0, 0]], rtol=2e-6)
         # Pairs by their times, each for itself.
         twice = palpate.probe(body, np.vstack([tips, tips - [0, 0, 0.1]]), coupled=True, time=[0, 0, 1, 1])
         np.testing.assert_array_equal(twice.forces[:2], felt.forces)
@@ -350,6 +367,8 @@ class Coupled(unittest.TestCase):
             felt = palpate.probe(body, tips, path=True, coupled=True, time=time)
             self.assertEqual(felt.forces.shape, (7, 2, 3))
             self.assertEqual(felt.deflection.shape, (7, 2))
+            self.assertEqual(felt.stiffness.shape, (7, 2, 2))
+            np.testing.assert_allclose(felt.stiffness[3], np.linalg.inv(self.compliances(6.0)), rtol=1e-5)
             for i, depth in enumerate(depths):
                 np.testing.assert_allclose(felt.normal_force[i], self.forces([depth, 0.5 * depth + 0.1], 6.0), rtol=1e-5)
 

@@ -4,6 +4,7 @@
 #include "Contact/Coupled/StiffnessBound.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -304,6 +305,49 @@ void CoupledContacts::foresee() const noexcept
   {
     contact.foresee();
   }
+}
+
+void CoupledContacts::rehearse(double elapsed) const noexcept
+{
+  for (const ToolContact& contact : this->Contacts)
+  {
+    contact.rehearse(elapsed);
+  }
+}
+
+Eigen::MatrixXd CoupledContacts::stiffness() const
+{
+  std::vector<std::size_t> felt;
+  for (std::size_t i = 0; i < this->Loads.size(); ++i)
+  {
+    if (this->Loads[i].counts())
+    {
+      felt.push_back(i);
+    }
+  }
+  const auto rows = static_cast<Eigen::Index>(felt.size());
+  Eigen::MatrixXd compliances(rows, rows);
+  for (Eigen::Index i = 0; i < rows; ++i)
+  {
+    for (Eigen::Index j = 0; j < rows; ++j)
+    {
+      const std::size_t one = felt[static_cast<std::size_t>(i)];
+      const std::size_t other = felt[static_cast<std::size_t>(j)];
+      compliances(i, j) = i == j ? 1.0 / this->Loads[one].stiffness : this->compliance(one, other);
+    }
+  }
+  const Eigen::MatrixXd inverse = compliances.partialPivLu().inverse();
+  const auto count = static_cast<Eigen::Index>(this->Loads.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index i = 0; i < rows; ++i)
+  {
+    for (Eigen::Index j = 0; j < rows; ++j)
+    {
+      all(static_cast<Eigen::Index>(felt[static_cast<std::size_t>(i)]),
+        static_cast<Eigen::Index>(felt[static_cast<std::size_t>(j)])) = inverse(i, j);
+    }
+  }
+  return all;
 }
 
 double CoupledContacts::stiffening() noexcept

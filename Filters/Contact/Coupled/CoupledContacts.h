@@ -10,6 +10,8 @@
 #include "Contact/ToolPose.h"
 #include "Mechanics/PalpateExport.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <vector>
 
@@ -70,9 +72,14 @@ public:
   void reset() noexcept;
   void lose() noexcept;
   void foresee() const noexcept;
+  void rehearse(double elapsed) const noexcept;
   /// One contact is lost, and the others feel it no more.
   void lose(std::size_t contact) noexcept;
 
+  /// By how much the slow normal force of each contact of the last update rises with the depth of
+  /// each, N/mm: ∂F_i/∂δ_j, row by row, the inverse of 1/K_i on the diagonal and C_ij beside it;
+  /// zero where one has no force. Allocates, N³ multiply-adds: not in a tick.
+  Eigen::MatrixXd stiffness() const;
   /// By how much the contacts of the last update are stiffer together than the stiffest of them
   /// alone, at least 1: no motion of them, in or out, is stiffer than that (the opposite motion of
   /// two is, by 1/(1 - K C)). A bound: exact for two, at most 13 % too large for seven, 21 % for
@@ -119,6 +126,10 @@ private:
   double solveRound() noexcept;
   void addSideForce(std::size_t contact, Contact& felt) const noexcept;
   double& compliance(std::size_t i, std::size_t j) noexcept
+  {
+    return this->Compliance[i * this->Contacts.size() + j];
+  }
+  double compliance(std::size_t i, std::size_t j) const noexcept
   {
     return this->Compliance[i * this->Contacts.size() + j];
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteStrain/FiniteBody.h"
 
-#include "Mechanics/FiniteStrain/GradedMesh.h"
+#include "Mechanics/FiniteStrain/QuadraticLine.h"
 #include "Mechanics/Numerics/Constants.h"
-#include "Mechanics/ReducedModulus.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -17,26 +16,6 @@ namespace
 {
 using Dual = SecondOrder<5>;
 
-constexpr double Growth = 1.6;
-constexpr double FarAway = 1000.0;      // contact radii to where a half-space is held
-constexpr double PenaltyFactor = 300.0; // of E* per contact radius
-constexpr double ElementsPerFillet = 5.0;
-constexpr double CentralHole = 0.02; // of a ball's radius: where elements would have no width
-
-constexpr int GaussCount = 3;
-constexpr std::array<double, 3> GaussNode = { -0.774596669241483377, 0.0, 0.774596669241483377 };
-constexpr std::array<double, 3> GaussWeight = { 5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0 };
-
-/// The three quadratic shape functions on [-1, 1] and their slopes.
-std::array<double, 3> shapes(double x)
-{
-  return { 0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0) };
-}
-std::array<double, 3> slopes(double x)
-{
-  return { x - 0.5, -2.0 * x, x + 0.5 };
-}
-
 /// Shape functions of the nine nodes at a Gauss point of an element and what a displacement
 /// gradient needs: H = B u.
 struct ElementPoint
@@ -49,12 +28,12 @@ struct ElementPoint
 template <class Element>
 ElementPoint pointOf(const Element& element, int i, int k)
 {
-  const double x = GaussNode[static_cast<std::size_t>(i)];
-  const double y = GaussNode[static_cast<std::size_t>(k)];
-  const auto nx = shapes(x);
-  const auto ny = shapes(y);
-  const auto sx = slopes(x);
-  const auto sy = slopes(y);
+  const double x = QuadraticLine::GaussNode[static_cast<std::size_t>(i)];
+  const double y = QuadraticLine::GaussNode[static_cast<std::size_t>(k)];
+  const auto nx = QuadraticLine::shapes(x);
+  const auto ny = QuadraticLine::shapes(y);
+  const auto sx = QuadraticLine::slopes(x);
+  const auto sy = QuadraticLine::slopes(y);
   Eigen::Matrix<double, 9, 1> shape;
   Eigen::Matrix<double, 9, 2> slope; // by x and y
   for (std::size_t j = 0; j < 3; ++j)
@@ -72,8 +51,8 @@ ElementPoint pointOf(const Element& element, int i, int k)
   const double r = element.places.row(0).dot(shape);
   ElementPoint point;
   point.pressure = { 1.0, x, y };
-  point.weight = GaussWeight[static_cast<std::size_t>(i)] *
-    GaussWeight[static_cast<std::size_t>(k)] * jacobian.determinant() * 2.0 * Pi * r;
+  point.weight = QuadraticLine::GaussWeight[static_cast<std::size_t>(i)] *
+    QuadraticLine::GaussWeight[static_cast<std::size_t>(k)] * jacobian.determinant() * 2.0 * Pi * r;
   for (Eigen::Index node = 0; node < 9; ++node)
   {
     point.b(0, 2 * node) = byPlace(node, 0);
@@ -85,208 +64,16 @@ ElementPoint pointOf(const Element& element, int i, int k)
   return point;
 }
 
-/// (r, z) of what lies `along` the surface from the axis and `below` it; z = 0 is where the axis
-/// meets it.
-Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
-{
-  if (bodyRadius == 0.0)
-  {
-    return { along, -below };
-  }
-  const double angle = along / bodyRadius;
-  const double half = std::sin(0.5 * angle);
-  return { (bodyRadius - below) * std::sin(angle),
-    -below - 2.0 * (bodyRadius - below) * half * half };
-}
-
-/// Where the mesh of a half-space ends: below stiffer layers it gives way the more for its size.
-double farEnd(const FiniteProblem& problem, double above)
-{
-  double stiffest = 1.0;
-  for (const FiniteLayer& layer : problem.layers)
-  {
-    stiffest = std::max(stiffest, layer.youngsModulus / problem.layers.back().youngsModulus);
-  }
-  return above + FarAway * stiffest * problem.contactRadius;
-}
-
-/// `above`: thickness of the layers that end. Into a ball almost to its centre.
-double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
-{
-  const bool isWholeBall = isHalfSpace && problem.bodyRadius > 0.0;
-  return isWholeBall ? (1.0 - CentralHole) * problem.bodyRadius
-    : isHalfSpace    ? farEnd(problem, above)
-                     : above;
-}
-
-/// Along a ball as far as the plane that mirrors it, along a cavity to its other end.
-double meshWidth(const FiniteProblem& problem, double above, bool isHalfSpace)
-{
-  const double curved = problem.bodyRadius;
-  return curved > 0.0 ? 0.5 * Pi * curved
-    : curved < 0.0    ? -Pi * curved
-    : isHalfSpace     ? farEnd(problem, above)
-                      : 2.0 * problem.contactRadius + 10.0 * above;
-}
-
 StrainEnergy::Gradient<double> gradientOf(const Eigen::Matrix<double, 5, 1>& h)
 {
   return { h[0], h[1], h[2], h[3], h[4] };
 }
 } // namespace
 
-FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
-  : Tool(tool)
-{
-  const double a = problem.contactRadius;
-  const double edge = problem.edge * a;
-  double thickness = 0.0;
-  std::vector<double> interfaces;
-  this->IsLinear = true;
-  for (const FiniteLayer& layer : problem.layers)
-  {
-    const double e = layer.youngsModulus;
-    const double nu = layer.poissonsRatio;
-    this->Materials.push_back({ StrainEnergy(layer.model, e / (2.0 * (1.0 + nu)), layer.parameter),
-      e / (3.0 * (1.0 - 2.0 * nu)) });
-    this->IsLinear = this->IsLinear && layer.model == StrainModel::Linear;
-    thickness += layer.thickness;
-    interfaces.push_back(thickness);
-  }
-  const FiniteLayer& top = problem.layers.front();
-  this->Penalty = PenaltyFactor * reducedModulus(top.youngsModulus, top.poissonsRatio) / a;
-  const bool isHalfSpace = std::isinf(thickness);
-  interfaces.pop_back();
-  const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;
-  const double curved = problem.bodyRadius;
-  const bool isWholeBall = isHalfSpace && curved > 0.0;
-  const double bottom = meshBottom(problem, above, isHalfSpace);
-  const double width = meshWidth(problem, above, isHalfSpace);
-
-  std::vector<FineRange> across = { { 0.0, 1.1 * a, edge } };
-  std::vector<FineRange> down = { { 0.0, 1.05 * a, edge } };
-  for (const auto& [from, to] : tool.fillets())
-  {
-    const double fine = std::min(edge, (to - from) / ElementsPerFillet);
-    across.push_back({ from - (to - from), to + (to - from), fine });
-    down.push_back({ 0.0, 0.0, fine });
-  }
-  const std::vector<double> rs = gradedDivision(width, across, Growth);
-  const std::vector<double> zs = gradedDivision(bottom, down, Growth, interfaces);
-  const auto columns = 2 * static_cast<int>(rs.size()) - 1;
-  const auto rows = 2 * static_cast<int>(zs.size()) - 1;
-  const auto nodeAt = [columns](int column, int row) { return row * columns + column; };
-
-  this->UnknownOf.assign(2 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
-  for (int row = 0; row < rows; ++row) // from the surface down
-  {
-    for (int column = 0; column < columns; ++column)
-    {
-      const auto node = 2 * static_cast<std::size_t>(nodeAt(column, row));
-      const bool isBottom = row == rows - 1;
-      const bool isOuter = column == columns - 1;
-      const bool isBase = isBottom && !isWholeBall;
-      const bool isHeldR = column == 0 || (isOuter && !(curved > 0.0)) ||
-        (isBase && !(problem.slipBase && !isHalfSpace));
-      const bool isHeldZ = isBase || (isOuter && (isHalfSpace || curved > 0.0) && !(curved < 0.0));
-      this->UnknownOf[node] = isHeldR ? -1 : static_cast<int>(this->Unknowns++);
-      this->UnknownOf[node + 1] = isHeldZ ? -1 : static_cast<int>(this->Unknowns++);
-    }
-  }
-  for (std::size_t k = 0; k + 1 < zs.size(); ++k)
-  {
-    const double middle = 0.5 * (zs[k] + zs[k + 1]);
-    const auto layer = static_cast<std::size_t>(
-      std::upper_bound(interfaces.begin(), interfaces.end(), middle) - interfaces.begin());
-    for (std::size_t i = 0; i + 1 < rs.size(); ++i)
-    {
-      Element element{ {}, layer, {} };
-      for (int j = 0; j < 3; ++j)
-      {
-        for (int m = 0; m < 3; ++m)
-        {
-          // The element's y grows with z, upwards.
-          const auto node = 3 * static_cast<std::size_t>(j) + static_cast<std::size_t>(m);
-          element.nodes[node] =
-            nodeAt(2 * static_cast<int>(i) + m, 2 * static_cast<int>(k) + 2 - j);
-          element.places.col(static_cast<Eigen::Index>(node)) = placeOf(curved,
-            rs[i] + 0.5 * m * (rs[i + 1] - rs[i]), zs[k + 1] + 0.5 * j * (zs[k] - zs[k + 1]));
-        }
-      }
-      this->Elements.push_back(element);
-    }
-  }
-  // The tool, which goes on without an end, is not to meet the other side of a cavity.
-  const double touchable = curved != 0.0 ? Pi / 3.0 * std::abs(curved) : width;
-  for (std::size_t i = 0; i + 1 < rs.size() && rs[i + 1] <= touchable; ++i)
-  {
-    const double length = rs[i + 1] - rs[i];
-    for (std::size_t g = 0; g < GaussCount; ++g)
-    {
-      const Eigen::Vector2d place =
-        placeOf(curved, rs[i] + 0.5 * length * (1.0 + GaussNode[g]), 0.0);
-      const int column = 2 * static_cast<int>(i);
-      this->Surface.push_back({ { column, column + 1, column + 2 }, shapes(GaussNode[g]), place,
-        GaussWeight[g] * 0.5 * length * 2.0 * Pi * place.x() });
-    }
-  }
-  this->makePattern();
-}
-
 int FiniteBody::unknownOf(const Element& element, int i) const
 {
   const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i) / 2]);
   return this->UnknownOf[2 * node + static_cast<std::size_t>(i) % 2];
-}
-
-void FiniteBody::makePattern()
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto each = [this](const Element& element, auto&& visit)
-  {
-    for (int i = 0; i < ElementUnknowns; ++i)
-    {
-      const int row = this->unknownOf(element, i);
-      for (int k = 0; k <= i; ++k)
-      {
-        const int column = this->unknownOf(element, k);
-        visit(row, column);
-      }
-    }
-  };
-  for (const Element& element : this->Elements)
-  {
-    each(element,
-      [&entries](int row, int column)
-      {
-        if (row >= 0 && column >= 0)
-        {
-          entries.emplace_back(std::max(row, column), std::min(row, column), 0.0);
-        }
-      });
-  }
-  this->Tangent.resize(this->Unknowns, this->Unknowns);
-  this->Tangent.setFromTriplets(entries.begin(), entries.end());
-  this->Tangent.makeCompressed();
-  const int* outer = this->Tangent.outerIndexPtr();
-  const int* inner = this->Tangent.innerIndexPtr();
-  this->ValueOf.reserve(this->Elements.size() * ElementUnknowns * (ElementUnknowns + 1) / 2);
-  for (const Element& element : this->Elements)
-  {
-    each(element,
-      [&](int row, int column)
-      {
-        int found = -1;
-        if (row >= 0 && column >= 0)
-        {
-          const int low = std::min(row, column);
-          found = static_cast<int>(
-            std::lower_bound(inner + outer[low], inner + outer[low + 1], std::max(row, column)) -
-            inner);
-        }
-        this->ValueOf.push_back(found);
-      });
-  }
 }
 
 FiniteBody::ElementVector FiniteBody::gather(const Element& element, const Vector& u) const
@@ -307,9 +94,9 @@ double FiniteBody::energyOf(
   double stored = 0.0;
   Eigen::Vector3d change = Eigen::Vector3d::Zero();
   Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < GaussCount; ++i)
+  for (int i = 0; i < QuadraticLine::GaussCount; ++i)
   {
-    for (int k = 0; k < GaussCount; ++k)
+    for (int k = 0; k < QuadraticLine::GaussCount; ++k)
     {
       const ElementPoint point = pointOf(element, i, k);
       const auto h = gradientOf(point.b * u);

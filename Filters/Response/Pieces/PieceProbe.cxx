@@ -193,7 +193,8 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     else if (const auto body = makeContactBody(gathered.body(), this->Name, fault))
     {
       this->Defects = describeDefects(*body);
-      const auto touch = areTogether ? touchTogether : touchWithTips;
+      const auto touch = [areTogether](const auto&... with)
+      { areTogether ? touchTogether(with...) : touchWithTips(with...); };
       touch(*body, tips, settings, indentation,
         [&touched](vtkIdType tip, const Contact& contact, const Vector3& at) {
           touched[static_cast<std::size_t>(tip)] = { at, contact };

@@ -8,6 +8,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -114,8 +115,27 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
   return {};
 }
 
+/// The rows of those that press at once into the tuples of their tips; -1: none.
+void storeStiffness(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness)
+{
+  if (!stiffness)
+  {
+    return;
+  }
+  const Eigen::MatrixXd rows = contacts.stiffness();
+  for (std::size_t i = 0; i < tips.size(); ++i)
+  {
+    for (std::size_t j = 0; tips[i] >= 0 && j < tips.size(); ++j)
+    {
+      stiffness->SetTypedComponent(tips[i], static_cast<int>(j),
+        rows(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    }
+  }
+}
+
 void touchAlong(const ContactBody& body, vtkPolyData* tips, const std::vector<Line>& lines,
-  const ContactSettings& settings, TipPoses& poses, const TipVisitor& visit)
+  const ContactSettings& settings, TipPoses& poses, const TipVisitor& visit,
+  vtkDoubleArray* stiffness)
 {
   const bool isInTime = timesOf(tips) != nullptr;
   CoupledContacts contacts(body, settings, lines.size());
@@ -138,6 +158,7 @@ void touchAlong(const ContactBody& body, vtkPolyData* tips, const std::vector<Li
         visit(step[line], felt[line], at[line].tip);
       }
     }
+    storeStiffness(contacts, step, stiffness);
     before = when;
     isFirst = false;
   }
@@ -177,17 +198,29 @@ std::string checkCoupledTips(vtkPolyData* tips)
 }
 
 void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
-  double indentation, const TipVisitor& visit)
+  double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness)
 {
   const std::vector<Line> lines = linesOf(tips);
+  const std::map<double, Line> groups = groupsOf(tips, lines);
+  if (stiffness)
+  {
+    std::size_t most = lines.size();
+    for (const auto& [time, group] : groups)
+    {
+      most = std::max(most, group.size());
+    }
+    stiffness->SetNumberOfComponents(static_cast<int>(std::max<std::size_t>(most, 1)));
+    stiffness->SetNumberOfTuples(tips->GetNumberOfPoints());
+    stiffness->Fill(0.0);
+  }
   TipPoses poses(body, tips, indentation);
   if (!lines.empty())
   {
-    touchAlong(body, tips, lines, settings, poses, visit);
+    touchAlong(body, tips, lines, settings, poses, visit, stiffness);
   }
   ContactSettings frictionless = settings;
   frictionless.friction.coefficient = 0.0;
-  for (const auto& [time, group] : groupsOf(tips, lines))
+  for (const auto& [time, group] : groups)
   {
     CoupledContacts contacts(body, frictionless, group.size());
     std::vector<ToolPose> at;
@@ -200,6 +233,7 @@ void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSett
     {
       visit(group[i], felt[i], at[i].tip);
     }
+    storeStiffness(contacts, group, stiffness);
   }
 }
 } // namespace palpate

@@ -6,6 +6,8 @@
 
 #include <string>
 
+class vtkDoubleArray;
+
 namespace palpate
 {
 /**
@@ -21,9 +23,13 @@ std::string checkCoupledTips(vtkPolyData* tips);
  * (CoupledContacts::settle): along polylines those of one Time, or, without Time, of one place in
  * their polylines; of the single points those of one Time, or all. Single points and polylines do
  * not feel one another. The tips have passed checkCoupledTips, the body has a coupling.
+ *
+ * `stiffness`, unless null, gets a tuple per tip: by how much its slow normal force rises with the
+ * depth of each tip that presses with it, N/mm, in the order of the polylines, or of the points;
+ * as many as ever press at once, zeros beyond.
  */
 void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
-  double indentation, const TipVisitor& visit);
+  double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness = nullptr);
 } // namespace palpate
 
 #endif

@@ -46,6 +46,28 @@ void forEachTriangle(vtkPolyData* body, const Use& use)
   }
 }
 
+Vector3 motionOf(vtkFloatArray* displacement, vtkIdType point)
+{
+  return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * point)).cast<double>();
+}
+
+/// What all dents make together: the only one's own, or a new array.
+vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
+{
+  vtkSmartPointer<vtkFloatArray> sum = dents.front().displacement;
+  for (std::size_t k = 1; k < dents.size(); ++k)
+  {
+    auto next = vtkSmartPointer<vtkFloatArray>::New();
+    next->DeepCopy(sum);
+    for (vtkIdType i = 0; i < next->GetNumberOfValues(); ++i)
+    {
+      next->SetValue(i, sum->GetValue(i) + dents[k].displacement->GetValue(i));
+    }
+    sum = next;
+  }
+  return sum;
+}
+
 /// New normals, or null where none changes.
 vtkSmartPointer<vtkDataArray> turnNormals(
   vtkPolyData* body, vtkDataArray* normals, vtkPoints* before, vtkFloatArray* displacement)
@@ -129,9 +151,10 @@ vtkSmartPointer<vtkDataArray> turnNormals(
 }
 } // namespace
 
-void dentBody(vtkPolyData* body, vtkFloatArray* displacement, const Vector3& normal)
+void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
 {
   const vtkIdType count = body->GetNumberOfPoints();
+  const auto displacement = sumOf(dents);
   vtkPoints* before = body->GetPoints();
   vtkNew<vtkPoints> after;
   after->SetDataType(before->GetDataType());
@@ -141,9 +164,13 @@ void dentBody(vtkPolyData* body, vtkFloatArray* displacement, const Vector3& nor
   dent->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const float* u = displacement->GetPointer(3 * i);
-    const Vector3 moved(u[0], u[1], u[2]);
-    dent->SetValue(i, static_cast<float>(-moved.dot(normal) + 0.0)); // no -0
+    const Vector3 moved = motionOf(displacement, i);
+    double depth = 0.0; // no -0
+    for (const Dent& made : dents)
+    {
+      depth -= motionOf(made.displacement, i).dot(made.normal);
+    }
+    dent->SetValue(i, static_cast<float>(depth));
     if (!moved.isZero(0.0))
     {
       Vector3 point;
@@ -161,6 +188,7 @@ void dentBody(vtkPolyData* body, vtkFloatArray* displacement, const Vector3& nor
     }
   }
   body->SetPoints(after);
+  data->AddArray(displacement);
   data->AddArray(dent);
   data->SetActiveScalars(dent->GetName());
 }

@@ -57,11 +57,10 @@ std::string describeValidity(const Touch& touch)
   }
   return text;
 }
-} // namespace
-
-std::string describeTouch(const Touch& touch, const std::string& tool)
+/// Begins with a line's end.
+std::string describeTouch(const Touch& touch)
 {
-  std::string text = "Tool: " + tool;
+  std::string text;
   const bool isInvalid = touch.contact.state == ContactState::Invalid;
   if (!touch.touches() && !isInvalid)
   {
@@ -74,10 +73,28 @@ std::string describeTouch(const Touch& touch, const std::string& tool)
   text += "\nForce " + threeDigits(touch.contact.force.norm()) + " N";
   text += isInvalid ? "" : errorInWords(touch.validity.error);
   text += "\nDeflection " + millimetres(touch.contact.deflection);
+  text += touch.sunk != 0.0 ? ", " + millimetres(touch.sunk) + " less by the other tip" : "";
   text += ", stiffness " + threeDigits(touch.stiffness) + " N/mm";
   text += describeState(touch);
   text += isInvalid ? "" : describeValidity(touch);
-  text += "\nArrow: " + shortest(touch.scale) + " mm per N";
+  return text;
+}
+} // namespace
+
+std::string describeTouches(const std::vector<Touch>& touches, const std::string& tool)
+{
+  std::string text = "Tool: " + tool;
+  bool isForce = false;
+  for (std::size_t i = 0; i < touches.size(); ++i)
+  {
+    text += i > 0 ? "\nSecond tip" : "";
+    text += describeTouch(touches[i]);
+    isForce = isForce || touches[i].touches() || touches[i].contact.state == ContactState::Invalid;
+  }
+  text += isForce ? "\nArrow: " + shortest(touches.front().scale) + " mm per N" : "";
+  text += touches.front().isAlone
+    ? "\nThe tips do not feel one another: the response has no Coupling"
+    : "";
   return text;
 }
 } // namespace palpate

@@ -6,6 +6,7 @@
 #include "Contact/Contact.h"
 
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -21,12 +22,14 @@ struct Touch
   double range = 0.0;     ///< of the response there
   double scale = 0.0;     ///< mm/N of the arrow
   PlaceValidity validity;
+  double sunk = 0.0;    ///< by how much another tool has let the surface down here, mm
+  bool isAlone = false; ///< there is another tool, which the response does not let it feel
 
   bool touches() const { return this->place.cell >= 0; }
 };
 
-/// Its numbers in plain words, with units, one line each.
-std::string describeTouch(const Touch& touch, const std::string& tool);
+/// The numbers of all in plain words, with units, one line each.
+std::string describeTouches(const std::vector<Touch>& touches, const std::string& tool);
 } // namespace palpate
 
 #endif

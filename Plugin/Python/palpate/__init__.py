@@ -15,7 +15,7 @@ import importlib.util
 import os
 import pkgutil
 
-FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", "Probe"),
+FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", "CoupledProbe", "Probe"),
              "_curves": ("curves", "Curves")}
 
 

@@ -37,10 +37,30 @@ class Probe(NamedTuple):
     tilt: np.ndarray
 
 
+class CoupledProbe(tuple):
+    """What tools feel that press at once: forces, stiffness. The fields of Probe are its attributes."""
+
+    forces: np.ndarray
+    stiffness: np.ndarray
+
+    def __new__(cls, felt: Probe, stiffness: np.ndarray):
+        pair = super().__new__(cls, (felt.forces, stiffness))
+        pair.felt, pair.stiffness = felt, stiffness
+        return pair
+
+    def __getattr__(self, name):
+        if name == "felt":                              # not there yet: while it is copied
+            raise AttributeError(name)
+        return getattr(self.felt, name)
+
+    def __reduce__(self):
+        return CoupledProbe, (self.felt, self.stiffness)
+
+
 def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffness=1.0,
           friction_model="elasto-plastic", friction_breakaway=0.8, friction_stick_radius=0.9, poisson=0.5,
           force_form="normalized-direction", surface="facets", indentation=0.0, name="Response",
-          relaxation_elements=16, axis=None, coupled=False) -> Probe:
+          relaxation_elements=16, axis=None, coupled=False) -> Probe | CoupledProbe:
     """The contact force at given tool tips, by the kernel of the servo tick.
 
     Parameters
@@ -68,6 +88,7 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     coupled : True: tips that are there at once press at once and feel one another, 64 at most, on a body made with
         palpate.response(..., coupling=True). Without path all tips, or those of the same `time`; with path=True `tips`
         has the shape (n, k, 3), k tools at n moments, and each field of the result n rows of k.
+        Then forces, stiffness = palpate.probe(..., coupled=True).
 
     Returns
     -------
@@ -86,6 +107,10 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
             range and of a response that keeps none;
         torque (n, 3) : about the tip, N mm; zeros without an axis;
         tilt (n,) : of the axis from `normal`, degrees; 0 without an axis.
+    With coupled=True a CoupledProbe, a pair with the same fields as attributes:
+        forces : as above;
+        stiffness (n, k), of a path (n, k, k) : by how much the normal force of each tip rises with the depth of each of
+            the k that press at once, N/mm, slowly: its own, and less than 0 for others; 0 where there is no force.
 
     Raises ValueError with the words of vtkToolContactProbe, TypeError for things of another kind, OSError and
     RuntimeError for files; defects of the mesh give a RuntimeWarning. Tips for themselves run on all threads of
@@ -115,17 +140,25 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         arrays = [points.GetArray(array) for array in (
             "Force", "Deflection", "NormalForce", "FrictionForce", "Normal", "ContactPoint", "ContactCell",
             "ContactState", "MemoryForce", "RelativeError", "Torque", "Tilt")]
-    if arrays[0] is None:                               # no tips, or a body without points
-        return _nothing(tips.GetNumberOfPoints())
-    *others, memory, error, torque, tilt = arrays
+        stiffness = points.GetArray("CoupledStiffness")
     count = tips.GetNumberOfPoints()
+    if arrays[0] is None:                               # no tips, or a body without points
+        found = _nothing(count)
+        return CoupledProbe(found, np.zeros((count, count))) if coupled else found
+    *others, memory, error, torque, tilt = arrays
     found = Probe(*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
                   np.full(count, np.nan) if error is None else _arrays.to_numpy(error),
                   np.zeros((count, 3)) if torque is None else _arrays.to_numpy(torque),
                   np.zeros(count) if tilt is None else _arrays.to_numpy(tilt))
-    # The points lie tool by tool.
-    return found if shape is None else Probe(*(
-        np.swapaxes(each.reshape(shape[::-1] + each.shape[1:]), 0, 1) for each in found))
+    if not coupled:
+        return found
+    stiffness = _arrays.to_numpy(stiffness)
+    stiffness = stiffness.reshape(count, -1)
+    if shape is not None:                               # the points lie tool by tool
+        *fields, stiffness = (np.swapaxes(each.reshape(shape[::-1] + each.shape[1:]), 0, 1)
+                              for each in (*found, stiffness))
+        found = Probe(*fields)
+    return CoupledProbe(found, stiffness)
 
 
 def _as_tips(tips, path, time, axis, coupled):
