@@ -326,6 +326,13 @@ void ToolContact::prefetchResponses(std::int32_t triangle) const noexcept
   }
 }
 
+void ToolContact::rehearse(double elapsed) const noexcept
+{
+  ToolContact scratch(*this);
+  const ToolPose ahead(this->LastTip + this->LastStep);
+  this->IsInTime ? scratch.update(ahead, elapsed) : scratch.update(ahead);
+}
+
 // A tick on new ground would wait for the triangle, then for its new corner: here nobody waits.
 void ToolContact::foresee() const noexcept
 {

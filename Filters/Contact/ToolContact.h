@@ -95,6 +95,10 @@ public:
   /// force is sent and the loop has nothing to do. Changes nothing; takes 50 ns to some
   /// microseconds.
   void foresee() const noexcept;
+  /// Makes the next update, if the tip moves on as it did, on a copy that is thrown away: what it
+  /// reads, code too, is at hand then, however busy the processor was with other things. For a loop
+  /// that waits for its next sample, `elapsed` s after the last. Changes nothing; costs an update.
+  void rehearse(double elapsed) const noexcept;
 
   /// The curve at the contact of the last update: normalForce is its force at the deflection (with
   /// ForceForm::Paper a little less, beyond a border a share of it). Without a contact it is zero.

@@ -129,6 +129,10 @@ ContactField::ContactField(const FieldTriangle& triangle, const AxisymmetricTool
   const Vector3 weights =
     projectOnTriangle(contact.point, corners[0], corners[1], corners[2]).weights;
   this->bend(triangle, weights, contact);
+  if (triangle.modes.empty())
+  {
+    this->Deflection = std::min(this->Deflection, contact.depth);
+  }
   this->surround(tool, triangle, weights, contact.force);
   if (this->Deflection > 0.0)
   {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <variant>
@@ -27,6 +28,9 @@ struct FieldContact
   double force = 0.0;      ///< along the normal, > 0 out of the body: for modes and near field
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::Zero(); ///< outward, unit
+  /// Of the tip, where another tool holds the body against this one, so that less than the
+  /// deflection is its dent; mm.
+  double depth = std::numeric_limits<double>::infinity();
 };
 
 /// The triangle of a contact, and what is known at its corners.
@@ -75,7 +79,7 @@ struct FieldSettings
  * Global part, by the modes φ_k of the body (GlobalModes.h) with their signs s_k:
  * w_k = -F s_k (n·φ_k(X)), X the contact. The local deflection is what the modes leave of the
  * whole, δ - F Σ s_k (n·φ_k(X))², so that the surface meets the tool. Without modes and R the local
- * part is drawn at the whole deflection.
+ * part is drawn at the whole deflection, or as deep as the tip is.
  *
  * Fade: 1 where reach is 0. Otherwise exactly 1 within 3/4 of the reach and 50° of the contact
  * normal, and smoothly down to 0 at the reach and at 60°: no edge is seen where the field ends.

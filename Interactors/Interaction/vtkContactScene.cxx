@@ -3,6 +3,7 @@
 
 #include "Interaction/Display/BodyDisplay.h"
 #include "Interaction/Display/ContactMark.h"
+#include "Interaction/Display/ShownHands.h"
 #include "Interaction/Display/ShownContact.h"
 #include "Interaction/Display/ContactValidity.h"
 #include "Interaction/Display/ForceScale.h"
@@ -42,11 +43,10 @@ vtkStandardNewMacro(vtkContactScene);
 vtkContactScene::vtkContactScene()
   : Legends(std::make_unique<palpate::SceneLegends>())
   , Body(std::make_unique<palpate::BodyDisplay>(this->Legends->displacementColors()))
-  , Circle(std::make_unique<palpate::ContactCircle>())
+  , Hands(std::make_unique<palpate::ShownHands>())
   , Trail(std::make_unique<palpate::ForceTrail>(this->Legends->forceColors()))
   , Scale(std::make_unique<palpate::ForceScale>())
   , Caption(std::make_unique<palpate::SceneCaption>())
-  , ToolRepresentation(vtkSmartPointer<vtkHapticToolRepresentation>::New())
   , Marker(palpate::makePlaceMarker())
   , Shown(std::make_unique<palpate::ShownContact>())
 {
@@ -67,8 +67,10 @@ void vtkContactScene::SetRenderer(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
   palpate::lightScene(renderer);
-  const std::initializer_list<vtkProp*> props = { this->Body->actor(), this->Trail->actor(),
-    this->Circle->actor(), this->ToolRepresentation, this->Marker, this->Legends->displacement(),
+  renderer->AddViewProp(this->Body->actor());
+  renderer->AddViewProp(this->Trail->actor());
+  this->Hands->setRenderer(renderer);
+  const std::initializer_list<vtkProp*> props = { this->Marker, this->Legends->displacement(),
     this->Legends->force(), this->Caption->actor(), this->Scale->arrow(), this->Scale->label() };
   for (vtkProp* prop : props)
   {
@@ -92,7 +94,7 @@ void vtkContactScene::SetBody(vtkPolyData* body)
 void vtkContactScene::SetTool(vtkContactTool* tool)
 {
   this->Body->setTool(tool);
-  this->ToolRepresentation->SetTool(tool);
+  this->Hands->setTool(tool);
 }
 
 void vtkContactScene::SetPoissonRatio(double ratio)
@@ -114,7 +116,7 @@ void vtkContactScene::SetLargestDeflection(double largest)
 void vtkContactScene::SetLargestForce(double largest)
 {
   const double scale = palpate::roundDown(ArrowLength / largest);
-  this->ToolRepresentation->SetForceScale(scale);
+  this->Hands->tool()->SetForceScale(scale);
   this->Scale->choose(largest, scale);
   this->Legends->forceColors()->SetTableRange(0.0, palpate::roundUp(largest));
 }
@@ -158,7 +160,7 @@ void vtkContactScene::SetTrailVisibility(bool visible)
 void vtkContactScene::SetBlind(bool blind)
 {
   this->Blind = blind;
-  this->ToolRepresentation->SetVisibility(!blind);
+  this->Hands->setVisibility(!blind);
   this->Legends->displacement()->SetVisibility(!blind);
   this->Scale->setVisibility(!blind);
   this->Marker->SetVisibility(blind);
@@ -206,7 +208,7 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
     return false;
   }
   palpate::findValidity(this->BodyData, this->ResponseName, contact);
-  this->Show(contact);
+  this->Show({ contact });
   return true;
 }
 
@@ -230,17 +232,36 @@ void vtkContactScene::ShowFrame()
   this->ShowSession(this->Followed);
 }
 
+void vtkContactScene::SetFreeDirection(int hand, const double direction[3])
+{
+  if (hand >= 0)
+  {
+    this->Hands->setFreeDirection(static_cast<std::size_t>(hand), Eigen::Vector3d(direction));
+  }
+}
+
+void vtkContactScene::SetFreeDirection(const double direction[3])
+{
+  this->SetFreeDirection(0, direction);
+}
+
 void vtkContactScene::ShowSession(vtkHapticSession* session)
 {
-  palpate::ShownContact contact = palpate::readSession(session);
-  if (!contact.touches())
+  std::vector<palpate::ShownContact> contacts;
+  this->Hands->resize(static_cast<std::size_t>(session->GetNumberOfDevices()));
+  for (std::size_t i = 0; i < this->Hands->count(); ++i)
   {
-    contact.tick.contact.normal = Eigen::Vector3d(this->FreeDirection);
+    palpate::ShownContact contact = palpate::readSession(session, static_cast<int>(i));
+    if (!contact.touches())
+    {
+      contact.tick.contact.normal = this->Hands->freeDirection(i);
+    }
+    palpate::findValidity(session->GetBody(), session->GetResponseName(), contact);
+    contacts.push_back(contact);
   }
-  palpate::findValidity(session->GetBody(), session->GetResponseName(), contact);
-  this->Trail->follow(contact, static_cast<std::size_t>(this->TrailLength));
+  this->Trail->follow(contacts.front(), static_cast<std::size_t>(this->TrailLength));
   this->SwitchTrail();
-  this->Show(contact);
+  this->Show(contacts);
 }
 
 void vtkContactScene::ShowContact(const double tip[3], const double contactPoint[3],
@@ -254,13 +275,14 @@ void vtkContactScene::ShowContact(const double tip[3], const double contactPoint
   contact.tick.contact.deflection = deflection;
   contact.cell = cell;
   palpate::findValidity(this->BodyData, this->ResponseName, contact);
-  this->Show(contact);
+  this->Show({ contact });
 }
 
-void vtkContactScene::Show(const palpate::ShownContact& contact)
+void vtkContactScene::Show(const std::vector<palpate::ShownContact>& contacts)
 {
+  const palpate::ShownContact& contact = contacts.front();
   *this->Shown = contact;
-  this->Shown->hasApplied &= this->ToolRepresentation->GetAppliedForceVisibility();
+  this->Shown->hasApplied &= this->Hands->tool()->GetAppliedForceVisibility();
   if (contact.touches() || !this->HasTouched)
   {
     std::copy_n(contact.tick.contact.contactPoint.data(), 3, this->Contact);
@@ -272,18 +294,22 @@ void vtkContactScene::Show(const palpate::ShownContact& contact)
   }
   else
   {
-    this->Body->show(contact);
+    this->Hands->resize(contacts.size());
+    this->Body->show(contacts);
     this->ContactRadius = contact.touches() ? this->Body->contactRadius() : 0.0;
-    this->ToolRepresentation->SetBeyondValidity(!contact.isValid());
-    const palpate::Tick& tick = contact.tick;
-    this->ToolRepresentation->SetTilt(tick.axis.data(), tick.idealTorque.data());
-    this->ToolRepresentation->SetContact(tick.tip.data(), tick.contact.normal.data(),
-      tick.contact.contactPoint.data(), tick.idealForce.data(), tick.contact.friction.data(),
-      (this->Shown->hasApplied ? tick.appliedForce : tick.idealForce).data());
-    this->ShowCircle(contact);
-    vtkContactTool* tool = this->ToolRepresentation->GetTool();
+    vtkContactTool* tool = this->Hands->tool()->GetTool();
     this->Caption->describe(*this->Shown, tool ? tool->GetDescription() : std::string(),
       this->ContactRadius, this->GetExaggeration());
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+      const double radius = this->ContactCircleVisibility ? this->Body->contactRadius(i) : 0.0;
+      this->Hands->show(
+        i, contacts[i], radius, this->GetExaggeration() * this->Body->circleDepth(i));
+      if (i > 0)
+      {
+        this->Caption->addHand(static_cast<int>(i) + 1, contacts[i]);
+      }
+    }
   }
   this->Arrange();
 }
@@ -292,18 +318,10 @@ void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
 {
   palpate::placeMarker(contact, this->Marker);
   this->Caption->describeNothing();
-  this->Circle->hide();
+  this->Hands->hideCircles();
   palpate::ShownContact unseen = contact;
   unseen.cell = -1; // no dent
   this->Body->show(unseen);
-}
-
-void vtkContactScene::ShowCircle(const palpate::ShownContact& contact)
-{
-  const double depth = this->GetExaggeration() * this->Body->circleDepth();
-  const palpate::Contact& felt = contact.tick.contact;
-  this->Circle->show(felt.contactPoint - depth * felt.normal, felt.normal,
-    this->ContactCircleVisibility ? this->ContactRadius : 0.0, !contact.isValid());
 }
 
 double vtkContactScene::GetValidity()
@@ -340,10 +358,9 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   double bounds[6];
   this->Body->bounds(bounds);
   vtkBoundingBox all(bounds);
-  const double* tool = this->ToolRepresentation->GetBounds();
-  if (tool && !this->Blind)
+  if (!this->Blind)
   {
-    all.AddBounds(tool); // with the arrow: neither is to be cut off
+    this->Hands->addBounds(all); // with the arrows: none is to be cut off
   }
   all.GetBounds(bounds);
   palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },
@@ -359,7 +376,7 @@ void vtkContactScene::LookAtContact(double distance, const double direction[3], 
 
 vtkHapticToolRepresentation* vtkContactScene::GetToolRepresentation()
 {
-  return this->ToolRepresentation;
+  return this->Hands->tool();
 }
 
 vtkActor* vtkContactScene::GetBodyActor()
@@ -374,7 +391,7 @@ vtkActor* vtkContactScene::GetTrailActor()
 
 vtkActor* vtkContactScene::GetCircleActor()
 {
-  return this->Circle->actor();
+  return this->Hands->circle();
 }
 
 vtkScalarBarActor* vtkContactScene::GetLegend()

@@ -20,6 +20,9 @@
  * - A caption names tool, deflection, contact radius, forces, why the applied force is another, and
  *   what limits the validity.
  *
+ * Of a session with several devices the tools, arrows, circles and dents of all are drawn, and the
+ * caption has a line for each; trail, camera and the values below are those of the first.
+ *
  * Beyond the depth that `Validity` of the response gives at the contact, arrows, circle and trail
  * are dashed, and the caption names the assumption that breaks.
  */
@@ -32,6 +35,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkActor;
 class vtkContactTool;
@@ -45,12 +49,12 @@ class vtkScalarBarActor;
 namespace palpate
 {
 class BodyDisplay;
-class ContactCircle;
 class ForceScale;
 class ForceTrail;
 class SceneCaption;
 class SceneLegends;
 struct ShownContact;
+class ShownHands;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkContactScene : public vtkObject
@@ -135,10 +139,12 @@ public:
   /** The same at each frame of the clock, after those who observe it with no priority; null: at
    * none any more. */
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
+  ///@{
   /** Along which direction, of any length, the tool stands where the session touches nothing; zero
-   * (default): as it last did. */
-  vtkSetVector3Macro(FreeDirection, double);
-  vtkGetVector3Macro(FreeDirection, double);
+   * (default): as it last did. Of another of its devices by the index, from when it is shown on. */
+  void SetFreeDirection(const double direction[3]);
+  void SetFreeDirection(int hand, const double direction[3]);
+  ///@}
 
   /**
    * Shows a contact given by numbers: tip, contact point, unit normal and force on the tool,
@@ -185,9 +191,8 @@ private:
   vtkContactScene(const vtkContactScene&) = delete;
   void operator=(const vtkContactScene&) = delete;
 
-  void Show(const palpate::ShownContact& contact);
+  void Show(const std::vector<palpate::ShownContact>& contacts);
   void ShowBlind(const palpate::ShownContact& contact);
-  void ShowCircle(const palpate::ShownContact& contact);
   void SwitchTrail();
   void Arrange();
   void ShowFrame();
@@ -199,14 +204,12 @@ private:
   vtkSmartPointer<vtkFrameClock> Clock;
   vtkSmartPointer<vtkHapticSession> Followed;
   unsigned long FrameObserver = 0;
-  double FreeDirection[3] = { 0.0, 0.0, 0.0 };
   std::unique_ptr<palpate::SceneLegends> Legends;
   std::unique_ptr<palpate::BodyDisplay> Body;
-  std::unique_ptr<palpate::ContactCircle> Circle;
+  std::unique_ptr<palpate::ShownHands> Hands;
   std::unique_ptr<palpate::ForceTrail> Trail;
   std::unique_ptr<palpate::ForceScale> Scale;
   std::unique_ptr<palpate::SceneCaption> Caption;
-  vtkSmartPointer<vtkHapticToolRepresentation> ToolRepresentation;
   vtkSmartPointer<vtkActor> Marker; ///< of a contact that is shown blind
   bool Blind = false;
   bool ContactCircleVisibility = true;

@@ -163,6 +163,12 @@ public:
   vtkGetMacro(MaximumTilt, double);
   ///@}
   ///@{
+  /** Whether several tools at once feel one another; see vtkToolContactResponse. Default off. */
+  vtkSetMacro(Coupling, bool);
+  vtkGetMacro(Coupling, bool);
+  vtkBooleanMacro(Coupling, bool);
+  ///@}
+  ///@{
   /** How the body relaxes, up to four branches of strength and time (s), and whether the global
    * compliance of Series does, too; see vtkToolContactResponse. A strength of 0 is none. Default
    * none, and on. */
@@ -300,6 +306,7 @@ private:
   double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
+  bool Coupling = false;
   int StrainModel = 0;
   double StrainExponent = 2.0;
   double ErrorTolerance = 0.05;

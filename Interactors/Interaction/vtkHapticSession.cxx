@@ -356,6 +356,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "RealTime: " << this->RealTime << "\n";
   os << indent << "LockMemory: " << this->LockMemory << "\n";
+  os << indent << "Rehearsal: " << this->Rehearsal << " s\n";
   os << indent << "Time: " << this->GetTime() << " s\n";
   os << indent << "NumberOfDevices: " << this->GetNumberOfDevices() << "\n";
   const std::initializer_list<std::pair<const char*, vtkObject*>> parts = { { "Settings",

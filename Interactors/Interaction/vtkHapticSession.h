@@ -147,6 +147,14 @@ public:
   ///@}
 
   ///@{
+  /** With RealTime: how long before each tick the servo thread wakes up and makes the contact
+   * beforehand, s, 0 to half a period; see ServoLoopSettings. The force comes sooner after the
+   * sample, for so much of a processor. Default 0: it sleeps until the tick. */
+  vtkSetMacro(Rehearsal, double);
+  vtkGetMacro(Rehearsal, double);
+  ///@}
+
+  ///@{
   /** With RealTime: keep the memory of the process from being paged out, if the system allows it; a
    * program's own decision. Default off. */
   vtkSetMacro(LockMemory, bool);
@@ -280,6 +288,7 @@ private:
   double Rate = 1000.0;
   bool RealTime = false;
   bool LockMemory = false;
+  double Rehearsal = 0.0;
   vtkIdType Starts = 0;
   double FittedFactor = 1.0; ///< of the newest scene made
 

@@ -273,6 +273,7 @@ std::shared_ptr<palpate::SessionRun> vtkHapticSession::MakeRun(const std::vector
     ? recorder->GetRecordedSeconds()
     : std::min(recorder->GetRecordedSeconds(), kept.historySeconds);
   settings.realTime.lockMemory = this->LockMemory;
+  settings.rehearsal = this->Rehearsal;
   std::shared_ptr<palpate::RealTimeRun> live;
   if (hands.size() == 1)
   {

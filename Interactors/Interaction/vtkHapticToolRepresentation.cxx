@@ -184,9 +184,27 @@ int vtkHapticToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   return this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
-int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
+void vtkHapticToolRepresentation::SetLabelsAfter(vtkHapticToolRepresentation* other)
 {
-  std::vector<palpate::AnchoredLabel> labels;
+  for (vtkHapticToolRepresentation* before = other; before; before = before->LabelsAfter)
+  {
+    if (before == this)
+    {
+      vtkErrorMacro(<< "Labels cannot be placed after themselves.");
+      return;
+    }
+  }
+  this->LabelsAfter = other;
+  this->Modified();
+}
+
+/// In the order in which they are placed.
+void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLabel>& labels)
+{
+  if (this->LabelsAfter)
+  {
+    this->LabelsAfter->CollectLabels(labels);
+  }
   const auto add = [&labels](palpate::ForceArrow& arrow, const Eigen::Vector3d& tail)
   {
     if (arrow.isShown())
@@ -204,6 +222,12 @@ int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
   {
     labels.push_back({ this->Torque->label(), this->Torque->center(), this->Torque->head() });
   }
+}
+
+int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  std::vector<palpate::AnchoredLabel> labels;
+  this->CollectLabels(labels);
   palpate::arrangeLabels(viewport, labels);
   return this->Superclass::RenderOverlay(viewport);
 }

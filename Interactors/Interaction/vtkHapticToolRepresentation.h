@@ -27,8 +27,10 @@
 #include "palpateInteractionModule.h" // For export macro
 #include "vtkPropAssembly.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
+#include "vtkWeakPointer.h"  // For vtkWeakPointer
 
 #include <memory> // For std::unique_ptr
+#include <vector> // For std::vector
 
 class vtkActor;
 class vtkContactTool;
@@ -38,6 +40,7 @@ namespace palpate
 {
 class ForceArrow;
 class TorqueArc;
+struct AnchoredLabel;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticToolRepresentation : public vtkPropAssembly
@@ -98,6 +101,10 @@ public:
    */
   void SetTilt(const double axis[3], const double torque[3]);
 
+  /** Another one, drawn before, whose labels are placed first: those of this one make way for them.
+   * Default none. */
+  void SetLabelsAfter(vtkHapticToolRepresentation* other);
+
   ///@{
   /** Reimplemented: what depends on the camera, place of the applied force and of the labels. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
@@ -112,6 +119,8 @@ private:
   vtkHapticToolRepresentation(const vtkHapticToolRepresentation&) = delete;
   void operator=(const vtkHapticToolRepresentation&) = delete;
 
+  void CollectLabels(std::vector<palpate::AnchoredLabel>& labels);
+
   vtkSmartPointer<vtkContactToolSource> Source;
   vtkSmartPointer<vtkActor> ToolActor;
   std::unique_ptr<palpate::ForceArrow> Total;
@@ -119,6 +128,7 @@ private:
   std::unique_ptr<palpate::ForceArrow> Friction;
   std::unique_ptr<palpate::ForceArrow> Applied;
   std::unique_ptr<palpate::TorqueArc> Torque;
+  vtkWeakPointer<vtkHapticToolRepresentation> LabelsAfter;
   double ForceScale = 10.0;
   bool ComponentsVisibility = true;
   bool AppliedForceVisibility = true;

@@ -2,10 +2,12 @@
 #include "vtkInteractorStyleHaptic.h"
 
 #include "Interaction/Panel/KeyHelp.h"
-#include "Interaction/Panel/SteeredTilt.h"
+#include "Interaction/Panel/SteeredHand.h"
 #include "Interaction/Panel/StyleKeys.h"
 #include "Interaction/Panel/SurfacePicker.h"
+#include "Haptics/Servo/HandsStep.h"
 #include "vtkContactScene.h"
+#include "vtkHapticDevice.h"
 #include "vtkHapticSession.h"
 #include "vtkSessionFiles.h"
 
@@ -25,7 +27,7 @@ vtkStandardNewMacro(vtkInteractorStyleHaptic);
 vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   : Picker(std::make_unique<palpate::SurfacePicker>())
   , Help(std::make_unique<palpate::KeyHelp>())
-  , Tilt(std::make_unique<palpate::SteeredTilt>())
+  , Hands(1)
 {
   this->Help->setText(palpate::StyleKeys);
 }
@@ -74,8 +76,36 @@ void vtkInteractorStyleHaptic::SetPressDepth(double depth)
 void vtkInteractorStyleHaptic::SetWheelDepth(double depth)
 {
   constexpr double rounding = 1e-9; // of notches that add up
-  this->WheelDepth = depth < rounding ? 0.0 : std::min(depth, this->MaximumDepth);
+  this->Steered().wheelDepth = depth < rounding ? 0.0 : std::min(depth, this->MaximumDepth);
   this->Modified();
+}
+
+double vtkInteractorStyleHaptic::GetWheelDepth() const
+{
+  return this->Steered().wheelDepth;
+}
+
+void vtkInteractorStyleHaptic::SetHand(int hand)
+{
+  const int last = static_cast<int>(palpate::HandsStep::Most) - 1;
+  this->Hand = std::clamp(hand, 0, last);
+  this->Hands.resize(std::max(this->Hands.size(), static_cast<std::size_t>(this->Hand) + 1));
+  this->Modified();
+}
+
+palpate::SteeredHand& vtkInteractorStyleHaptic::Steered()
+{
+  return this->Hands[static_cast<std::size_t>(this->Hand)];
+}
+
+const palpate::SteeredHand& vtkInteractorStyleHaptic::Steered() const
+{
+  return this->Hands[static_cast<std::size_t>(this->Hand)];
+}
+
+vtkHapticDevice* vtkInteractorStyleHaptic::SteeredDevice()
+{
+  return this->Session->GetDevice(std::min(this->Hand, this->Session->GetNumberOfDevices() - 1));
 }
 
 vtkRenderer* vtkInteractorStyleHaptic::FindSceneRenderer()
@@ -111,7 +141,7 @@ bool vtkInteractorStyleHaptic::SteerOverSurface()
   {
     return false;
   }
-  const double depth = this->Pressing ? this->PressDepth : this->WheelDepth;
+  const double depth = this->Pressing ? this->PressDepth : this->GetWheelDepth();
   const double height = this->Pressing || depth > 0.0 ? -depth : this->HoverHeight;
   double tip[3];
   for (int k = 0; k < 3; ++k)
@@ -134,7 +164,7 @@ bool vtkInteractorStyleHaptic::SteerInView(double away)
   double tip[3];
   double towards[3];
   palpate::pointInView(
-    renderer, this->Interactor->GetEventPosition(), this->SteeredTip, away, tip, towards);
+    renderer, this->Interactor->GetEventPosition(), this->Steered().tip, away, tip, towards);
   this->FaceAlong(towards);
   this->SteerTo(tip);
   return true;
@@ -159,43 +189,45 @@ void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double norma
 /// How the tool stands where it touches nothing, and how it leans from there.
 void vtkInteractorStyleHaptic::FaceAlong(const double direction[3])
 {
-  if (this->Session && this->Tilt->isTold())
+  const palpate::SteeredTilt& tilt = this->Steered().tilt;
+  if (this->Session && tilt.isTold())
   {
-    this->Session->GetDevice()->TurnTo(
-      this->Tilt->axis(direction, this->Scene ? this->Scene->GetRenderer() : nullptr).data());
+    this->SteeredDevice()->TurnTo(
+      tilt.axis(direction, this->Scene ? this->Scene->GetRenderer() : nullptr).data());
   }
   if (this->Scene)
   {
-    this->Scene->SetFreeDirection(direction);
+    this->Scene->SetFreeDirection(this->Hand, direction);
   }
 }
 
 void vtkInteractorStyleHaptic::SetTilt(double right, double away)
 {
-  this->Tilt->set(right, away);
+  this->Steered().tilt.set(right, away);
   this->Modified();
 }
 
 void vtkInteractorStyleHaptic::GetTilt(double tilt[2]) const
 {
-  tilt[0] = this->Tilt->right();
-  tilt[1] = this->Tilt->away();
+  tilt[0] = this->Steered().tilt.right();
+  tilt[1] = this->Steered().tilt.away();
 }
 
 void vtkInteractorStyleHaptic::Lean(double right, double away)
 {
-  this->Tilt->lean(right, away);
+  this->Steered().tilt.lean(right, away);
   this->Steer();
 }
 
 void vtkInteractorStyleHaptic::SteerTo(const double tip[3])
 {
-  std::copy_n(tip, 3, this->SteeredTip);
+  double* steered = this->Steered().tip;
+  std::copy_n(tip, 3, steered);
   if (this->Session)
   {
-    this->Session->GetDevice()->SteerTo(tip);
+    this->SteeredDevice()->SteerTo(tip);
   }
-  this->InvokeEvent(SteeredEvent, this->SteeredTip);
+  this->InvokeEvent(SteeredEvent, steered);
 }
 
 void vtkInteractorStyleHaptic::OnMouseMove()
@@ -286,7 +318,7 @@ bool vtkInteractorStyleHaptic::TurnWheel(double notches)
   }
   else
   {
-    this->SetWheelDepth(this->WheelDepth + notches * DepthPerNotch);
+    this->SetWheelDepth(this->GetWheelDepth() + notches * DepthPerNotch);
   }
   this->Steer();
   return true;
@@ -313,9 +345,11 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Steering: " << this->Steering << "\n";
   os << indent << "PressDepth: " << this->PressDepth << " mm\n";
-  os << indent << "WheelDepth: " << this->WheelDepth << " mm\n";
+  os << indent << "WheelDepth: " << this->GetWheelDepth() << " mm\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << " mm\n";
   os << indent << "HoverHeight: " << this->HoverHeight << " mm\n";
-  os << indent << "Tilt: " << this->Tilt->right() << ", " << this->Tilt->away() << " degrees\n";
+  const palpate::SteeredTilt& tilt = this->Steered().tilt;
+  os << indent << "Tilt: " << tilt.right() << ", " << tilt.away() << " degrees\n";
+  os << indent << "Hand: " << this->Hand << "\n";
   os << indent << "Pressing: " << this->Pressing << "\n";
 }

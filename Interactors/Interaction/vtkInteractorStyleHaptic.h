@@ -21,6 +21,9 @@
  * wheel zoom; the wheel zooms with Control everywhere. In other viewports that are not interactive,
  * a panel or charts, nothing happens.
  *
+ * Of a session with several devices the pointer moves one hand at a time, the one of Hand (key n
+ * takes the next that is simulated); the others stay where they are, pressing if they pressed.
+ *
  * **Keys**: see GetKeyHelp, which ? or h shows and hides on the screen. Those the style cannot
  * serve itself are told to its observers: 1 to 9 ToolChosenEvent (call data: int*, from 0), space
  * SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
@@ -37,8 +40,10 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkContactScene;
+class vtkHapticDevice;
 class vtkHapticSession;
 class vtkRenderer;
 class vtkSessionFiles;
@@ -46,8 +51,8 @@ class vtkSessionFiles;
 namespace palpate
 {
 class KeyHelp;
-class SteeredTilt;
 class SurfacePicker;
+struct SteeredHand;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
@@ -88,6 +93,14 @@ public:
   ///@}
 
   ///@{
+  /** Which of the session's devices the pointer moves, by its index; one that the session has not
+   * is the last. With what the wheel had pressed it, and how it leant, when it was left. Default 0.
+   */
+  void SetHand(int hand);
+  vtkGetMacro(Hand, int);
+  ///@}
+
+  ///@{
   /** How the pointer moves the tool, see above. Default Surface. */
   vtkSetClampMacro(Steering, int, Surface, ViewPlane);
   vtkGetMacro(Steering, int);
@@ -103,7 +116,7 @@ public:
   ///@{
   /** How deep the wheel alone has pressed, mm, 0 to MaximumDepth; 0 (default): the tool hovers. */
   void SetWheelDepth(double depth);
-  vtkGetMacro(WheelDepth, double);
+  double GetWheelDepth() const;
   ///@}
   ///@{
   /** Default 2 mm. */
@@ -174,21 +187,24 @@ private:
   bool DoKey(char key);
   void FaceAlong(const double direction[3]);
   void Exaggerate(double factor);
+  void TakeNextHand();
+  palpate::SteeredHand& Steered();
+  const palpate::SteeredHand& Steered() const;
+  vtkHapticDevice* SteeredDevice();
 
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkContactScene> Scene;
   vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
-  std::unique_ptr<palpate::SteeredTilt> Tilt;
+  std::vector<palpate::SteeredHand> Hands; ///< as many as have been steered; Hand is one of them
+  int Hand = 0;
   int Steering = Surface;
   double PressDepth = 1.0;
-  double WheelDepth = 0.0;
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
   bool WheelPressed = false;
-  double SteeredTip[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -3,8 +3,9 @@
 #include "vtkInteractorStyleHaptic.h"
 
 #include "Interaction/Panel/KeyHelp.h"
-#include "Interaction/Panel/SteeredTilt.h"
+#include "Interaction/Panel/SteeredHand.h"
 #include "vtkContactScene.h"
+#include "vtkHapticDevice.h"
 #include "vtkHapticSession.h"
 #include "vtkSessionFiles.h"
 
@@ -53,7 +54,13 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     { ']', [](Style& style) { style.Lean(palpate::SteeredTilt::PerNotch, 0.0); } },
     { '{', [](Style& style) { style.Lean(0.0, -palpate::SteeredTilt::PerNotch); } },
     { '}', [](Style& style) { style.Lean(0.0, palpate::SteeredTilt::PerNotch); } },
-    { '0', [](Style& style) { style.Lean(-style.Tilt->right(), -style.Tilt->away()); } },
+    { '0',
+      [](Style& style)
+      {
+        const palpate::SteeredTilt& tilt = style.Steered().tilt;
+        style.Lean(-tilt.right(), -tilt.away());
+      } },
+    { 'n', [](Style& style) { style.TakeNextHand(); } },
     { 'v',
       [](Style& style) { style.SetSteering(style.Steering == Surface ? ViewPlane : Surface); } },
     { '+', [](Style& style) { style.Exaggerate(2.0); } },
@@ -101,6 +108,21 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
   }
   action->second(*this);
   return true;
+}
+
+/// The next one that a pointer can move; the same where there is no other.
+void vtkInteractorStyleHaptic::TakeNextHand()
+{
+  const int count = this->Session ? this->Session->GetNumberOfDevices() : 1;
+  for (int step = 1; step < count; ++step)
+  {
+    const int next = (this->Hand + step) % count;
+    if (this->Session->GetDevice(next)->IsSimulated())
+    {
+      this->SetHand(next);
+      return;
+    }
+  }
 }
 
 void vtkInteractorStyleHaptic::SetHelpVisibility(bool visible)

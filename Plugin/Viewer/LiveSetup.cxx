@@ -69,6 +69,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   setup->SetCurvatureCorrection(scene.terms.curvature);
   setup->SetEdgeCorrection(scene.terms.edges);
   setup->SetMaximumTilt(scene.terms.tilt);
+  setup->SetCoupling(!options.hands.empty());
   for (std::size_t i = 0; i < scene.relaxation.count; ++i)
   {
     setup->AddRelaxation(scene.relaxation.strength[i], scene.relaxation.time[i]);

@@ -124,8 +124,12 @@ LiveTouch::LiveTouch(
   this->onFrame(
     [this]
     {
-      const double force = this->Session->GetNewestTick().idealForce.norm();
-      this->StrongestForce = std::max(this->StrongestForce, force);
+      this->StrongestForces.resize(static_cast<std::size_t>(this->Session->GetNumberOfDevices()));
+      for (std::size_t hand = 0; hand < this->StrongestForces.size(); ++hand)
+      {
+        const Tick& tick = this->Session->GetNewestTick(static_cast<int>(hand));
+        this->StrongestForces[hand] = std::max(this->StrongestForces[hand], tick.idealForce.norm());
+      }
     });
 }
 
@@ -149,12 +153,22 @@ void LiveTouch::placeHelp()
 
 void LiveTouch::open()
 {
+  bool followsMouse = false;
+  for (int hand = this->Session->GetNumberOfDevices() - 1; hand >= 0; --hand)
+  {
+    if (this->Session->GetDevice(hand)->IsSimulated()) // no other follows the mouse
+    {
+      const TouchSite begin = siteOfHand(this->Scene, this->Responses.body, hand);
+      this->Style->SetHand(hand);
+      this->Style->HoverAt(begin.point.data(), begin.normal.data());
+      followsMouse = true;
+    }
+  }
   const TouchSite site = firstSite(this->Scene, this->Responses.body);
-  this->Style->HoverAt(site.point.data(), site.normal.data());
   const std::array<double, 3> tip = site.above(this->Style->GetHoverHeight());
   const double none[3] = { 0.0, 0.0, 0.0 };
   this->Interactor->Initialize();
-  if (this->Session->GetDevice()->IsSimulated()) // no other follows the mouse
+  if (followsMouse)
   {
     this->Renderer->AddViewProp(this->Hint);
     this->onFrame([this] { this->placeHelp(); });
@@ -271,7 +285,13 @@ void LiveTouch::printSummary()
   std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
     static_cast<long long>(this->Session->GetNumberOfTicks()),
     static_cast<long long>(this->Session->GetRecorder()->GetNumberOfMissedTicks()),
-    this->StrongestForce);
+    this->StrongestForces.front());
+  for (std::size_t hand = 1; hand < this->StrongestForces.size(); ++hand)
+  {
+    std::printf("hand %zu: strongest force %.4g N, device %s\n", hand + 1,
+      this->StrongestForces[hand],
+      this->Session->GetDevice(static_cast<int>(hand))->GetStatus().c_str());
+  }
   std::printf("device: %s\n%s", this->Session->GetDevice()->GetStatus().c_str(),
     this->Session->GetRecorder()->GetStatisticsText().c_str());
 }

@@ -25,6 +25,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -71,8 +72,8 @@ private:
   const ViewerOptions& Options;
   const TouchScene& Scene;
   const ResponseSet& Responses;
-  double LargestForce;         ///< that arrows and charts are scaled for, N
-  double StrongestForce = 0.0; ///< ideal force of the frames, N
+  double LargestForce;                        ///< that arrows and charts are scaled for, N
+  std::vector<double> StrongestForces{ 0.0 }; ///< ideal force of the frames, of each hand, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;
   std::string HelpText;

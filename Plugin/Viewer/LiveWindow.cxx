@@ -67,6 +67,11 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
+  error = addHands(options, live.session());
+  if (!error.empty())
+  {
+    return error;
+  }
   placeDevice(scene, responses, live.session());
   live.showHelp(Help);
   live.usePanel(setup);

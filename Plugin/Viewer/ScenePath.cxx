@@ -7,6 +7,8 @@
 #include "vtkPointData.h"
 #include "vtkPressPath.h"
 
+#include <algorithm>
+
 namespace palpate
 {
 std::string makePath(const TouchScene& scene, vtkPolyData* path)
@@ -34,6 +36,17 @@ std::array<double, 3> TouchSite::above(double height) const
   return place;
 }
 
+namespace
+{
+TouchSite siteAt(vtkPolyData* bodyWithResponse, vtkIdType point)
+{
+  TouchSite site;
+  bodyWithResponse->GetPoint(point, site.point.data());
+  bodyWithResponse->GetPointData()->GetArray("ResponseNormal")->GetTuple(point, site.normal.data());
+  return site;
+}
+} // namespace
+
 TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse)
 {
   constexpr double cosine = 0.9994;
@@ -53,9 +66,34 @@ TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse)
       best = i;
     }
   }
-  TouchSite site;
-  bodyWithResponse->GetPoint(best, site.point.data());
-  bodyWithResponse->GetPointData()->GetArray("ResponseNormal")->GetTuple(best, site.normal.data());
-  return site;
+  return siteAt(bodyWithResponse, best);
+}
+
+PictureAxes::PictureAxes(const TouchScene& scene)
+{
+  double towards[3] = { scene.viewFrom[0], scene.viewFrom[1], scene.viewFrom[2] };
+  vtkMath::Normalize(towards);
+  vtkMath::Cross(scene.up.data(), towards, this->right);
+  vtkMath::Normalize(this->right);
+  vtkMath::Cross(towards, this->right, this->up);
+}
+
+TouchSite siteOfHand(const TouchScene& scene, vtkPolyData* bodyWithResponse, int hand)
+{
+  constexpr double step = 15.0; // mm: about as far as a finger is from the next
+  constexpr double share = 0.1; // of the body's diagonal, at most
+  const TouchSite first = firstSite(scene, bodyWithResponse);
+  if (hand == 0)
+  {
+    return first;
+  }
+  const double way = hand * std::min(step, share * bodyWithResponse->GetLength());
+  const PictureAxes axes(scene);
+  double place[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    place[k] = first.point[static_cast<std::size_t>(k)] + way * axes.right[k];
+  }
+  return siteAt(bodyWithResponse, bodyWithResponse->FindPoint(place));
 }
 } // namespace palpate

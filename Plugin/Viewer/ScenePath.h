@@ -27,6 +27,19 @@ struct TouchSite
 /// Where the scene is touched first: the outermost vertex within two degrees of its first direction
 /// from the centre.
 TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse);
+
+/// To the right and upward in the picture of a scene, unit.
+struct PictureAxes
+{
+  explicit PictureAxes(const TouchScene& scene);
+
+  double right[3];
+  double up[3];
+};
+
+/// Where one of several hands begins, from 0: at the first site, or so many steps to the right of
+/// it.
+TouchSite siteOfHand(const TouchScene& scene, vtkPolyData* bodyWithResponse, int hand);
 } // namespace palpate
 
 #endif

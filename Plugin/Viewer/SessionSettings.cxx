@@ -5,7 +5,6 @@
 #include "ScenePath.h"
 
 #include "vtkHapticSession.h"
-#include "vtkMath.h"
 
 #include <cstdio>
 #include <sstream>
@@ -45,25 +44,36 @@ std::string chooseDevice(
   return {};
 }
 
+std::string addHands(const ViewerOptions& options, vtkHapticSession* session)
+{
+  const QuietScope quiet;
+  for (const std::string& name : options.hands)
+  {
+    const int hand = session->AddDevice(name);
+    if (hand < 0)
+    {
+      return quiet.window->reason();
+    }
+    session->GetDevice(hand)->SetScale(options.scale);
+  }
+  return {};
+}
+
 void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session)
 {
-  vtkHapticDevice* device = session->GetDevice();
-  if (!device->IsPhysical())
-  {
-    return;
-  }
   constexpr double hover = 10.0; // mm: the hand begins above the surface, where its device is at 0
-  const TouchSite site = firstSite(scene, responses.body);
-  double towards[3] = { scene.viewFrom[0], scene.viewFrom[1], scene.viewFrom[2] };
-  double right[3];
-  double up[3];
-  vtkMath::Normalize(towards);
-  vtkMath::Cross(scene.up.data(), towards, right);
-  vtkMath::Cross(towards, right, up);
-  device->SetOrigin(site.above(hover).data());
-  device->SetRight(right);
-  device->SetUp(up);
-  device->SetClutchButtons(1);
+  const PictureAxes axes(scene);
+  for (int hand = 0; hand < session->GetNumberOfDevices(); ++hand)
+  {
+    vtkHapticDevice* device = session->GetDevice(hand);
+    if (device->IsPhysical())
+    {
+      device->SetOrigin(siteOfHand(scene, responses.body, hand).above(hover).data());
+      device->SetRight(axes.right);
+      device->SetUp(axes.up);
+      device->SetClutchButtons(1);
+    }
+  }
 }
 
 std::string startQuietly(vtkHapticSession* session)

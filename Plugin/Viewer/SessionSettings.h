@@ -25,8 +25,11 @@ std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
 
-/// Puts a device that is plugged in where it is seen: its origin above the first site, its x to the
-/// right and its y up in the picture; its first button is the clutch.
+/// Adds the further devices of the options. Returns an error, or "".
+std::string addHands(const ViewerOptions& options, vtkHapticSession* session);
+
+/// Puts devices that are plugged in where they are seen: the origin above the first site, of
+/// further ones beside it, x to the right and y up in the picture; the first button is the clutch.
 void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Starts the session; returns the error it reported, or "".

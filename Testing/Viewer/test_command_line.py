@@ -10,7 +10,7 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot",
            "--voxel", "--solid", "--fixed", "--layer", "--layers", "--base", "--measured", "--register", "--reach",
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
-           "--contact-surface", "--device", "--list-devices", "--record", "--scale", "--trial",
+           "--contact-surface", "--device", "--hand", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
            "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
            "--no-curvature", "--edges", "--tilt", "--relax", "--relaxation-elements")

@@ -6,6 +6,7 @@
 Needs a display of its own (the pointer is there once) and xdotool; exit code 77 without xdotool. The
 test waits for what the program prints, and gives its window a bounded time to follow the mouse.
 """
+import csv
 import math
 import os
 import re
@@ -194,6 +195,67 @@ class LiveWindow(unittest.TestCase):
         xdotool("mousemove", 640, 340)
         time.sleep(FOLLOW)
         self.assertEqual(self.strongest_force(self.quit()), 0.0)
+
+    def test_one_finger_lifts_the_force_off_the_other(self):
+        self.quit()
+        record = os.path.join(FOLDER, "hands.csv")
+        self.open("hands", "--hand", "simulated", "--record", record)
+        xdotool("mousemove", 560, 330)
+        time.sleep(FOLLOW)
+        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # 1 mm deep; the flat end stays there
+        time.sleep(FOLLOW)
+        xdotool("key", "n")
+        xdotool("mousemove", 600, 330)
+        time.sleep(FOLLOW)
+        xdotool("click", "--repeat", 10, "--delay", 50, 4)
+        time.sleep(FOLLOW)
+        said = self.quit()
+        with open(record, encoding="utf-8") as file:
+            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
+        alone, together = max(ticks, key=lambda tick: tick["ideal_force_N"]), ticks[-1]
+        for tick in (alone, together):  # 2 a E* of what is left of the depth; blended normals over facets, as above
+            flat = 2.0 * 1.6 * 3.45 * tick["deflection_mm"]
+            self.assertAlmostEqual(tick["ideal_force_N"], flat, delta=0.06 * flat)
+        # The finger has not moved, and the other has let the surface down under it.
+        for axis in "xyz":
+            self.assertAlmostEqual(alone[f"tip_{axis}_mm"], together[f"tip_{axis}_mm"], delta=1e-3)
+        self.assertAlmostEqual(alone["deflection_mm"], 1.0, delta=0.05)
+        print("alone", alone["ideal_force_N"], "N, beside another", together["ideal_force_N"], "N")
+        self.assertLess(together["ideal_force_N"], 0.95 * alone["ideal_force_N"])
+        other = float(re.search(r"hand 2: strongest force (\S+) N", said).group(1))
+        self.assertAlmostEqual(other, together["ideal_force_N"], delta=0.1 * other)
+        self.assertTrue(self.shows_force_and_dent(), "see " + self.picture)
+
+    def test_leaning_a_flat_end_by_five_degrees_halves_its_force(self):
+        self.quit()
+        record = os.path.join(FOLDER, "leaning.csv")
+        self.open("leaning", "--tool", "flat:1.6", "--tilt", "15", "--record", record)
+        xdotool("mousemove", 560, 330)
+        time.sleep(FOLLOW)
+        xdotool("click", "--repeat", 3, "--delay", 50, 4)  # 0.3 mm
+        time.sleep(FOLLOW)
+        xdotool("key", "bracketright", "key", "bracketright")  # 2.5 degrees each: its edge is deeper by a sin 5 degrees
+        time.sleep(FOLLOW)
+        xdotool("click", "--repeat", 2, "--delay", 1000, 5)  # back, so that the edge passes 0.3 mm
+        time.sleep(FOLLOW)
+        said = self.quit()
+        with open(record, encoding="utf-8") as file:
+            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
+        axes = [tick["axis_x"] ** 2 + tick["axis_y"] ** 2 + tick["axis_z"] ** 2 for tick in ticks]
+        upright = [tick for tick, axis in zip(ticks, axes) if axis == 0 and tick["ideal_force_N"] > 0][-1]
+        deepest = max(index for index, tick in enumerate(ticks) if tick["deflection_mm"] > 0.335)
+        leaning = ticks[deepest:]  # it has turned long before, and comes up
+        same = min(leaning, key=lambda tick: abs(tick["deflection_mm"] - upright["deflection_mm"]))
+        print("upright", upright["ideal_force_N"], "N at", upright["deflection_mm"], "mm, leaning",
+              same["ideal_force_N"], "N at", same["deflection_mm"], "mm")
+        self.assertAlmostEqual(upright["deflection_mm"], 0.3, delta=0.015)
+        self.assertAlmostEqual(same["deflection_mm"], upright["deflection_mm"], delta=0.005)
+        # Of a half-space, 0.1875 radii deep, 0.555 (Data/Reference/tilt). The body is a cylinder, against whose blended
+        # normals the tool leans, a degree more or less from facet to facet, and the curve there is steep.
+        self.assertAlmostEqual(same["ideal_force_N"] / upright["ideal_force_N"], 0.555, delta=0.08, msg=said)
+        torque = math.hypot(*(same[f"torque_{axis}_Nmm"] for axis in "xyz"))
+        self.assertGreater(torque, 0.1 * same["ideal_force_N"])
+        self.assertTrue(self.shows_force_and_dent(), "see " + self.picture)
 
     def test_dragging_beside_the_body_orbits(self):
         self.quit()

@@ -60,6 +60,7 @@ public:
   const std::vector<Tick>& ticks() const noexcept { return this->Ticks; }
 
   void foresee() const noexcept { this->Current->together->foresee(); }
+  void rehearse(double elapsed) const noexcept { this->Current->together->rehearse(elapsed); }
 
   /// False, and nothing happens but that it is retired, if it is made for another number of hands.
   bool change(std::unique_ptr<ServoScene> next) noexcept;

@@ -152,6 +152,16 @@ public:
     }
   }
 
+  /// As ToolContact::rehearse.
+  void rehearse(double elapsed) const noexcept
+  {
+    this->Current->contact.rehearse(elapsed);
+    if (this->Leaving)
+    {
+      this->Leaving->contact.rehearse(elapsed);
+    }
+  }
+
   /// Null: nothing happens.
   void change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Leaving != nullptr; }

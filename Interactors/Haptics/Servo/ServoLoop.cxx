@@ -66,6 +66,10 @@ std::string ServoLoopSettings::fault() const
   {
     return rangeFault("a recording", recorded, " ticks", 0.0, MaximumRecordedTicks);
   }
+  if (!(this->rehearsal >= 0.0 && this->rehearsal <= 0.5 / this->rate))
+  {
+    return rangeFault("a rehearsal", this->rehearsal, " s", 0.0, 0.5 / this->rate);
+  }
   if (this->realTime.priority < 0 || this->realTime.priority > 99)
   {
     return rangeFault("a real-time priority", this->realTime.priority, "", 0.0, 99.0);
@@ -240,7 +244,7 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
       skip((done - deadline) / period + 1);
     }
     this->foresee();
-    sleepUntil(deadline);
+    this->wait(deadline);
   }
   this->finish();
 }
@@ -280,6 +284,23 @@ void ServoLoop::write(std::size_t device, const DeviceSample& sample, const Tick
 void ServoLoop::foresee() const noexcept
 {
   this->Step ? this->Step->foresee() : this->Hands->foresee();
+}
+
+void ServoLoop::wait(std::int64_t deadline) const noexcept
+{
+  if (this->Settings.rehearsal == 0.0)
+  {
+    sleepUntil(deadline);
+    return;
+  }
+  sleepUntil(deadline -
+    static_cast<std::int64_t>(std::llround(this->Settings.rehearsal * NanosecondsPerSecond)));
+  const double period = 1.0 / this->Settings.rate;
+  this->Step ? this->Step->rehearse(period) : this->Hands->rehearse(period);
+  while (now() < deadline && this->goesOn())
+  {
+    // a sleep as short as this would end late
+  }
 }
 
 void ServoLoop::takeScene() noexcept

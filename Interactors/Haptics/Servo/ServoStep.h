@@ -52,6 +52,9 @@ public:
   /// For when the force is sent, before the loop waits: asks for the memory which the next step
   /// reads if the hand moves on as it did. Changes nothing, and may be left out.
   void foresee() const noexcept { this->Scenes.foresee(); }
+  /// For the last moments before the next sample is read: makes its contact beforehand, on a copy
+  /// (ToolContact::rehearse), `elapsed` s after the last step. Changes nothing; may be left out.
+  void rehearse(double elapsed) const noexcept { this->Scenes.rehearse(elapsed); }
 
   /// Hands over another scene; null: nothing happens. See SceneSwitch.
   void change(std::unique_ptr<ServoScene> next) noexcept { this->Scenes.change(std::move(next)); }

@@ -2,15 +2,16 @@
 #include "Interaction/Display/BodyDisplay.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/BodyField.h"
 #include "Response/Pieces/Ranks.h"
 #include "Interaction/Display/DeflectionShader.h"
+#include "Interaction/Display/DrawnSurface.h"
 #include "Interaction/Display/ModeAttributes.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"
 #include "vtkContactTool.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
@@ -18,7 +19,6 @@
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkTriangleMeshPointNormals.h"
@@ -27,14 +27,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace palpate
 {
 namespace
 {
-constexpr const char* Displacement = "ContactDisplacement";
-constexpr const char* Normals = "SurfaceNormals";
+constexpr const char* Displacement = DrawnSurface::Displacement;
 
 void colorByDisplacement(vtkMapper* mapper, vtkLookupTable* colors)
 {
@@ -45,68 +46,47 @@ void colorByDisplacement(vtkMapper* mapper, vtkLookupTable* colors)
   mapper->InterpolateScalarsBeforeMappingOn();
 }
 
-vtkSmartPointer<vtkFloatArray> normalsOf(const BodyMesh& mesh)
+std::string firstOf(const std::vector<std::string>& faults)
 {
-  auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetName(Normals);
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.pointCount()));
-  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
-  {
-    const Eigen::Vector3f normal = mesh.pointNormal(static_cast<std::int32_t>(i)).cast<float>();
-    normals->SetTypedTuple(i, normal.data());
-  }
-  return normals;
+  const auto first = std::find_if(
+    faults.begin(), faults.end(), [](const std::string& fault) { return !fault.empty(); });
+  return first == faults.end() ? std::string() : *first;
 }
 
-/// Mean length of the edges of a triangle, mm.
-double edgeOf(const std::array<Vector3, 3>& corners)
+void addTo(vtkFloatArray* values, vtkFloatArray* sum)
 {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    sum += (corners[(i + 1) % 3] - corners[i]).norm();
-  }
-  return sum / 3.0;
-}
-
-double longestOf(const std::vector<vtkDataArray*>& modes)
-{
-  double longest = 0.0;
-  for (vtkDataArray* mode : modes)
-  {
-    longest = std::max(longest, mode->GetMaxNorm());
-  }
-  return longest;
-}
-
-/// Of all that is drawn of a body but the dent. Such times are unique, so they name it.
-std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataArray*>& modes)
-{
-  std::vector<vtkMTimeType> times;
-  if (body->GetPoints())
-  {
-    times = { body->GetPoints()->GetMTime(), body->GetVerts()->GetMTime(),
-      body->GetLines()->GetMTime(), body->GetPolys()->GetMTime(), body->GetStrips()->GetMTime() };
-  }
-  for (vtkDataArray* mode : modes)
-  {
-    times.push_back(mode->GetMTime());
-  }
-  return times;
+  const vtkIdType count = std::min(values->GetNumberOfValues(), sum->GetNumberOfValues());
+  std::transform(values->GetPointer(0), values->GetPointer(0) + count, sum->GetPointer(0),
+    sum->GetPointer(0), std::plus<>());
 }
 
 FieldContact fieldContact(const ShownContact& shown)
 {
   const Contact& felt = shown.tick.contact;
-  return { shown.cell, felt.deflection, (shown.tick.idealForce - felt.friction).dot(felt.normal),
-    felt.contactPoint, felt.normal };
+  FieldContact contact{ shown.cell, felt.deflection,
+    (shown.tick.idealForce - felt.friction).dot(felt.normal), felt.contactPoint, felt.normal };
+  if (shown.isLetDown())
+  {
+    contact.depth = shown.tipDepth();
+  }
+  return contact;
 }
 } // namespace
+
+struct BodyDisplay::Dent
+{
+  FieldContact contact;
+  double circleRadius = 0.0;
+  double circleDepth = 0.0;
+  double edge = 1.0; ///< mean length of the touched triangle's edges, mm
+  std::shared_ptr<const LayerKernel> kernel;
+  std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
+};
 
 BodyDisplay::BodyDisplay(vtkLookupTable* colors)
   : Actor(vtkSmartPointer<vtkActor>::New())
   , Mapper(vtkSmartPointer<DentMapper>::New())
+  , Dents(1)
   , Shader(this->Actor)
   , Displaced(vtkSmartPointer<vtkPolyData>::New())
   , Warp(vtkSmartPointer<vtkWarpVector>::New())
@@ -120,8 +100,8 @@ BodyDisplay::BodyDisplay(vtkLookupTable* colors)
   this->PointsMapper->SetInputConnection(normals->GetOutputPort());
   colorByDisplacement(this->PointsMapper, colors);
   colorByDisplacement(this->Mapper, colors);
-  this->Mapper->MapDataArrayToVertexAttribute(
-    DeflectionShader::NormalAttribute, Normals, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  this->Mapper->MapDataArrayToVertexAttribute(DeflectionShader::NormalAttribute,
+    DrawnSurface::Normals, vtkDataObject::FIELD_ASSOCIATION_POINTS);
   this->Actor->SetMapper(this->Mapper);
 }
 
@@ -130,7 +110,10 @@ BodyDisplay::~BodyDisplay() = default;
 void BodyDisplay::setBody(vtkPolyData* body)
 {
   this->Body = body;
-  this->Shown.cell = -1; // a contact with the body before
+  for (Dent& dent : this->Dents)
+  {
+    dent.contact.cell = -1; // a contact with the body before
+  }
   this->BodyTime = 0;
   this->refresh();
 }
@@ -191,10 +174,36 @@ void BodyDisplay::setByShader(bool on)
   this->refresh();
 }
 
-void BodyDisplay::show(const ShownContact& contact)
+void BodyDisplay::show(const std::vector<ShownContact>& contacts)
 {
-  this->Shown = contact;
+  const std::size_t count = std::max<std::size_t>(contacts.size(), 1);
+  if (count != this->Dents.size())
+  {
+    this->Dents.resize(count);
+    this->BodyTime = 0; // another code in the shader
+  }
+  this->Dents.front().contact.cell = -1;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+  {
+    this->Dents[i].contact = fieldContact(contacts[i]);
+  }
   this->refresh();
+}
+
+double BodyDisplay::contactRadius(std::size_t contact) const
+{
+  return contact < this->Dents.size() ? this->Dents[contact].circleRadius : 0.0;
+}
+
+double BodyDisplay::circleDepth(std::size_t contact) const
+{
+  return contact < this->Dents.size() ? this->Dents[contact].circleDepth : 0.0;
+}
+
+bool BodyDisplay::touches() const
+{
+  return std::any_of(this->Dents.begin(), this->Dents.end(),
+    [](const Dent& dent) { return dent.contact.cell >= 0; });
 }
 
 void BodyDisplay::refresh()
@@ -218,50 +227,43 @@ void BodyDisplay::takeBody()
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;
   const auto modes = globalModeArrays(this->Body, this->ResponseName);
-  const auto times = timesOf(this->Body, modes);
+  const auto times = DrawnSurface::timesOf(this->Body, modes);
   if (this->HasField && this->DrawnTimes == times)
   {
     this->installShader(modes.size());
     return; // the same surface, under other responses
   }
   this->DrawnTimes.clear();
-  vtkNew<vtkPolyData> drawn;
-  drawn->CopyStructure(this->Body);
   const std::string fault = this->HasField ? checkTriangles(this->Body) : std::string();
   this->complain(fault.empty() ? fault : "Wrong body: " + fault);
   if (!this->HasField || !fault.empty())
   {
     this->HasField = false;
     this->Shader.remove();
-    this->Mapper->SetInputData(drawn);
+    vtkNew<vtkPolyData> bare;
+    bare->CopyStructure(this->Body);
+    this->Mapper->SetInputData(bare);
     return;
   }
-  const BodyMesh mesh = makeBodyMesh(this->Body);
-  drawn->GetPointData()->SetNormals(normalsOf(mesh));
-  vtkNew<vtkFloatArray> none; // without it the mapper would make no texture of the colours
-  none->SetName(Displacement);
-  none->SetNumberOfTuples(drawn->GetNumberOfPoints());
-  none->Fill(0.0);
-  drawn->GetPointData()->AddArray(none);
-  this->ModeLength = longestOf(modes);
-  addModeAttributes(mesh, modes, drawn, this->Mapper);
-  this->Mapper->SetInputData(drawn);
+  this->ModeLength = DrawnSurface::longestOf(modes);
+  DrawnSurface::give(this->Body, modes, this->Mapper);
   this->installShader(modes.size());
   this->DrawnTimes = times;
 }
 
 void BodyDisplay::installShader(std::size_t modes)
 {
-  this->Shader.install(static_cast<int>(std::min(modes, MostModes)),
-    this->Body->GetPointData()->HasArray(NearFieldArray) != 0);
+  this->Shader.install({ static_cast<int>(std::min(modes, MostModes)),
+    this->Body->GetPointData()->HasArray(NearFieldArray) != 0,
+    static_cast<int>(this->Dents.size()) });
 }
 
-ContactField BodyDisplay::makeField(const FieldContact& contact)
+ContactField BodyDisplay::makeField(Dent& dent, std::string& fault)
 {
-  std::string fault;
-  this->CircleRadius = 0.0;
-  this->CircleDepth = 0.0;
-  this->Edge = 1.0;
+  const FieldContact& contact = dent.contact;
+  dent.circleRadius = 0.0;
+  dent.circleDepth = 0.0;
+  dent.edge = 1.0;
   if (contact.cell < 0 || !this->HasField || this->Body->GetNumberOfPoints() == 0)
   {
     return {};
@@ -278,20 +280,19 @@ ContactField BodyDisplay::makeField(const FieldContact& contact)
   }
   if (!law || !fault.empty())
   {
-    this->complain(fault);
     return {};
   }
   const FieldTriangle triangle =
     fieldTriangle(this->Body, static_cast<vtkIdType>(contact.cell), this->ResponseName);
   ContactField field(
-    triangle, *law, contact, { this->PoissonRatio, this->FieldRadius }, this->Kernel);
-  this->complain(field.fault());
+    triangle, *law, contact, { this->PoissonRatio, this->FieldRadius }, dent.kernel);
+  fault = field.fault();
   if (!field.isEmpty())
   {
-    this->Edge = edgeOf(triangle.corners);
-    this->CircleRadius = field.contactRadius();
-    this->CircleDepth =
-      contact.deflection - field.localDeflection() + field.local(this->CircleRadius).normal;
+    dent.edge = DrawnSurface::edgeOf(triangle.corners);
+    dent.circleRadius = field.contactRadius();
+    dent.circleDepth =
+      contact.deflection - field.localDeflection() + field.local(dent.circleRadius).normal;
   }
   return field;
 }
@@ -311,57 +312,88 @@ void BodyDisplay::showByShader()
   {
     this->takeBody();
   }
-  const FieldContact contact = fieldContact(this->Shown);
-  const ContactField field = this->makeField(contact);
-  this->Shader.show(field, contact, this->Edge, this->exaggeration());
+  std::vector<DrawnDent> drawn;
+  std::vector<std::string> faults(this->Dents.size());
   double around = 0.0;
-  for (const double weight : field.modeWeights())
+  Vector3 deepest = this->Dents.front().contact.point;
+  double most = -1.0;
+  for (Dent& dent : this->Dents)
   {
-    around += std::abs(weight) * this->ModeLength;
+    const ContactField field = this->makeField(dent, faults[drawn.size()]);
+    drawn.push_back({ field, dent.contact, dent.edge });
+    for (const double weight : field.modeWeights())
+    {
+      around += std::abs(weight) * this->ModeLength;
+    }
+    const NearField& near = field.nearField();
+    around += std::abs(near.depth) + std::abs(field.nearDepth()) + near.slope.norm() * near.radius +
+      near.bend.norm() * near.radius * near.radius;
+    if (dent.contact.cell >= 0 && dent.contact.deflection > most)
+    {
+      most = dent.contact.deflection;
+      deepest = dent.contact.point - this->exaggeration() * most * dent.contact.normal;
+    }
   }
-  const NearField& near = field.nearField();
-  around += std::abs(near.depth) + std::abs(field.nearDepth()) + near.slope.norm() * near.radius +
-    near.bend.norm() * near.radius * near.radius;
-  const Vector3 deepest =
-    contact.point - this->exaggeration() * contact.deflection * contact.normal;
-  this->Mapper->setDent(deepest.data(), contact.cell < 0 ? -1.0 : this->exaggeration() * around);
+  this->complain(firstOf(faults));
+  this->Shader.show(drawn, this->exaggeration());
+  this->Mapper->setDent(deepest.data(), most < 0.0 ? -1.0 : this->exaggeration() * around);
 }
 
 void BodyDisplay::showByPoints()
 {
-  const FieldContact contact = fieldContact(this->Shown);
   const bool isNew = this->BodyTime != this->Body->GetMTime();
-  if (!this->Shown.touches() && !this->IsDented && !isNew)
+  if (!this->touches() && !this->IsDented && !isNew)
   {
     return; // no dent before, none now: the body need not be drawn anew
   }
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;
-  std::string fault = this->HasField ? checkBody(this->Body, this->ResponseName) : std::string();
+  const std::string wrong =
+    this->HasField ? checkBody(this->Body, this->ResponseName) : std::string();
   this->Displaced->Initialize();
-  if (!this->HasField || !fault.empty())
+  if (!this->HasField || !wrong.empty())
   {
     this->HasField = false;
-    this->complain(fault.empty() ? fault : "Wrong body: " + fault);
+    this->complain(wrong.empty() ? wrong : "Wrong body: " + wrong);
     return;
   }
-  const ContactField field = this->makeField(contact);
-  this->IsDented = !field.isEmpty() || !field.modeWeights().empty();
+  this->IsDented = false;
   this->Displaced->ShallowCopy(this->Body);
-  vtkNew<vtkFloatArray> displacement;
-  fault = this->Field.displace(Ranks(), this->Body, this->IsDented ? contact : FieldContact(), 0,
-    { this->PressedTool ? this->PressedTool->GetKernel() : nullptr, this->ResponseName,
-      { this->PoissonRatio, DeflectionShader::reachOf(field) } },
-    displacement);
-  if (!fault.empty())
+  std::vector<std::string> faults;
+  vtkSmartPointer<vtkFloatArray> sum;
+  for (Dent& dent : this->Dents)
   {
-    this->complain(fault);
+    const auto displacement = this->displaceByPoints(dent, faults.emplace_back());
+    if (sum)
+    {
+      addTo(displacement, sum);
+    }
+    else
+    {
+      sum = displacement;
+    }
   }
-  for (const std::string& warning : this->Field.warnings())
+  this->complain(firstOf(faults));
+  this->Displaced->GetPointData()->AddArray(sum);
+}
+
+vtkSmartPointer<vtkFloatArray> BodyDisplay::displaceByPoints(Dent& dent, std::string& fault)
+{
+  const ContactField field = this->makeField(dent, fault);
+  const bool isDented = !field.isEmpty() || !field.modeWeights().empty();
+  this->IsDented = this->IsDented || isDented;
+  auto displacement = vtkSmartPointer<vtkFloatArray>::New();
+  const std::string wrong =
+    dent.byPoints->displace(Ranks(), this->Body, isDented ? dent.contact : FieldContact(), 0,
+      { this->PressedTool ? this->PressedTool->GetKernel() : nullptr, this->ResponseName,
+        { this->PoissonRatio, DeflectionShader::reachOf(field) } },
+      displacement);
+  fault = fault.empty() ? wrong : fault;
+  for (const std::string& warning : dent.byPoints->warnings())
   {
     vtkWarningWithObjectMacro(this->Actor, << warning << ".");
   }
-  this->Displaced->GetPointData()->AddArray(displacement);
+  return displacement;
 }
 
 void BodyDisplay::bounds(double bounds[6])

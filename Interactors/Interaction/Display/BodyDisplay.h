@@ -4,16 +4,16 @@
 
 #include "Interaction/Display/DeflectionShader.h"
 #include "Interaction/Display/ShownContact.h"
-#include "Response/BodyField.h"
 
 #include "vtkSmartPointer.h"
 
-#include <memory>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkContactTool;
+class vtkFloatArray;
 class vtkLookupTable;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -24,7 +24,8 @@ namespace palpate
 class DentMapper;
 
 /**
- * The body with the dent of one contact, coloured by the length of the displacement.
+ * The body with the dents of its contacts, which add up, coloured by the length of the
+ * displacement.
  *
  * By shader (the default) a frame costs the same at any size of the mesh; otherwise each point is
  * computed anew (BodyField). Both draw the same field, see ContactField; the shader's limits stand
@@ -57,32 +58,36 @@ public:
   void setByShader(bool on);
   bool byShader() const { return this->ByShader; }
 
-  void show(const ShownContact& contact);
+  void show(const ShownContact& contact) { this->show(std::vector<ShownContact>{ contact }); }
+  void show(const std::vector<ShownContact>& contacts);
 
-  /// Of the contact shown, mm: radius of its circle, and how deep below the contact point that
-  /// lies; 0 without contact.
-  double contactRadius() const { return this->CircleRadius; }
-  double circleDepth() const { return this->CircleDepth; }
+  /// Of a contact shown, mm: radius of its circle, and how deep below the contact point that lies;
+  /// 0 without contact.
+  double contactRadius(std::size_t contact = 0) const;
+  double circleDepth(std::size_t contact = 0) const;
 
   /// Of the body as it is drawn, mm.
   void bounds(double bounds[6]);
   vtkActor* actor() { return this->Actor; }
 
 private:
+  /// One contact.
+  struct Dent;
+
   void takeBody();
   void installShader(std::size_t modes);
   void refresh();
   void showByShader();
   void showByPoints();
-  /// A field of the shown contact; empty, and an error, if the body does not allow it.
-  ContactField makeField(const FieldContact& contact);
+  /// The field of a dent, as it is drawn; empty, with what is wrong, if the body does not allow it.
+  ContactField makeField(Dent& dent, std::string& fault);
+  bool touches() const;
+  /// How far each point moves by a dent.
+  vtkSmartPointer<vtkFloatArray> displaceByPoints(Dent& dent, std::string& fault);
   void complain(const std::string& fault);
 
   vtkSmartPointer<vtkActor> Actor;
-  ShownContact Shown;
-  double CircleRadius = 0.0;
-  double CircleDepth = 0.0;
-  double Edge = 1.0; ///< mean length of the touched triangle's edges, mm
+  std::vector<Dent> Dents; ///< at least one
   double FieldRadius = 0.0;
   bool ByShader = true;
 
@@ -94,7 +99,6 @@ private:
   std::string Fault;                           ///< that was complained about last
   bool HasField = true;                        ///< the body is one a field can be drawn on
   double ModeLength = 0.0;                     ///< longest vector of any mode
-  std::shared_ptr<const LayerKernel> Kernel;
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;
 
@@ -102,7 +106,6 @@ private:
   double PoissonRatio = 0.45;
   vtkSmartPointer<vtkPolyData> Displaced; ///< the body with the displacement of each point
   bool IsDented = false;
-  BodyField Field;
   vtkSmartPointer<vtkWarpVector> Warp;
   vtkSmartPointer<vtkPolyDataMapper> PointsMapper;
 };

@@ -7,15 +7,25 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
 class vtkActor;
 class vtkShaderProperty;
 
 namespace palpate
 {
+/// What a shader draws of one contact.
+struct DrawnDent
+{
+  ContactField field;
+  FieldContact contact;
+  double edge = 1.0; ///< of the mesh, its length, mm
+};
+
 /**
- * A ContactField in the vertex shader of an actor: moves the vertices, turns their normals and
+ * ContactFields in the vertex shader of an actor: moves the vertices, turns their normals and
  * gives each the texture coordinate of its displacement's length, from uniforms alone. What a
- * frame costs the processor does not depend on the mesh.
+ * frame costs the processor does not depend on the mesh. Fields of several contacts add up.
  *
  * Of the mapper it needs the point array SurfaceNormals as the vertex attribute `palpateSurface`
  * (angle-weighted normals), for each global mode the attributes that ModeAttributes makes, points
@@ -40,23 +50,34 @@ public:
 
   explicit DeflectionShader(vtkActor* actor);
 
-  /// Puts the code into the shaders of the actor, for a body with so many global modes, and with or
-  /// without a near field; again to change these.
-  void install(int modes, bool hasNearField);
+  /// What the code in the shaders is made for.
+  struct Code
+  {
+    int modes = 0; ///< global ones of the body
+    bool hasNearField = false;
+    int contacts = 1; ///< 600 floats of uniforms each: OpenGL 3.2 has room for one, cards for six
+
+    bool operator==(const Code& other) const
+    {
+      return this->modes == other.modes && this->hasNearField == other.hasNearField &&
+        this->contacts == other.contacts;
+    }
+  };
+  /// Puts the code into the shaders of the actor; again to change it.
+  void install(const Code& code);
   void remove();
 
-  /// `edge` is the length of an edge of the mesh, mm; `exaggeration` multiplies what is drawn, not
-  /// its colour.
-  void show(
-    const ContactField& field, const FieldContact& contact, double edge, double exaggeration);
+  /// No more dents than the code has contacts; `exaggeration` multiplies what is drawn, not its
+  /// colour.
+  void show(const std::vector<DrawnDent>& dents, double exaggeration);
 
   /// Texture coordinates of a length u, mm: (start + perLength u, row).
   static void setColors(vtkShaderProperty* property, float start, float perLength, float row);
 
 private:
   vtkSmartPointer<vtkShaderProperty> Property;
-  int Modes = -1; ///< of the code that is installed; -1: none
-  bool HasNearField = false;
+  Code Installed;
+  bool IsInstalled = false;
 };
 
 /**

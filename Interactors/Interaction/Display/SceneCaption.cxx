@@ -56,6 +56,13 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
+/// Of its own dent, and how deep the tip is where other tools make that differ.
+std::string deflectionOf(const ShownContact& contact)
+{
+  return millimetres(contact.tick.contact.deflection) +
+    (contact.isLetDown() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
+}
+
 /// Lines of at most so many letters, broken at blanks, after a comma or colon if there is one not
 /// too early.
 std::string wrapped(const std::string& text, std::size_t letters)
@@ -111,7 +118,7 @@ void SceneCaption::describe(
   text = "Tool: " + tool;
   if (contact.touches())
   {
-    text += "\nDeflection " + millimetres(contact.tick.contact.deflection);
+    text += "\nDeflection " + deflectionOf(contact);
     text += contactRadius > 0.0 ? ", contact radius " + millimetres(contactRadius) : "";
     text += "\nForce " + newtons(contact.tick.idealForce);
     text += errorInWords(contact.error);
@@ -150,6 +157,17 @@ void SceneCaption::describe(
   {
     text += "\nDent drawn x" + shortly(exaggeration);
   }
+}
+
+void SceneCaption::addHand(int number, const ShownContact& contact)
+{
+  this->Contact += "\nHand " + std::to_string(number) + ": ";
+  this->Contact += contact.touches()
+    ? "deflection " + deflectionOf(contact) + ", force " + newtons(contact.tick.idealForce)
+    : std::string("touches nothing");
+  this->Contact +=
+    contact.appliedDiffers() ? ", applied " + newtons(contact.tick.appliedForce) : "";
+  this->Contact += contact.isValid() ? "" : ", beyond validity";
 }
 
 void SceneCaption::write(double width)

@@ -27,6 +27,8 @@ public:
   /// From the next write() on.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
+  /// After describe(): what another of several hands feels, in a line.
+  void addHand(int number, const ShownContact& contact);
   void describeNothing() { this->Contact.clear(); }
 
   /// In a strip of the picture of so many pixels: lines that are longer are broken, and in a narrow

@@ -26,10 +26,10 @@ bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact)
   return true;
 }
 
-ShownContact readSession(vtkHapticSession* session)
+ShownContact readSession(vtkHapticSession* session, int hand)
 {
   ShownContact contact;
-  contact.tick = session->GetNewestTick(); // a copy: the thread goes on
+  contact.tick = session->GetNewestTick(hand); // a copy: the thread goes on
   const Tick& tick = contact.tick;
   vtkPolyData* body = session->GetBody();
   // A tick of the body before may still be on its way.
@@ -37,9 +37,10 @@ ShownContact readSession(vtkHapticSession* session)
   {
     contact.cell = body->GetNumberOfVerts() + body->GetNumberOfLines() + tick.contact.triangle;
   }
-  vtkHapticDevice* device = session->GetDevice();
+  contact.hasOthers = session->GetNumberOfDevices() > 1;
+  vtkHapticDevice* device = session->GetDevice(hand);
   const bool inputOnly = device->IsPhysical() && !device->GetOutputsForce();
-  const int state = session->GetState();
+  const int state = session->GetState(hand);
   if (state != vtkHapticSession::Stopped && !inputOnly)
   {
     contact.hasApplied = true;

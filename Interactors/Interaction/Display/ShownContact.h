@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -38,7 +39,21 @@ struct ShownContact
   /// Estimated relative error of the force; NaN where the response keeps none.
   double error = std::numeric_limits<double>::quiet_NaN();
 
+  bool hasOthers = false; ///< other tools of the session may have let the surface down here, or up
+
   bool touches() const { return this->cell >= 0; }
+  /// Of the tip below the undeformed surface, mm.
+  double tipDepth() const
+  {
+    return (this->tick.contact.contactPoint - this->tick.tip).dot(this->tick.contact.normal);
+  }
+  /// Whether others have changed what is left of the tip's depth for its own dent.
+  bool isLetDown() const
+  {
+    constexpr double seen = 0.005; // mm
+    return this->hasOthers && this->touches() && !(this->tick.contact.tilt > 0.0) &&
+      std::abs(this->tipDepth() - this->tick.contact.deflection) > seen;
+  }
   bool isValid() const
   {
     return !this->touches() || this->tick.contact.deflection <= this->validity;
@@ -60,9 +75,9 @@ struct ShownContact
 /// any other array is missing or there is no such tip.
 bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);
 
-/// The newest tick of a session, all of the same tick. A session that does not run, and a device
-/// without force, apply none that could be shown.
-ShownContact readSession(vtkHapticSession* session);
+/// The newest tick of a session, all of the same tick, of one of its devices. A session that does
+/// not run, and a device without force, apply none that could be shown.
+ShownContact readSession(vtkHapticSession* session, int hand = 0);
 } // namespace palpate
 
 #endif

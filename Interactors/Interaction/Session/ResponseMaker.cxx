@@ -27,7 +27,7 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
   {
     vtkDataArray* given = data->GetArray(i);
     const std::string name = given && given->GetName() ? given->GetName() : "";
-    const bool isMode = name.rfind("GlobalMode", 0) == 0;
+    const bool isMode = name.rfind("GlobalMode", 0) == 0 || name == CouplingModesName;
     if (name != request.complianceArray && !isMode)
     {
       continue;
@@ -59,7 +59,7 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
       request.deeper, request.halfSpace },
     materialArrays(
       made.body, { "", request.thicknessArray, request.complianceArray, "", request.secondArray }),
-    8, request.terms, nullptr, request.relaxation };
+    8, request.terms, nullptr, request.relaxation, request.coupling };
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
   made.error = attachResponse(

@@ -39,6 +39,7 @@ struct ResponseRequest
   double complianceFactor = 1.0; ///< the body's, by which compliance and modes are multiplied
   LawTerms terms;                ///< of the law
   RelaxationRequest relaxation;  ///< of every tool's response
+  bool coupling = false;         ///< several contacts feel one another
   double tolerance = 0.0;        ///< of the form that is felt; 0: the responses as they are
   double choiceDeflection = 0.0; ///< mm, that the form is chosen for; 0: half of the deepest
   /// Kernel of the same surface, to be spared making it again; may be null.

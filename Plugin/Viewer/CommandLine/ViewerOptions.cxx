@@ -3,6 +3,8 @@
 
 #include "ContactNames.h"
 #include "OptionChecks.h"
+#include "TrialOptions.h"
+#include "ViewerFooter.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,36 +14,7 @@ namespace palpate
 {
 namespace
 {
-const char* const Footer =
-  R"(Units: mm, N, MPa, s. Tools: flat:R, sphere:R, paraboloid:R, cone:DEGREES (from the axis),
-truncated:R,DEGREES (R: of the flat), blunted:R,DEGREES (R: of the tip), rounded:R,EDGE, power:EXPONENT,COEFFICIENT,
-profile:FILE.csv (a line r_mm,f_mm per point, from 0,0 outward).
-
-Files: .palpate (written by --export), .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
-.nii .nii.gz .vti (scans: their outer skin is taken).
-
-Environment: PALPATE_THREADS, the most threads that pre-computing takes (default: one per core). No result depends on it.
-
-Examples:
-  palpate                                    the head of Debian's mricron-data, three tools
-  palpate --scene cylinder                   the scene of Mahvash and Hayward 2002, Figure 9
-  palpate --scene phantom --window           nine hard nodules in soft tissue, to be found
-  palpate --scene phantom --map              where the tool feels them, and by how much
-  palpate liver.stl --tool sphere:6.35 --young 0.05 --poisson 0.45
-  palpate liver.stl --measured press.csv --tool sphere:1.6   felt with another tool than measured
-  palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
-  palpate liver.stl --tool sphere:6.35 --solid               its true shape, by finite elements
-  palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
-  palpate --layers scan                      the head as skin over fat over bone
-  palpate liver.stl --layers 1.5:0.2:0.48,6:0.03:0.49   two layers, outermost first, on a rigid base
-  palpate --compare                          a body that bends beside one that dents, same tools
-  palpate --map                              where on the head the shape of the tool matters
-  palpate --window                           the head in a window, under the mouse
-  palpate --window --device hid:/dev/hidraw0 under a device of --list-devices
-  palpate --scene cylinder --window --trial sphere:6.35,flat:1.6   which is which, by feel
-  palpate --scene phantom --window --trial lump,none   under which one is the lump?
-  palpate phantom.obj --length-unit m --site 0,0,1 --slide-to 0.3,0,1 --depth 1.5)";
-
+constexpr int MostFurtherHands = 3;
 constexpr double LargestDepth = 1000.0; // mm: minutes, at the speed of the path that presses
 
 /// How the contact feels: what the table offers to a command line.
@@ -91,6 +64,12 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
       "replay:FILE (a trajectory), hid:PATH, bridge:ADDRESS (unix:/PATH or udp:PORT)")
     ->capture_default_str();
   app
+    .add_option("--hand", options.hands,
+      "with --window: a further device on the same body, up to three, as --device; each feels the "
+      "others through the body. simulated: the mouse, key n takes the next hand")
+    ->expected(1, MostFurtherHands)
+    ->needs("--window");
+  app
     .add_option("--scale", options.scale,
       "how many mm of the body a mm of the hand is; stiffness is felt times this")
     ->check(positive("a factor, e.g. 1"))
@@ -98,75 +77,6 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
   app.add_flag("--list-devices", options.listDevices, "list the devices that are there, and end");
   app.add_option(
     "--record", options.record, "also write every tick, a trajectory .csv for replay:FILE");
-}
-
-/// Blind comparison. The alternatives are read once all options are known.
-void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alternatives)
-{
-  app
-    .add_option("--trial", alternatives,
-      "compare blindly: A,B or more alternatives, each a tool, settings, or both, as "
-      "sphere:6.35+layer=7; settings: young, poisson, layer, layers, with --scene phantom the "
-      "words "
-      "lump and none, and what the options of "
-      "friction, "
-      "force and surface "
-      "set, as friction=0.3. In the window: space switches between X and Y, 1 or 2 answers; "
-      "without "
-      "it answers are read from the standard input")
-    ->check(CLI::Validator(
-      [](const std::string& text)
-      {
-        std::vector<TrialChoice> ignored;
-        return readTrialChoices(text, {}, ignored);
-      },
-      "A,B"));
-  app
-    .add_option("--rounds", options.trialRounds,
-      "of a trial: in each, every pair is asked about twice, in either order")
-    ->check(within(NumberRange::between(1, 10000, "a number of rounds, e.g. 5"), "INT"))
-    ->needs("--trial")
-    ->capture_default_str();
-  app
-    .add_option("--seed", options.trialSeed,
-      "of the order of a trial, to have the same again (default: another one each time)")
-    ->check(within(NumberRange::notNegative("a whole number, e.g. 1"), "NONNEGATIVE"))
-    ->needs("--trial");
-  app
-    .add_option("--question", options.question,
-      "what a trial asks (default: which one pushes back more, of lump and none under which one "
-      "the "
-      "lump is; only these have a right answer)")
-    ->needs("--trial");
-  app
-    .add_option("--log", options.trialLog,
-      "answers of a trial, a .csv that must not exist (default: trial.csv in the output folder)")
-    ->needs("--trial");
-}
-
-/// The tools of the alternatives are those of the scene.
-void takeTrialTools(ViewerOptions& options)
-{
-  const auto namesTool = [](const TrialChoice& choice) { return !choice.tool.empty(); };
-  const auto named = std::count_if(options.trial.begin(), options.trial.end(), namesTool);
-  if (named == 0)
-  {
-    return;
-  }
-  if (static_cast<std::size_t>(named) < options.trial.size() || !options.tools.empty())
-  {
-    throw CLI::ValidationError("--trial",
-      options.tools.empty() ? "either all alternatives name a tool, or none does"
-                            : "the alternatives name tools, so --tool has nothing to say");
-  }
-  for (const TrialChoice& choice : options.trial)
-  {
-    const auto end = options.tools.end();
-    if (std::find(options.tools.begin(), end, choice.tool) == end)
-    {
-      options.tools.push_back(choice.tool);
-    }
-  }
 }
 
 /// What is shown instead of one tool over one body.
@@ -177,7 +87,7 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
     "bends, and a block on a plate, which only dents; curves and verdict under each");
   for (const char* option : { "BODY", "--scene", "--scan", "--measured", "--voxel", "--solid",
          "--layer", "--layers", "--site", "--slide-to", "--length-unit", "--resolution", "--save",
-         "--export", "--device", "--record", "--trial", "--pictures" })
+         "--export", "--device", "--hand", "--record", "--trial", "--pictures" })
   {
     compare->excludes(app.get_option(option));
   }
@@ -185,7 +95,7 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
     "where on the body the shape of the first tool matters at --depth: regime index, sensitivity "
     "and verdict as colour, with --window to be turned");
   for (const char* option :
-    { "--measured", "--device", "--record", "--trial", "--compare", "--pictures" })
+    { "--measured", "--device", "--hand", "--record", "--trial", "--compare", "--pictures" })
   {
     map->excludes(app.get_option(option));
   }
@@ -195,7 +105,7 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
 std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options)
 {
   CLI::App app{ "Press a tool against a body, see and feel the force.", "palpate" };
-  app.footer(Footer);
+  app.footer(ViewerFooter);
   app.set_version_flag("--version", PALPATE_VERSION);
   std::array<double, 3> site{};
   std::array<double, 3> slideTo{};

@@ -57,8 +57,9 @@ struct ViewerOptions
   bool map = false;     ///< where the shape of the first tool matters, instead of a session
   std::string screenshot;
   std::string device = "simulated";
-  double scale = 1.0; ///< mm of the body per mm of the hand
-  std::string record; ///< a trajectory of every tick
+  std::vector<std::string> hands; ///< further devices on the same body
+  double scale = 1.0;             ///< mm of the body per mm of the hand
+  std::string record;             ///< a trajectory of every tick
   bool listDevices = false;
   std::vector<TrialChoice> trial; ///< blind comparison of these; none: there is none
   int trialRounds = 5;

@@ -9,6 +9,7 @@
 #include "vtkStringArray.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
+#include "vtkHapticSession.h"
 #include "vtkToolContactResponse.h"
 
 #include <string>
@@ -176,10 +177,59 @@ Body shaped(const std::string& tool)
   body->GetPointData()->AddArray(near);
   return body;
 }
+
+/// Two hands of a session on one body: their dents add up, one of them in the other's.
+void checkTwoHands()
+{
+  vtkNew<vtkToolContactResponse> response;
+  response->SetInputData(lifted(planeBody(24.0, 120), 50.0));
+  response->SetTool(makeTool("sphere:6.35"));
+  makePlain(response);
+  response->SetCoupling(true);
+  response->Update();
+  const Body body = response->GetOutput();
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  PALPATE_CHECK(session->AddDevice("simulated") == 1);
+  for (int hand = 0; hand < 2; ++hand)
+  {
+    vtkNew<vtkDoubleArray> time;
+    time->SetName("Time");
+    time->InsertNextValue(0.0);
+    const Body path = singleTip(hand == 0 ? -2.0 : 3.5, 0.3, 50.0 - Depth);
+    path->GetPointData()->AddArray(time);
+    session->GetDevice(hand)->SetPath(path);
+  }
+  PALPATE_CHECK(session->Start());
+  session->Step(0.1);
+  vtkNew<vtkContactScene> scene;
+  scene->SetBody(body);
+  scene->SetTool(makeTool("sphere:6.35"));
+  scene->SetLargestDeflection(Depth);
+  scene->SetExaggeration(Exaggeration);
+  scene->ShowSession(session);
+  TwoPaths paths(scene, Vector3(0.0, 0.0, 50.0), Vector3(0.8, -0.3, 1.0), 9.0);
+  const Deviation depth(paths.depths(true), paths.depths(false), Surface * Exaggeration * Depth);
+  const Deviation color(paths.colors(true, false), paths.colors(false, false), Color);
+  const Deviation light(paths.colors(true, true), paths.colors(false, true), Light);
+  std::cout << "two hands: surface " << depth.largest << " mm (" << depth.share << "), colour "
+            << color.share << ", light " << light.share << std::endl;
+  PALPATE_CHECK(depth.share < 0.002 && color.share < 0.002 && light.share <= 0.005);
+  const auto both = paths.depths(true);
+  session->Stop();
+  session->RemoveAddedDevices();
+  PALPATE_CHECK(session->Start());
+  session->Step(0.1);
+  scene->ShowSession(session); // and back to one
+  const Deviation one(paths.depths(true), paths.depths(false), Surface * Exaggeration * Depth);
+  PALPATE_CHECK(one.share < 0.002);
+  PALPATE_CHECK(Deviation(both, paths.depths(true)).largest > 0.3 * Exaggeration * Depth);
+}
 } // namespace
 
 int TestDeflectionShader(int, char*[])
 {
+  checkTwoHands();
   const Vector3 top(0.0, 0.0, 50.0);
   checkCase({ "sphere:6.35", plane("sphere:6.35"), top });
   checkCase({ "paraboloid:3", plane("paraboloid:3"), top, 0.3 });

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkContactSetup asks to be made, and how it takes that over.
+#include "vtkContactSetup.h"
+
+#include "Interaction/Session/SetupState.h"
+#include "vtkToolContactResponse.h"
+
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <utility>
+
+namespace
+{
+using Tool = vtkSmartPointer<vtkContactTool>;
+
+/// For another thread.
+Tool copyOf(vtkContactTool* tool)
+{
+  auto copy = Tool::New();
+  copy->SetShape(tool->GetShape());
+  copy->SetRadius(tool->GetRadius());
+  copy->SetHalfAngle(tool->GetHalfAngle());
+  copy->SetEdgeRadius(tool->GetEdgeRadius());
+  copy->SetExponent(tool->GetExponent());
+  copy->SetCoefficient(tool->GetCoefficient());
+  if (vtkPoints* profile = tool->GetProfilePoints())
+  {
+    vtkNew<vtkPoints> points;
+    points->DeepCopy(profile);
+    copy->SetProfile(points);
+  }
+  return copy;
+}
+
+/// The body as it is on the screen, with the arrays that another thread added to a copy of it.
+vtkSmartPointer<vtkPolyData> withAddedArrays(vtkPolyData* body, const palpate::MadeResponses& made)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(body);
+  const auto addNew = [](vtkFieldData* to, vtkFieldData* from, vtkFieldData* known)
+  {
+    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = from->GetAbstractArray(i);
+      if (array->GetName() && known->GetAbstractArray(array->GetName()) != array)
+      {
+        to->AddArray(array);
+      }
+    }
+  };
+  addNew(output->GetPointData(), made.body->GetPointData(), made.from->GetPointData());
+  addNew(output->GetFieldData(), made.body->GetFieldData(), made.from->GetFieldData());
+  return output;
+}
+} // namespace
+
+bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
+{
+  State& kept = *this->Kept;
+  this->Error = !kept.body ? "A body is required: call SetBody."
+    : kept.tools.empty()   ? "A tool is required: call AddTool."
+    : !this->HasModel(this->Model)
+    ? "The body has not what model " + std::to_string(this->Model) + " needs."
+    : "";
+  if (!this->Error.empty())
+  {
+    vtkErrorMacro(<< this->Error);
+    return false;
+  }
+  if (!kept.copy)
+  {
+    kept.copy = vtkSmartPointer<vtkPolyData>::New();
+    kept.copy->DeepCopy(kept.body);
+  }
+  request.body = kept.copy;
+  for (int i = 0; i < this->GetNumberOfTools(); ++i)
+  {
+    request.tools.push_back(copyOf(this->GetTool(i)));
+    request.names.push_back(this->GetResponseName(i));
+  }
+  request.stored = this->Model == Stored;
+  request.youngsModulus = this->YoungsModulus;
+  request.poissonRatio = this->PoissonRatio;
+  request.maximumDeflection = this->MaximumDeflection;
+  request.terms = { this->CurvatureCorrection,
+    { static_cast<palpate::StrainModel>(this->StrainModel), this->StrainExponent },
+    this->ErrorTolerance, true, this->AutomaticTerms,
+    this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
+    this->EdgeCorrection, this->MaximumTilt };
+  this->Error = this->Relaxations.felt().fillSeries(request.relaxation.series);
+  if (!this->Error.empty())
+  {
+    vtkErrorMacro(<< this->Error << ".");
+    return false;
+  }
+  request.relaxation.complianceRelaxes = this->ComplianceRelaxes;
+  request.coupling = this->Coupling;
+  request.tolerance = this->Tolerance;
+  request.choiceDeflection = this->ChoiceDeflection;
+  if (this->Model == Layer)
+  {
+    request.layerThickness = this->LayerThickness;
+    const char* first =
+      kept.added.empty() ? palpate::SetupArrays::Thickness : palpate::SetupArrays::First;
+    request.thicknessArray = this->LayerThickness > 0.0 ? "" : first;
+    request.deeper = kept.added;
+    if (!kept.added.empty() && kept.added.front().thickness == 0.0)
+    {
+      request.secondArray = palpate::SetupArrays::Second;
+    }
+    request.base = this->LayerBase == vtkToolContactResponse::Slip ? palpate::LayerBase::Slip
+                                                                   : palpate::LayerBase::Bonded;
+    if (this->LayerBase == vtkToolContactResponse::ElasticBase)
+    {
+      request.halfSpace = palpate::StackLayer{ 1.0, this->BaseYoungsModulus, this->BasePoissonRatio,
+        this->BaseSlips };
+    }
+  }
+  if (this->Model == Series)
+  {
+    request.complianceArray = palpate::SetupArrays::Compliance;
+    request.complianceFactor =
+      this->ComplianceModulus > 0.0 ? this->ComplianceModulus / this->YoungsModulus : 1.0;
+  }
+  const auto& known = kept.made.kernels.read;
+  request.surface = known.empty() ? nullptr : known.begin()->second;
+  kept.requested = this->GetMTime();
+  return true;
+}
+
+bool vtkContactSetup::TakeOver(palpate::MadeResponses&& made)
+{
+  this->Error = made.error.empty() ? "" : made.error + ".";
+  if (!this->Error.empty())
+  {
+    vtkErrorMacro(<< this->Error);
+    return false;
+  }
+  State& kept = *this->Kept;
+  if (!made.warning.empty() && made.warning != kept.made.warning)
+  {
+    vtkWarningMacro(<< made.warning << ".");
+  }
+  kept.made = std::move(made);
+  kept.output = withAddedArrays(kept.body, kept.made);
+  kept.made.body = nullptr;
+  return true;
+}
+
+bool vtkContactSetup::Update()
+{
+  this->Kept->background.cancel();
+  palpate::ResponseRequest request;
+  return this->MakeRequest(request) &&
+    this->TakeOver(palpate::makeResponses(request, [] { return false; }));
+}
+
+void vtkContactSetup::Request()
+{
+  palpate::ResponseRequest request;
+  if (this->GetMTime() > this->Kept->requested && this->MakeRequest(request))
+  {
+    this->Kept->background.submit(std::move(request));
+  }
+}
+
+bool vtkContactSetup::IsBusy()
+{
+  return this->Kept->background.isBusy();
+}
+
+bool vtkContactSetup::Collect()
+{
+  auto made = this->Kept->background.collect();
+  return made && made->from == this->Kept->copy && this->TakeOver(std::move(*made));
+}
