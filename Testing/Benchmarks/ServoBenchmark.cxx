@@ -27,10 +27,11 @@ using namespace palpate::benchmarks;
 using palpate::testing::Surface;
 
 constexpr double Triangles = 200e3;
-constexpr double Depth = 1.0;     // mm
-constexpr double Speed = 100.0;   // mm/s
-constexpr int OutsideTicks = 20;  // enters from outside, as the safety chain asks for
-constexpr double SliceTime = 1.0; // s: the two schedulings take turns this long
+constexpr double Depth = 1.0;       // mm
+constexpr double Speed = 100.0;     // mm/s
+constexpr int OutsideTicks = 20;    // enters from outside, as the safety chain asks for
+constexpr double SliceTime = 1.0;   // s: the two schedulings take turns this long
+constexpr double Rehearsal = 50e-6; // s, of SCHED_FIFO: twice what waking up takes at most
 
 struct Options
 {
@@ -91,9 +92,10 @@ std::shared_ptr<const ContactBody> makeBody()
 /// A loop and its device, which takes turns with others.
 struct Runner
 {
-  Runner(const std::shared_ptr<const ContactBody>& body, double rate, int priority)
+  Runner(const std::shared_ptr<const ContactBody>& body, double rate, int priority,
+    double rehearsal = 0.0)
     : device(rate)
-    , loop(device, makeStep(body, this->device), settingsOf(rate, priority))
+    , loop(device, makeStep(body, this->device), settingsOf(rate, priority, rehearsal))
   {
   }
   static ServoStep makeStep(
@@ -104,10 +106,11 @@ struct Runner
     return { std::make_unique<ServoScene>(body, contact), WorkspaceMapping(),
       SafetySettings::of(device.specification()) };
   }
-  static ServoLoopSettings settingsOf(double rate, int priority)
+  static ServoLoopSettings settingsOf(double rate, int priority, double rehearsal)
   {
     ServoLoopSettings settings;
     settings.rate = rate;
+    settings.rehearsal = rehearsal;
     settings.recordedSeconds = 2.0 * SliceTime + 1.0;
     settings.realTime = { priority, true };
     return settings;
@@ -171,6 +174,7 @@ bool runRate(const std::shared_ptr<const ContactBody>& body, double rate, Backgr
   std::vector<Turn> turns;
   turns.push_back({ "SCHED_OTHER", std::make_unique<Runner>(body, rate, 0) });
   turns.push_back({ "SCHED_FIFO", std::make_unique<Runner>(body, rate, 80) });
+  turns.push_back({ "rehearsed", std::make_unique<Runner>(body, rate, 80, Rehearsal) });
   const double slice = std::min(seconds, SliceTime);
   for (double passed = 0.0; passed < seconds - 0.5 * slice; passed += slice)
   {

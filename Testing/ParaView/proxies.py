@@ -51,7 +51,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Body": None, "Tips": None, "Tip Index": -1, "Poisson's Ratio": 0.45, "Maximum Distance (mm)": 0.0,
         "Response Name": "Response"},
     ("filters", "ToolTouch"): {
-        "Input": None, "Tip Position (mm)": 0.0, "Snap": 1, "Indentation (mm)": 0.0, "Response Name": "Response",
+        "Input": None, "Tip Position (mm)": 0.0, "Second Tip": 0, "Second Tip Position (mm)": 0.0, "Snap": 1, "Indentation (mm)": 0.0, "Response Name": "Response",
         "Force Scale (mm/N)": 0.0, "Tool Length (mm)": 0.0, "Poisson's Ratio": 0.45, "Reach (contact radii)": 20.0},
     ("filters", "ResponseCurves"): {
         "Input": None, "Selection": None, "Point Ids": 0, "Response Name": "Response", "More Response Names": None,

@@ -79,7 +79,7 @@ def check_start(folder):
         last = simple.Touch(Input=response)
         check(last, place)
     trace = smtrace.stop_trace()
-    assert trace.count("TipPositionmm = [") == 3, trace     # not left to the view that the script finds
+    assert trace.count(".TipPositionmm = [") == 3, trace    # not left to the view that the script finds
     kept = list(last.TipPositionmm)
     simple.RenameSource("begun", last)
     view.CameraPosition = (200, 0, 0)                       # the state's own view is not looked through again
@@ -126,6 +126,39 @@ def check_dent(touch):
     assert body.GetPointData().HasArray("ResponseForce")
 
 
+def check_second_tip(response):
+    """Two handles: each tool alone, and coupled as the probe has them; the second begins beside the first."""
+    touch = simple.Touch(Input=response, SecondTip=1)
+    first, second = np.array(touch.TipPositionmm), np.array(touch.SecondTipPositionmm)
+    assert 5 < np.linalg.norm(second - first) < 30, (first, second)
+    touch.TipPositionmm, touch.SecondTipPositionmm = (0.2, 0.1, 5), (9.2, 0.1, 40)
+    alone = [force_at(RANGE / 2)] * 2
+    np.testing.assert_allclose(forces(touch), alone, rtol=FLOAT)
+    assert "do not feel one another" in text(touch), text(touch)
+    response.Coupling = 1
+    tips = np.array([[0.2, 0.1, 5 - RANGE / 2], [9.2, 0.1, 5 - RANGE / 2]])
+    response.UpdatePipeline()
+    felt = palpate.probe(servermanager.Fetch(response), tips, coupled=True)
+    np.testing.assert_array_equal(forces(touch), felt.normal_force)
+    assert (forces(touch) < 0.97 * np.array(alone)).all() and "less by the other tip" in text(touch), text(touch)
+    dent = vtk_to_numpy(servermanager.Fetch(touch, idx=0).GetPointData().GetArray("Dent (mm)"))
+    places = vtk_to_numpy(servermanager.Fetch(response).GetPoints().GetData())
+    for tip in tips:                                        # the surface meets both tools
+        under = np.linalg.norm((places - tip)[:, :2], axis=1).argmin()
+        np.testing.assert_allclose(dent[under], RANGE / 2, rtol=0.02)    # a point law's C, a tenth of a mm aside
+    tools = servermanager.Fetch(touch, idx=1).GetBounds()
+    assert tools[0] < 0 and tools[1] > 9.2, tools
+    response.Coupling = 0
+    touch.SecondTip = 0
+    touch.UpdatePipeline()
+    assert len(forces(touch)) == 1
+
+
+def forces(touch):
+    touch.UpdatePipeline()
+    return vtk_to_numpy(servermanager.Fetch(touch, idx=2).GetFieldData().GetArray("NormalForce"))
+
+
 def check_animation(touch):
     """The tip moved along a line by an animation cue: the force follows at each frame."""
     touch.Snap = 0
@@ -170,7 +203,8 @@ def check_defaults():
     proxy = servermanager.ProxyManager().NewProxy("filters", "ToolTouch")
     made = proxy.GetClientSideObject()
     assert type(made) is palpate.vtkToolTouch
-    expected = {"Input": None, "Tip Position (mm)": [0, 0, 0], "Snap": [1], "Indentation (mm)": [0],
+    expected = {"Input": None, "Tip Position (mm)": [0, 0, 0], "Second Tip": [0],
+                "Second Tip Position (mm)": [0, 0, 0], "Snap": [1], "Indentation (mm)": [0],
                 "Response Name": ["Response"], "Force Scale (mm/N)": [0], "Tool Length (mm)": [0],
                 "Poisson's Ratio": [0.45], "Reach (contact radii)": [20]}
     found = {}
@@ -191,7 +225,9 @@ def check_defaults():
 
 check_defaults()
 check_start(sys.argv[1])
-pressed = check_positions(block())
+plate = block()
+check_second_tip(plate)
+pressed = check_positions(plate)
 check_dent(pressed)
 check_animation(pressed)
 check_state(pressed, sys.argv[1] + "/touch.pvsm")

@@ -4,8 +4,11 @@
 #include "TouchSight.h"
 #include "vtkPVTouchStartInformation.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
@@ -13,6 +16,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMUncheckedPropertyHelper.h"
+
+#include <Eigen/Geometry>
 
 #include <string>
 
@@ -41,6 +46,12 @@ vtkSMProxy* ActiveViewOf(vtkSMProxy* proxy)
 
 vtkStandardNewMacro(vtkSMTouchStartDomain);
 
+int vtkSMTouchStartDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
+{
+  element->GetScalarAttribute("beside", &this->Beside);
+  return this->Superclass::ReadXMLAttributes(property, element);
+}
+
 int vtkSMTouchStartDomain::SetDefaultValues(vtkSMProperty* property, bool use_unchecked_values)
 {
   vtkSMProxy* touch = property->GetParent();
@@ -52,15 +63,20 @@ int vtkSMTouchStartDomain::SetDefaultValues(vtkSMProperty* property, bool use_un
   if (touch && source)
   {
     vtkNew<vtkPVTouchStartInformation> start;
-    start->Ask(static_cast<int>(body.GetOutputPort()), ResponseNameOf(touch),
-      palpate::sightOf(ActiveViewOf(touch)));
+    const palpate::Sight sight = palpate::sightOf(ActiveViewOf(touch));
+    start->Ask(static_cast<int>(body.GetOutputPort()), ResponseNameOf(touch), sight);
     source->UpdatePipeline(); // a script may not have; Touch needs the body anyway
     source->GatherInformation(start);
     if (start->IsFound())
     {
+      double bounds[6];
+      source->GetDataInformation(body.GetOutputPort())->GetBounds(bounds);
+      const vtkBoundingBox box(bounds);
+      const palpate::Vector3 place = palpate::Vector3(start->GetStart()) +
+        this->Beside * box.GetDiagonalLength() * sight.up.cross(sight.towards).normalized();
       vtkSMPropertyHelper helper(property);
       helper.SetUseUnchecked(use_unchecked_values);
-      helper.Set(start->GetStart(), 3);
+      helper.Set(place.data(), 3);
       return 1;
     }
   }

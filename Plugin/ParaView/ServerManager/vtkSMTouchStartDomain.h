@@ -6,7 +6,9 @@
  * As vtkSMBoundsDomain, for a DoubleVectorProperty of a position, beside a property ResponseName.
  * The default is where palpate::findTouchStart begins, as the active view looks at the body, or
  * along -z without one; on a body without a response the corner of the bounds, as of
- * vtkSMBoundsDomain. Positions that are set by scripts, states and traces are not its business.
+ * vtkSMBoundsDomain. With the attribute `beside` it lies beside that, to the right in the view, by
+ * so much of the body's diagonal. Positions that are set by scripts, states and traces are not its
+ * business.
  */
 #ifndef vtkSMTouchStartDomain_h
 #define vtkSMTouchStartDomain_h
@@ -25,10 +27,13 @@ public:
 protected:
   vtkSMTouchStartDomain() = default;
   ~vtkSMTouchStartDomain() override = default;
+  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
 private:
   vtkSMTouchStartDomain(const vtkSMTouchStartDomain&) = delete;
   void operator=(const vtkSMTouchStartDomain&) = delete;
+
+  double Beside = 0.0;
 };
 
 #endif

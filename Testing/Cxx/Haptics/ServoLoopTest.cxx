@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -51,6 +52,55 @@ TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
   EXPECT_EQ(last.deviceForce, Vector3d::Zero());
   EXPECT_EQ(last.acted, static_cast<std::uint16_t>(SafetyLink::Stopped));
   EXPECT_FALSE(last.valid);
+}
+
+// Beside a loop that sleeps until the tick, of the same reading.
+TEST(ServoLoop, ARehearsalChangesNoForce)
+{
+  const auto body = uniformBody(icosphere(20.0, 3));
+  StandingDevice device(Inside);
+  ServoLoopSettings settings;
+  settings.rehearsal = 2e-4;
+  settings.realTime.priority = 0; // it may take a processor from others
+  const ServoStep step(*body, WorkspaceMapping(), 10.0);
+  ServoLoop loop(device, step, settings);
+  ASSERT_EQ(loop.start(), "");
+  waitForTicks(loop, 50);
+  ServoStep same = step;
+  DeviceSample sample;
+  sample.position = device.Position;
+  sample.valid = true;
+  EXPECT_EQ(loop.newest().contact.force, same.step(sample, 0.0).contact.force);
+  loop.stop();
+  EXPECT_TRUE(device.Increasing);
+  EXPECT_EQ(device.Last, Vector3d::Zero());
+}
+
+// The bits of every tick of a way on which it sticks, slides, leaves and comes back.
+TEST(ServoStep, ARehearsalIsForgotten)
+{
+  const std::shared_ptr<const ContactBody> body = uniformBody(icosphere(20.0, 3));
+  ContactSettings contact;
+  contact.friction.coefficient = 0.4;
+  const SafetySettings safety = SafetySettings::of({});
+  ServoStep rehearsed(std::make_unique<ServoScene>(body, contact), WorkspaceMapping(), safety);
+  ServoStep plain(std::make_unique<ServoScene>(body, contact), WorkspaceMapping(), safety);
+  int pressed = 0;
+  for (int tick = 0; tick < 3000; ++tick)
+  {
+    const double t = 1e-3 * tick;
+    DeviceSample sample;
+    sample.valid = tick % 701 != 0;
+    sample.position = (0.0196 + 0.0006 * std::sin(9.0 * t)) *
+      Vector3d(std::sin(t) * std::cos(3.0 * t), std::sin(t) * std::sin(3.0 * t), std::cos(t));
+    const Tick one = rehearsed.step(sample, t);
+    const Tick other = plain.step(sample, t);
+    rehearsed.rehearse(1e-3);
+    ASSERT_EQ(one.contact.force, other.contact.force) << tick;
+    ASSERT_EQ(one.deviceForce, other.deviceForce) << tick;
+    pressed += one.contact.normalForce > 0.0;
+  }
+  EXPECT_GT(pressed, 1000);
 }
 
 TEST(ServoLoop, StartsAgainAndMayBeDestroyedWhileRunning)
@@ -133,12 +183,13 @@ TEST(ServoLoop, SettingsThatCannotBeAreNamed)
 {
   const auto body = uniformBody(icosphere(20.0, 1));
   StandingDevice device(Inside);
-  const auto faultOf = [&](double rate, double recorded, int priority)
+  const auto faultOf = [&](double rate, double recorded, int priority, double rehearsal = 0.0)
   {
     ServoLoopSettings settings;
     settings.rate = rate;
     settings.recordedSeconds = recorded;
     settings.realTime.priority = priority;
+    settings.rehearsal = rehearsal;
     ServoLoop loop(device, ServoStep(*body, WorkspaceMapping(), 10.0), settings);
     const std::string fault = loop.start();
     EXPECT_EQ(loop.isRunning(), fault.empty());
@@ -153,6 +204,9 @@ TEST(ServoLoop, SettingsThatCannotBeAreNamed)
   EXPECT_EQ(faultOf(1e3, 1e5, 0), "a recording of 1e+08 ticks: it must be 0 to 1e+07");
   EXPECT_EQ(faultOf(1e3, 0.0, 100), "a real-time priority of 100: it must be 0 to 99");
   EXPECT_EQ(faultOf(1e3, 0.0, -1), "a real-time priority of -1: it must be 0 to 99");
+  EXPECT_EQ(faultOf(1e3, 0.0, 0, -1e-4), "a rehearsal of -0.0001 s: it must be 0 to 0.0005");
+  EXPECT_EQ(faultOf(1e3, 0.0, 0, 6e-4), "a rehearsal of 0.0006 s: it must be 0 to 0.0005");
+  EXPECT_EQ(faultOf(1e3, 0.0, 0, NaN), "a rehearsal of nan s: it must be 0 to 0.0005");
   EXPECT_EQ(faultOf(1e3, 0.0, 0), "");
 }
 

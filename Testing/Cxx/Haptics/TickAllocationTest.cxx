@@ -98,6 +98,7 @@ TEST(TickAllocation, ToolContact)
   {
     met(states, onPlate.update(pathOf(tick)).state);
     onPlate.foresee();
+    onPlate.rehearse(1e-3);
     const double t = 1e-3 * tick;
     const Vector3d tip = (20.0 - 3.0 * std::sin(7.0 * t)) *
       Vector3d(std::cos(t), std::sin(t) * std::cos(t), std::sin(t) * std::sin(t));
@@ -134,6 +135,7 @@ TEST(TickAllocation, OverSharpAndBluntEdges)
       const double out = 5.5 - 2.0 * std::abs(std::sin(0.17 * t));
       inside += contact.update(Vector3d::Constant(5.0) + out / size * direction).normalForce > 0.0;
       contact.foresee();
+      contact.rehearse(1e-3);
     }
     EXPECT_EQ(allocationCount(), before);
     EXPECT_GT(inside, Ticks / 4);
@@ -266,6 +268,7 @@ TEST(TickAllocation, OfSeveralThatFeelOneAnother)
     const auto& felt =
       isSettled ? contacts.settle(poses.data(), 1e-3) : contacts.update(poses.data(), 1e-3);
     contacts.foresee();
+    contacts.rehearse(1e-3);
     const double share = contacts.cappedShare(0, 1.0);
     met(states, share >= 0.0 ? felt[1].state : ContactState::Stick);
     sunk += contacts.sunk(4) > 0.0;

@@ -188,6 +188,65 @@ void checkDent()
   PALPATE_CHECK_NEAR(normals->GetComponent(corner, 2), 1.0, 0.0);
 }
 
+/// Two flat ends: by themselves, and where they let one another down by Boussinesq's 1/(π E* r).
+void checkSecondTip()
+{
+  constexpr double Depth = 0.4;
+  constexpr double Apart = 6.0;
+  for (const bool isCoupled : { false, true })
+  {
+    vtkNew<vtkToolContactResponse> response;
+    response->SetInputData(planeBody(20.0, 40));
+    response->SetTool(makeTool("flat:2"));
+    response->SetYoungsModulus(Modulus * 0.75);
+    response->SetPoissonRatio(0.5);
+    response->SetMaximumDeflection(Range);
+    response->SetCoupling(isCoupled);
+    response->Update();
+    const auto touch = touchOf(response->GetOutput(), -3.0, 0.2, 50.0);
+    touch->SetIndentation(Depth);
+    touch->Update();
+    const double alone = 4.0 * Modulus * Depth; // 2 a E* δ
+    PALPATE_CHECK_NEAR(number(touch, "NormalForce"), alone, Stored * alone);
+    const vtkIdType toolPoints = touch->GetOutput(vtkToolTouch::ToolPort)->GetNumberOfPoints();
+
+    touch->SecondTipOn();
+    touch->SetSecondTipPosition(Apart - 3.0, 0.2, 20.0);
+    touch->Update();
+    const double share = isCoupled ? 4.0 / (3.14159265358979323846 * Apart) : 0.0; // K C
+    vtkDataArray* forces =
+      touch->GetOutput(vtkToolTouch::ArrowPort)->GetFieldData()->GetArray("NormalForce");
+    PALPATE_CHECK(forces && forces->GetNumberOfTuples() == 2);
+    for (vtkIdType i = 0; i < 2; ++i)
+    {
+      PALPATE_CHECK_NEAR(forces->GetTuple1(i), alone / (1.0 + share), 1e-5 * alone);
+    }
+    PALPATE_CHECK_NEAR(number(touch, "Deflection"), Depth / (1.0 + share), 1e-5);
+    PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), -Depth, 1e-6);
+    PALPATE_CHECK(touch->GetOutput(vtkToolTouch::ToolPort)->GetNumberOfPoints() == 2 * toolPoints);
+    double bounds[6];
+    touch->GetOutput(vtkToolTouch::ToolPort)->GetBounds(bounds);
+    PALPATE_CHECK_NEAR(bounds[0], -5.0, 1e-5);
+    PALPATE_CHECK_NEAR(bounds[1], 5.0, 1e-5);
+    PALPATE_CHECK_TEXT(text(touch), "\nSecond tip\nForce ",
+      isCoupled ? " less by the other tip" : "do not feel one another");
+    vtkDataArray* dent =
+      touch->GetOutput(vtkToolTouch::BodyPort)->GetPointData()->GetArray("Dent (mm)");
+    const vtkIdType under = response->GetOutput()->vtkDataSet::FindPoint(-3.0, 0.0, 0.0);
+    // What the other's field is under the tip, and what its law takes it for: a point's. 2 %.
+    PALPATE_CHECK_NEAR(dent->GetTuple1(under),
+      isCoupled ? Depth : Depth * (1.0 + 4.0 / (3.14159265358979323846 * Apart)), 0.02 * Depth);
+    touch->SecondTipOff();
+    touch->Update();
+    PALPATE_CHECK_NEAR(number(touch, "NormalForce"), alone, Stored * alone);
+    touch->SecondTipOn();
+    touch->SetSecondTipPosition(NAN, 0.0, 0.0);
+    Messages messages(touch);
+    touch->Update();
+    PALPATE_CHECK_TEXT(messages.takeErrors(), "SecondTipPosition must be finite");
+  }
+}
+
 /// A ball touched from any side: the tool stands along its radius, its tip in place.
 void checkTool()
 {
@@ -296,6 +355,7 @@ int TestToolTouch(int, char*[])
   checkForces();
   checkNoContact();
   checkDent();
+  checkSecondTip();
   checkTool();
   checkValidity();
   checkErrors();

@@ -17,6 +17,8 @@ void deviceFailures(bool isQuick);
 void relaxingLimits(bool isQuick);
 void relaxingPress(bool isQuick);
 void relaxingPaths(bool isQuick);
+void handsLimits(bool isQuick);
+void handsPress(bool isQuick);
 } // namespace palpate::testing
 
 #endif

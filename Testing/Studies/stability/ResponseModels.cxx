@@ -126,8 +126,7 @@ std::shared_ptr<const ContactBody> bodyOf(
 {
   ResponseArrays arrays = store.arrays();
   arrays.exponent = model.exponent;
-  return std::make_shared<const ContactBody>(surface.points.front().data(), surface.points.size(),
-    surface.triangles.front().data(), surface.triangles.size(), arrays);
+  return contactBody(surface, arrays);
 }
 
 namespace
@@ -149,6 +148,16 @@ std::shared_ptr<const ContactBody> plateOf(const ResponseModel& model)
   return bodyOf(plate, storedAt(plate, model), model);
 }
 
+std::shared_ptr<const ContactBody> coupledPlate(const ResponseModel& model, double modulus)
+{
+  const Surface plate = plateAroundOrigin();
+  const ResponseStore store = storedAt(plate, model);
+  ResponseArrays arrays = store.arrays();
+  arrays.exponent = model.exponent;
+  arrays.coupling.modulus = modulus;
+  return contactBody(plate, arrays);
+}
+
 std::shared_ptr<const ContactBody> relaxingPlate(
   const ResponseModel& model, const PronySeries& series)
 {
@@ -158,7 +167,6 @@ std::shared_ptr<const ContactBody> relaxingPlate(
   arrays.exponent = model.exponent;
   arrays.relaxation.series = series;
   arrays.relaxation.exponent = model.exponent;
-  return std::make_shared<const ContactBody>(plate.points.front().data(), plate.points.size(),
-    plate.triangles.front().data(), plate.triangles.size(), arrays);
+  return contactBody(plate, arrays);
 }
 } // namespace palpate::testing

@@ -41,6 +41,8 @@ std::shared_ptr<const ContactBody> bodyOf(
   const Surface& surface, const ResponseStore& store, const ResponseModel& model);
 /// A plate in z = 0, its middle in the origin, with this response.
 std::shared_ptr<const ContactBody> plateOf(const ResponseModel& model);
+/// The same as a half-space of this reduced modulus (MPa), through which tools feel one another.
+std::shared_ptr<const ContactBody> coupledPlate(const ResponseModel& model, double modulus);
 } // namespace palpate::testing
 
 #endif

@@ -15,7 +15,8 @@ int main(int argc, char* argv[])
     { "encoder", encoderLimits }, { "press", pressedUntilItBuzzes },
     { "cylinder", cylinderSettings }, { "leak", holdLeak }, { "friction", frictionInTheLoop },
     { "geometry", unkindGeometry }, { "faults", deviceFailures }, { "relaxing", relaxingLimits },
-    { "relaxing-press", relaxingPress }, { "relaxing-paths", relaxingPaths } };
+    { "relaxing-press", relaxingPress }, { "relaxing-paths", relaxingPaths },
+    { "hands", handsLimits }, { "hands-press", handsPress } };
   const auto part = parts.find(argc > 1 ? argv[1] : "");
   if (part == parts.end())
   {

@@ -21,9 +21,9 @@ import verdicts
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PARTS = ("press", "cylinder", "limits", "encoder", "leak", "friction", "geometry", "faults",
-         "relaxing", "relaxing-press", "relaxing-paths")  # the longest first
+         "relaxing", "relaxing-press", "relaxing-paths", "hands", "hands-press")  # the longest first
 WORDS = {"model", "evaluated", "control", "start", "tool", "body", "form", "surface", "edges", "what", "method", "failure",
-         "material", "path"}
+         "material", "path", "motion"}
 
 
 def measure(program, part, is_quick):
@@ -92,7 +92,15 @@ def relaxing_with_theory(rows):
         row["error"] = row["limit_N_per_m"] / row["exact_N_per_m"] - 1
 
 
-THEORY = {"relaxing": relaxing_with_theory, "limits": limits_with_theory, "encoder": encoder_with_theory, "press": press_with_theory,
+def hands_with_theory(rows):
+    for row in rows:
+        alone = theory.exact_limit(row["mass_kg"], row["damping_Ns_per_m"], 1 / row["rate_Hz"], row["delay_ticks"])
+        row["alone_N_per_m"] = alone
+        row["exact_N_per_m"] = theory.pair_limit(alone, row["apart_radii"], row["motion"])
+        row["error"] = row["limit_N_per_m"] / row["exact_N_per_m"] - 1
+
+
+THEORY = {"hands": hands_with_theory, "relaxing": relaxing_with_theory, "limits": limits_with_theory, "encoder": encoder_with_theory, "press": press_with_theory,
           "cylinder": cylinder_with_theory, "leak": leak_with_theory}
 
 

@@ -79,6 +79,22 @@ class Rows:
             if row["form"] == "EnergyConsistent":
                 self.assertLessEqual(row["loop_gain"], verdicts.QUADRATURE, row)
 
+    def test_limits_of_two_hands(self):
+        self.assertEqual({row["motion"] for row in self.tables["hands"]}, {"opposite", "common"})
+        for row in self.tables["hands"]:
+            # Boussinesq's C and curves in float32; rounds of a tick are exact for springs.
+            self.assertLess(abs(row["error"]), 1e-4, row)
+            self.assertLess(row["growth_below"], 1, row)
+            self.assertGreater(row["growth_above"], 1, row)
+
+    def test_two_hands_under_control(self):
+        for row in self.tables["hands-press"]:
+            if row["control"] != "none":
+                self.assertLessEqual(row["generated_mJ"], verdicts.NO_ENERGY, row)
+            # At 2b/T nothing is left to damp what two hands pass to and fro.
+            if row["control"] == "chain":
+                self.assertEqual(row["rests"], 1, row)
+
     def test_rest_on_an_encoder(self):
         for row in self.tables["encoder"]:
             if row["coulomb_N"] == 0:

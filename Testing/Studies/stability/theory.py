@@ -9,6 +9,7 @@ closed_limit    the same without hand and delay: b (1-e)/[(m/b)(1-e) - eT], e = 
 relaxing_limit  the same of a spring that relaxes, F = -K (x + Σ h_i), h_i ← e_i h_i + c_i Δx, e_i = exp(-T/τ_i),
                 c_i = p_i (1 - e_i) τ_i/T: exact where the tip moves evenly in a tick
 passive_relaxing 2b/T over 1 + Σ p_i tanh(x_i)/x_i, x_i = T/2τ_i: the instantaneous stiffness counts
+pair_limit      of two flat ends on a half-space, r apart: K (1 -+ K C) for the opposite and the common motion, K C = 2a/(π r)
 passive_limit   2b/T: no hand, however it moves, can get energy out (Colgate and Schenkel 1997)
 delay_bound     b/(T/2 + t_d): of a continuous loop with the delay of hold and transport; a rule of thumb
 encoder_bound   min(2b/T, 2 f_c/Δ): rounding to Δ is held by friction f_c (Diolaiti et al. 2006)
@@ -168,3 +169,9 @@ def modulus_at(tool, stiffness, force):
         # On a stiffer body the stiffness K is reached at a smaller force.
         low, high = (middle, high) if force_at_stiffness(tool, stiffness, middle) > force else (low, middle)
     return low
+
+
+def pair_limit(alone, apart_radii, motion):
+    """Each is let down by C times the other's force: apart the two are as stiff as K/(1 - K C), together as K/(1 + K C)."""
+    share = 2 / (math.pi * apart_radii)
+    return alone * (1 - share if motion == "opposite" else 1 + share)

@@ -169,6 +169,23 @@ def relaxing_cells(tables):
                     yield cell("relaxing paths", f"{form}, {way}", row["path"], verdict, 100 * row["loop_gain"], "%")
 
 
+def hands_cells(tables):
+    """Two flat ends as springs, and two tools under 10 N each, that feel one another through a half-space."""
+    for row in tables["hands"]:
+        if row["rate_Hz"] == RATE and row["apart_radii"] == min(other["apart_radii"] for other in tables["hands"]):
+            late = ", 1 tick late" if row["delay_ticks"] else ""
+            yield cell("hands", "flat ends, 2 radii apart", f"stable stiffness, {row['motion']}, of one alone{late}",
+                       SURVIVES if abs(row["error"]) < 1e-3 else FAILS, row["limit_N_per_m"] / row["alone_N_per_m"], "×")
+    for row in tables["hands-press"]:
+        if row["rate_Hz"] == RATE:
+            method, failure = f"{row['model']}, {row['apart_mm']:g} mm apart", f"10 N each: {row['control']}"
+            if row["rests"]:
+                yield cell("hands", method, failure, SURVIVES, row["last_speed_mm_s"], "mm/s")
+            else:
+                quiet = row["generated_mJ"] <= NO_ENERGY
+                yield cell("hands", method, failure, BOUNDED if quiet else FAILS, row["last_speed_mm_s"], "mm/s ring")
+
+
 def judge(tables):
     cells = []
     for method in RENDERINGS:
@@ -177,6 +194,7 @@ def judge(tables):
     cells += friction_cells(tables["friction"])
     cells += geometry_cells(tables["geometry"])
     cells += relaxing_cells(tables)
+    cells += hands_cells(tables)
     return cells
 
 
@@ -196,7 +214,7 @@ def words(c):
 
 def markdown(cells):
     lines = []
-    for group in ("rendering", "friction", "geometry", "relaxing", "relaxing paths"):
+    for group in ("rendering", "friction", "geometry", "relaxing", "relaxing paths", "hands"):
         methods, failures, found = grid(cells, group)
         lines += ["", f"| {group} | " + " | ".join(failures) + " |", "|---" * (len(failures) + 1) + "|"]
         for method in methods:
