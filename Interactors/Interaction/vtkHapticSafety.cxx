@@ -31,6 +31,9 @@ palpate::SafetySettings vtkHapticSafety::GetSettings(
   // A limit that is NaN stays NaN, and is then named.
   safety.maximumForce = std::min(this->ForceLimit, safety.maximumForce);
   safety.maximumStiffness = std::min(this->StiffnessLimit, safety.maximumStiffness);
+  safety.maximumTorque = std::min(this->TorqueLimit, safety.maximumTorque);
+  safety.maximumTorsionalStiffness =
+    std::min(this->TorsionalStiffnessLimit, safety.maximumTorsionalStiffness);
   safety.entryRamp = this->EntryRamp;
   safety.gate = this->Gate;
   safety.capStiffness = this->StiffnessCap;
@@ -47,6 +50,8 @@ void vtkHapticSafety::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PassivityControl: " << this->PassivityControl << "\n";
   os << indent << "ForceLimit: " << this->ForceLimit << " N\n";
   os << indent << "StiffnessLimit: " << this->StiffnessLimit << " N/m\n";
+  os << indent << "TorqueLimit: " << this->TorqueLimit << " N m\n";
+  os << indent << "TorsionalStiffnessLimit: " << this->TorsionalStiffnessLimit << " N m/rad\n";
   os << indent << "FitForce: " << this->FitForce << "\n";
   os << indent << "FitDepth: " << this->FitDepth << " mm\n";
 }

@@ -66,6 +66,14 @@ public:
   vtkSetMacro(StiffnessLimit, double);
   vtkGetMacro(StiffnessLimit, double);
   ///@}
+  ///@{
+  /** The same of a device that outputs torque, about the tip: N m and N m/rad. Default infinite; with
+   * a TorqueLimit of 0 it gets its force alone. */
+  vtkSetMacro(TorqueLimit, double);
+  vtkGetMacro(TorqueLimit, double);
+  vtkSetMacro(TorsionalStiffnessLimit, double);
+  vtkGetMacro(TorsionalStiffnessLimit, double);
+  ///@}
 
   ///@{
   /** Whether forces are fitted to the device, see above. Default off: the factor is 1. */
@@ -109,6 +117,8 @@ private:
   bool PassivityControl = true;
   double ForceLimit = std::numeric_limits<double>::infinity();
   double StiffnessLimit = std::numeric_limits<double>::infinity();
+  double TorqueLimit = std::numeric_limits<double>::infinity();
+  double TorsionalStiffnessLimit = std::numeric_limits<double>::infinity();
   bool FitForce = false;
   double FitDepth = 1.0;
   std::vector<std::string> FitResponses;

@@ -85,8 +85,8 @@ struct BodyDisplay::Dent
 
 BodyDisplay::BodyDisplay(vtkLookupTable* colors)
   : Actor(vtkSmartPointer<vtkActor>::New())
-  , Mapper(vtkSmartPointer<DentMapper>::New())
   , Dents(1)
+  , Mapper(vtkSmartPointer<DentMapper>::New())
   , Shader(this->Actor)
   , Displaced(vtkSmartPointer<vtkPolyData>::New())
   , Warp(vtkSmartPointer<vtkWarpVector>::New())

@@ -103,6 +103,25 @@ void checkLimits(vtkPolyData* body)
   PALPATE_CHECK(session->Start() && messages.none());
 }
 
+/// What a device that outputs torque is sent, beside what it says of itself.
+void checkTorqueLimits()
+{
+  palpate::DeviceSpecification device;
+  device.outputsTorque = true;
+  device.maximumTorque = 0.2;
+  device.maximumTorsionalStiffness = 0.4;
+  vtkNew<vtkHapticSafety> safety;
+  PALPATE_CHECK(safety->GetSettings(device, false).maximumTorque == 0.2);
+  PALPATE_CHECK(safety->GetSettings(device, false).maximumTorsionalStiffness == 0.4);
+  safety->SetTorqueLimit(0.05);
+  safety->SetTorsionalStiffnessLimit(0.1);
+  PALPATE_CHECK(safety->GetSettings(device, false).maximumTorque == 0.05);
+  PALPATE_CHECK(safety->GetSettings(device, false).maximumTorsionalStiffness == 0.1);
+  safety->SetTorqueLimit(0.3);
+  PALPATE_CHECK(safety->GetSettings(device, false).maximumTorque == 0.2);
+  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0); // one that outputs none
+}
+
 void checkGate(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -192,6 +211,7 @@ int TestHapticSessionSafety(int, char*[])
   const Body body = threeTools();
   checkFit(body);
   checkLimits(body);
+  checkTorqueLimits();
   checkGate(body);
   checkChange(body);
   return palpate::testing::result();
