@@ -67,8 +67,8 @@ public:
   vtkGetMacro(StiffnessLimit, double);
   ///@}
   ///@{
-  /** The same of a device that outputs torque, about the tip: N m and N m/rad. Default infinite; with
-   * a TorqueLimit of 0 it gets its force alone. */
+  /** The same of a device that outputs torque, about the tip: N m and N m/rad. Default infinite;
+   * with a TorqueLimit of 0 it gets its force alone. */
   vtkSetMacro(TorqueLimit, double);
   vtkGetMacro(TorqueLimit, double);
   vtkSetMacro(TorsionalStiffnessLimit, double);
