@@ -78,7 +78,8 @@ struct BodyDisplay::Dent
   FieldContact contact;
   double circleRadius = 0.0;
   double circleDepth = 0.0;
-  double edge = 1.0; ///< mean length of the touched triangle's edges, mm
+  double edge = 1.0;                    ///< mean length of the touched triangle's edges, mm
+  vtkSmartPointer<vtkContactTool> tool; ///< of the last field, which refers to it
   std::shared_ptr<const LayerKernel> kernel;
   std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
 };
@@ -268,8 +269,8 @@ ContactField BodyDisplay::makeField(Dent& dent, std::string& fault)
   {
     return {};
   }
-  this->PressedTool = findTool(this->Tool, this->Body, this->ResponseName, fault);
-  const AxisymmetricTool* law = this->PressedTool ? this->PressedTool->GetKernel() : nullptr;
+  dent.tool = findTool(this->Tool, this->Body, this->ResponseName, fault);
+  const AxisymmetricTool* law = dent.tool ? dent.tool->GetKernel() : nullptr;
   if (fault.empty() && !isPoissonsRatio(this->PoissonRatio))
   {
     fault = "PoissonRatio must lie between 0 and 0.5";
@@ -291,8 +292,8 @@ ContactField BodyDisplay::makeField(Dent& dent, std::string& fault)
   {
     dent.edge = DrawnSurface::edgeOf(triangle.corners);
     dent.circleRadius = field.contactRadius();
-    dent.circleDepth =
-      contact.deflection - field.localDeflection() + field.local(dent.circleRadius).normal;
+    const double depth = std::isfinite(contact.depth) ? contact.depth : contact.deflection;
+    dent.circleDepth = depth - field.localDeflection() + field.local(dent.circleRadius).normal;
   }
   return field;
 }
@@ -385,7 +386,7 @@ vtkSmartPointer<vtkFloatArray> BodyDisplay::displaceByPoints(Dent& dent, std::st
   auto displacement = vtkSmartPointer<vtkFloatArray>::New();
   const std::string wrong =
     dent.byPoints->displace(Ranks(), this->Body, isDented ? dent.contact : FieldContact(), 0,
-      { this->PressedTool ? this->PressedTool->GetKernel() : nullptr, this->ResponseName,
+      { dent.tool ? dent.tool->GetKernel() : nullptr, this->ResponseName,
         { this->PoissonRatio, DeflectionShader::reachOf(field) } },
       displacement);
   fault = fault.empty() ? wrong : fault;

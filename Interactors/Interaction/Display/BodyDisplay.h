@@ -95,10 +95,9 @@ private:
   vtkMTimeType BodyTime = 0;            ///< of the body that is drawn by shader
   std::vector<vtkMTimeType> DrawnTimes; ///< of the surface and the modes that the mapper has
   vtkSmartPointer<vtkContactTool> Tool;
-  vtkSmartPointer<vtkContactTool> PressedTool; ///< of the last field, which refers to it
-  std::string Fault;                           ///< that was complained about last
-  bool HasField = true;                        ///< the body is one a field can be drawn on
-  double ModeLength = 0.0;                     ///< longest vector of any mode
+  std::string Fault;       ///< that was complained about last
+  bool HasField = true;    ///< the body is one a field can be drawn on
+  double ModeLength = 0.0; ///< longest vector of any mode
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;
 
