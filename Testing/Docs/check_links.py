@@ -36,7 +36,8 @@ def study_names():
 
 def viewer_options():
     """The names in the strings of what reads the command line, those of the contact's settings, and CLI11's own."""
-    source = (TOP / "Plugin/Viewer/CommandLine/ViewerOptions.cxx").read_text(encoding="utf-8")
+    sources = sorted((TOP / "Plugin/Viewer/CommandLine").glob("*.cxx"))
+    source = "\n".join(file.read_text(encoding="utf-8") for file in sources)
     table = (TOP / "Filters/Contact/SettingTable.h").read_text(encoding="utf-8")
     settings = {"--" + name for name in re.findall(r'\{ "[A-Z]\w+", "([a-z-]+)", "', table)}
     return set(re.findall(r"--[a-z][a-z-]+", source)) | settings | {"--help"}

@@ -35,6 +35,18 @@ pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidg
   this->connect(this, &pqPropertyWidget::changeFinished, come);
   this->connect(
     this, &pqInteractivePropertyWidgetAbstract::endInteraction, this, &pqTouchHandle::traceEnd);
+  // The panel calls every handle by its kind: of several, those after the first get names of their
+  // own.
+  const char* property = proxy->GetPropertyName(group->GetProperty("WorldPosition"));
+  const QString position = property ? property : "";
+  this->connect(this, &QObject::objectNameChanged, this,
+    [this, position](const QString& name)
+    {
+      if (position != "TipPosition" && name != position)
+      {
+        this->setObjectName(position);
+      }
+    });
 }
 
 pqTouchHandle::~pqTouchHandle() = default;
