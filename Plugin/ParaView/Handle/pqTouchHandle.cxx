@@ -35,14 +35,13 @@ pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidg
   this->connect(this, &pqPropertyWidget::changeFinished, come);
   this->connect(
     this, &pqInteractivePropertyWidgetAbstract::endInteraction, this, &pqTouchHandle::traceEnd);
-  // The panel calls every handle by its kind: of several, those after the first get names of their
-  // own.
+  // The panel numbers handles in an order of its own: each is called by what it moves.
   const char* property = proxy->GetPropertyName(group->GetProperty("WorldPosition"));
   const QString position = property ? property : "";
   this->connect(this, &QObject::objectNameChanged, this,
     [this, position](const QString& name)
     {
-      if (position != "TipPosition" && name != position)
+      if (name != position)
       {
         this->setObjectName(position);
       }
