@@ -75,8 +75,7 @@ run_suite()
   local preset=$1 launcher=() choice=() start=$SECONDS
   shift
   [ "$preset" != tsan ] || read -ra launcher < <(tsan_launcher)
-  # The sanitizers have no long tests, and a filter here would take the place of their preset's.
-  is_long || [[ $preset == [at]san ]] || choice=(-LE 'Long')
+  is_long || choice=(-LE 'Long')
   is_long || [ "$preset" != plain-vtk ] || choice+=(-R '^(Python|Viewer)')
   printf '\n=== %s\n' "$preset"
   if [ "$preset" = plain-vtk ] && ! prepare_plain_vtk; then
