@@ -23,6 +23,15 @@ namespace
 {
 /// F = 10 δ^1.5 under a tip half a millimetre deep in a ball of 20 mm.
 const Vector3d Inside(0.0, 0.0, 0.0195); // m
+
+// The force of one step taken outside any loop; the step is a copy, so the loop's own is untouched.
+Vector3d forceAt(const Vector3d& position, ServoStep step)
+{
+  DeviceSample sample;
+  sample.position = position;
+  sample.valid = true;
+  return step.step(sample, 0.0).contact.force;
+}
 } // namespace
 
 TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
@@ -36,11 +45,7 @@ TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
   EXPECT_TRUE(loop.isRunning());
   EXPECT_EQ(loop.grant().request.priority, 80);
   waitForTicks(loop, 50);
-  ServoStep same = step;
-  DeviceSample sample;
-  sample.position = device.Position;
-  sample.valid = true;
-  EXPECT_EQ(loop.newest().contact.force, same.step(sample, 0.0).contact.force);
+  EXPECT_EQ(loop.newest().contact.force, forceAt(device.Position, step));
   loop.stop();
   EXPECT_FALSE(loop.isRunning());
   EXPECT_TRUE(device.Increasing);
@@ -66,11 +71,7 @@ TEST(ServoLoop, ARehearsalChangesNoForce)
   ServoLoop loop(device, step, settings);
   ASSERT_EQ(loop.start(), "");
   waitForTicks(loop, 50);
-  ServoStep same = step;
-  DeviceSample sample;
-  sample.position = device.Position;
-  sample.valid = true;
-  EXPECT_EQ(loop.newest().contact.force, same.step(sample, 0.0).contact.force);
+  EXPECT_EQ(loop.newest().contact.force, forceAt(device.Position, step));
   loop.stop();
   EXPECT_TRUE(device.Increasing);
   EXPECT_EQ(device.Last, Vector3d::Zero());
