@@ -21,6 +21,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace palpate
 {
@@ -130,6 +131,13 @@ std::string checkBody(vtkPolyData* body, const std::string& name)
       return mode ? describe(mode, 3) : std::string();
     }
   }
+}
+
+void addDisplacements(vtkFloatArray* other, vtkFloatArray* sum)
+{
+  const vtkIdType count = std::min(other->GetNumberOfValues(), sum->GetNumberOfValues());
+  std::transform(other->GetPointer(0), other->GetPointer(0) + count, sum->GetPointer(0),
+    sum->GetPointer(0), std::plus<>());
 }
 
 bool isTriangle(vtkPolyData* body, vtkIdType cell)

@@ -72,6 +72,9 @@ constexpr const char* NearFieldArray = "NearField";
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
   vtkPolyData* body, const std::string& name);
 
+/// Adds the displacements of another contact to `sum`, of the same points.
+PALPATERESPONSE_EXPORT void addDisplacements(vtkFloatArray* other, vtkFloatArray* sum);
+
 /// Whether a cell is one of the triangles of a body.
 PALPATERESPONSE_EXPORT bool isTriangle(vtkPolyData* body, vtkIdType cell);
 

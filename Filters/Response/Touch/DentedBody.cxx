@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Touch/DentedBody.h"
 
+#include "Response/BodyField.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -54,16 +56,15 @@ Vector3 motionOf(vtkFloatArray* displacement, vtkIdType point)
 /// What all dents make together: the only one's own, or a new array.
 vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
 {
-  vtkSmartPointer<vtkFloatArray> sum = dents.front().displacement;
+  if (dents.size() == 1)
+  {
+    return dents.front().displacement;
+  }
+  const auto sum = vtkSmartPointer<vtkFloatArray>::New();
+  sum->DeepCopy(dents.front().displacement);
   for (std::size_t k = 1; k < dents.size(); ++k)
   {
-    auto next = vtkSmartPointer<vtkFloatArray>::New();
-    next->DeepCopy(sum);
-    for (vtkIdType i = 0; i < next->GetNumberOfValues(); ++i)
-    {
-      next->SetValue(i, sum->GetValue(i) + dents[k].displacement->GetValue(i));
-    }
-    sum = next;
+    addDisplacements(dents[k].displacement, sum);
   }
   return sum;
 }

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -51,13 +50,6 @@ std::string firstOf(const std::vector<std::string>& faults)
   const auto first = std::find_if(
     faults.begin(), faults.end(), [](const std::string& fault) { return !fault.empty(); });
   return first == faults.end() ? std::string() : *first;
-}
-
-void addTo(vtkFloatArray* values, vtkFloatArray* sum)
-{
-  const vtkIdType count = std::min(values->GetNumberOfValues(), sum->GetNumberOfValues());
-  std::transform(values->GetPointer(0), values->GetPointer(0) + count, sum->GetPointer(0),
-    sum->GetPointer(0), std::plus<>());
 }
 
 FieldContact fieldContact(const ShownContact& shown)
@@ -367,7 +359,7 @@ void BodyDisplay::showByPoints()
     const auto displacement = this->displaceByPoints(dent, faults.emplace_back());
     if (sum)
     {
-      addTo(displacement, sum);
+      addDisplacements(displacement, sum);
     }
     else
     {
