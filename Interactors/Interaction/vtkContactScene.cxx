@@ -5,7 +5,6 @@
 #include "Interaction/Display/ContactMark.h"
 #include "Interaction/Display/ShownHands.h"
 #include "Interaction/Display/ShownContact.h"
-#include "Interaction/Display/ContactValidity.h"
 #include "Interaction/Display/ForceScale.h"
 #include "Interaction/Display/ForceTrail.h"
 #include "Response/RoundNumber.h"
@@ -240,24 +239,14 @@ void vtkContactScene::SetFreeDirection(int hand, const double direction[3])
   }
 }
 
-void vtkContactScene::SetFreeDirection(const double direction[3])
-{
-  this->SetFreeDirection(0, direction);
-}
-
 void vtkContactScene::ShowSession(vtkHapticSession* session)
 {
   std::vector<palpate::ShownContact> contacts;
   this->Hands->resize(static_cast<std::size_t>(session->GetNumberOfDevices()));
   for (std::size_t i = 0; i < this->Hands->count(); ++i)
   {
-    palpate::ShownContact contact = palpate::readSession(session, static_cast<int>(i));
-    if (!contact.touches())
-    {
-      contact.tick.contact.normal = this->Hands->freeDirection(i);
-    }
-    palpate::findValidity(session->GetBody(), session->GetResponseName(), contact);
-    contacts.push_back(contact);
+    contacts.push_back(
+      palpate::readSession(session, static_cast<int>(i), this->Hands->freeDirection(i)));
   }
   this->Trail->follow(contacts.front(), static_cast<std::size_t>(this->TrailLength));
   this->SwitchTrail();
@@ -267,13 +256,8 @@ void vtkContactScene::ShowSession(vtkHapticSession* session)
 void vtkContactScene::ShowContact(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell)
 {
-  palpate::ShownContact contact;
-  contact.tick.tip = Eigen::Vector3d(tip);
-  contact.tick.idealForce = Eigen::Vector3d(force);
-  contact.tick.contact.contactPoint = Eigen::Vector3d(contactPoint);
-  contact.tick.contact.normal = Eigen::Vector3d(normal);
-  contact.tick.contact.deflection = deflection;
-  contact.cell = cell;
+  palpate::ShownContact contact =
+    palpate::contactOfNumbers(tip, contactPoint, normal, force, deflection, cell);
   palpate::findValidity(this->BodyData, this->ResponseName, contact);
   this->Show({ contact });
 }

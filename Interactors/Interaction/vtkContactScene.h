@@ -142,7 +142,7 @@ public:
   ///@{
   /** Along which direction, of any length, the tool stands where the session touches nothing; zero
    * (default): as it last did. Of another of its devices by the index, from when it is shown on. */
-  void SetFreeDirection(const double direction[3]);
+  void SetFreeDirection(const double direction[3]) { this->SetFreeDirection(0, direction); }
   void SetFreeDirection(int hand, const double direction[3]);
   ///@}
 

@@ -3,8 +3,12 @@
 
 #include "Haptics/Safety/SafetyText.h"
 #include "Interaction/Session/TickRecording.h"
+#include "Response/Curves/StoredError.h"
 #include "vtkHapticSession.h"
 
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -26,7 +30,7 @@ bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact)
   return true;
 }
 
-ShownContact readSession(vtkHapticSession* session, int hand)
+ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection)
 {
   ShownContact contact;
   contact.tick = session->GetNewestTick(hand); // a copy: the thread goes on
@@ -51,6 +55,57 @@ ShownContact readSession(vtkHapticSession* session, int hand)
       contact.safety += ", device " + device->GetStatus();
     }
   }
+  if (!contact.touches())
+  {
+    contact.tick.contact.normal = freeDirection;
+  }
+  findValidity(body, session->GetResponseName(), contact);
   return contact;
+}
+
+ShownContact contactOfNumbers(const double tip[3], const double contactPoint[3],
+  const double normal[3], const double force[3], double deflection, vtkIdType cell)
+{
+  ShownContact contact;
+  contact.tick.tip = Eigen::Vector3d(tip);
+  contact.tick.idealForce = Eigen::Vector3d(force);
+  contact.tick.contact.contactPoint = Eigen::Vector3d(contactPoint);
+  contact.tick.contact.normal = Eigen::Vector3d(normal);
+  contact.tick.contact.deflection = deflection;
+  contact.cell = cell;
+  return contact;
+}
+
+void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact)
+{
+  contact.validity = std::numeric_limits<double>::infinity();
+  contact.limit = 0;
+  contact.error = std::numeric_limits<double>::quiet_NaN();
+  if (!body || !contact.touches() || contact.cell >= body->GetNumberOfCells())
+  {
+    return;
+  }
+  vtkDataArray* validity =
+    body->GetPointData()->GetArray(arrayName(responseName, ResponseArray::Validity).c_str());
+  vtkDataArray* limit =
+    body->GetPointData()->GetArray(arrayName(responseName, ResponseArray::Limit).c_str());
+  if (!validity || !limit)
+  {
+    return;
+  }
+  const StoredError errors(body, responseName);
+  vtkNew<vtkIdList> corners;
+  body->GetCellPoints(contact.cell, corners);
+  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType corner = corners->GetId(i);
+    const double error = errors.at(corner, contact.tick.contact.deflection);
+    contact.error = error > contact.error || i == 0 ? error : contact.error;
+    if (validity->GetTuple1(corner) < contact.validity)
+    {
+      contact.validity = validity->GetTuple1(corner);
+      contact.limit = static_cast<int>(limit->GetTuple1(corner));
+    }
+  }
 }
 } // namespace palpate

@@ -26,7 +26,7 @@ inline bool isNoticeable(const Eigen::Vector3d& part, const Eigen::Vector3d& for
 /// One contact as it is drawn, of a live session or of a probe's tip. Body frame, mm, N.
 struct ShownContact
 {
-  /// Where nothing is touched the contact's normal is the direction the tool is to stand along.
+  /// Where nothing is touched, the contact's normal is the direction the tool stands along.
   Tick tick;
   bool hasApplied = false; ///< the tick tells what the device is told
   std::string safety; ///< why the applied force is another, in words; "" if it is not, or not known
@@ -75,9 +75,19 @@ struct ShownContact
 /// any other array is missing or there is no such tip.
 bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);
 
-/// The newest tick of a session, all of the same tick, of one of its devices. A session that does
-/// not run, and a device without force, apply none that could be shown.
-ShownContact readSession(vtkHapticSession* session, int hand = 0);
+/// Of one of a session's devices, the newest tick, with its validity; where it touches nothing, the
+/// tool stands along `freeDirection`. A session that does not run, and a device without force,
+/// apply none that could be shown.
+ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection);
+
+/// As vtkContactScene::ShowContact takes them.
+ShownContact contactOfNumbers(const double tip[3], const double contactPoint[3],
+  const double normal[3], const double force[3], double deflection, vtkIdType cell);
+
+/// Sets validity, limit and error of a contact from Validity, Limit and Error of the response with
+/// this prefix: of the three corners of its cell the weakest. Infinite without those arrays, or
+/// without a contact.
+void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
 } // namespace palpate
 
 #endif
