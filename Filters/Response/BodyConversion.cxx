@@ -23,7 +23,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -76,6 +75,34 @@ bool fetchCurves(
   arrays.basis = floats(ResponseArray::Basis);
   arrays.coefficient = arrays.basis ? floats(ResponseArray::Coefficient) : nullptr;
   return arrays.coefficient != nullptr;
+}
+
+/// Leaves the terms as they are where there are none.
+bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
+{
+  const std::string full = arrayName(name, ResponseArray::Edges);
+  vtkDataArray* array = body->GetFieldData()->GetArray(full.c_str());
+  if (!array)
+  {
+    return true;
+  }
+  if (array->GetNumberOfComponents() != EdgeComponents || array->GetNumberOfTuples() != 1)
+  {
+    error = joined("field array '", full, "' must have ", EdgeComponents,
+      " components and one tuple, but is ", shapeOf(array));
+    return false;
+  }
+  edges.exponent = array->GetComponent(0, 0);
+  edges.radius = array->GetComponent(0, 1);
+  edges.poissonRatio = array->GetComponent(0, 2);
+  edges.extent = array->GetComponent(0, 3);
+  edges.isInCurves = array->GetComponent(0, 4) != 0.0;
+  error = faultOfEdges(edges);
+  if (!error.empty())
+  {
+    error = "field array '" + full + "': " + error;
+  }
+  return error.empty();
 }
 
 /// Finds the first triangle with a corner that is not one of `points` points.
@@ -156,37 +183,30 @@ void removeArrays(vtkPolyData* body, const std::string& name, ContractArray::Use
 
 std::string checkTriangles(vtkPolyData* body)
 {
-  std::ostringstream text;
   if (body->GetNumberOfStrips() > 0)
   {
-    text << "the body has " << body->GetNumberOfStrips()
-         << " triangle strips; pass it through vtkTriangleFilter first";
+    return joined("the body has ", body->GetNumberOfStrips(),
+      " triangle strips; pass it through vtkTriangleFilter first");
   }
-  else if (body->GetNumberOfPolys() == 0)
+  if (body->GetNumberOfPolys() == 0)
   {
-    text << "the body has " << body->GetNumberOfPoints() << " points but no triangles";
+    return joined("the body has ", body->GetNumberOfPoints(), " points but no triangles");
   }
-  else if (body->GetPolys()->IsHomogeneous() != 3)
+  if (body->GetPolys()->IsHomogeneous() != 3)
   {
-    text << "the body has polygons other than triangles; pass it through vtkTriangleFilter first";
+    return "the body has polygons other than triangles; pass it through vtkTriangleFilter first";
   }
-  else if (body->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max() ||
+  if (body->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max() ||
     body->GetNumberOfPolys() > std::numeric_limits<std::int32_t>::max())
   {
-    text << "the body has more than 2^31 points or triangles";
+    return "the body has more than 2^31 points or triangles";
   }
-  else
-  {
-    vtkIdType triangle = -1;
-    vtkIdType corner = 0;
-    body->GetPolys()->Visit(FindLostCorner{}, body->GetNumberOfPoints(), triangle, corner);
-    if (triangle >= 0)
-    {
-      text << "triangle " << triangle << " has the corner " << corner
-           << ", but the body has points 0 to " << body->GetNumberOfPoints() - 1;
-    }
-  }
-  return text.str();
+  vtkIdType triangle = -1;
+  vtkIdType corner = 0;
+  body->GetPolys()->Visit(FindLostCorner{}, body->GetNumberOfPoints(), triangle, corner);
+  return triangle < 0 ? std::string()
+                      : joined("triangle ", triangle, " has the corner ", corner,
+                          ", but the body has points 0 to ", body->GetNumberOfPoints() - 1);
 }
 
 std::vector<std::int32_t> copyTriangles(vtkPolyData* body)
@@ -214,37 +234,6 @@ BodyMesh makeBodyMesh(vtkPolyData* body)
   const std::vector<double> points = copyPoints(body);
   return BodyMesh(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3);
 }
-
-namespace
-{
-/// Leaves the terms as they are where there are none.
-bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
-{
-  const std::string full = arrayName(name, ResponseArray::Edges);
-  vtkDataArray* array = body->GetFieldData()->GetArray(full.c_str());
-  if (!array)
-  {
-    return true;
-  }
-  if (array->GetNumberOfComponents() != EdgeComponents || array->GetNumberOfTuples() != 1)
-  {
-    error = joined("field array '", full, "' must have ", EdgeComponents,
-      " components and one tuple, but is ", shapeOf(array));
-    return false;
-  }
-  edges.exponent = array->GetComponent(0, 0);
-  edges.radius = array->GetComponent(0, 1);
-  edges.poissonRatio = array->GetComponent(0, 2);
-  edges.extent = array->GetComponent(0, 3);
-  edges.isInCurves = array->GetComponent(0, 4) != 0.0;
-  error = faultOfEdges(edges);
-  if (!error.empty())
-  {
-    error = "field array '" + full + "': " + error;
-  }
-  return error.empty();
-}
-} // namespace
 
 bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)

@@ -38,11 +38,6 @@ namespace
 constexpr double IdentifiedShare = 0.5; // of the work, as progress tells it
 } // namespace
 
-/// Everything between the files and the response.
-struct vtkMeasuredContactResponse::Measurement : public palpate::SiteMeasurement
-{
-};
-
 vtkStandardNewMacro(vtkMeasuredContactResponse);
 
 vtkMeasuredContactResponse::vtkMeasuredContactResponse()
@@ -137,7 +132,7 @@ int vtkMeasuredContactResponse::RequestData(
     vtkErrorMacro(<< "Wrong input: " << fault << ".");
     return 0;
   }
-  Measurement measurement;
+  palpate::SiteMeasurement measurement;
   fault = this->CheckProperties();
   if (fault.empty())
   {
@@ -214,7 +209,7 @@ std::string vtkMeasuredContactResponse::CheckProperties()
 }
 
 std::string vtkMeasuredContactResponse::ReadSites(
-  vtkInformationVector* tables, Measurement& measurement)
+  vtkInformationVector* tables, palpate::SiteMeasurement& measurement)
 {
   for (const std::string& name : this->FileNames)
   {
@@ -272,7 +267,7 @@ std::string vtkMeasuredContactResponse::ReadSites(
 }
 
 /// False when aborted.
-bool vtkMeasuredContactResponse::IdentifySites(Measurement& measurement)
+bool vtkMeasuredContactResponse::IdentifySites(palpate::SiteMeasurement& measurement)
 {
   const palpate::ElasticityLimits limits{ this->MaximumHysteresis, this->MaximumRateEffect };
   const auto count = static_cast<vtkIdType>(measurement.Sites.size());
@@ -301,19 +296,10 @@ bool vtkMeasuredContactResponse::IdentifySites(Measurement& measurement)
 }
 
 /// Warns of refused sites; returns their names and reasons if there are no others.
-std::string vtkMeasuredContactResponse::JudgeSites(const Measurement& measurement)
+std::string vtkMeasuredContactResponse::JudgeSites(const palpate::SiteMeasurement& measurement)
 {
   std::string refused;
-  std::size_t count = 0;
-  for (const palpate::PlacedSite& site : measurement.Sites)
-  {
-    if (!site.measured.refusal.empty())
-    {
-      refused += (refused.empty() ? "site '" : "; site '") + site.measured.name +
-        "': " + site.measured.refusal;
-      ++count;
-    }
-  }
+  const std::size_t count = measurement.countRefused(refused);
   if (count == measurement.Sites.size())
   {
     return refused;
@@ -328,7 +314,7 @@ std::string vtkMeasuredContactResponse::JudgeSites(const Measurement& measuremen
 
 /// False after an error, which has been passed on.
 bool vtkMeasuredContactResponse::RespondTo(
-  const Measurement& measurement, vtkPolyData* body, vtkPolyData* output)
+  const palpate::SiteMeasurement& measurement, vtkPolyData* body, vtkPolyData* output)
 {
   const auto anywhere = [body](const char* name)
   { return std::string(body->GetPointData()->GetArray(name)->GetMaxNorm() > 0.0 ? name : ""); };

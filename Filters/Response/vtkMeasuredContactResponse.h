@@ -75,6 +75,11 @@
 
 class vtkContactTool;
 
+namespace palpate
+{
+struct SiteMeasurement;
+}
+
 class PALPATERESPONSE_EXPORT vtkMeasuredContactResponse : public vtkPolyDataAlgorithm
 {
 public:
@@ -284,13 +289,12 @@ private:
   vtkMeasuredContactResponse(const vtkMeasuredContactResponse&) = delete;
   void operator=(const vtkMeasuredContactResponse&) = delete;
 
-  struct Measurement;
-
   std::string CheckProperties();
-  std::string ReadSites(vtkInformationVector* tables, Measurement& measurement);
-  bool IdentifySites(Measurement& measurement);
-  std::string JudgeSites(const Measurement& measurement);
-  bool RespondTo(const Measurement& measurement, vtkPolyData* body, vtkPolyData* output);
+  std::string ReadSites(vtkInformationVector* tables, palpate::SiteMeasurement& measurement);
+  bool IdentifySites(palpate::SiteMeasurement& measurement);
+  std::string JudgeSites(const palpate::SiteMeasurement& measurement);
+  bool RespondTo(
+    const palpate::SiteMeasurement& measurement, vtkPolyData* body, vtkPolyData* output);
 
   std::vector<std::string> FileNames;
   std::string MeasuringTool;

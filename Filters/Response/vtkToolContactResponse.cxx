@@ -119,6 +119,20 @@ void vtkToolContactResponse::ClearLayers()
   }
 }
 
+void vtkToolContactResponse::AddRelaxation(double strength, double seconds)
+{
+  this->Relaxations.add(strength, seconds);
+  this->Modified();
+}
+
+void vtkToolContactResponse::ClearRelaxations()
+{
+  if (this->Relaxations.clear())
+  {
+    this->Modified();
+  }
+}
+
 int vtkToolContactResponse::GetNumberOfAddedLayers()
 {
   return static_cast<int>(this->AddedLayers.size());

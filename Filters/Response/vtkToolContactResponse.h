@@ -102,13 +102,10 @@ public:
   ///@}
 
   ///@{
-  /** Young's modulus E, MPa, > 0, of points without an array. Default 0.1. */
+  /** Young's modulus E, MPa, > 0, and Poisson's ratio, 0 to 0.5, of points without an array.
+   * Default 0.1 and 0.45. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
-  ///@}
-
-  ///@{
-  /** Poisson's ratio, 0 to 0.5, of points without an array. Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
@@ -223,9 +220,10 @@ public:
    * field array `<name>Coupling` (double 3), of the half-space or of the layers; where modulus or
    * thickness vary, point arrays `<name>CouplingModulus` (float, MPa) and `<name>CouplingThickness`
    * (float, mm); and where the body has a point array `CouplingModes` (vtkElasticCompliance) and
-   * a global compliance, `<name>CouplingModes` (float, √(mm/N)), less where they tell
-   * of more than the response gives way. Layers must be everywhere or
-   * nowhere, a second layer of one thickness; Poisson's ratio counts by its middle. Default off.
+   * a global compliance, `<name>CouplingModes` (float, √(mm/N)), scaled down where they would give
+   * way more than the response does. Layers must be everywhere or nowhere, a second layer of one
+   * thickness; Poisson's ratio is that between its least and
+   * its largest. Default off.
    */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);
@@ -245,18 +243,8 @@ public:
    * tuple each, s) and, where array to process 5 gives strengths, `<name>LocalRelaxation` (point
    * data, float, a component each).
    */
-  void AddRelaxation(double strength, double seconds)
-  {
-    this->Relaxations.add(strength, seconds);
-    this->Modified();
-  }
-  void ClearRelaxations()
-  {
-    if (this->Relaxations.clear())
-    {
-      this->Modified();
-    }
-  }
+  void AddRelaxation(double strength, double seconds);
+  void ClearRelaxations();
   int GetNumberOfRelaxations() { return this->Relaxations.count(); }
   double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
   double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
@@ -299,13 +287,9 @@ public:
   ///@}
 
   ///@{
-  /** Ogden's exponent, not 0. Default 2 (Neo-Hooke). */
+  /** Ogden's exponent, not 0, and Demiray's exponent b, > 0. Default 2 (Neo-Hooke) and 1. */
   vtkSetMacro(OgdenExponent, double);
   vtkGetMacro(OgdenExponent, double);
-  ///@}
-
-  ///@{
-  /** Demiray's exponent b, > 0. Default 1. */
   vtkSetMacro(DemirayExponent, double);
   vtkGetMacro(DemirayExponent, double);
   ///@}
@@ -314,18 +298,11 @@ public:
   /**
    * The estimated relative error of the force (palpate/ErrorRule.h) that Validity is to stay
    * within. Default 0.05, 5 %. 0: Validity is the depth at which the first assumption breaks, as
-   * above.
+   * above. StoreError: whether that error is kept at each sample, in the array `Error`, which
+   * displays take it from. Default on; without effect where ErrorTolerance is 0.
    */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the estimated relative error is kept at each sample, in the array `Error` (float n),
-   * which displays take it from: 4 n bytes per point. Default on; without effect where
-   * ErrorTolerance is 0.
-   */
   vtkSetMacro(StoreError, bool);
   vtkGetMacro(StoreError, bool);
   vtkBooleanMacro(StoreError, bool);
@@ -333,13 +310,12 @@ public:
 
   ///@{
   /**
-   * Whether the law has no more than the forces need. Edges are left out where there are none;
-   * layers, CurvatureCorrection and finite strain
-   * are then left out where they change the force by no more than TermTolerance in sum; and
-   * Neo-Hooke is taken, where its tables have the tool and it changes more, without being asked
-   * for. Judged down to MaximumDeflection, by 95 % of some 400 points (palpate/TermEffect.h). What
-   * is in the law and what is not, each with its per cent, is told by GetTermReason and the field
-   * array `<name>Terms`. Default off: the law is what is asked for.
+   * Whether the law has no more than the forces need. Edges are left out where there are none, and
+   * layers, CurvatureCorrection and finite strain where they change the force by no more than
+   * TermTolerance in sum; Neo-Hooke is taken, where its tables have the tool and it changes more,
+   * without being asked for. Judged down to MaximumDeflection, by 95 % of some 400 points
+   * (palpate/TermEffect.h). What is in the law and what is not, each with its per cent, is told by
+   * GetTermReason and the field array `<name>Terms`. Default off: the law is what is asked for.
    */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
@@ -347,7 +323,7 @@ public:
   ///@}
 
   ///@{
-  /** Change of the force, relative, that AutomaticTerms may leave out, >= 0. Default 0.01. */
+  /** Relative change of the force that AutomaticTerms may leave out, >= 0. Default 0.01. */
   vtkSetMacro(TermTolerance, double);
   vtkGetMacro(TermTolerance, double);
   ///@}
@@ -356,13 +332,9 @@ public:
   vtkGetMacro(TermReason, std::string);
 
   ///@{
-  /** Depth of the last sample, mm, > 0. Default 2. */
+  /** Depth of the last sample, mm, > 0, and samples per curve n, 2 to 256. Default 2 and 8. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
-  ///@}
-
-  ///@{
-  /** Samples per curve n, 2 to 256. Default 8. */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
   ///@}

@@ -2,6 +2,7 @@
 #include "Response/Measured/SiteMeasurement.h"
 
 #include "Response/FilterThreads.h"
+#include "Contact/ResponseContract.h"
 #include "Contact/TriangleTree.h"
 #include "Response/Measured/MeasuredRelaxation.h"
 
@@ -48,6 +49,21 @@ double SiteMeasurement::place(double largestDistance)
     }
   }
   return std::sqrt(squares / static_cast<double>(this->Sites.size()));
+}
+
+std::size_t SiteMeasurement::countRefused(std::string& reasons) const
+{
+  std::size_t count = 0;
+  for (const PlacedSite& site : this->Sites)
+  {
+    if (!site.measured.refusal.empty())
+    {
+      reasons +=
+        (count == 0 ? "site '" : "; site '") + site.measured.name + "': " + site.measured.refusal;
+      ++count;
+    }
+  }
+  return count;
 }
 
 int SiteMeasurement::modelParts() const

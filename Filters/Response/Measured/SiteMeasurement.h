@@ -39,6 +39,9 @@ struct SiteMeasurement
   /// `largestDistance` (mm). Returns the root of the mean square of their distances.
   double place(double largestDistance);
 
+  /// How many sites are refused, and their names and reasons.
+  std::size_t countRefused(std::string& reasons) const;
+
   /// What was identified from what, for the field array Model.
   std::string describe() const;
   int modelParts() const; ///< sum of ModelPart
