@@ -5,7 +5,6 @@
 #include "Interaction/Display/ContactMark.h"
 #include "Interaction/Display/ShownHands.h"
 #include "Interaction/Display/ShownContact.h"
-#include "Interaction/Display/ForceScale.h"
 #include "Interaction/Display/ForceTrail.h"
 #include "Response/RoundNumber.h"
 #include "Interaction/Display/SceneView.h"

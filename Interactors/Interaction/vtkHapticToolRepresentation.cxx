@@ -6,7 +6,6 @@
 #include "Interaction/Display/LabelLayout.h"
 #include "Interaction/Display/RigidFrame.h"
 #include "Interaction/Display/ShownContact.h"
-#include "Interaction/Display/TorqueArc.h"
 #include "vtkContactTool.h"
 #include "vtkContactToolSource.h"
 

@@ -3,7 +3,6 @@
 
 #include "Interaction/Panel/KeyHelp.h"
 #include "Interaction/Panel/SteeredHand.h"
-#include "Interaction/Panel/StyleKeys.h"
 #include "Interaction/Panel/SurfacePicker.h"
 #include "Haptics/Servo/HandsStep.h"
 #include "vtkContactScene.h"
@@ -29,7 +28,7 @@ vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   , Help(std::make_unique<palpate::KeyHelp>())
   , Hands(1)
 {
-  this->Help->setText(palpate::StyleKeys);
+  this->Help->setText(OwnKeys());
 }
 
 vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic() = default;

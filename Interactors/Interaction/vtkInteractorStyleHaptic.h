@@ -185,6 +185,7 @@ private:
   bool TurnWheel(double notches);
   void Lean(double right, double away);
   bool DoKey(char key);
+  static const char* OwnKeys();
   void FaceAlong(const double direction[3]);
   void Exaggerate(double factor);
   void TakeNextHand();

@@ -2,7 +2,6 @@
 #ifndef ContactCurvesChart_h
 #define ContactCurvesChart_h
 
-#include "Interaction/Charts/BandTable.h"
 #include "Interaction/Charts/LiveChart.h"
 #include "Interaction/Charts/PlotTable.h"
 

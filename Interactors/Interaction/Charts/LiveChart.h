@@ -5,6 +5,7 @@
 #include "vtkNew.h"
 
 #include <string>
+#include <vector>
 
 class vtkChartXY;
 
@@ -41,6 +42,10 @@ private:
   double EndAcross = 0.0;
   double EndUp = 0.0;
 };
+
+/// Shares out a viewport among charts, row by row from the top left: in so many columns that they
+/// become as large as they can at a pleasant shape.
+void layOut(const std::vector<vtkChartXY*>& charts, int width, int height);
 } // namespace palpate
 
 #endif

@@ -3,7 +3,7 @@
 #include "Interaction/Charts/LiveChartsState.h"
 
 #include "Response/BodyConversion.h"
-#include "Interaction/Charts/ChartLayout.h"
+#include "Interaction/Charts/LiveChart.h"
 #include "Interaction/Charts/ResponseReach.h"
 
 #include "vtkChartXY.h"

@@ -6,8 +6,10 @@
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
+#include "vtkArcSource.h"
 #include "vtkConeSource.h"
 #include "vtkCoordinate.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -15,6 +17,8 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTubeFilter.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -29,6 +33,16 @@ constexpr double Dash = 3.2;        // mm
 constexpr double Gap = 1.8;         // mm
 constexpr double LargestHead = 0.4; // of the arrow
 constexpr int Sides = 32;
+
+constexpr double ArcTubeRadius = 0.55; // mm
+constexpr double ArcHeadRadius = 1.6;  // mm
+constexpr double ArcHeadLength = 3.6;  // mm
+constexpr double ArcMostTurn = 5.2;    // rad
+constexpr double ArcStart = 0.15;      // rad: clear of the surface
+constexpr double ArcLeastTurn = 0.15;  // rad, below which it is a head alone
+constexpr int ArcSides = 24;
+constexpr int ArcPieces = 48;
+constexpr int ArcLabelSize = 18; // points
 } // namespace
 
 ForceArrow::ForceArrow(const ArrowLook& look)
@@ -109,5 +123,88 @@ void ForceArrow::moveTo(const Eigen::Vector3d& origin)
   this->Head = origin + this->Along;
   this->Actor->SetUserMatrix(frameAlong(origin.data(), this->Along.data(), 0));
   this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
+}
+
+TorqueArc::TorqueArc()
+  : Arc(vtkSmartPointer<vtkArcSource>::New())
+  , Cone(vtkSmartPointer<vtkConeSource>::New())
+  , Actor(vtkSmartPointer<vtkActor>::New())
+  , Label(vtkSmartPointer<vtkTextActor>::New())
+{
+  this->Arc->UseNormalAndAngleOn();
+  this->Arc->SetResolution(ArcPieces);
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputConnection(this->Arc->GetOutputPort());
+  tube->SetRadius(ArcTubeRadius);
+  tube->SetNumberOfSides(ArcSides);
+  tube->CappingOn();
+  this->Cone->SetResolution(ArcSides);
+  this->Cone->SetRadius(ArcHeadRadius);
+  this->Cone->SetHeight(ArcHeadLength);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(tube->GetOutputPort());
+  both->AddInputConnection(this->Cone->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(both->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  this->Actor->SetMapper(mapper);
+  this->Actor->GetProperty()->SetColor(TorqueColor[0], TorqueColor[1], TorqueColor[2]);
+  this->Actor->GetProperty()->SetAmbient(0.3);
+
+  vtkTextProperty* text = this->Label->GetTextProperty();
+  text->SetColor(TorqueColor.data());
+  text->SetFontSize(ArcLabelSize);
+  text->SetBold(1);
+  text->SetBackgroundColor(BackgroundColor.data());
+  text->SetBackgroundOpacity(0.65);
+  this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  this->hide();
+}
+
+TorqueArc::~TorqueArc() = default;
+
+void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
+  const Eigen::Vector3d& from, double scale)
+{
+  const double magnitude = torque.norm();
+  const double turn = std::min(magnitude * scale / (Radius * Radius), ArcMostTurn);
+  if (!std::isfinite(turn) || !(turn > 0.0))
+  {
+    this->hide();
+    return;
+  }
+  const Eigen::Vector3d normal = torque / magnitude;
+  Eigen::Vector3d first = from - normal.dot(from) * normal;
+  first = first.norm() > 1e-6 * from.norm() ? first.normalized() : normal.unitOrthogonal();
+  const double shown = std::max(turn, ArcLeastTurn);
+  const Eigen::Vector3d begin = Eigen::AngleAxisd(ArcStart, normal) * first;
+  const Eigen::Vector3d end = Eigen::AngleAxisd(ArcStart + shown, normal) * first;
+  const Eigen::Vector3d ahead = normal.cross(end);
+  this->Arc->SetCenter(center.x(), center.y(), center.z());
+  this->Arc->SetNormal(normal.x(), normal.y(), normal.z());
+  this->Arc->SetPolarVector(Radius * begin.x(), Radius * begin.y(), Radius * begin.z());
+  this->Arc->SetAngle(vtkMath::DegreesFromRadians(shown));
+  this->Center = center;
+  this->Head = center + Radius * end + ArcHeadLength * ahead;
+  const Eigen::Vector3d middle = center + Radius * end + 0.5 * ArcHeadLength * ahead;
+  this->Cone->SetCenter(middle.x(), middle.y(), middle.z());
+  this->Cone->SetDirection(ahead.x(), ahead.y(), ahead.z());
+  this->Actor->VisibilityOn();
+  this->Label->VisibilityOn();
+  this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "  %#.3g N mm", magnitude);
+  this->Label->SetInput(text.data());
+}
+
+void TorqueArc::hide()
+{
+  this->Actor->VisibilityOff();
+  this->Label->VisibilityOff();
+}
+
+bool TorqueArc::isShown() const
+{
+  return this->Actor->GetVisibility() != 0;
 }
 } // namespace palpate

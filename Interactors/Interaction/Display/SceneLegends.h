@@ -3,10 +3,16 @@
 #define SceneLegends_h
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
+#include <Eigen/Core>
+
+class vtkActor2D;
 class vtkLookupTable;
+class vtkPolyData;
 class vtkRenderer;
 class vtkScalarBarActor;
+class vtkTextActor;
 
 namespace palpate
 {
@@ -35,6 +41,40 @@ private:
   vtkNew<vtkLookupTable> ForceColors;
   vtkNew<vtkScalarBarActor> Displacement;
   vtkNew<vtkScalarBarActor> Force;
+};
+
+/// What the length of a force's arrow means: an arrow of a round number of newtons in the lower
+/// right corner of the picture, as long as that force would be drawn at the contact, across the
+/// line of sight.
+class ForceScale
+{
+public:
+  ForceScale();
+  ~ForceScale();
+  ForceScale(const ForceScale&) = delete;
+  ForceScale& operator=(const ForceScale&) = delete;
+
+  /// Chooses the number, once: about half of the largest force (N), whose arrows are `scale` mm
+  /// long per N.
+  void choose(double largestForce, double scale);
+  /// Fits the arrow to the camera. Only where it would take more than a third of the picture's
+  /// width is another number taken, the next smaller round one.
+  void place(vtkRenderer* renderer, const Eigen::Vector3d& contact);
+  void setVisibility(bool visible);
+
+  double force() const { return this->Force; } ///< chosen, N
+  /// What it takes of the picture's width, pixels.
+  double width() const { return this->Width; }
+  vtkActor2D* arrow() { return this->Arrow; }
+  vtkTextActor* label() { return this->Label; }
+
+private:
+  double Force = 1.0;
+  double Scale = 1.0;
+  double Width = 0.0;
+  vtkSmartPointer<vtkPolyData> Shape;
+  vtkSmartPointer<vtkActor2D> Arrow;
+  vtkSmartPointer<vtkTextActor> Label;
 };
 } // namespace palpate
 

@@ -2,10 +2,37 @@
 #ifndef SteeredHand_h
 #define SteeredHand_h
 
-#include "Interaction/Panel/SteeredTilt.h"
+#include <array>
+
+class vtkRenderer;
 
 namespace palpate
 {
+/// How a tool leans that a mouse steers: against the surface, by how the picture shows it.
+class SteeredTilt
+{
+public:
+  static constexpr double Largest = 60.0; ///< degrees
+  static constexpr double PerNotch = 2.5; ///< of a wheel, or a key; degrees
+
+  /// To the right and away from the viewer, degrees; no more than Largest either way.
+  void set(double right, double away);
+  void lean(double right, double away) { this->set(this->Right + right, this->Away + away); }
+  double right() const { return this->Right; }
+  double away() const { return this->Away; }
+
+  /// Whether it has ever leant: a tool that has not is not told to stand upright.
+  bool isTold() const { return this->IsTold; }
+  /// The axis, unit, from the tip up the shaft, of a tool on a surface with this outward normal;
+  /// without a renderer to the right of x and away along y.
+  std::array<double, 3> axis(const double normal[3], vtkRenderer* renderer) const;
+
+private:
+  double Right = 0.0;
+  double Away = 0.0;
+  bool IsTold = false;
+};
+
 /// How a hand that a mouse steers was left: what stays when the mouse takes another.
 struct SteeredHand
 {

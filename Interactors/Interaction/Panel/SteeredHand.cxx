@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Interaction/Panel/SteeredTilt.h"
+#include "Interaction/Panel/SteeredHand.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
