@@ -4,7 +4,6 @@
 #include "Response/BodyConversion.h"
 #include "Mechanics/Identification/CurvesFile.h"
 #include "Laws/ResponseFiller.h"
-#include "Response/Measured/CurvesFromTable.h"
 #include "Response/Measured/DataError.h"
 #include "Response/FilterStage.h"
 #include "Response/BodyLaws.h"

@@ -2,8 +2,9 @@
 #include "Mechanics/FiniteElements/PatchCompliance.h"
 
 #include "Mechanics/Numerics/Constants.h"
-#include "Mechanics/FiniteElements/MissedEnergy.h"
+#include "Mechanics/FiniteElements/ElasticElement.h"
 #include "Mechanics/FiniteElements/NearestAlong.h"
+#include "Mechanics/FiniteElements/PatchCut.h"
 #include "Mechanics/FiniteElements/PatchSelfTerm.h"
 #include "Mechanics/FiniteElements/PatchSite.h"
 #include "Mechanics/SharedWork.h"
@@ -36,6 +37,64 @@ bool forAll(std::size_t count, const WorkObserver& observer, double from, double
     }
   }
   return true;
+}
+
+/// Middles and sizes of a body's elements, for the energy missed beyond a cut.
+class MissedEnergy
+{
+public:
+  explicit MissedEnergy(const VolumeMesh& mesh);
+
+  /// What to add of (outer - inner) to the self-term of the outer cut; 0 for quadratic elements.
+  double fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const;
+
+private:
+  double of(const Eigen::Vector3d& point, std::size_t element) const;
+
+  Eigen::Matrix3Xd Middles;
+  std::vector<double> Weights; ///< V h², 0 for quadratic elements
+};
+
+MissedEnergy::MissedEnergy(const VolumeMesh& mesh)
+  : Middles(3, mesh.elementTotal())
+  , Weights(mesh.elements.size(), 0.0)
+{
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const VolumeElement& element = mesh.elements[e];
+    this->Middles.col(static_cast<Eigen::Index>(e)) = elementMiddle(mesh, element);
+    if (element.kind != ElementKind::QuadraticTetrahedron)
+    {
+      const double volume = leastVolume(element.kind, elementNodes(mesh, element));
+      this->Weights[e] = volume * std::pow(volume, 2.0 / 3.0);
+    }
+  }
+}
+
+double MissedEnergy::of(const Eigen::Vector3d& point, std::size_t element) const
+{
+  const double square =
+    (this->Middles.col(static_cast<Eigen::Index>(element)) - point).squaredNorm();
+  return this->Weights[element] / (square * square * square);
+}
+
+double MissedEnergy::fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const
+{
+  double inner = 0.0;
+  double outer = 0.0;
+  for (std::size_t i = 0; i < patch.elements.size(); ++i)
+  {
+    const double energy = this->of(point, static_cast<std::size_t>(patch.elements[i]));
+    outer += energy;
+    inner += patch.inner[i] ? energy : 0.0;
+  }
+  double all = 0.0;
+  for (std::size_t e = 0; e < this->Weights.size(); ++e)
+  {
+    all += this->of(point, e);
+  }
+  const double between = outer - inner;
+  return between > 1e-9 * outer ? std::max(all - outer, 0.0) / between : 0.0;
 }
 
 /// One point on its way: its two loads, its cut-out by the key.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Tilt/CubicSpline.h"
 
-#include "Mechanics/Numerics/CubicCell.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "Mechanics/Tilt/TiltTable.h"
 
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -26,6 +27,25 @@ PALPATE_EXPORT std::string checkTilt(const AxisymmetricTool& tool, double angle)
 /// κ of a tool: 3 of one whose deepest point goes over to a rim as soon as it is tilted, 0 of one
 /// whose deepest point moves away little by little. See TiltTerms::dropScale.
 PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
+
+/// The deepest point of one tool over its tilt as a TiltTable stores it: h and dh/dθ at even angles
+/// up to the largest, cubic between, and a little way beyond straight.
+class PALPATE_EXPORT ToolDrop
+{
+public:
+  static constexpr int Angles = 65; ///< h of a sphere to 1e-8 of its radius
+
+  ToolDrop(const AxisymmetricTool& tool, double largest);
+
+  DeepestPoint at(double angle) const;
+  double largest() const { return this->Largest; }
+  /// h and dh/dθ of each angle.
+  const std::vector<double>& nodes() const { return this->Nodes; }
+
+private:
+  double Largest;
+  std::vector<double> Nodes;
+};
 } // namespace palpate
 
 #endif

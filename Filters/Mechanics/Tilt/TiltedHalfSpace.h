@@ -5,7 +5,7 @@
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tilt/CubicSpline.h"
 #include "Mechanics/Tilt/TiltBody.h"
-#include "Mechanics/Tilt/ToolDrop.h"
+#include "Mechanics/Tilt/TiltGeometry.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <cstddef>

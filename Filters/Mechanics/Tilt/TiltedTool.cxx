@@ -2,9 +2,9 @@
 #include "Mechanics/Tilt/TiltedTool.h"
 
 #include "Mechanics/Numerics/Constants.h"
-#include "Mechanics/Numerics/CubicCell.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
 #include "Mechanics/Numerics/IncreasingRoot.h"
+#include "Mechanics/Tilt/CubicSpline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Measured/SiteTables.h"
 
+#include "Mechanics/Identification/CurvesFile.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/IsotonicRegression.h"
 #include "Mechanics/Identification/RelaxationFit.h"
 
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <numeric>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -172,6 +177,19 @@ void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
   addColumn<vtkStringArray>(
     table, "Remark", sites, [](const PlacedSite& s) { return s.measured.body.remark; });
 }
+
+/// Numbers with all their digits: a double is read back as it was.
+std::string text(vtkAbstractArray* column, vtkIdType row)
+{
+  const vtkVariant value = column->GetVariantValue(row);
+  if (!value.IsNumeric() || value.IsChar())
+  {
+    return value.ToString();
+  }
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.17g", value.ToDouble());
+  return digits;
+}
 } // namespace
 
 void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table)
@@ -246,5 +264,31 @@ void tabulateCurves(const std::vector<PlacedSite>& sites,
     table, "Site", readings, [](const Reading& r) { return r.site->measured.name; });
   addColumn<vtkStringArray>(
     table, "Tool", readings, [](const Reading& r) { return r.curve->toolText; });
+}
+
+std::string curvesFromTable(
+  vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves)
+{
+  std::vector<vtkAbstractArray*> columns;
+  CurvesTable readings;
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    vtkAbstractArray* column = table->GetColumn(i);
+    const std::string title = column->GetName() ? column->GetName() : "";
+    if (title.compare(0, 1, "#") == 0)
+    {
+      return name + ": the comment '" + title +
+        "' stands where the names of the columns should: read a file without the comments of its "
+        "head, or give the file itself";
+    }
+    columns.push_back(column);
+    readings.columns.push_back(title);
+  }
+  readings.name = name;
+  readings.tool = tool;
+  readings.rowCount = static_cast<std::size_t>(table->GetNumberOfRows());
+  readings.field = [&columns](std::size_t row, std::size_t column)
+  { return text(columns[column], static_cast<vtkIdType>(row)); };
+  return readCurves(readings, curves);
 }
 } // namespace palpate

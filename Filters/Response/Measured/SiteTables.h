@@ -2,8 +2,10 @@
 #ifndef SiteTables_h
 #define SiteTables_h
 
+#include "Mechanics/Identification/MeasuredCurve.h"
 #include "Mechanics/Identification/MeasuredSite.h"
 
+#include <string>
 #include <vector>
 
 class vtkTable;
@@ -26,6 +28,12 @@ void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table);
 /// (vtkMeasuredContactResponse.h, port 2).
 void tabulateCurves(const std::vector<PlacedSite>& sites,
   const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);
+
+/// The readings of one tool from a table with the columns of a file of curves (CurvesFile.h), as a
+/// reader of .csv files makes it; other columns are passed over. `name` stands for the file in
+/// errors. Returns what is wrong, with the row, or "".
+std::string curvesFromTable(
+  vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves);
 } // namespace palpate
 
 #endif
