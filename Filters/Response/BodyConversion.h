@@ -70,7 +70,7 @@ PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
   vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same);
 
 /// What was wrong with the mesh and what became of it, each fault with its number; "" for a sound
-/// mesh. Open borders are nothing wrong.
+/// mesh. Open borders are no fault.
 PALPATERESPONSE_EXPORT std::string describeDefects(const ContactBody& body);
 
 /// What a response says of itself in field arrays.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
  * The laws of the room beside, called on a body: each fetches the arrays, checks them, calls, and
- * attaches what comes back. The filters are these calls in a pipeline; whoever is no pipeline makes
- * them directly. What is wrong comes back in words, or "".
+ * attaches what comes back. Filters make these calls in a pipeline, other code directly. What is
+ * wrong comes back in words, or "".
  */
 #ifndef BodyLaws_h
 #define BodyLaws_h
@@ -30,8 +30,8 @@ struct LawRequest
 {
   vtkContactTool* tool = nullptr;
   std::string responseName = "Response";
-  /// mm. Of a response: of the last sample; of a regime: that it is of, 0 for half of each point's
-  /// range.
+  /// Depth of a response's last sample, or depth at which a regime is judged (0: half of each
+  /// point's range), mm.
   double deflection = 0.0;
   BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
   MaterialArrays arrays;

@@ -14,7 +14,7 @@ namespace palpate
 void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to);
 /// Takes the curves of a response away, in whichever form; the rest of it stays.
 void removeCurves(vtkPolyData* body, const std::string& name);
-/// To where the contract places it, in place of an array of the same name.
+/// Attaches values where the contract places the array, in place of one of the same name.
 void addFloats(vtkPolyData* body, const std::string& name, ResponseArray which, int components,
   const std::vector<float>& values);
 /// A text as a field array, in place of one of the same name.

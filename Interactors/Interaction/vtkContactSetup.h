@@ -177,7 +177,7 @@ public:
     this->Relaxations.add(strength, seconds);
     this->Modified();
   }
-  /** Another strength and time of one, from 0; of the one after the last: adds it. */
+  /** Strength and time of a branch, from 0; the index after the last adds one. */
   void SetRelaxation(int relaxation, double strength, double seconds)
   {
     if (this->Relaxations.set(relaxation, strength, seconds))

@@ -29,10 +29,9 @@ using StrainMaker = std::function<std::string(
 /**
  * Takes terms out of the law of `request` one by one (layers, curvature, finite strain), as long as
  * what has been left out changes the force by no more than request.terms.changeTolerance in sum
- * (TermEffect.h). Finite strain is
- * considered where it is asked for, and where Neo-Hooke's tables have the tool. `chosen` begins as
- * what the request asks for. Collective: without a piece of the body, `shape` is not asked. Returns
- * what is wrong, or "".
+ * (TermEffect.h). Finite strain is considered where it is asked for, and where Neo-Hooke's tables
+ * have the tool. `chosen` begins as what the request asks for. Collective: without a piece of the
+ * body, `shape` is not asked. Returns what is wrong, or "".
  */
 std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
   const SurfaceShape& shape, const StrainMaker& makeStrain, AutomaticTerms& chosen);

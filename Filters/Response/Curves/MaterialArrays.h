@@ -30,8 +30,8 @@ struct MaterialArray
 };
 using MaterialArrays = std::array<MaterialArray, 5>;
 
-/// With the layers that a filter was given besides, each as thickness (mm), Young's modulus (MPa),
-/// Poisson's ratio and whether it slips, and with an elastic base in place of the rigid one.
+/// `first` with the layers that were added to a filter, each as thickness (mm), Young's modulus
+/// (MPa), Poisson's ratio and whether it slips, and with an elastic base in place of the rigid one.
 BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
   double baseRatio);

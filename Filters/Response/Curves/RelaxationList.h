@@ -17,7 +17,7 @@ class RelaxationList
 {
 public:
   void add(double strength, double seconds) { this->Branches.push_back({ strength, seconds }); }
-  /// Another branch in a place, or behind the last; whether anything has changed.
+  /// Replaces a branch, or adds one behind the last. Whether anything has changed.
   bool set(int place, double strength, double seconds)
   {
     const std::array<double, 2> next{ strength, seconds };
@@ -33,7 +33,7 @@ public:
     this->Branches[static_cast<std::size_t>(place)] = next;
     return true;
   }
-  /// Whether there were any.
+  /// Removes all branches; whether there were any.
   bool clear()
   {
     const bool had = !this->Branches.empty();
@@ -46,7 +46,7 @@ public:
   double strength(int place) const { return this->has(place) ? this->at(place)[0] : 0.0; }
   double seconds(int place) const { return this->has(place) ? this->at(place)[1] : 0.0; }
 
-  /// Those that are of any strength.
+  /// The branches whose strength is not 0.
   RelaxationList felt() const
   {
     RelaxationList some;
@@ -60,7 +60,7 @@ public:
     return some;
   }
 
-  /// What is wrong with them, naming the branch, or ""; then they are in the series.
+  /// Fills the series. Returns what is wrong, naming the branch, or "".
   std::string fillSeries(PronySeries& series) const
   {
     series = {};

@@ -11,7 +11,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Of the array to process with strengths per point.
+/// Index of the array to process that holds the strengths of each point.
 constexpr int RelaxationArrayIndex = 5;
 
 /// How a body is to relax; without branches it does not.

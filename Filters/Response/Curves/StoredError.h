@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The error at a depth (mm) of a curve whose samples have these: straight over √δ, as it was
-/// found, and below the first what it is there. NaN beyond the range (mm).
+/// The error at a depth (mm), from those at the samples of a curve: linear in √δ between samples,
+/// constant below the first, NaN beyond the range (mm).
 PALPATERESPONSE_EXPORT double errorBetween(
   const float* errors, int samples, double range, double depth);
 

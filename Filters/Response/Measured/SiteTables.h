@@ -24,7 +24,7 @@ struct PlacedSite
 void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table);
 
 /// One row per reading of a loading, counted from first contact: as measured, made monotone, and by
-/// the identified body; of a body that relaxes per reading at all, in the order of time
+/// the identified body. Of a body that relaxes a row for every reading, in the order of time
 /// (vtkMeasuredContactResponse.h, port 2).
 void tabulateCurves(const std::vector<PlacedSite>& sites,
   const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);

@@ -33,10 +33,10 @@ struct MeshedSurface
 
 /**
  * The spacing wanted at places in and on a surface, from a grid over its box: that of the surface
- * nearby, and growing with the distance from it; the least of all that places on the surface say,
- * so that a fine part of it has no jump around it; and of the balls that are to be finer, growing
- * with the distance from them. Between nodes linear. Distances are those along
- * a grid's sides and diagonals, up to a tenth too long, less a step of the grid.
+ * nearby, and growing with the distance from it; the least of all that places on the surface ask
+ * for, so that a fine part of it has no jump around it; and of the balls that are to be finer,
+ * growing with the distance from them. Linear between nodes. Distances are those along a grid's
+ * sides and diagonals, up to a tenth too long, less a step of the grid.
  *
  * Cost: two sweeps, a second and 16 MiB for the two million nodes it has at most. A lookup takes
  * some ten nanoseconds, where the closest place of a surface of 20 thousand triangles takes a

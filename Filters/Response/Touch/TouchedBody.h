@@ -46,18 +46,18 @@ public:
   /// The place of a point of the surface in a cell of the body.
   TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
 
-  /// Of the facet, outward as the response's normals are; unit.
+  /// Unit normal of the facet, on the side of the response's normals.
   Vector3 normal(const TouchedPlace& place) const;
   /// Whether all corners have a response.
   bool isValid(const TouchedPlace& place) const;
-  /// Of the body: the least and largest x, y, z, mm.
+  /// Bounds of the body: least and largest x, y, z, mm.
   const double* bounds() const;
 
   /// Depth of the last sample there, mm; 0 without a response.
   double range(const TouchedPlace& place) const;
   /// dF/dδ of the three corners' curves, blended, N/mm.
   double stiffness(const TouchedPlace& place, double depth) const;
-  /// At a depth, mm, of the deflection there.
+  /// What the law says of itself there at a deflection, mm.
   PlaceValidity validity(const TouchedPlace& place, double depth) const;
 
   /// Force at half of Range, on average over the points that have a response, N. O(points).

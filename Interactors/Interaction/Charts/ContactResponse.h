@@ -22,8 +22,8 @@ struct ContactTriangle
   std::array<vtkIdType, 3> corners{};
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
 
-  /// Of triangle `index` of the body's polygons and a point on it, mm, or on the smooth surface
-  /// over it, by the normals of the response `name`. Returns false if there is no such triangle.
+  /// Fills this from triangle `index` of the body's polygons and a point on it, mm, or on the
+  /// smooth surface over it, by the normals of the response `name`. False if there is no such one.
   bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
 };
 
@@ -41,14 +41,13 @@ public:
   /// Of corner k at a deflection (mm), N; NaN where it has no response.
   double cornerForce(int k, double deflection) const;
   double cornerRange(int k) const { return this->Field.range(k); }
-  /// Blended, N and mm; NaN if a corner with a say has no response.
+  /// Blended, N and mm; NaN if a corner of weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
   /// Estimated relative error of force(), blended as it is; NaN beyond a range.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
-  /// Depth to which all corners are valid, mm; infinite if the body does not
-  /// tell.
+  /// Depth to which all corners are valid, mm; infinite if the body does not tell.
   double validity() const { return this->Validity; }
 
 private:

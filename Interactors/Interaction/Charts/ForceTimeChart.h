@@ -19,7 +19,7 @@ public:
   double seconds() const { return this->Ideal.signal.seconds(); }
   void add(double time, double ideal, double applied, double friction, double memory);
   void clear();
-  /// Of what was added; `lostTicks` is told in the title.
+  /// Plots what was added; the title tells `lostTicks`.
   void show(long long lostTicks);
 
 private:

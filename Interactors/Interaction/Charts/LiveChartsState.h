@@ -63,9 +63,9 @@ struct vtkLiveCharts::Parts
       { &this->histogram, this->histogram.chart()->GetVisible() } };
   }
 
-  /// What was felt, not the ranges.
+  /// Forgets what was felt, but not the ranges of the axes.
   void forget();
-  /// Takes over other responses than before, if they are.
+  /// Takes over the responses of a body, if they are others than before.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
   void add(const palpate::Tick& felt);

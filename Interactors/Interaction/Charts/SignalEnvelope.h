@@ -17,7 +17,7 @@ namespace palpate
  * and a signal of a value per stretch or less is kept as it is.
  *
  * A pause that is longer than GapShare of the seconds and than thrice the interval before it is a
- * gap. Values that are not finite are not there. Times must not decrease.
+ * gap. Values that are not finite are left out. Times must not decrease.
  */
 class SignalEnvelope
 {

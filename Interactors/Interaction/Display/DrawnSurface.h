@@ -13,7 +13,7 @@ class vtkDataArray;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
-/// Of a body what a DeflectionShader moves: its triangles with their normals, its global modes, and
+/// What a DeflectionShader moves of a body: its triangles with their normals, its global modes, and
 /// a place for the colours.
 namespace palpate::DrawnSurface
 {
@@ -23,7 +23,7 @@ constexpr const char* Normals = "SurfaceNormals";
 /// Gives a mapper the surface of a body that has passed checkTriangles.
 void give(vtkPolyData* body, const std::vector<vtkDataArray*>& modes, vtkPolyDataMapper* mapper);
 
-/// Of all that is given. Such times are unique, so they name it.
+/// Modification times of surface and modes; they are unique: equal times, the same data.
 std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataArray*>& modes);
 
 /// Mean length of the edges of a triangle, mm.

@@ -76,9 +76,9 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// About `center` (mm), on from the side of `from`. As long as the arrow of the force that does
-  /// the same at its radius, at `scale` mm per N, and no more than most of a turn. Zero or not
-  /// finite: nothing.
+  /// About `center` (mm), beginning on the side of `from`. As long as the arrow of the force that
+  /// has this torque at the arc's radius, at `scale` mm per N; at most 5.2 rad. Zero or not finite:
+  /// nothing.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();

@@ -24,7 +24,7 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// From the next write() on.
+  /// Seen from the next write() on.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
   /// After describe(): what another of several hands feels, in a line.

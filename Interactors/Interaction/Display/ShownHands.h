@@ -21,7 +21,7 @@ class vtkRenderer;
 namespace palpate
 {
 /// The tools over a body, one per hand, each with its arrows and its circle of contact. There is
-/// always a first; how it is styled, those after it are.
+/// always a first; the others take its style.
 class ShownHands
 {
 public:
@@ -30,19 +30,20 @@ public:
   ShownHands(const ShownHands&) = delete;
   ShownHands& operator=(const ShownHands&) = delete;
 
-  /// Before the first is shown; once.
+  /// Call once, before anything is shown.
   void setRenderer(vtkRenderer* renderer);
   void setTool(vtkContactTool* tool);
   void setVisibility(bool visible);
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }
 
-  /// Along which direction a tool stands that touches nothing, of a hand that a session may have,
-  /// whether it is there yet or not. Zero, as at first: as it last did.
+  /// Along which direction the tool of a hand stands while it touches nothing; may be set before
+  /// there is such a hand. Zero (default): as it last stood.
   void setFreeDirection(std::size_t hand, const Eigen::Vector3d& direction);
   Eigen::Vector3d freeDirection(std::size_t hand) const;
 
-  /// A circle of this radius (mm; 0: none) so deep below the contact point as the body is drawn.
+  /// Shows a hand's tool and forces, and a circle of this radius (mm; 0: none) that lies `depth` mm
+  /// below the contact point.
   void show(std::size_t hand, const ShownContact& contact, double radius, double depth);
   void hideCircles();
 

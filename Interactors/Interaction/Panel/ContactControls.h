@@ -54,7 +54,7 @@ public:
   ContactControls(const ContactControls&) = delete;
   ContactControls& operator=(const ContactControls&) = delete;
 
-  /// What setup and charts can have. Valid as long as this is.
+  /// The rows that setup and charts allow; valid as long as this object.
   std::vector<ControlRow> rows();
 
   /// Asks for the responses to what has been changed, and hands those that are ready to session and

@@ -23,7 +23,7 @@ struct PanelScale
     return std::clamp(share, 0.0, 1.0);
   }
 
-  /// A round one.
+  /// Rounded to a whole number of steps.
   double valueAt(double share) const
   {
     const double within = std::clamp(share, 0.0, 1.0);

@@ -47,7 +47,7 @@ public:
   void show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor);
   void hide();
   bool isShown() const { return this->Renderer != nullptr; }
-  /// Of whatever size the renderer has become; before a frame.
+  /// Fits everything to the present size of the renderer; call before a frame.
   void place();
 
   const std::vector<vtkSmartPointer<PanelSlider>>& sliders() const { return this->Sliders; }

@@ -35,7 +35,7 @@ public:
 
   /// The row, in pixels of the renderer, from its lower left corner.
   void place(double left, double bottom, double width, double height, int fontSize);
-  /// Of the handle at a value, in pixels of the renderer.
+  /// Where the handle is at a value, in pixels of the renderer.
   void findHandle(double value, double position[2]) const;
 
   void SetTitleText(const char* title) override { this->Title = title ? title : ""; }

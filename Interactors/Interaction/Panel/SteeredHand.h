@@ -8,7 +8,7 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// How a tool leans that a mouse steers: against the surface, by how the picture shows it.
+/// How a tool that a mouse steers leans against the surface, as the picture shows it.
 class SteeredTilt
 {
 public:
@@ -21,7 +21,7 @@ public:
   double right() const { return this->Right; }
   double away() const { return this->Away; }
 
-  /// Whether it has ever leant: a tool that has not is not told to stand upright.
+  /// Whether it has ever leant: until then its axis is left to the surface.
   bool isTold() const { return this->IsTold; }
   /// The axis, unit, from the tip up the shaft, of a tool on a surface with this outward normal;
   /// without a renderer to the right of x and away along y.

@@ -25,7 +25,7 @@ struct vtkHapticSession::Hand
   double scale = 1.0; ///< of the workspace
 };
 
-/// From Start to the next Start.
+/// What lasts from one Start to the next.
 struct vtkHapticSession::Started
 {
   std::vector<Hand> hands;

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A response of which the least that keeps its forces is wanted.
+/// A response whose simplest form that keeps its forces is wanted.
 struct LeastFormRequest
 {
   vtkSmartPointer<vtkPolyData> body; ///< with the response

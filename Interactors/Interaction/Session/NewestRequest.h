@@ -67,7 +67,7 @@ public:
     this->Wake.notify_one();
   }
 
-  /// Nothing is asked for any more.
+  /// Withdraws what was asked for.
   void cancel()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

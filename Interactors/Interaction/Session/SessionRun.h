@@ -51,7 +51,7 @@ public:
   virtual double time() const = 0;
 
   std::size_t hands() const { return this->Hands.size(); }
-  /// Of a device; a default one before the first.
+  /// The newest tick of a device; a default one before the first.
   virtual const Tick& newest(std::size_t hand) = 0;
   /// Takes over what has been recorded meanwhile.
   virtual void collect() = 0;
@@ -61,7 +61,7 @@ public:
 
   /// Every tick of a device, if it is recorded, until the last collect().
   const std::vector<Tick>& ticks(std::size_t hand) const { return this->Kept[hand].ticks; }
-  /// The last ones, likewise.
+  /// The last ticks, as far as they are kept.
   const TickHistory& history() const { return this->History; }
   const TickSummary& summary(std::size_t hand) const { return this->Kept[hand].summary; }
   /// Time each recorded tick took, in virtual time.

@@ -41,7 +41,7 @@ struct TickSummary
 class TickTape
 {
 public:
-  /// From the next tick on; what it held is gone.
+  /// Keeps ticks from the next on; those it held are dropped.
   void start()
   {
     this->Ticks.clear();
