@@ -2,7 +2,6 @@
 #include "vtkContactScene.h"
 
 #include "Interaction/Display/BodyDisplay.h"
-#include "Interaction/Display/ContactMark.h"
 #include "Interaction/Display/ShownHands.h"
 #include "Interaction/Display/ShownContact.h"
 #include "Interaction/Display/ForceTrail.h"

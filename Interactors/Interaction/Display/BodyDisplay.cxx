@@ -6,7 +6,6 @@
 #include "Response/Pieces/Ranks.h"
 #include "Interaction/Display/DeflectionShader.h"
 #include "Interaction/Display/DrawnSurface.h"
-#include "Interaction/Display/ModeAttributes.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/ResponseTool.h"
 #include "vtkContactTool.h"

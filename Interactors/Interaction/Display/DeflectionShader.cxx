@@ -2,7 +2,7 @@
 #include "Interaction/Display/DeflectionShader.h"
 
 #include "Interaction/Display/DeflectionTable.h"
-#include "Interaction/Display/ModeAttributes.h"
+#include "Interaction/Display/DrawnSurface.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"

@@ -28,8 +28,8 @@ struct DrawnDent
  * frame costs the processor does not depend on the mesh. Fields of several contacts add up.
  *
  * Of the mapper it needs the point array SurfaceNormals as the vertex attribute `palpateSurface`
- * (angle-weighted normals), for each global mode the attributes that ModeAttributes makes, points
- * that are not shifted and scaled, and scalars that are interpolated before mapping.
+ * (angle-weighted normals), for each global mode the attributes that addModeAttributes makes,
+ * points that are not shifted and scaled, and scalars that are interpolated before mapping.
  *
  * As in vtkContactDeflection r is the length of the arc from the contact and the field ends 60°
  * from the contact normal. Unlike it a vertex does not know whether the surface connects it to the

@@ -7,6 +7,8 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -32,5 +34,30 @@ double edgeOf(const std::array<Vector3, 3>& corners);
 /// The longest vector of any mode.
 double longestOf(const std::vector<vtkDataArray*>& modes);
 } // namespace palpate::DrawnSurface
+
+namespace palpate
+{
+class BodyMesh;
+
+constexpr std::size_t MostModes = 6; ///< that vertex attributes have room for
+
+/**
+ * The global modes of a body as vertex attributes: per mode φ and how it turns the normal,
+ * d = -(∇φ)ᵀ n, six floats, packed four by four since shaders have few attributes. A surface that
+ * moves by w φ turns its normal n to n + w d, for small w.
+ *
+ * Adds the packed arrays to `drawn`, which has the points of `mesh`, and maps them. Later modes
+ * than MostModes are left out.
+ */
+void addModeAttributes(const BodyMesh& mesh, const std::vector<vtkDataArray*>& modes,
+  vtkPolyData* drawn, vtkPolyDataMapper* mapper);
+
+/// GLSL: declares the attributes of so many modes.
+std::string modeDeclarations(int modes);
+/// GLSL: adds the modes, times the weights in the array of that name, to `displacement`, and what
+/// they turn, times `exaggeration`, to `normal`.
+std::string modeSum(int modes, const std::string& weights, const std::string& displacement,
+  const std::string& normal, const std::string& exaggeration);
+} // namespace palpate
 
 #endif

@@ -2,9 +2,9 @@
 #ifndef ShownHands_h
 #define ShownHands_h
 
-#include "Interaction/Display/ContactMark.h"
 #include "Interaction/Display/ShownContact.h"
 
+#include "vtkActor.h"
 #include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
@@ -17,9 +17,37 @@ class vtkBoundingBox;
 class vtkContactTool;
 class vtkHapticToolRepresentation;
 class vtkRenderer;
+class vtkTubeFilter;
 
 namespace palpate
 {
+/// The circle within which the tool touches the body.
+class ContactCircle
+{
+public:
+  ContactCircle();
+  ~ContactCircle();
+  ContactCircle(const ContactCircle&) = delete;
+  ContactCircle& operator=(const ContactCircle&) = delete;
+
+  /// Around `center`, across the unit vector `normal`; a radius (mm) of 0, or not finite: none.
+  void show(
+    const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double radius, bool dashed);
+  void hide();
+
+  vtkActor* actor() { return this->Actor; }
+
+private:
+  vtkSmartPointer<vtkTubeFilter> Tube;
+  vtkSmartPointer<vtkActor> Actor;
+};
+
+/// A ball, not visible yet, for the place of a contact that is shown blind.
+vtkSmartPointer<vtkActor> makePlaceMarker();
+
+/// On the surface, not at the tip: how deep the tip is would tell how stiff the body is.
+void placeMarker(const ShownContact& contact, vtkActor* marker);
+
 /// The tools over a body, one per hand, each with its arrows and its circle of contact. There is
 /// always a first; the others take its style.
 class ShownHands
