@@ -29,16 +29,22 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   , Breakaway(settings.breakaway)
   , Breakaway8(std::pow(settings.breakaway, 8))
   , Width8(std::max(std::pow(settings.stickRadius, 8) - this->Breakaway8, 0.0))
+  , InverseWidth8(1.0 / this->Width8)
 {
 }
 
-TangentialForce ElastoPlasticFriction::update(const StraightStep& step, double limit) noexcept
+[[gnu::hot]] TangentialForce ElastoPlasticFriction::update(
+  const StraightStep& step, double limit) noexcept
 {
   const double longest = limit / this->Stiffness;
   if (!(longest > Shortest))
   {
     this->Z.setZero();
     return {};
+  }
+  if (this->slideOn(step, longest, this->Stiffness / limit))
+  {
+    return { -this->Stiffness * this->Z, true };
   }
   StraightStep::clip(this->Z, longest);
   const double free = this->Breakaway * longest;
@@ -66,13 +72,52 @@ TangentialForce ElastoPlasticFriction::update(const StraightStep& step, double l
   return { -this->Stiffness * this->Z, sliding };
 }
 
+/// What a sliding contact does in most ticks: it is at the limit of the last load, goes the last
+/// bit to that of this one, or is taken back to it, and is dragged on. All of it changes the angle
+/// θ from path to z alone, so that roots and divisions are of what is known before the load is, and
+/// what the load changes is a factor near 1, taken by its series.
+///
+/// The bit is one step with the creep of its middle, in polar coordinates d|z|/dx = (1 - α|z|) cos
+/// θ, dθ/dx = -sin θ/|z|; errors are of the second order in the angle and the third in the bit.
+[[gnu::hot]] bool ElastoPlasticFriction::slideOn(
+  const StraightStep& step, double longest, double inverse) noexcept
+{
+  const double size = this->Z.norm();
+  const Vector2 z = step.toPath(this->Z);
+  const double missing = 1.0 - size * inverse;
+  if (!(z.x() > 0.0 && missing <= LastBit))
+  {
+    return false;
+  }
+  double tangent = z.y() / (size + z.x()); // tan(θ/2)
+  double left = step.length();
+  if (missing > 0.0)
+  {
+    const double slope = z.y() / z.x();
+    const double half = 0.5 * missing;
+    const double middle = 1.0 - half;
+    const double w = eighthPower(middle * middle) - this->Breakaway8;
+    const double bit = missing * (1.0 + w * this->InverseWidth8); // way cos θ, by 1/(1 - α|z|)
+    left -= bit * (longest * (size / z.x()));
+    if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
+    {
+      return false;
+    }
+    // Half the turn, divided by the middle, and the tangent of a sum, divided by 1 - both: series.
+    const double turn = -0.5 * bit * slope * (1.0 + half) * (1.0 + half * half);
+    const double both = tangent * turn;
+    tangent = (tangent + turn * (1.0 - turn * turn)) * (1.0 + both * (1.0 + both));
+  }
+  tangent *= StraightStep::decay(left * inverse);
+  const double squared = tangent * tangent;
+  const double scale = longest / (1.0 + squared);
+  this->Z = step.fromPath({ scale * (1.0 - squared), scale * 2.0 * tangent });
+  return true;
+}
+
 /// Forwards until z is at the limit; the length that is left.
 double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) const noexcept
 {
-  if (this->finishCreep(z, longest, length))
-  {
-    return length;
-  }
   double squared = z.squaredNorm();
   const double nearly = AtLimit * longest;
   for (int i = 0; i < MostPieces && length > 0.0 && squared < nearly * nearly; ++i)
@@ -98,35 +143,6 @@ double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) c
   }
   StraightStep::clip(z, longest);
   return length;
-}
-
-/// What a sliding contact under a changing load does in most ticks: the last bit of the way to the
-/// limit, by one step with the creep of its middle. In polar coordinates the bit is
-/// d|z|/dx = (1 - α|z|) cos θ, dθ/dx = -sin θ/|z|; errors are of the second
-/// order in the angle and the third in the bit.
-bool ElastoPlasticFriction::finishCreep(Vector2& z, double longest, double& length) const noexcept
-{
-  const double size = z.norm();
-  const double missing = longest - size;
-  if (missing > LastBit * longest || !(std::abs(z.y()) <= Ahead * z.x()))
-  {
-    return false;
-  }
-  const double middle = 0.5 * (size + longest);
-  const double share = middle / longest;
-  const double w = eighthPower(share * share) - this->Breakaway8;
-  const double elastic = w > 0.0 ? this->Width8 / (w + this->Width8) : 1.0; // 1 - α|z|
-  // Divisions that do not wait for each other.
-  const double way = missing * size / z.x() / elastic;
-  if (!(way >= 0.0 && way <= length))
-  {
-    return false;
-  }
-  length -= way;
-  const double turn = -way * (z.y() / (size * middle));
-  const Vector2 turned(z.x() - turn * z.y(), z.y() + turn * z.x());
-  z = longest / turned.norm() * turned;
-  return true;
 }
 
 Vector2 ElastoPlasticFriction::rate(const Vector2& z, double longest) const noexcept

@@ -95,7 +95,8 @@ public:
   TangentialForce update(const StraightStep& step, double limit) noexcept;
 
 private:
-  bool finishCreep(Vector2& z, double longest, double& length) const noexcept;
+  /// False where more than that happens: nothing is done.
+  bool slideOn(const StraightStep& step, double longest, double inverse) noexcept;
   double creep(Vector2& z, double longest, double length) const noexcept;
   Vector2 rate(const Vector2& z, double longest) const noexcept;
   Vector2 rungeKutta(const Vector2& z, double longest, double length) const noexcept;
@@ -104,6 +105,7 @@ private:
   double Breakaway;
   double Breakaway8; ///< b⁸
   double Width8;     ///< s⁸ - b⁸
+  double InverseWidth8;
   Vector2 Z = Vector2::Zero();
 };
 

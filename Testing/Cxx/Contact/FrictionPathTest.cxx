@@ -265,6 +265,44 @@ TEST(FrictionPath, CircleAgainstTheEquations)
   }
 }
 
+// Sliding in a gentle curve while the limit rises and falls: in every tick the load is another.
+// Against the law above, integrated in pieces of 1e-4 mm.
+TEST(FrictionPath, TheLoadChangesWhileItSlides)
+{
+  for (const double stickRadius : { 0.85, 0.9, 1.3 })
+  {
+    FrictionSettings settings = settingsOf(FrictionModel::ElastoPlastic);
+    settings.stickRadius = stickRadius;
+    palpate::ElastoPlasticFriction friction(settings);
+    const auto law = elastoPlastic(settings.breakaway, stickRadius);
+    Vector2 z = Vector2::Zero();
+    int sliding = 0;
+    double worst = 0.0;
+    for (int tick = 0; tick < 3000; ++tick)
+    {
+      const double longest = Longest * (1.0 + 0.3 * std::sin(0.005 * tick));
+      const double scale = Longest / longest; // the law is of z over Longest
+      const Vector2 along = direction(2e-4 * tick);
+      const double length = 0.05;
+      z *= scale;
+      constexpr int pieces = 500;
+      for (int i = 0; i < pieces; ++i)
+      {
+        z *= std::min(1.0, Longest / std::max(z.norm(), 1e-300));
+        z += length / pieces * scale * law(z, along);
+      }
+      z *= std::min(1.0, Longest / z.norm());
+      z /= scale;
+      const auto felt = friction.update(palpate::StraightStep(length * along), 2.0 * longest);
+      worst = std::max(worst, (felt.force + 2.0 * z).norm() / (2.0 * longest));
+      sliding += felt.sliding;
+    }
+    // Of the limit: Euler's pieces are 4e-5 of it long.
+    EXPECT_LT(worst, 1e-4) << stickRadius;
+    EXPECT_GT(sliding, 2000) << stickRadius;
+  }
+}
+
 TEST(FrictionPath, SteadyOnACircle)
 {
   // Coulomb's force against the direction of motion but for the lag: asin(z_max/ρ) of a stone on a
