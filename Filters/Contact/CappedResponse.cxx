@@ -94,8 +94,6 @@ CappedResponse::Place CappedResponse::crossing(Place low, Place high) const noex
 
 double CappedResponse::lost(double deflection, double force) const noexcept
 {
-  const auto taken = [this](const Place& from, double end, double forceThere)
-  { return forceThere - from.force - this->Maximum * (end - from.deflection); };
   double sum = 0.0;
   Place next = this->at(1.0 / NodesInRange);
   Place last = this->atOnset(next);
@@ -111,7 +109,7 @@ double CappedResponse::lost(double deflection, double force) const noexcept
         last.deflection = deflection; // nothing more
         return;
       }
-      sum += isAbove ? taken(turn, end.deflection, end.force) : 0.0;
+      sum += isAbove ? this->taken(turn, end.deflection, end.force) : 0.0;
       turn = end;
       isAbove = !isAbove;
     }
@@ -130,24 +128,64 @@ double CappedResponse::lost(double deflection, double force) const noexcept
       advance(next);
     }
   }
-  return isAbove ? sum + taken(turn, deflection, force) : sum;
+  return isAbove ? sum + this->taken(turn, deflection, force) : sum;
 }
 
-ResponseValue CappedResponse::evaluate(double deflection) const noexcept
+double CappedResponse::lostByRise(double deflection, double force) const noexcept
 {
-  ResponseValue value = this->Response.evaluate(deflection);
+  const double position = std::ceil(std::sqrt(deflection / this->Range) * NodesInRange);
+  int above = position < Nodes ? std::max(1, static_cast<int>(position)) : Nodes;
+  int below = 0;
+  Place high = this->at(static_cast<double>(above) / NodesInRange);
+  Place low;
+  while (above - below > 1)
+  {
+    const int middle = (above + below) / 2;
+    const Place place = this->at(static_cast<double>(middle) / NodesInRange);
+    const bool isAbove = place.excess > 0.0;
+    (isAbove ? above : below) = middle;
+    (isAbove ? high : low) = place;
+  }
+  if (below == 0)
+  {
+    low = this->atOnset(high);
+  }
+  if (!(high.excess > 0.0))
+  {
+    return 0.0; // but for rounding at the node
+  }
+  const Place begin = low.excess > 0.0 ? low : this->crossing(low, high);
+  return begin.deflection < deflection ? this->taken(begin, deflection, force) : 0.0;
+}
+
+[[gnu::hot]] ResponseValue CappedResponse::cap(
+  double deflection, ResponseValue value) const noexcept
+{
   if (!(deflection > 0.0) || !(this->Range > 0.0) || std::isinf(this->Maximum))
   {
     return value;
   }
-  value.force = std::max(0.0, value.force - std::max(0.0, this->lost(deflection, value.force)));
+  const bool rises = this->Response.hasRisingStiffness();
+  if (rises && value.stiffness <= this->Maximum)
+  {
+    return value;
+  }
+  const double lost =
+    rises ? this->lostByRise(deflection, value.force) : this->lost(deflection, value.force);
+  value.force = std::max(0.0, value.force - std::max(0.0, lost));
   value.stiffness = std::min(value.stiffness, this->Maximum);
   return value;
 }
 
-double CappedResponse::share(double deflection) const noexcept
+ResponseValue CappedResponse::evaluate(double deflection) const noexcept
 {
-  const double whole = this->Response.evaluate(deflection).force;
-  return whole > 0.0 ? std::min(1.0, this->evaluate(deflection).force / whole) : 1.0;
+  return this->cap(deflection, this->Response.evaluate(deflection));
+}
+
+[[gnu::hot]] double CappedResponse::share(double deflection) const noexcept
+{
+  const ResponseValue value = this->Response.evaluate(deflection);
+  const double whole = value.force;
+  return whole > 0.0 ? std::min(1.0, this->cap(deflection, value).force / whole) : 1.0;
 }
 } // namespace palpate

@@ -22,8 +22,13 @@ namespace palpate
  * down several times between two nodes a stretch can be missed (random samples: up to 2 %). The
  * nodes do not depend on δ, so F_c is continuous in it but for that 1e-7.
  *
+ * Where the response is known to have a stiffness that only rises (ResponseField), there is one
+ * stretch at most, without an end above: none while dF/dδ <= K_max, and where it begins is sought
+ * by halving the nodes.
+ *
  * Cost: an evaluation of F per node up to δ, 16 to the end of the range (beyond, at most 32), and
- * about 3 (at most Refinements) per end of a stretch, of which a monotone stiffness has one. F_c
+ * about 3 (at most Refinements) per end of a stretch, of which a monotone stiffness has one. Of a
+ * stiffness known to rise, none where there is no stretch, else about 8. F_c
  * below 0, after a capped rise and a longer fall, is 0. K_max infinite: F; negative or NaN: 0.
  * δ <= 0 and NaN give 0. Neither allocates nor throws.
  */
@@ -74,8 +79,16 @@ private:
   Slope slopeBetween(const Place& low, const Place& high) const noexcept;
   /// Between two places whose excess has different signs, where it has none.
   Place crossing(Place low, Place high) const noexcept;
+  /// F and dF/dδ at a deflection, capped.
+  ResponseValue cap(double deflection, ResponseValue value) const noexcept;
   /// What the cap has taken from F at δ > 0.
   double lost(double deflection, double force) const noexcept;
+  /// The same of a stiffness that only rises, and is above K_max at δ.
+  double lostByRise(double deflection, double force) const noexcept;
+  double taken(const Place& from, double end, double forceThere) const noexcept
+  {
+    return forceThere - from.force - this->Maximum * (end - from.deflection);
+  }
 
   BlendedResponse Response;
   double Maximum;

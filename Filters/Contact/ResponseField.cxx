@@ -2,8 +2,10 @@
 #include "Contact/ResponseField.h"
 
 #include "Contact/ParallelRanges.h"
+#include "Contact/RisingStiffness.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace palpate
 {
@@ -52,6 +54,8 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
     this->shareCoefficient(arrays);
   }
   this->Records.resize(this->Stride * this->Points);
+  const RisingStiffness rising(this->Sampling);
+  std::atomic<bool> areAllRising{ true };
   forRanges(this->Points,
     [&](std::size_t first, std::size_t last)
     {
@@ -65,7 +69,12 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
             mesh->pointNormal(point).cast<float>();
         }
       }
+      if (!this->areRising(rising, first, last))
+      {
+        areAllRising.store(false, std::memory_order_relaxed);
+      }
     });
+  this->IsRising = areAllRising.load(std::memory_order_relaxed);
 }
 
 void ResponseField::shareCoefficient(const ResponseArrays& arrays)
@@ -136,6 +145,22 @@ Eigen::Vector4d ResponseField::combineLaws(
     sum += coefficient * Eigen::Vector4d(law[0], law[n], law[1], law[n + 1]);
   }
   return sum;
+}
+
+bool ResponseField::areRising(
+  const RisingStiffness& rising, std::size_t first, std::size_t last) const noexcept
+{
+  bool areAll = true;
+  for (std::size_t i = first; i < last && areAll; ++i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
+    const bool isKnown =
+      !this->isValid(point) || (i > first && this->haveSameCurve(point, point - 1));
+    areAll = isKnown ||
+      this->withCurve(
+        point, [&](const auto& curve) { return rising.isOf(curve, this->range(point)); });
+  }
+  return areAll;
 }
 
 ResponseValue ResponseField::evaluate(std::int32_t point, double deflection) const noexcept

@@ -20,6 +20,8 @@
 
 namespace palpate
 {
+class RisingStiffness;
+
 /**
  * The response arrays of a body, as views of somebody else's memory. One of two forms:
  * per point (force and stiffness, n floats per point) or compact (laws k >= 1: `basis` of k rows of
@@ -107,6 +109,9 @@ public:
     prefetchLine(this->record(point));
     prefetchLine(this->record(point) + this->Stride - 1);
   }
+  /// Whether the stiffness of every point's curve, and so of every blend, only rises with the
+  /// deflection (RisingStiffness).
+  bool hasRisingStiffness() const noexcept { return this->IsRising; }
   /// Bytes held.
   std::size_t memory() const noexcept { return this->Records.size() * sizeof(float); }
 
@@ -123,11 +128,14 @@ private:
     const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
   void shareCoefficient(const ResponseArrays& arrays);
   void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
+  /// Of the points from the first to before the last.
+  bool areRising(const RisingStiffness& rising, std::size_t first, std::size_t last) const noexcept;
 
   ResponseSampling Sampling;
   std::size_t Points;
   int Laws;
   std::size_t Stride;
+  bool IsRising = false;
   /// Range (0: no response), normal, then force and stiffness of sample after sample, or
   /// coefficients.
   LargeVector<float> Records;
@@ -190,6 +198,8 @@ public:
     return this->Field.range(this->Points[0]) == range &&
       this->Field.range(this->Points[1]) == range && this->Field.range(this->Points[2]) == range;
   }
+  /// Whether its stiffness only rises with the deflection, of a field where that is so everywhere.
+  bool hasRisingStiffness() const noexcept { return this->Field.hasRisingStiffness(); }
   /// F, K of sample `lower` and of the next, blended: curves of one range.
   Eigen::Vector4d samples(int lower) const noexcept
   {
@@ -210,7 +220,8 @@ private:
   TriangleCorners Points;
   Vector3 Weights;
 };
-inline bool BlendedResponse::evaluateTogether(double deflection, ResponseValue& sum) const noexcept
+[[gnu::hot]] inline bool BlendedResponse::evaluateTogether(
+  double deflection, ResponseValue& sum) const noexcept
 {
   const double range = this->Field.range(this->Points[0]);
   if (!(range > 0.0) || !this->hasRange(range))

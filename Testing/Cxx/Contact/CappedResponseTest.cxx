@@ -243,6 +243,39 @@ TEST(CappedResponse, LimitsThatAreNone)
   EXPECT_EQ(CappedResponse(nowhere, 2.0).evaluate(1.0).force, 0.0);
 }
 
+TEST(CappedResponse, AStiffnessKnownToRiseIsCappedAsAnyOther)
+{
+  // The same curves in a field where a fourth point, which has no say, is known to fall.
+  for (const double power : { 1.5, 1.7, 2.0 })
+  {
+    const ResponseStore store = powerLaws({ 4.0, 10.0, 25.0 }, power, { 1.1F, 2.0F, 1.6F });
+    const ResponseField known(store.arrays());
+    ASSERT_TRUE(known.hasRisingStiffness());
+    ResponseStore withAnother(4);
+    std::copy(store.force.begin(), store.force.end(), withAnother.force.begin());
+    std::copy(store.stiffness.begin(), store.stiffness.end(), withAnother.stiffness.begin());
+    std::copy(store.range.begin(), store.range.end(), withAnother.range.begin());
+    withAnother.stiffness[8 * 3 + 4] = 0.1F;
+    const ResponseField unknown(withAnother.arrays());
+    ASSERT_FALSE(unknown.hasRisingStiffness());
+    const Vector3 weights(0.2, 0.3, 0.5);
+    for (const double maximum : { 0.02, 0.3, 2.0, 11.0, 40.0, 200.0 })
+    {
+      const CappedResponse one(BlendedResponse(known, Corners, weights), maximum);
+      const CappedResponse other(BlendedResponse(unknown, Corners, weights), maximum);
+      for (double depth = 1e-5; depth < 12.0; depth *= 1.07)
+      {
+        const ResponseValue value = one.evaluate(depth);
+        // Both to what the header promises.
+        EXPECT_NEAR(value.force, other.evaluate(depth).force, 2e-7 * maximum * depth)
+          << power << ' ' << maximum << ' ' << depth;
+        EXPECT_EQ(value.stiffness, other.evaluate(depth).stiffness);
+        EXPECT_LE(std::abs(one.share(depth) - other.share(depth)), 2e-7);
+      }
+    }
+  }
+}
+
 TEST(CappedResponse, NeverPulls)
 {
   // Up 8 N at 16 N/mm and down again: capped at 1 N/mm the fall outweighs the rise.

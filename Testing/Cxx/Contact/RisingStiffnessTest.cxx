@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which curves are told to rise in stiffness all the way: closed forms, and random ones against a
+// dense walk along them.
+#include "Contact/RisingStiffness.h"
+
+#include "Contact/FloatCurve.h"
+#include "SampleResponses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+
+using namespace palpate::testing;
+using palpate::FloatCurve;
+using palpate::ResponseField;
+using palpate::ResponseSampling;
+using palpate::RisingStiffness;
+
+namespace
+{
+constexpr int Samples = 8;
+constexpr double Range = 1.7;
+
+struct Stored
+{
+  std::array<float, Samples> forces;
+  std::array<float, Samples> stiffnesses;
+  FloatCurve curve() const { return { this->forces.data(), this->stiffnesses.data() }; }
+};
+
+Stored powerLaw(double scale, double power)
+{
+  const ResponseSampling sampling(Samples, 1.5);
+  Stored stored;
+  for (int i = 0; i < Samples; ++i)
+  {
+    const double depth = sampling.depth(i, Range);
+    const auto at = static_cast<std::size_t>(i);
+    stored.forces[at] = static_cast<float>(scale * std::pow(depth, power));
+    stored.stiffnesses[at] = static_cast<float>(scale * power * std::pow(depth, power - 1.0));
+  }
+  return stored;
+}
+
+/// By how much the stiffness ever falls below what it was, as a share of the largest.
+double largestFall(const ResponseSampling& sampling, const FloatCurve& curve)
+{
+  double largest = 0.0;
+  double fall = 0.0;
+  for (int i = 1; i <= 4000; ++i)
+  {
+    const double root = 1.1 * i / 4000.0;
+    const double stiffness = sampling.evaluate(curve, Range, Range * root * root).stiffness;
+    fall = std::max(fall, largest - stiffness);
+    largest = std::max(largest, stiffness);
+  }
+  return fall / largest;
+}
+} // namespace
+
+TEST(RisingStiffness, PowerLawsInTheirOwnExponent)
+{
+  for (const double power : { 1.0, 1.25, 1.5, 2.0, 3.0 })
+  {
+    const ResponseSampling sampling(Samples, power);
+    const RisingStiffness rising(sampling);
+    for (const double scale : { 1e-5, 0.37, 13.0, 1e6 })
+    {
+      EXPECT_TRUE(rising.isOf(powerLaw(scale, power).curve(), Range)) << power << ' ' << scale;
+    }
+  }
+  const RisingStiffness rising(ResponseSampling(Samples, 0.9));
+  EXPECT_FALSE(rising.isOf(powerLaw(2.0, 0.9).curve(), Range));
+}
+
+TEST(RisingStiffness, OneSampleOfManyThatIsLessStiff)
+{
+  const RisingStiffness rising(ResponseSampling(Samples, 1.5));
+  for (std::size_t i = 0; i < Samples; ++i)
+  {
+    Stored stored = powerLaw(10.0, 1.5);
+    stored.stiffnesses[i] *= 0.5F;
+    EXPECT_FALSE(rising.isOf(stored.curve(), Range)) << i;
+    stored.stiffnesses[i] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(rising.isOf(stored.curve(), Range)) << i;
+  }
+  Stored pulling = powerLaw(10.0, 1.5);
+  pulling.forces[0] *= -1.0F;
+  EXPECT_FALSE(rising.isOf(pulling.curve(), Range));
+  const Stored nothing = powerLaw(0.0, 1.5);
+  EXPECT_TRUE(rising.isOf(nothing.curve(), Range));
+}
+
+// Sums of power laws disturbed more and more: no curve that falls is told to rise, and those that
+// hardly are disturbed are told so.
+TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
+{
+  const ResponseSampling sampling(Samples, 1.5);
+  const RisingStiffness rising(sampling);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  int told = 0;
+  int fell = 0;
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    const double disturbed = std::pow(share(random), 3.0);
+    const Stored sphere = powerLaw(10.0 * share(random), 1.5);
+    const Stored cone = powerLaw(10.0 * share(random), 2.0);
+    Stored stored;
+    for (std::size_t i = 0; i < Samples; ++i)
+    {
+      const double more = 1.0 + disturbed * (share(random) - 0.5);
+      stored.forces[i] = static_cast<float>(sphere.forces[i] + cone.forces[i]);
+      stored.stiffnesses[i] =
+        static_cast<float>(more * static_cast<double>(sphere.stiffnesses[i] + cone.stiffnesses[i]));
+    }
+    const double fall = largestFall(sampling, stored.curve());
+    const bool isTold = rising.isOf(stored.curve(), Range);
+    // The rounding of floats, over 8 cells.
+    EXPECT_TRUE(!isTold || fall < 1e-6) << trial << ' ' << fall;
+    told += isTold;
+    fell += fall > 1e-6;
+  }
+  EXPECT_GT(told, 400);
+  EXPECT_GT(fell, 400);
+}
+
+TEST(RisingStiffness, OfAFieldAllPointsCount)
+{
+  ResponseStore store(5); // F = 10 δ^1.5
+  EXPECT_TRUE(ResponseField(store.arrays()).hasRisingStiffness());
+  store.stiffness[8 * 3 + 5] *= 0.5F;
+  EXPECT_FALSE(ResponseField(store.arrays()).hasRisingStiffness());
+  store.range[3] = 0.0F; // no response there
+  EXPECT_TRUE(ResponseField(store.arrays()).hasRisingStiffness());
+}
