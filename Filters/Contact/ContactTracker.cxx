@@ -88,7 +88,7 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
 }
 } // namespace
 
-SurfacePoint ContactTracker::follow(
+[[gnu::hot]] SurfacePoint ContactTracker::follow(
   const PackedMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept
 {
   Place place{ triangle, mesh.project(tip, triangle) };
@@ -135,7 +135,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
   return triangle;
 }
 
-ContactTracker::Result ContactTracker::touch(
+[[gnu::hot]] ContactTracker::Result ContactTracker::touch(
   const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept
 {
   SmoothPoint found = this->Smooth->follow(tip, triangle, weights);
@@ -158,7 +158,7 @@ ContactTracker::Result ContactTracker::touch(
   return { classify(found.place), found.place };
 }
 
-ContactTracker::Result ContactTracker::goOn(const Vector3& tip) noexcept
+[[gnu::hot]] ContactTracker::Result ContactTracker::goOn(const Vector3& tip) noexcept
 {
   if (this->Smooth)
   {
@@ -194,7 +194,7 @@ ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
   return found.outcome == Outcome::Crease ? Result{} : found;
 }
 
-bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noexcept
+[[gnu::hot]] bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noexcept
 {
   if (result.outcome != Outcome::Border)
   {
@@ -218,7 +218,7 @@ ContactTracker::Result ContactTracker::handOver(const Vector3& tip, std::int32_t
   return result;
 }
 
-ContactTracker::Result ContactTracker::search(const Vector3& tip) noexcept
+[[gnu::hot]] ContactTracker::Result ContactTracker::search(const Vector3& tip) noexcept
 {
   if (!tip.allFinite())
   {

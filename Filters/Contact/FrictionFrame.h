@@ -186,7 +186,8 @@ private:
 };
 // What the displacement needs comes first, in scalar products that do not wait for each other: the
 // rest of a tick waits for it, and for nothing else of the frame.
-inline bool FrictionFrame::advance(const Vector3& point, const Vector3& normal) noexcept
+[[gnu::hot]] inline bool FrictionFrame::advance(
+  const Vector3& point, const Vector3& normal) noexcept
 {
   const double cosine = this->Normal.dot(normal);
   if (!this->Started || !(cosine > SmallestCosine))

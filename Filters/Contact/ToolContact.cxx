@@ -47,20 +47,20 @@ void ToolContact::lose() noexcept
   this->IsLetGo = false;
 }
 
-ContactTracker::Result ToolContact::find(const ToolPose& pose) noexcept
+[[gnu::hot]] ContactTracker::Result ToolContact::find(const ToolPose& pose) noexcept
 {
   this->IsInTime = false;
   return this->follow(pose);
 }
 
-ContactTracker::Result ToolContact::find(const ToolPose& pose, double elapsed) noexcept
+[[gnu::hot]] ContactTracker::Result ToolContact::find(const ToolPose& pose, double elapsed) noexcept
 {
   this->pass(elapsed);
   this->IsInTime = this->Relaxation.isFelt();
   return this->follow(pose);
 }
 
-ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
+[[gnu::hot]] ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
 {
   this->prefetchLast();
   const Vector3 followed = this->Tilt.follow(pose, this->Tracker.triangle() >= 0);
@@ -126,7 +126,7 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
   }
 }
 
-Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
+[[gnu::hot]] Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
 {
   auto& [outcome, place] = found;
   this->LetDown = sunk;
@@ -367,7 +367,7 @@ void ToolContact::foresee() const noexcept
   }
 }
 
-bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
+[[gnu::hot]] bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
 {
   const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
   bool valid = true;

@@ -10,6 +10,26 @@
 
 namespace palpate
 {
+namespace
+{
+/// 1/√x. A sum of normals that are nearly parallel has a square near 1: there the series does, to
+/// the last digit, where a tick would wait for a root and then for a division.
+double inverseRoot(double x) noexcept
+{
+  constexpr double little = 0.01; // its eighth power, times 0.2, is 2e-17
+  const double e = 1.0 - x;
+  if (!(std::abs(e) < little))
+  {
+    return 1.0 / std::sqrt(x);
+  }
+  // In pairs, which do not wait for each other.
+  const double e2 = e * e;
+  const double low = (1.0 + 1.0 / 2 * e) + e2 * (3.0 / 8 + 5.0 / 16 * e);
+  const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);
+  return low + e2 * e2 * high;
+}
+} // namespace
+
 ResponseValue ToolContact::slowResponse(const Pressed& pressed, double depth) const noexcept
 {
   const TriangleCorners& corners = this->Body.surface.corners(pressed.place.triangle);
@@ -31,7 +51,7 @@ Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const no
                              : place.weightGradients;
 }
 
-bool ToolContact::blend(
+[[gnu::hot]] bool ToolContact::blend(
   const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept
 {
   this->LastCorners = this->Body.surface.corners(place.triangle);
@@ -73,10 +93,10 @@ bool ToolContact::blend(
     result.normalForce = more * sum.norm();
     direction = result.normalForce > 0.0 ? sum : direction;
   }
-  const double length = direction.norm();
-  result.normal = direction / length;
+  const double squared = direction.squaredNorm();
+  result.normal = inverseRoot(squared) * direction;
   result.force = result.normalForce * result.normal;
-  return length > 0.0 && result.force.allFinite(); // neither of them infinite
+  return squared > 0.0 && result.force.allFinite(); // neither of them infinite
 }
 
 void ToolContact::relax(const ContactPlace& place, const BlendedResponse& response,
@@ -116,7 +136,8 @@ Vector3 ToolContact::energies(const BlendedResponse& response, double deflection
   return energies;
 }
 
-double ToolContact::cappedShare(const Contact& contact, double maximumStiffness) const noexcept
+[[gnu::hot]] double ToolContact::cappedShare(
+  const Contact& contact, double maximumStiffness) const noexcept
 {
   const BlendedResponse response = this->response();
   double depth = contact.deflection;
@@ -138,7 +159,8 @@ double ToolContact::cappedShare(const Contact& contact, double maximumStiffness)
   return std::min(1.0, whole > 0.0 ? capped / this->Relaxation.force() : 1.0);
 }
 
-Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept
+[[gnu::hot]] Vector3 ToolContact::sumOfNormals(
+  const ContactPlace& place, const Vector3& factors) const noexcept
 {
   const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
   Vector3 sum = Vector3::Zero();
@@ -150,8 +172,8 @@ Vector3 ToolContact::sumOfNormals(const ContactPlace& place, const Vector3& fact
   return sum;
 }
 
-void ToolContact::complete(const ContactPlace& place, const BlendedResponse& response, double share,
-  Contact& result) noexcept
+[[gnu::hot]] void ToolContact::complete(const ContactPlace& place, const BlendedResponse& response,
+  double share, Contact& result) noexcept
 {
   if (this->Tilt.isTilted())
   {
@@ -180,7 +202,8 @@ void ToolContact::addTorque(const ContactPlace& place, double share, Contact& re
   }
 }
 
-void ToolContact::addFriction(const BlendedResponse& response, Contact& result) noexcept
+[[gnu::hot]] void ToolContact::addFriction(
+  const BlendedResponse& response, Contact& result) noexcept
 {
   if (this->IsInTime)
   {

@@ -104,7 +104,7 @@ Region findRegion(
 }
 } // namespace
 
-TriangleProjection projectOnTriangle(
+[[gnu::hot]] TriangleProjection projectOnTriangle(
   const Vector3& tip, const Vector3& a, const Vector3& b, const Vector3& c) noexcept
 {
   const Vector3 ab = b - a;

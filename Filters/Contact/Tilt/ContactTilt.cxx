@@ -43,7 +43,7 @@ ResponseValue combined(const ResponseValue& upright, double work, const TiltFact
 }
 } // namespace
 
-Vector3 ContactTilt::follow(const ToolPose& pose, bool isFollowed) noexcept
+[[gnu::hot]] Vector3 ContactTilt::follow(const ToolPose& pose, bool isFollowed) noexcept
 {
   this->IsFelt = this->Body && pose.hasAxis();
   if (!this->IsFelt)
