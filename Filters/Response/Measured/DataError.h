@@ -16,8 +16,8 @@ class AxisymmetricTool;
  * How far the force of a tool may be off since a body was measured, not given: at each sample of
  * its response what the readings leave open at the sites (predictedForceError), interpolated as the
  * material is, and the root of the weighted mean square by which the sites' own forces differ from
- * their mean. So it is that of the site on a site, and grows between sites that do not agree; that
- * a body changes where there is no other site, nobody knows.
+ * their mean. So it is that of the site on a site, and grows between sites that do not agree. A
+ * change of the body that no site has measured is not counted.
  *
  * Cost: five evaluations of the body per site and sample; then a sum over the sites of a point.
  */

@@ -109,7 +109,7 @@ void appendHistory(const PlacedSite& site, std::size_t index,
   }
 }
 
-bool doesRelax(const PlacedSite& site)
+bool isRelaxing(const PlacedSite& site)
 {
   return site.measured.refusal.empty() && site.measured.body.relaxation.relaxes();
 }
@@ -120,7 +120,7 @@ void appendReadings(const PlacedSite& site, std::size_t index,
   const SiteCurve& curve = site.measured.curves[index];
   const IdentifiedBody& body = site.measured.body;
   const bool known = site.measured.refusal.empty();
-  if (doesRelax(site) && !curve.curve.time.empty())
+  if (isRelaxing(site) && !curve.curve.time.empty())
   {
     appendHistory(site, index, kernel, readings);
     return;
@@ -153,7 +153,7 @@ void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
   std::size_t branches = 0;
   for (const PlacedSite& site : sites)
   {
-    branches = std::max(branches, doesRelax(site) ? site.measured.body.relaxation.count : 0);
+    branches = std::max(branches, isRelaxing(site) ? site.measured.body.relaxation.count : 0);
   }
   if (branches == 0)
   {

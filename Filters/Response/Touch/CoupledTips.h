@@ -14,7 +14,7 @@ namespace palpate
  * What keeps tips that have passed checkTips from pressing at once, or "": more than
  * CoupledContacts::Most polylines, or as many single points (at one Time); with Time a polyline
  * that has two points at one time, or none at one of another polyline's between its first and its
- * last; a Time of a single point that is no number.
+ * last; a single point whose Time is NaN or minus infinity.
  */
 std::string checkCoupledTips(vtkPolyData* tips);
 
