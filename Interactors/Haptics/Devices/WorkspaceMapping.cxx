@@ -78,12 +78,14 @@ SettingFault WorkspaceMapping::fault() const
   return {};
 }
 
-Eigen::Vector3d WorkspaceMapping::inReach(const Eigen::Vector3d& deviceVector) const noexcept
+[[gnu::hot]] Eigen::Vector3d WorkspaceMapping::inReach(
+  const Eigen::Vector3d& deviceVector) const noexcept
 {
   return { deviceVector.x(), deviceVector.y(), this->Planar ? 0.0 : deviceVector.z() };
 }
 
-Eigen::Vector3d WorkspaceMapping::toBody(const Eigen::Vector3d& devicePosition) const noexcept
+[[gnu::hot]] Eigen::Vector3d WorkspaceMapping::toBody(
+  const Eigen::Vector3d& devicePosition) const noexcept
 {
   return this->Rotation * (MillimetresPerMetre * this->Scale * this->inReach(devicePosition)) +
     this->Translation;
@@ -95,18 +97,20 @@ Eigen::Vector3d WorkspaceMapping::toDevice(const Eigen::Vector3d& bodyPosition) 
     (MillimetresPerMetre * this->Scale);
 }
 
-Eigen::Vector3d WorkspaceMapping::velocityToBody(
+[[gnu::hot]] Eigen::Vector3d WorkspaceMapping::velocityToBody(
   const Eigen::Vector3d& deviceVelocity) const noexcept
 {
   return this->Rotation * (MillimetresPerMetre * this->Scale * this->inReach(deviceVelocity));
 }
 
-Eigen::Vector3d WorkspaceMapping::forceToDevice(const Eigen::Vector3d& bodyForce) const noexcept
+[[gnu::hot]] Eigen::Vector3d WorkspaceMapping::forceToDevice(
+  const Eigen::Vector3d& bodyForce) const noexcept
 {
   return this->inReach(this->Rotation.transpose() * bodyForce);
 }
 
-Eigen::Vector3d WorkspaceMapping::forceToBody(const Eigen::Vector3d& deviceForce) const noexcept
+[[gnu::hot]] Eigen::Vector3d WorkspaceMapping::forceToBody(
+  const Eigen::Vector3d& deviceForce) const noexcept
 {
   return this->Rotation * this->inReach(deviceForce);
 }
@@ -133,7 +137,7 @@ Eigen::Vector3d WorkspaceMapping::torqueToBody(const Eigen::Vector3d& deviceTorq
   return this->Handedness * MillimetresPerMetre * this->Scale * (this->Rotation * deviceTorque);
 }
 
-double WorkspaceMapping::lengthToDevice(double bodyLength) const noexcept
+[[gnu::hot]] double WorkspaceMapping::lengthToDevice(double bodyLength) const noexcept
 {
   return bodyLength / (MillimetresPerMetre * this->Scale);
 }

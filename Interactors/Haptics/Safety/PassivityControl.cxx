@@ -48,7 +48,7 @@ SpatialVector PassivityControl::scaled(const Wrench& wrench) const noexcept
   return force;
 }
 
-SpatialVector PassivityControl::movedTo(
+[[gnu::hot]] SpatialVector PassivityControl::movedTo(
   const Eigen::Vector3d& position, const ToolOrientation& orientation) const noexcept
 {
   SpatialVector moved;
@@ -67,7 +67,7 @@ double PassivityControl::givenByTurn() const noexcept
                     : 0.0;
 }
 
-void PassivityControl::observe(
+[[gnu::hot]] void PassivityControl::observe(
   double time, const Eigen::Vector3d& position, const ToolOrientation& orientation) noexcept
 {
   if (this->HasPosition && std::isfinite(this->Stiffness))
@@ -171,7 +171,7 @@ double PassivityControl::storable(double force, double depth, double torque) con
   return std::max(least, force > 0.0 ? force * depth : 0.0);
 }
 
-void PassivityControl::bound(double force, double depth, double torque) noexcept
+[[gnu::hot]] void PassivityControl::bound(double force, double depth, double torque) noexcept
 {
   if (depth >= 0.0)
   {
@@ -187,7 +187,7 @@ void PassivityControl::grant(double force, double depth, double torque) noexcept
   this->Share = 1.0;
 }
 
-double PassivityControl::allowed(const SpatialVector& force, double size) noexcept
+[[gnu::hot]] double PassivityControl::allowed(const SpatialVector& force, double size) noexcept
 {
   const double energy = std::max(this->Energy + Slack, 0.0);
   const double most = this->UnderWay.late() > 0 ? this->allowedUnderWay(force, size, energy)
@@ -204,7 +204,7 @@ Eigen::Vector3d PassivityControl::limit(const Eigen::Vector3d& force) noexcept
   return this->limit(Wrench{ force, Eigen::Vector3d::Zero() }).force;
 }
 
-Wrench PassivityControl::limit(const Wrench& wrench) noexcept
+[[gnu::hot]] Wrench PassivityControl::limit(const Wrench& wrench) noexcept
 {
   Wrench passed = wrench;
   if (!(this->TorsionalStiffness > 0.0))
@@ -231,12 +231,12 @@ void PassivityControl::sent(double time, const Eigen::Vector3d& force) noexcept
   this->send(time, { force, Eigen::Vector3d::Zero() });
 }
 
-void PassivityControl::sent(double time, const Wrench& wrench) noexcept
+[[gnu::hot]] void PassivityControl::sent(double time, const Wrench& wrench) noexcept
 {
   this->send(time, this->scaled(wrench));
 }
 
-void PassivityControl::send(double time, const SpatialVector& force) noexcept
+[[gnu::hot]] void PassivityControl::send(double time, const SpatialVector& force) noexcept
 {
   this->Impulse += (time - this->SentTime) * this->Force;
   this->SentTime = time;
@@ -248,7 +248,7 @@ void PassivityControl::send(double time, const SpatialVector& force) noexcept
   }
 }
 
-double PassivityControl::holdTime() const noexcept
+[[gnu::hot]] double PassivityControl::holdTime() const noexcept
 {
   const double force = this->Force.norm();
   if (!(force > 0.0) || std::isinf(this->Stiffness))

@@ -39,7 +39,7 @@ SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
   this->setForceFactor(settings.forceFactor);
 }
 
-SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
+[[gnu::hot]] SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
 {
   SafeForce result;
   result.forceFactor = this->Settings.forceFactor;
@@ -73,13 +73,13 @@ SafeForce SafetyChain::apply(const SafetyInput& input) noexcept
   return result;
 }
 
-double SafetyChain::holdTime() const noexcept
+[[gnu::hot]] double SafetyChain::holdTime() const noexcept
 {
   const double least = std::fmin(LeastHold * this->Settings.period, this->Settings.sampleTimeOut);
   return std::clamp(this->Passivity.holdTime(), least, this->Settings.sampleTimeOut);
 }
 
-std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept
+[[gnu::hot]] std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept
 {
   std::uint16_t lost = 0;
   const bool hasSample = input.valid && input.position.allFinite() &&
@@ -97,7 +97,7 @@ std::uint16_t SafetyChain::losses(const SafetyInput& input) noexcept
   return lost;
 }
 
-Wrench SafetyChain::shape(const SafetyInput& input, SafeForce& result) noexcept
+[[gnu::hot]] Wrench SafetyChain::shape(const SafetyInput& input, SafeForce& result) noexcept
 {
   const SafetySettings& settings = this->Settings;
   const double gate = this->Gate.share(input.time, input.outside);
@@ -144,7 +144,7 @@ Eigen::Vector3d SafetyChain::shapeTorque(
   return limited;
 }
 
-Wrench SafetyChain::controlPassivity(
+[[gnu::hot]] Wrench SafetyChain::controlPassivity(
   const SafetyInput& input, bool changing, const Wrench& wanted, const Wrench& limited) noexcept
 {
   // Without a gate the first force comes from nowhere, as the caller wanted.
@@ -191,7 +191,7 @@ void SafetyChain::reset() noexcept
   this->Watchdog.reset();
 }
 
-void SafetyChain::setForceFactor(double factor) noexcept
+[[gnu::hot]] void SafetyChain::setForceFactor(double factor) noexcept
 {
   this->Settings.forceFactor = factorOf(factor);
 }

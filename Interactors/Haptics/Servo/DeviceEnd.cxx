@@ -25,7 +25,7 @@ DeviceEnd::DeviceEnd(const WorkspaceMapping& mapping, const SafetySettings& safe
 {
 }
 
-void DeviceEnd::read(
+[[gnu::hot]] void DeviceEnd::read(
   const DeviceSample& sample, double time, Tick& tick, SafetyInput& input) noexcept
 {
   tick.time = time;
@@ -54,7 +54,7 @@ void DeviceEnd::read(
   }
 }
 
-ToolPose DeviceEnd::follow(double elapsed, Tick& tick) noexcept
+[[gnu::hot]] ToolPose DeviceEnd::follow(double elapsed, Tick& tick) noexcept
 {
   this->Held = this->Hand.forceShare();
   tick.tip = this->Hand.follow(tick.tip, tick.buttons, elapsed);
@@ -62,7 +62,7 @@ ToolPose DeviceEnd::follow(double elapsed, Tick& tick) noexcept
   return tick.hasAxis() ? ToolPose(tick.tip, tick.axis) : ToolPose(tick.tip);
 }
 
-void DeviceEnd::feel(const SceneForce& felt, Tick& tick, SafetyInput& input) noexcept
+[[gnu::hot]] void DeviceEnd::feel(const SceneForce& felt, Tick& tick, SafetyInput& input) noexcept
 {
   const double share = this->Hand.forceShare();
   tick.contact = felt.contact;
@@ -73,13 +73,16 @@ void DeviceEnd::feel(const SceneForce& felt, Tick& tick, SafetyInput& input) noe
   input.idealForce = this->Mapping.forceToDevice(tick.idealForce);
   input.cappedForce = this->Mapping.forceToDevice(share * felt.cappedForce);
   tick.idealTorque = share * felt.idealTorque;
-  input.idealTorque = this->Mapping.torqueToDevice(tick.idealTorque);
-  input.cappedTorque = this->Mapping.torqueToDevice(share * felt.cappedTorque);
+  if (this->Chain.hasTorque())
+  {
+    input.idealTorque = this->Mapping.torqueToDevice(tick.idealTorque);
+    input.cappedTorque = this->Mapping.torqueToDevice(share * felt.cappedTorque);
+  }
   input.depth = this->Mapping.lengthToDevice(felt.reach);
   input.changing = felt.changing || share > this->Held;
 }
 
-bool DeviceEnd::send(const SafetyInput& input, Tick& tick) noexcept
+[[gnu::hot]] bool DeviceEnd::send(const SafetyInput& input, Tick& tick) noexcept
 {
   const SafeForce safe = this->Chain.apply(input);
   tick.deviceForce = safe.force;

@@ -29,6 +29,10 @@ public:
     this->Writing = previous & Index;
   }
 
+  /// Writer: fills its slot, so that the memory is at hand when a value is written. Nobody reads it
+  /// before.
+  void prepare(const Value& likely) noexcept { this->Slots[this->Writing] = likely; }
+
   /// The newest value written, or the initial one.
   const Value& read() noexcept
   {

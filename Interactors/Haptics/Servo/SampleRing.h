@@ -47,6 +47,16 @@ public:
     return true;
   }
 
+  /// The pushing thread: fills the slot of the next value, so that its memory is at hand. Nobody
+  /// reads it before it is pushed.
+  void prepare(const Value& likely) noexcept
+  {
+    if (this->size() < this->Slots.size())
+    {
+      this->Slots[this->PushIndex] = likely;
+    }
+  }
+
   /// Calls sink(const Value&) for each value that was there when drain began, oldest first, and
   /// forgets it. Returns how many. A sink that throws keeps its value and those after it.
   template <class Sink>

@@ -34,14 +34,26 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
   return contact.deflection * (1.0 + friction.coefficient * ratio);
 }
 
-SceneForce feel(
-  ServoScene& scene, const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
+/// By the scene's own contact, or a copy of it, with the same code.
+[[gnu::hot, gnu::noinline]] SceneForce feel(const ServoScene& scene, ToolContact& touch,
+  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
-  const Contact contact = scene.contact.update(pose, elapsed);
+  const Contact contact = touch.update(pose, elapsed);
   const bool isCapped = contact.normalForce > 0.0 && !std::isinf(limits.straight);
   const double share =
-    isCapped ? scene.contact.cappedShare(contact, limits.straight / scene.forceFactor) : 1.0;
+    isCapped ? touch.cappedShare(contact, limits.straight / scene.forceFactor) : 1.0;
   return forceOf(scene, contact, share, pose, limits);
+}
+[[gnu::hot]] SceneForce feel(
+  ServoScene& scene, const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
+{
+  return feel(scene, scene.contact, pose, elapsed, limits);
+}
+SceneForce feelCopied(const ServoScene& scene, const ToolPose& pose, double elapsed,
+  const StiffnessLimits& limits) noexcept
+{
+  ToolContact scratch(scene.contact);
+  return feel(scene, scratch, pose, elapsed, limits);
 }
 
 /// So that the next tick finds the contact on that side of the body where another has it.
@@ -57,7 +69,7 @@ void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noe
 }
 } // namespace
 
-SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
+[[gnu::hot]] SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
   const ToolPose& pose, const StiffnessLimits& limits) noexcept
 {
   SceneForce felt;
@@ -158,7 +170,7 @@ void SceneSwitch::pass(double elapsed) noexcept
   }
 }
 
-SceneForce SceneSwitch::update(
+[[gnu::hot]] SceneForce SceneSwitch::update(
   const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
   const bool moves = this->Leaving && !this->Entering;
@@ -170,6 +182,16 @@ SceneForce SceneSwitch::update(
                                   : feel(*this->Current, pose, elapsed, limits);
   felt.changing = moves;
   return felt;
+}
+
+SceneForce SceneSwitch::rehearse(
+  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept
+{
+  if (this->Leaving)
+  {
+    feelCopied(*this->Leaving, pose, elapsed, limits);
+  }
+  return feelCopied(*this->Current, pose, elapsed, limits);
 }
 
 SceneForce SceneSwitch::blend(

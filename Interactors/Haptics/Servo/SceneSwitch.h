@@ -152,15 +152,10 @@ public:
     }
   }
 
-  /// As ToolContact::rehearse.
-  void rehearse(double elapsed) const noexcept
-  {
-    this->Current->contact.rehearse(elapsed);
-    if (this->Leaving)
-    {
-      this->Leaving->contact.rehearse(elapsed);
-    }
-  }
+  /// What an update would feel of the current scene, on a copy of its contact that is thrown away;
+  /// a scene that is left is felt likewise, and forgotten. Changes nothing.
+  SceneForce rehearse(
+    const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept;
 
   /// Null: nothing happens.
   void change(std::unique_ptr<ServoScene> next) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Servo/ServoLoop.h"
 
+#include "Contact/Prefetch.h"
 #include "Haptics/Safety/ForceRelease.h"
 
 #include <array>
@@ -21,6 +22,11 @@ std::int64_t now() noexcept
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
   return time.tv_sec * NanosecondsPerSecond + time.tv_nsec;
+}
+
+double secondsSince(std::int64_t begin, std::int64_t time) noexcept
+{
+  return static_cast<double>(time - begin) / NanosecondsPerSecond;
 }
 
 void sleepUntil(std::int64_t deadline) noexcept
@@ -201,7 +207,7 @@ bool ServoLoop::goesOn() const noexcept
   return !this->Stopping.load(std::memory_order_relaxed) && !ForceHold::mustRelease();
 }
 
-void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
+[[gnu::hot]] void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
 {
   granted.set_value(requestRealTime(this->Settings.realTime));
   std::array<std::optional<ForceHold>, HandsStep::Most> holds;
@@ -212,6 +218,7 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
   const auto period =
     static_cast<std::int64_t>(std::llround(NanosecondsPerSecond / this->Settings.rate));
   this->Newest = Tick();
+  this->Likely = DeviceSample();
   const std::int64_t begin = now();
   std::int64_t deadline = begin;
   std::int64_t before = begin; // when the last tick began
@@ -224,18 +231,21 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
   while (this->goesOn())
   {
     const std::int64_t woken = now();
-    this->Meter.wakeUp.add(woken - deadline);
-    if (deadline > begin)
+    const std::int64_t late = woken - deadline;
+    const bool isFirst = deadline == begin;
+    skip(late / period);
+    this->takeScene();
+    this->tick(secondsSince(begin, deadline));
+    const std::int64_t done = now();
+    // The accounts wait for the force, not the force for them.
+    this->Meter.wakeUp.add(late);
+    if (!isFirst)
     {
       this->Meter.period.add(woken - before);
     }
     before = woken;
-    skip((woken - deadline) / period);
     this->Meter.missed.add(static_cast<std::uint64_t>(skipped));
     skipped = 0;
-    this->takeScene();
-    this->tick(static_cast<double>(deadline - begin) / NanosecondsPerSecond);
-    const std::int64_t done = now();
     this->Meter.tick.add(done - woken);
     this->Meter.ticks.add();
     deadline += period;
@@ -244,18 +254,21 @@ void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
       skip((done - deadline) / period + 1);
     }
     this->foresee();
-    this->wait(deadline);
+    this->wait(deadline, secondsSince(begin, deadline));
   }
   this->finish();
 }
 
-void ServoLoop::tick(double time) noexcept
+[[gnu::hot]] void ServoLoop::tick(double time) noexcept
 {
   if (this->Step)
   {
     const DeviceSample sample = this->Devices[0]->read(time);
     this->Newest = this->Step->step(sample, time);
     this->write(0, sample, this->Newest);
+    this->Likely = sample;
+    this->Likely.position += sample.position - this->LastPosition;
+    this->LastPosition = sample.position;
     return;
   }
   std::array<DeviceSample, HandsStep::Most> samples;
@@ -270,7 +283,8 @@ void ServoLoop::tick(double time) noexcept
   }
 }
 
-void ServoLoop::write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept
+[[gnu::hot]] void ServoLoop::write(
+  std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept
 {
   this->Devices[device]->holdFor(tick.holdTime);
   const bool taken = this->Devices[device]->writeWrench(tick.wrench());
@@ -286,7 +300,7 @@ void ServoLoop::foresee() const noexcept
   this->Step ? this->Step->foresee() : this->Hands->foresee();
 }
 
-void ServoLoop::wait(std::int64_t deadline) const noexcept
+void ServoLoop::wait(std::int64_t deadline, double time) noexcept
 {
   if (this->Settings.rehearsal == 0.0)
   {
@@ -295,15 +309,29 @@ void ServoLoop::wait(std::int64_t deadline) const noexcept
   }
   sleepUntil(deadline -
     static_cast<std::int64_t>(std::llround(this->Settings.rehearsal * NanosecondsPerSecond)));
-  const double period = 1.0 / this->Settings.rate;
-  this->Step ? this->Step->rehearse(period) : this->Hands->rehearse(period);
+  this->rehearse(time);
   while (now() < deadline && this->goesOn())
   {
     // a sleep as short as this would end late
   }
 }
 
-void ServoLoop::takeScene() noexcept
+void ServoLoop::rehearse(double time) noexcept
+{
+  if (!this->Step)
+  {
+    this->Hands->rehearse(1.0 / this->Settings.rate);
+    return;
+  }
+  const Tick tick = this->Step->rehearse(this->Likely, time);
+  this->Channels[0]->latest.prepare(tick);
+  this->Channels[0]->recording.prepare(tick);
+  prefetchLine(&this->Scenes);
+  prefetchLine(&this->Meter.invalidSamples);
+  prefetchLine(&this->Meter.refusedForces);
+}
+
+[[gnu::hot]] void ServoLoop::takeScene() noexcept
 {
   if (std::unique_ptr<ServoScene> scene = this->Scenes.take())
   {

@@ -34,9 +34,10 @@ struct PALPATE_EXPORT ServoLoopSettings
   /// How long (s) ticks are kept for drain() before they are lost; 0: there is no recording. The
   /// memory is taken at once, some 600 bytes per tick and device.
   double recordedSeconds = 0.0;
-  /// How long (s) before each tick is due the thread wakes up, makes the contact beforehand
-  /// (ServoStep::rehearse) and then waits without sleeping: the sample is read in time, and its
-  /// force comes sooner. Takes so much of a processor; 0 (none) to half a period.
+  /// How long (s) before each tick is due the thread wakes up, makes the tick beforehand
+  /// (ServoStep::rehearse; of several devices their contacts) and then waits without sleeping: the
+  /// sample is read in time, and its force comes sooner. Takes so much of a processor; 0 (none) to
+  /// half a period.
   double rehearsal = 0.0;
   RealTimeRequest realTime;
 
@@ -136,8 +137,10 @@ private:
   void write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept;
   void takeScene() noexcept;
   void foresee() const noexcept;
-  /// Until a deadline, ns; with a rehearsal before it.
-  void wait(std::int64_t deadline) const noexcept;
+  /// Until a deadline, ns, with a rehearsal before it; `time` (s) is that of the tick then.
+  void wait(std::int64_t deadline, double time) noexcept;
+  /// The tick that is to come, and where it will be kept.
+  void rehearse(double time) noexcept;
   /// Leaves no force: on the devices, in the step, in what is published.
   void finish() noexcept;
   DeviceErrors errors() const;
@@ -147,7 +150,9 @@ private:
   std::optional<HandsStep> Hands; ///< of several, instead
   ServoLoopSettings Settings;
   std::vector<std::unique_ptr<Channel>> Channels;
-  Tick Newest; ///< of one device
+  Tick Newest;         ///< of one device
+  DeviceSample Likely; ///< the last sample of one device, moved on as it moved last
+  Eigen::Vector3d LastPosition = Eigen::Vector3d::Zero(); ///< of that sample
   SceneExchange<ServoScene> Scenes;
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };

@@ -14,6 +14,28 @@ std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettin
   const std::shared_ptr<void> nobody;
   return std::make_unique<ServoScene>(std::shared_ptr<const ContactBody>(nobody, &body), settings);
 }
+/// A tick of a device; `own` are the scenes, or null in a rehearsal. One function and never
+/// inlined: what a rehearsal has brought into the caches is the code of the tick itself.
+[[gnu::hot, gnu::noinline]] Tick tickOf(DeviceEnd& end, const SceneSwitch& scenes, SceneSwitch* own,
+  const DeviceSample& sample, double time, double elapsed, bool& isOver) noexcept
+{
+  Tick tick;
+  SafetyInput input;
+  end.read(sample, time, tick, input);
+  if (tick.valid)
+  {
+    const ToolPose pose = end.follow(elapsed, tick);
+    const SceneForce felt =
+      own ? own->update(pose, elapsed, end.limits()) : scenes.rehearse(pose, elapsed, end.limits());
+    end.feel(felt, tick, input);
+  }
+  else if (own)
+  {
+    own->pass(elapsed);
+  }
+  isOver = end.send(input, tick);
+  return tick;
+}
 } // namespace
 
 ServoStep::ServoStep(const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce,
@@ -32,27 +54,23 @@ ServoStep::ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& 
 
 Tick ServoStep::step(const DeviceSample& sample, double time) noexcept
 {
-  const double elapsed = time > this->LastTime ? time - this->LastTime : 0.0;
+  const double elapsed = this->since(time);
   this->LastTime = std::isfinite(time) ? time : this->LastTime;
-  Tick tick;
-  SafetyInput input;
-  this->End.read(sample, time, tick, input);
-  if (tick.valid)
-  {
-    const ToolPose pose = this->End.follow(elapsed, tick);
-    this->End.feel(this->Scenes.update(pose, elapsed, this->End.limits()), tick, input);
-  }
-  else
-  {
-    this->Scenes.pass(elapsed);
-  }
-  const bool isOver = this->End.send(input, tick);
+  bool isOver = false;
+  Tick tick = tickOf(this->End, this->Scenes, &this->Scenes, sample, time, elapsed, isOver);
   tick.scene = this->Scenes.changes();
   if (isOver)
   {
     this->Scenes.forget();
   }
   return tick;
+}
+
+Tick ServoStep::rehearse(const DeviceSample& likely, double time) const noexcept
+{
+  DeviceEnd end(this->End);
+  bool isOver = false;
+  return tickOf(end, this->Scenes, nullptr, likely, time, this->since(time), isOver);
 }
 
 void ServoStep::stop() noexcept

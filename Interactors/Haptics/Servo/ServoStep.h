@@ -52,9 +52,10 @@ public:
   /// For when the force is sent, before the loop waits: asks for the memory which the next step
   /// reads if the hand moves on as it did. Changes nothing, and may be left out.
   void foresee() const noexcept { this->Scenes.foresee(); }
-  /// For the last moments before the next sample is read: makes its contact beforehand, on a copy
-  /// (ToolContact::rehearse), `elapsed` s after the last step. Changes nothing; may be left out.
-  void rehearse(double elapsed) const noexcept { this->Scenes.rehearse(elapsed); }
+  /// For the last moments before the next sample is read: what step() would return for a sample
+  /// that is likely to come, made on copies of contact, clutch and safety chain, so that what it
+  /// reads, code too, is at hand then. Changes nothing; may be left out. Costs a step.
+  Tick rehearse(const DeviceSample& likely, double time) const noexcept;
 
   /// Hands over another scene; null: nothing happens. See SceneSwitch.
   void change(std::unique_ptr<ServoScene> next) noexcept { this->Scenes.change(std::move(next)); }
@@ -78,6 +79,12 @@ public:
   double energy() const noexcept { return this->End.energy(); }
 
 private:
+  /// s; 0 where the time does not increase.
+  double since(double time) const noexcept
+  {
+    return time > this->LastTime ? time - this->LastTime : 0.0;
+  }
+
   DeviceEnd End;
   SceneSwitch Scenes;
   double LastTime; ///< NaN: none

@@ -21,6 +21,20 @@ TEST(LatestValue, TheNewestValueIsRead)
   EXPECT_EQ(slot.read(), 4);
 }
 
+TEST(LatestValue, WhatIsPreparedIsNotRead)
+{
+  palpate::LatestValue<int> slot(7);
+  slot.prepare(1);
+  EXPECT_EQ(slot.read(), 7);
+  slot.write(2);
+  slot.prepare(3);
+  EXPECT_EQ(slot.read(), 2);
+  slot.prepare(4);
+  EXPECT_EQ(slot.read(), 2);
+  slot.write(5);
+  EXPECT_EQ(slot.read(), 5);
+}
+
 TEST(LatestValue, ValuesAreNeitherTornNorOutOfOrder)
 {
   constexpr long Last = 200000;
@@ -31,6 +45,8 @@ TEST(LatestValue, ValuesAreNeitherTornNorOutOfOrder)
       for (long i = 1; i <= Last; ++i)
       {
         std::array<long, 16> value;
+        value.fill(-i);
+        slot.prepare(value);
         value.fill(i);
         slot.write(value);
       }

@@ -61,6 +61,25 @@ TEST(SampleRing, WhatFindsNoRoomIsCountedAndWhatWaitsIsKept)
   EXPECT_EQ(ring.overruns(), 4u);
 }
 
+TEST(SampleRing, WhatIsPreparedIsNotDrained)
+{
+  SampleRing<long> ring(2);
+  for (long i = 0; i < 5; ++i)
+  {
+    ring.prepare(-1);
+    EXPECT_EQ(ring.size(), 0u);
+    ring.push(2 * i);
+    ring.prepare(-1);
+    ring.push(2 * i + 1);
+    ring.prepare(-1); // full
+    EXPECT_EQ(drained(ring), (std::vector<long>{ 2 * i, 2 * i + 1 }));
+  }
+  EXPECT_EQ(ring.overruns(), 0u);
+  SampleRing<long> none(0);
+  none.prepare(-1);
+  EXPECT_TRUE(drained(none).empty());
+}
+
 TEST(SampleRing, WithoutCapacityNothingIsKeptOrLost)
 {
   SampleRing<long> ring(0);

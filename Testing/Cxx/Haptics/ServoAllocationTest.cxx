@@ -63,6 +63,7 @@ long allocationsOfTicks(CountingDevice& device, double recordedSeconds, bool dra
   ServoLoopSettings settings;
   settings.rate = 4000.0;
   settings.recordedSeconds = recordedSeconds;
+  settings.rehearsal = drains ? 1e-4 : 0.0;
   ServoLoop loop(device,
     ServoStep(std::make_unique<ServoScene>(body), WorkspaceMapping(),
       SafetySettings::of(device.specification())),

@@ -87,6 +87,7 @@ TEST(ServoStep, ARehearsalIsForgotten)
   ServoStep rehearsed(std::make_unique<ServoScene>(body, contact), WorkspaceMapping(), safety);
   ServoStep plain(std::make_unique<ServoScene>(body, contact), WorkspaceMapping(), safety);
   int pressed = 0;
+  Tick likely;
   for (int tick = 0; tick < 3000; ++tick)
   {
     const double t = 1e-3 * tick;
@@ -94,9 +95,22 @@ TEST(ServoStep, ARehearsalIsForgotten)
     sample.valid = tick % 701 != 0;
     sample.position = (0.0196 + 0.0006 * std::sin(9.0 * t)) *
       Vector3d(std::sin(t) * std::cos(3.0 * t), std::sin(t) * std::sin(3.0 * t), std::cos(t));
+    if (tick % 3 > 0)
+    {
+      likely = rehearsed.rehearse(sample, t); // as it comes
+    }
+    DeviceSample another = sample;
+    another.position *= 0.999;
+    another.valid = tick % 17 != 0;
+    rehearsed.rehearse(another, t);
     const Tick one = rehearsed.step(sample, t);
     const Tick other = plain.step(sample, t);
-    rehearsed.rehearse(1e-3);
+    if (tick % 3 > 0)
+    {
+      ASSERT_EQ(likely.contact.force, other.contact.force) << tick;
+      ASSERT_EQ(likely.deviceForce, other.deviceForce) << tick;
+      ASSERT_EQ(likely.acted, other.acted) << tick;
+    }
     ASSERT_EQ(one.contact.force, other.contact.force) << tick;
     ASSERT_EQ(one.deviceForce, other.deviceForce) << tick;
     pressed += one.contact.normalForce > 0.0;

@@ -304,6 +304,7 @@ TEST(TickAllocation, DeviceToForceToDevice)
     const Tick done = step.step(sample, time);
     device.write(done.deviceForce);
     step.foresee();
+    step.rehearse(sample, time + 1e-3);
     met(states, done.contact.state);
     forces += device.lastForce().norm() > 0.0;
   }
