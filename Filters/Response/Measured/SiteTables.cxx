@@ -256,7 +256,7 @@ void tabulateCurves(const std::vector<PlacedSite>& sites,
   number("Force (N)", &Reading::force);
   number("MonotoneForce (N)", &Reading::monotone);
   number("ModelForce (N)", &Reading::model);
-  if (std::any_of(sites.begin(), sites.end(), doesRelax))
+  if (std::any_of(sites.begin(), sites.end(), isRelaxing))
   {
     number("Time (s)", &Reading::time);
   }
