@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -28,6 +29,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -121,6 +123,27 @@ palpate::MeshedSurface convertSurfaceToMesh(vtkPolyData* surface)
       static_cast<std::int32_t>(ids->GetId(1)), static_cast<std::int32_t>(ids->GetId(2)) });
   }
   return made;
+}
+
+vtkSmartPointer<vtkPolyData> convertMeshToSurface(const palpate::MeshedSurface& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh.points.cols());
+  for (Eigen::Index i = 0; i < mesh.points.cols(); ++i)
+  {
+    points->SetPoint(i, mesh.points.col(i).data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    const std::array<vtkIdType, 3> corners = { a, b, c };
+    triangles->InsertNextCell(3, corners.data());
+  }
+  const auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface;
 }
 
 double volumeOf(const palpate::TetrahedralMesh& mesh)
@@ -253,12 +276,34 @@ std::string vtkGradedBody::CheckProperties() const
   return {};
 }
 
+/// The surface, closed if it is nearly so.
+std::string vtkGradedBody::TakeSurface(vtkPolyData* body, palpate::ClosedSurface& closed)
+{
+  const std::string fault = palpate::takeClosedSurface(body, closed);
+  if (fault.empty() || !closed.isOpen)
+  {
+    return fault;
+  }
+  palpate::MeshedSurface surface = convertSurfaceToMesh(closed.surface);
+  palpate::ClosedUp done;
+  const std::string open = palpate::closeSurface(surface, done);
+  if (!open.empty())
+  {
+    return fault + " (" + open + ")";
+  }
+  vtkWarningMacro(<< "The surface was not closed: it was parted at " << done.edges
+                  << " edges where it touched itself, and of its holes " << done.holes
+                  << " were filled, the widest " << done.widest << " mm.");
+  closed = {};
+  return palpate::takeClosedSurface(convertMeshToSurface(surface), closed);
+}
+
 std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
 {
   palpate::HeldFaces faces{};
   palpate::ClosedSurface closed;
   std::string fault = palpate::readHeldFaces(this->FixedFaces, 0.5 * this->SurfaceSpacing, faces);
-  fault = fault.empty() ? palpate::takeClosedSurface(body, closed) : fault;
+  fault = fault.empty() ? this->TakeSurface(body, closed) : fault;
   if (!fault.empty())
   {
     return fault;

@@ -5,10 +5,12 @@
  * for vtkElasticContactResponse
  *
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm;
- * points at the same place count as one. A surface that is open, inside out, that touches itself or
- * cuts itself at more than a hundredth of its triangles (the first are named), and one of which a
- * part is lost since SurfaceSpacing is too coarse for it, are errors; where fewer cross, as in many
- * scans, it is mended, with a warning. Parts and cavities may be several.
+ * points at the same place count as one. What scans have is mended, with a warning: sheets that
+ * touch each other at edges are parted, holes up to a tenth of the body are filled, and where fewer
+ * than a hundredth of the triangles cross each other these are taken out. A wider hole, more
+ * crossings (the first are named), a surface that is inside out, and one of which a part is lost
+ * since SurfaceSpacing is too coarse for it, are errors. Parts and cavities may be several; of one
+ * that was not closed those of less than a thousandth of the triangles are left out.
  *
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
  * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)
@@ -41,6 +43,11 @@
 
 class vtkPolyData;
 class vtkUnstructuredGrid;
+
+namespace palpate
+{
+struct ClosedSurface;
+} // namespace palpate
 
 class PALPATERESPONSE_EXPORT vtkGradedBody : public vtkUnstructuredGridAlgorithm
 {
@@ -108,6 +115,7 @@ private:
   void operator=(const vtkGradedBody&) = delete;
 
   std::string CheckProperties() const;
+  std::string TakeSurface(vtkPolyData* body, palpate::ClosedSurface& closed);
   std::string Fill(vtkPolyData* body, vtkUnstructuredGrid* output);
 
   double SurfaceSpacing = 2.0;

@@ -42,9 +42,10 @@ std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed)
   closed.surface = mergePoints(body);
   const BodyMesh mesh = makeBodyMesh(closed.surface);
   closed.volume = mesh.enclosedVolume();
-  if (!mesh.isClosed() || closed.volume <= 0.0)
+  closed.isOpen = !mesh.isClosed();
+  if (closed.isOpen || closed.volume <= 0.0)
   {
-    return joined("Wrong input: the surface ", mesh.isClosed() ? "is inside out" : "is not closed",
+    return joined("Wrong input: the surface ", closed.isOpen ? "is not closed" : "is inside out",
       ": it cannot be filled");
   }
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)

@@ -20,6 +20,7 @@ struct ClosedSurface
   vtkSmartPointer<vtkPolyData> surface; ///< without arrays, points at the same place as one
   double volume = 0.0;                  ///< mm³
   double area = 0.0;                    ///< mm²
+  bool isOpen = false; ///< or touches itself: `surface` is known, but cannot be filled
 };
 
 /// Returns what is wrong - no triangles, open, inside out - or "".

@@ -10,16 +10,31 @@ std::string mendSurface(MeshedSurface&, std::size_t& mended)
   mended = 0;
   return {}; // the mesher says that it is missing
 }
+
+std::string closeSurface(MeshedSurface&, ClosedUp&)
+{
+  return "this build has no mesher (CGAL) to close it";
+}
 } // namespace palpate
 #else
 
 #include "Mechanics/JoinedText.h"
 #include "Response/Mesher/CgalSurface.h"
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iterator>
 #include <utility>
@@ -31,7 +46,9 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double MostCrossing = 0.01; ///< of the triangles: beyond, it is no slip of a scanner
+constexpr double WidestHole = 0.1;      ///< of the body's own box
+constexpr double LeastFragment = 0.001; ///< of all triangles
+constexpr double MostCrossing = 0.01;   ///< of the triangles: beyond, it is no slip of a scanner
 
 void fromCgal(const CgalSurface& surface, MeshedSurface& to)
 {
@@ -54,6 +71,11 @@ void fromCgal(const CgalSurface& surface, MeshedSurface& to)
   }
 }
 
+double diagonalOf(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
 using Crossings = std::vector<std::pair<CgalSurface::Face_index, CgalSurface::Face_index>>;
 
 Crossings crossingsOf(const CgalSurface& surface)
@@ -63,6 +85,66 @@ Crossings crossingsOf(const CgalSurface& surface)
   return crossing;
 }
 } // namespace
+
+std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
+{
+  std::vector<CgalPoint> points;
+  std::vector<std::vector<std::size_t>> corners;
+  for (Eigen::Index i = 0; i < surface.points.cols(); ++i)
+  {
+    points.emplace_back(surface.points(0, i), surface.points(1, i), surface.points(2, i));
+  }
+  for (const std::array<std::int32_t, 3>& triangle : surface.triangles)
+  {
+    corners.emplace_back(triangle.begin(), triangle.end());
+  }
+  ClosedUp made;
+  CgalSurface mesh;
+  try
+  {
+    meshes::repair_polygon_soup(points, corners);
+    meshes::orient_polygon_soup(
+      points, corners); // parts sheets at edges of more than two triangles
+    meshes::polygon_soup_to_polygon_mesh(points, corners, mesh);
+    made.edges = static_cast<std::size_t>(std::count_if(mesh.edges().begin(), mesh.edges().end(),
+      [&mesh](CgalSurface::Edge_index edge) { return mesh.is_border(edge); }));
+    meshes::stitch_borders(mesh);
+    meshes::keep_large_connected_components(mesh,
+      static_cast<std::size_t>(LeastFragment * static_cast<double>(surface.triangles.size())) + 1);
+    const double widest = WidestHole * diagonalOf(meshes::bbox(mesh));
+    std::vector<CgalSurface::Halfedge_index> borders;
+    meshes::extract_boundary_cycles(mesh, std::back_inserter(borders));
+    for (const CgalSurface::Halfedge_index border : borders)
+    {
+      CGAL::Bbox_3 box;
+      for (const CgalSurface::Halfedge_index side : CGAL::halfedges_around_face(border, mesh))
+      {
+        box += mesh.point(mesh.target(side)).bbox();
+      }
+      if (diagonalOf(box) > widest)
+      {
+        return joined("it has a hole ", diagonalOf(box), " mm wide");
+      }
+      std::vector<CgalSurface::Face_index> patch;
+      meshes::triangulate_hole(mesh, border, std::back_inserter(patch));
+      made.holes += patch.empty() ? 0 : 1;
+      made.widest = std::max(made.widest, diagonalOf(box));
+    }
+  }
+  catch (const std::exception& failed)
+  {
+    return joined("it cannot be closed (", failed.what(), ")");
+  }
+  mesh.collect_garbage();
+  if (!CGAL::is_closed(mesh))
+  {
+    return "it cannot be closed";
+  }
+  meshes::orient_to_bound_a_volume(mesh);
+  fromCgal(mesh, surface);
+  done = made;
+  return {};
+}
 
 std::string mendSurface(MeshedSurface& surface, std::size_t& mended)
 {

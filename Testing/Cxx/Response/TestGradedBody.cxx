@@ -7,6 +7,7 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCubeSource.h"
 #include "vtkElasticContactResponse.h"
@@ -527,7 +528,7 @@ void checkErrors()
   vtkNew<vtkSphereSource> open;
   open->SetEndTheta(200.0);
   open->Update();
-  fails(open->GetOutput(), nothing, { "not closed" });
+  fails(open->GetOutput(), nothing, { "not closed", "hole", "wide" });
   // Two boxes that overlap.
   vtkNew<vtkTransform> beside;
   beside->Translate(5.0, 3.0, 2.0);
@@ -570,6 +571,37 @@ void checkMended()
   PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact, 0.01 * exact); // facets, the slip
 }
 
+/// A ball without the triangles around a point, and with a fin at an edge of another: closed with a
+/// warning, and of the ball's volume.
+void checkClosedUp()
+{
+  const Body ball = sphereBody(10.0, 4);
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < ball->GetNumberOfCells(); ++t)
+  {
+    ball->GetCellPoints(t, corners);
+    if (corners->IsId(100) < 0)
+    {
+      triangles->InsertNextCell(corners);
+    }
+  }
+  ball->GetCellPoints(0, corners);
+  const vtkIdType tip = ball->GetPoints()->InsertNextPoint(0.0, 0.0, 20.0);
+  const std::array<vtkIdType, 3> fin = { corners->GetId(0), corners->GetId(1), tip };
+  triangles->InsertNextCell(3, fin.data());
+  const Body scan = vtkSmartPointer<vtkPolyData>::New();
+  scan->SetPoints(ball->GetPoints());
+  scan->SetPolys(triangles);
+  const auto filter = makeFilter(scan, 2.0);
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.errors().empty());
+  PALPATE_CHECK_TEXT(messages.warnings(), "not closed", "holes 1 were filled");
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
+  PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact, 0.01 * exact); // facets, the lid
+}
+
 void checkAbort()
 {
   const auto filter = makeFilter(sphereBody(10.0, 5), 0.7);
@@ -597,6 +629,7 @@ int TestGradedBody(int, char* argv[])
   checkSameBits();
   checkErrors();
   checkMended();
+  checkClosedUp();
   checkAbort();
   checkBallContact(argv[1], 2.0, 0.01);
   checkLayerContact();
