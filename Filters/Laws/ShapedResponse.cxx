@@ -6,8 +6,6 @@
 #include "Contact/FloatCurve.h"
 #include "Laws/CurvesOnEdges.h"
 #include "Laws/TrustedDepth.h"
-#include "Mechanics/FiniteStrain/SmallStrainError.h"
-#include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/TrueShape/ContactKernelFit.h"
@@ -36,7 +34,7 @@ class ShapedFiller
 public:
   ShapedFiller(const AxisymmetricTool& tool, const KernelsAt& kernelsAt, const ShapedTerms& terms,
     const ResponseSpans& spans)
-    : Contact(tool)
+    : Contact(tool, terms.strain)
     , At(kernelsAt)
     , Terms(terms)
     , Spans(spans)
@@ -86,12 +84,12 @@ public:
       force[k] = static_cast<float>(point.force);
       stiffness[k] = static_cast<float>(point.stiffness);
     }
-    this->judge(i, curve, kernels->site());
+    this->judge(i, curve);
   }
 
 private:
   /// Error and validity of a point whose curve is stored.
-  void judge(std::size_t i, const ContactCurve& curve, const KernelSite& site) const
+  void judge(std::size_t i, const ContactCurve& curve) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
     const auto range = static_cast<double>(this->Spans.range[i]);
@@ -108,18 +106,15 @@ private:
                                  : FromTouch * this->Sampling.depth(0, range);
       const IndentationPoint point = curve.evaluate(depth);
       const ContactSample errors = curve.errorsAt(depth);
-      const double a = point.contactRadius;
       ErrorParts parts;
-      parts[ResponseLimit::Strain] = smallStrainError(
-        point.force / (Pi * a * a * site.reducedModulus), site.material.poissonRatio, 0.0, 0.0);
-      // The mean of the sag that the force feels is a third of κa².
-      parts[ResponseLimit::Curvature] =
-        site.curvatureError * a * a / 3.0 * point.stiffness / point.force;
+      parts[ResponseLimit::Strain] = errors.strain;
+      parts[ResponseLimit::Curvature] = errors.gap;
       parts[ResponseLimit::Edge] =
         LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = std::abs(errors.mesh) + std::abs(errors.truncation);
       parts[ResponseLimit::None] = k > 0 ? this->storedWrong(i, k - 1, curve) : 0.0;
-      double error = parts.total();
+      // Of sources that know nothing of each other; each bounds 19 of 20 by itself.
+      double error = Eigen::Map<const Eigen::VectorXd>(parts.of.data(), ResponseLimitCount).norm();
       error = std::isfinite(error) ? error : 1.0;
       if (k > 0 && this->Spans.error)
       {

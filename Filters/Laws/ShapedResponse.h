@@ -13,6 +13,8 @@
 
 namespace palpate
 {
+class StrainCorrection;
+
 /// How the response of a tool on finite elements is made.
 struct ShapedTerms
 {
@@ -20,6 +22,7 @@ struct ShapedTerms
   /// Validity is the largest depth at which the estimated error is within this; 0: as deep as the
   /// curve is known.
   double errorTolerance = 0.05;
+  const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
 };
 
 /**
@@ -30,9 +33,11 @@ struct ShapedTerms
  * or another material inside the smallest contact Edge; these have curves from those around them
  * (fillEdges). The exponent of storage is 1.
  *
- * The error of a sample: small strain (Strain, as on a half-space of the material at the point), a
- * fifth of what the tilt next to an edge does (Edge; that fifth is what finite elements find left),
- * elements and order of the kernel (Elements), storage, each found at the sample's own contact.
+ * The error of a sample, the root of the squares of: what small strain, or its correction, lacks
+ * (Strain, by the part of the compliance that is local), what is open of the surface's own shape
+ * (Curvature), a fifth of what the tilt next to an edge does (Edge; that fifth is what finite
+ * elements find left), elements and order of the kernel (Elements), storage, each found at the
+ * sample's own contact.
  *
  * `goOn(fraction)` is told how much is done, and stops it by false. The same bits for any number of
  * threads. Cost: 24 to 96 small fits a point, some milliseconds of one thread.
@@ -58,8 +63,8 @@ struct LandmarkSurface
 
 /**
  * The same at the points of another surface of that body, between landmarks. The shape under the
- * contact is that surface's own, by its mean curvature, whose error is the part Curvature; what H
- * does between landmarks is in Elements. Cost: some 0.1 ms a point.
+ * contact is that surface's own (SurfaceGap); what H does between landmarks is in Elements. Cost:
+ * some 0.3 ms a point.
  */
 PALPATE_EXPORT MadeResponse shapedResponse(const AxisymmetricTool& tool,
   const LandmarkKernels& landmarks, const LandmarkSurface& surface, const ShapedTerms& terms,

@@ -2,6 +2,8 @@
 #include "vtkElasticContactResponse.h"
 
 #include "Contact/Edges/EdgeLaw.h"
+#include "Laws/ShapedResponse.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Bodies/SimplerLaw.h"
@@ -186,11 +188,19 @@ std::string vtkElasticContactResponse::Respond(
   palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples, keepsError);
   palpate::MadeResponse made;
   const palpate::FilterStage stage{ this, SolvedShare, RespondedShare };
-  const std::string fault = finer
-    ? this->Kept->respondOn(surface, grid, this->Tool, this->MaximumDeflection,
-        this->ErrorTolerance, stage, storage, made)
-    : this->Kept->respond(
-        surface, this->Tool, this->MaximumDeflection, this->ErrorTolerance, stage, storage, made);
+  std::unique_ptr<palpate::StrainCorrection> strain;
+  const palpate::StrainLaw law{ static_cast<palpate::StrainModel>(this->StrainModel),
+    this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent };
+  std::string fault = this->StrainModel == SmallStrain
+    ? std::string()
+    : this->Kept->findStrain(this->Tool, law, this->MaximumDeflection, stage, strain);
+  if (!fault.empty() || palpate::isAborted(this))
+  {
+    return fault;
+  }
+  const palpate::ShapedTerms terms{ this->MaximumDeflection, this->ErrorTolerance, strain.get() };
+  fault = finer ? this->Kept->respondOn(surface, grid, this->Tool, terms, stage, storage, made)
+                : this->Kept->respond(surface, this->Tool, terms, stage, storage, made);
   if (!fault.empty())
   {
     return fault;
@@ -233,9 +243,10 @@ std::string vtkElasticContactResponse::Respond(
   palpate::attachRelaxation(relaxation, {}, this->ResponseName, output);
   palpate::describeResponse(output, this->ResponseName,
     { made.exponent, this->NumberOfSamples, this->Tool->GetKernel()->specification(),
-      palpate::joined("finite elements of true shape, ", grid->GetNumberOfCells(), " cells") +
+      palpate::joined("finite elements of true shape, ", grid->GetNumberOfCells(), " cells",
+        strain ? ", " + palpate::describe(law) : std::string()) +
         palpate::relaxationInWords(relaxation, {}),
-      palpate::TrueShapePart });
+      palpate::TrueShapePart | (strain ? palpate::FiniteStrainPart : 0) });
   if (this->EdgeCorrection)
   {
     palpate::EdgeTerms edges =
@@ -287,6 +298,9 @@ void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
   os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
+  os << indent << "StrainModel: " << this->StrainModel << "\n";
+  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
+  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";

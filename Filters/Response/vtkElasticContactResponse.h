@@ -75,8 +75,9 @@ public:
   /** The surface that is to be touched, where that is finer than the solid's own, as a scan is: a
    * vtkPolyData of triangles, mm, beside the solid's. The output is then that surface with its
    * arrays: at each of its points H is that of the six solved ones around that face the same way
-   * (a plane through their values), and the gap under the tool is that of its own mean curvature,
-   * whose error is part 2 of `Limit`. Optional; not with AutomaticTerms. */
+   * (a plane through their values), and the gap under the tool is its own shape there, whatever it
+   * is (palpate::SurfaceGap), smooth between its points; what is open of that is part 2 of `Limit`.
+   * Optional; not with AutomaticTerms. */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
@@ -145,6 +146,31 @@ public:
    * distance to what makes a difference (a base, a nodule) is enough. 0 (default): all points. */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
+  ///@}
+
+  /// Values of StrainModel.
+  enum StrainModelType
+  {
+    SmallStrain = 0,
+    NeoHooke = 1,
+    Ogden = 2,
+    Demiray = 3
+  };
+
+  ///@{
+  /** As of vtkToolContactResponse: SmallStrain (default), what finite strain would change being
+   * part 1 of `Limit`, or one of its laws. That multiplies what is local of a contact, as on a
+   * half-space under the same force; what the body gives way otherwise grows with the force. */
+  vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
+  vtkGetMacro(StrainModel, int);
+  void SetStrainModelToSmallStrain() { this->SetStrainModel(SmallStrain); }
+  void SetStrainModelToNeoHooke() { this->SetStrainModel(NeoHooke); }
+  void SetStrainModelToOgden() { this->SetStrainModel(Ogden); }
+  void SetStrainModelToDemiray() { this->SetStrainModel(Demiray); }
+  vtkSetMacro(OgdenExponent, double);
+  vtkGetMacro(OgdenExponent, double);
+  vtkSetMacro(DemirayExponent, double);
+  vtkGetMacro(DemirayExponent, double);
   ///@}
 
   ///@{
@@ -265,6 +291,9 @@ private:
   double SourceSpacing = 0.0;
   bool EdgeCorrection = false;
   double MaximumTilt = 0.0;
+  int StrainModel = SmallStrain;
+  double OgdenExponent = 2.0;
+  double DemirayExponent = 1.0;
   palpate::RelaxationList Relaxations;
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;

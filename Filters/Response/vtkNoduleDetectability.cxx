@@ -5,6 +5,7 @@
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/Tools/ToolSpecification.h"
+#include "Laws/ShapedResponse.h"
 #include "Response/Bodies/SolvedBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
@@ -291,7 +292,7 @@ std::string vtkNoduleDetectability::Compare(vtkUnstructuredGrid* grid, vtkPolyDa
       palpate::ResponseStorage& storage = isWith ? with : without;
       const std::string fault =
         (isWith ? this->With : this->Without)
-          ->respond(surface, tool, this->MaximumDeflection, this->ErrorTolerance,
+          ->respond(surface, tool, { this->MaximumDeflection, this->ErrorTolerance },
             palpate::FilterStage{ this, from, from + step }, storage, response);
       from += step;
       if (!fault.empty() || !response.complete)

@@ -3,6 +3,7 @@
 
 #include "BodyCache.h"
 #include "Mechanics/Files/NumberText.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
 #include "ResponseSet.h"
@@ -25,14 +26,16 @@ namespace palpate
 {
 namespace
 {
-// A minute or two on two cores: a factor of a hundred thousand unknowns, two thousand solutions.
+// Two minutes on two cores: a factor of a hundred thousand unknowns, five thousand solutions.
 constexpr double UsualCells = 20000.0;
-constexpr double UsualSources = 2000.0;
+constexpr double UsualSources = 5000.0;
 /// Of vtkGradedBody: cells on mm² of the surface, in spacings.
 constexpr double CellsPerSquare = 8.7;
 /// No finer than what a tool feels needs, no coarser than what the body's shape does.
 constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
+/// Sources are nodes, of which there is one in the middle of each edge.
+constexpr double LeastOfSpacing = 0.5;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
 {
@@ -60,15 +63,30 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
       std::max(std::sqrt(CellsPerSquare * area / UsualCells), LeastOfContact * contactRadius);
     sizes.spacing = std::min(sizes.spacing, MostOfBody * std::cbrt(shape->GetVolume()));
   }
-  sizes.sources = std::max(sizes.spacing, std::sqrt(area / UsualSources));
+  sizes.sources = std::max(LeastOfSpacing * sizes.spacing, std::sqrt(area / UsualSources));
   return sizes;
 }
+/// How the body resists large strain under a tool: what was asked for, or Neo-Hooke where that is
+/// tabulated.
+StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const TouchScene& scene)
+{
+  if (options.strainGiven && !scene.terms.automatic)
+  {
+    return scene.terms.strain;
+  }
+  const StrainBodies bodies{ scene.poissonsRatio, scene.poissonsRatio };
+  const bool isKnown = isStrainTabulated(*tool->GetKernel(), bodies, options.maximumDeflection);
+  return { isKnown ? StrainModel::NeoHooke : StrainModel::Linear, 0.0 };
+}
+
 /// Everything that the responses depend on. The revision changes with what is computed of the same.
 std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
 {
-  constexpr int Revision = 2;
+  constexpr int Revision = 3;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
-    '|', options.fixedFaces, contentOf(scene.body));
+    '|', options.fixedFaces, '|', options.strainGiven && !scene.terms.automatic, '|',
+    static_cast<int>(scene.terms.strain.model), ':', scene.terms.strain.parameter,
+    contentOf(scene.body));
 }
 
 /// Fills the scene's body and presses its tools: body, notes.
@@ -120,6 +138,10 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
   vtkIdType solutions = 0;
   for (const std::size_t t : order)
   {
+    const StrainLaw law = strainUnder(tools[t], options, scene);
+    pressed->SetStrainModel(static_cast<int>(law.model));
+    pressed->SetOgdenExponent(law.parameter);
+    pressed->SetDemirayExponent(law.parameter);
     pressed->SetTool(tools[t]);
     pressed->SetResponseName(responseName(t));
     pressed->SetSurfaceData(body);

@@ -160,6 +160,8 @@ ContactSample ContactCurve::errorsAt(double deflection) const
   errors.force = this->evaluate(deflection).force;
   errors.truncation = between(low.truncation, high.truncation);
   errors.harmonics = between(low.harmonics, high.harmonics);
+  errors.gap = between(low.gap, high.gap);
+  errors.strain = between(low.strain, high.strain);
   errors.mesh = between(low.mesh, high.mesh);
   return errors;
 }

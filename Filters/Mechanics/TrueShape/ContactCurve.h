@@ -17,7 +17,9 @@ struct ContactSample
   double force = 0.0;      ///< N
   double truncation = 0.0; ///< the force with one order less over this one, less 1
   double harmonics = 0.0;  ///< the tilt's part of δ, a fraction
-  double mesh = 0.0;       ///< of the force, a fraction: what the elements' size lets expect
+  double gap = 0.0;        ///< of the force, a fraction: what is open of the surface's own shape
+  double strain = 0.0; ///< of the force, a fraction: what small strain, or its correction, lacks
+  double mesh = 0.0;   ///< of the force, a fraction: what the elements' size lets expect
 };
 
 /// What ends a curve.

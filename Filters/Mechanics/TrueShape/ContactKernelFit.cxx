@@ -225,8 +225,6 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
 ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
 {
   ContactKernel kernel;
-  kernel.coefficients.setZero();
-  kernel.drop.setZero();
   if (this->Site.status != PatchStatus::Valid || !(radius > 0.0) || !std::isfinite(radius))
   {
     return kernel;
@@ -240,15 +238,15 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
     scale.asDiagonal() * all.topLeftCorner(fit.order, fit.order) * scale.asDiagonal();
   if (this->Surface.empty())
   {
-    kernel.drop.head(fit.order) = fit.drop(this->Points, radius);
+    kernel.gap.drop.head(fit.order) = fit.drop(this->Points, radius);
   }
   else
   {
     const DiscFit shape = fitDisc(this->Surface, radius, largestOrder);
-    kernel.drop.head(shape.order) = shape.drop(this->Surface, radius);
+    kernel.gap.drop.head(shape.order) = shape.drop(this->Surface, radius);
   }
-  kernel.drop[0] = 0.0;
-  kernel.tilt = all.col(0).tail<2>().norm() / fit.disc;
+  kernel.gap.drop[0] = 0.0;
+  kernel.tilt = all.col(0).tail<2>() / fit.disc;
   return kernel;
 }
 } // namespace palpate

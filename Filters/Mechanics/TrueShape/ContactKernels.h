@@ -4,6 +4,7 @@
 
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/TrueShape/RegularGreen.h"
+#include "Mechanics/TrueShape/SurfaceGap.h"
 
 namespace palpate
 {
@@ -11,17 +12,19 @@ namespace palpate
  * What a body adds to the half-space under an axisymmetric contact of radius a, whatever the tool:
  * the regular part of the Green function, averaged over the angles of both points,
  *   H₀(r, ρ) = Σ c_mn (r/a)^{2m} (ρ/a)^{2n},  m, n < order,
- * and how far the surface falls off under it, angle mean, Σ d_m (r/a)^{2m}, m > 0.
+ * and how the surface falls off under it.
  */
 struct ContactKernel
 {
   static constexpr int LargestOrder = 4;
 
-  int order = 0;                ///< N; 0: there is none
-  Eigen::Matrix4d coefficients; ///< c, mm/N, symmetric; zero beyond the order
-  Eigen::Vector4d drop;         ///< d, mm; d₀ = 0
-  double tilt = 0.0;            ///< β = |∇_s H₀| at X, 1/N: how the surface turns under 1 N
-  double spread = 0.0;          ///< what is open of c₀₀ between the places it is known at, mm/N
+  int order = 0; ///< N; 0: there is none
+  /// c, mm/N, symmetric; zero beyond the order.
+  Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
+  /// β = ∇_s H₀ at X, 1/N, in the tangent frame: how the surface turns under 1 N.
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
+  double spread = 0.0; ///< what is open of c₀₀ between the places it is known at, mm/N
+  GapTerms gap;
 };
 
 /// A point of a body, as its kernels are known there.
@@ -32,10 +35,9 @@ struct KernelSite
   double reducedModulus = 0.0; ///< MPa
   double limit = Infinity;     ///< mm to the nearest edge, held point or other material
   PatchStatus limitedBy = PatchStatus::Valid; ///< which of them it is, where that ends contacts
-  double largestRadius = 0.0;  ///< of a contact, mm: what was solved for, or up to `limit`
-  double nearestSource = 0.0;  ///< mm
-  double spacing = 0.0;        ///< of the elements' nodes, mm
-  double curvatureError = 0.0; ///< of the drop, 1/mm
+  double largestRadius = 0.0; ///< of a contact, mm: what was solved for, or up to `limit`
+  double nearestSource = 0.0; ///< mm
+  double spacing = 0.0;       ///< of the elements' nodes, mm
   ExpectedError elements;
 };
 

@@ -49,11 +49,14 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
     const ContactKernelFit fit(this->Green, this->Points[i]);
     Landmark& made = this->Landmarks[i];
     made.site = fit.site();
+    const Eigen::Matrix<double, 3, 2> tangents =
+      tangentFrame(this->Green.body().surface().normal(this->Points[i])).leftCols<2>();
     for (const double radius : this->Radii)
     {
       const ContactKernel full = fit.at(radius);
       const ContactKernel coarse = full.order > 1 ? fit.at(radius, full.order - 1) : full;
-      made.entries.push_back({ full.coefficients, coarse.coefficients, full.tilt, full.order });
+      made.entries.push_back(
+        { full.coefficients, coarse.coefficients, tangents * full.tilt, full.order });
     }
   };
   this->Complete = shareWork(this->Points.size(), fitOne, observer);
@@ -62,7 +65,8 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
 BlendedKernels::BlendedKernels(
   const LandmarkKernels& landmarks, const SurfaceSpot& spot, const std::vector<std::size_t>& around)
   : Radii(&landmarks.Radii)
-  , Curvature(spot.curvature)
+  , Gap(spot.gap)
+  , Tangents(tangentFrame(spot.normal).leftCols<2>())
 {
   this->Site.status = PatchStatus::OutOfReach;
   std::vector<std::size_t> alike;
@@ -83,7 +87,11 @@ BlendedKernels::BlendedKernels(
   const Weights weights = weigh(landmarks, spot, alike);
   this->blendSites(landmarks, weights, alike);
   this->blendKernels(landmarks, weights, alike);
-  this->Site.curvatureError = spot.curvatureError;
+  if (!this->Gap.isWhole() && this->Gap.reach() < this->Site.largestRadius)
+  {
+    this->Site.largestRadius = this->Gap.reach();
+    this->Site.limitedBy = PatchStatus::Edge;
+  }
 }
 
 BlendedKernels::Weights BlendedKernels::weigh(
@@ -155,7 +163,8 @@ void BlendedKernels::blendSites(
   this->Site.nearestSource = 0.0;
   this->Site.spacing = blend([](const KernelSite& site) { return site.spacing; });
   this->Site.elements = { blend([](const KernelSite& site) { return site.elements.error; }),
-    blend([](const KernelSite& site) { return site.elements.direct; }) };
+    blend([](const KernelSite& site) { return site.elements.direct; }),
+    nearest.elements.ofBending };
 }
 
 void BlendedKernels::blendKernels(
@@ -187,8 +196,6 @@ void BlendedKernels::blendKernels(
 ContactKernel BlendedKernels::at(double radius, int largestOrder) const
 {
   ContactKernel kernel;
-  kernel.coefficients.setZero();
-  kernel.drop.setZero();
   if (this->Site.status != PatchStatus::Valid || !(radius > 0.0) || !std::isfinite(radius))
   {
     return kernel;
@@ -209,9 +216,10 @@ ContactKernel BlendedKernels::at(double radius, int largestOrder) const
   kernel.coefficients =
     (1.0 - part) * rescaled(isCoarse ? below.entry.coarse : below.entry.full, radii[low], radius) +
     part * rescaled(isCoarse ? beyond.entry.coarse : beyond.entry.full, radii[high], radius);
-  kernel.tilt = std::max(0.0, between(below.entry.tilt, beyond.entry.tilt));
+  kernel.tilt =
+    this->Tangents.transpose() * ((1.0 - part) * below.entry.tilt + part * beyond.entry.tilt);
   kernel.spread = between(below.spread, beyond.spread);
-  kernel.drop[1] = 0.5 * this->Curvature * radius * radius;
+  kernel.gap = this->Gap.at(radius);
   return kernel;
 }
 } // namespace palpate

@@ -37,7 +37,7 @@ private:
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
-    double tilt = 0.0;
+    Eigen::Vector3d tilt = Eigen::Vector3d::Zero(); ///< of the kernel, along the axes of the body
     int order = 0;
   };
   struct Landmark
@@ -56,17 +56,16 @@ private:
 /// The surface at a place, as a contact there sees it.
 struct SurfaceSpot
 {
-  Eigen::Vector3d place;       ///< mm
-  Eigen::Vector3d normal;      ///< outward, unit
-  double curvature = 0.0;      ///< mean, 1/mm, > 0 where convex
-  double curvatureError = 0.0; ///< 1/mm
+  Eigen::Vector3d place;  ///< mm
+  Eigen::Vector3d normal; ///< outward, unit
+  SurfaceGap gap;
 };
 
 /**
  * Kernels at a place between landmarks: the plane through their values in the tangent plane, by
  * least squares, each by its inverse square distance; what that leaves is the kernel's `spread`.
- * Where they lie on a line, or all to one side, their mean. The surface drops by its mean
- * curvature.
+ * Where they lie on a line, or all to one side, their mean. The surface falls off as the spot's gap
+ * says.
  */
 class PALPATE_EXPORT BlendedKernels : public ContactKernels
 {
@@ -102,7 +101,8 @@ private:
 
   const std::vector<double>* Radii = nullptr; ///< the landmarks'
   std::vector<Blend> Blends;                  ///< beside them
-  double Curvature;
+  SurfaceGap Gap;
+  Eigen::Matrix<double, 3, 2> Tangents;
 };
 } // namespace palpate
 

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/TrueShape/ShapedContact.h"
 
+#include "Mechanics/FiniteStrain/SmallStrainError.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/TrueShape/ContactHarmonics.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace palpate
 {
@@ -20,8 +27,7 @@ Eigen::Vector4d reducedPowers(double t)
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
 }
 
-constexpr double OfBending = 0.1; ///< of what bends
-constexpr double OfFacets = 0.8;  ///< of H, times the square of the turn from facet to facet
+constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from facet to facet
 
 /// What the elements let expect of the error of a contact's compliance, mm/N: by its place
 /// (ElementError), less of a contact wider than they are, as they err most next to the source; of
@@ -31,9 +37,9 @@ constexpr double OfFacets = 0.8;  ///< of H, times the square of the turn from f
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
   const double self = std::abs(kernel.coefficients(0, 0));
-  const double turn = 2.0 * kernel.drop[1] / (radius * radius) * site.spacing;
+  const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
   return site.elements.error * site.spacing / (site.spacing + radius) +
-    OfBending * std::max(0.0, self - site.elements.direct) +
+    site.elements.ofBending * std::max(0.0, self - site.elements.direct) +
     self * OfFacets * std::min(1.0, turn * turn) + kernel.spread;
 }
 
@@ -46,15 +52,39 @@ double missedByOne(const ContactKernel& kernel, const KernelSite& site, double r
     std::min(1.0, site.nearestSource / site.limit + under * under);
 }
 
-std::vector<double> contactRadii(const AxisymmetricTool& tool, double largest, int count)
+constexpr double RoundExponent = 1.5; ///< of a bulge: F goes with δ^1.5
+
+/// How a contact begins.
+enum class Touch
 {
-  const double smallest = tool.smallestContactRadius();
+  Pointed, ///< the tool has a tip
+  Flat,    ///< the tool's end is flat, and so is the surface under it
+  Bulging, ///< the surface bulges under a flat end: the contact grows from a point
+  Closing  ///< a flat punch on a hollow, or on a surface that leans: its rim touches first
+};
+
+/// A surface that rises by more than this part of a flat end's radius under it bulges.
+constexpr double LeastBulge = 1e-4;
+
+std::vector<double> contactRadii(double smallest, double largest, Touch touch, int count)
+{
   std::vector<double> radii;
-  for (int i = 0; i < count; ++i)
+  const auto at = [count](int i)
+  { return static_cast<double>(i) / static_cast<double>(count - 1); };
+  if (touch == Touch::Pointed || touch == Touch::Bulging)
   {
-    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-    radii.push_back(smallest > 0.0 ? smallest + (largest - smallest) * t * t
-                                   : largest * std::pow(ContactKernels::FirstRadius, 1.0 - t));
+    const double end = touch == Touch::Bulging ? std::min(smallest, largest) : largest;
+    for (int i = 0; i < count; ++i)
+    {
+      radii.push_back(end * std::pow(ContactKernels::FirstRadius, 1.0 - at(i)));
+    }
+  }
+  if (touch != Touch::Pointed && smallest < largest)
+  {
+    for (int i = touch == Touch::Bulging ? 1 : 0; i < count; ++i)
+    {
+      radii.push_back(smallest + (largest - smallest) * at(i) * at(i));
+    }
   }
   return radii;
 }
@@ -72,41 +102,101 @@ CurveEnd endOf(const KernelSite& site, bool reachesWall)
                                        : CurveEnd::Patch;
 }
 
-/// d ln F / d ln a at a sample, by its neighbours.
-double growth(const std::vector<ContactSample>& samples, std::size_t i)
+/// Whether the tool is a flat punch and nothing else.
+bool isFlat(const AxisymmetricTool& tool)
 {
-  const std::size_t low = i > 0 ? i - 1 : 0;
-  const std::size_t high = std::min(i + 1, samples.size() - 1);
-  return std::log(samples[high].force / samples[low].force) /
-    std::log(samples[high].radius / samples[low].radius);
+  return tool.largestContactRadius() <= tool.smallestContactRadius();
 }
 
-/// Takes the tilt's part off the deflections.
-void addTilts(std::vector<ContactSample>& samples, const std::vector<double>& tilts, double modulus)
+/// A flat end's first contact.
+struct FlatTouch
 {
-  std::vector<double> parts(samples.size(), 0.0);
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  Touch touch = Touch::Pointed;
+  double closed = 0.0; ///< from this depth on a flat punch touches all over, mm
+};
+
+FlatTouch touchOf(
+  const ShapedContact& law, const AxisymmetricTool& tool, const ContactKernels& kernels)
+{
+  const double smallest = tool.smallestContactRadius();
+  if (!(smallest > 0.0))
   {
-    const ContactSample& s = samples[i];
-    const double torque = 4.0 / 3.0 * modulus * s.radius * s.radius * s.radius;
-    const double rigid = tilts[i] * tilts[i] * s.force * torque;
-    // ½ F dT/dF over T: 3/2 over d ln F / d ln a, none where the radius stays.
-    const double grows = samples.size() > 1 && s.force > 0.0 ? growth(samples, i) : Infinity;
-    parts[i] = rigid * (1.0 + (grows > 0.0 ? 1.5 / grows : 0.0));
+    return {};
   }
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  const double radius = std::nextafter(smallest, 0.0);
+  const ContactKernel kernel = kernels.at(radius);
+  const double rise = law.at(radius, kernel, kernels.site().reducedModulus).deflection;
+  const double least = LeastBulge * smallest;
+  // Where the pressure at the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere below 0.
+  const double uneven = 2.0 * radius * kernel.gap.lean.norm() + std::sqrt(2.0 * kernel.gap.waves);
+  FlatTouch found{ Touch::Flat, std::abs(rise) + (rise < 0.0 ? -rise : 0.0) + uneven };
+  if (rise > std::max(least, isFlat(tool) ? uneven : 0.0))
   {
-    if (samples[i].deflection > 0.0)
+    found.touch = Touch::Bulging;
+  }
+  else if (isFlat(tool) && found.closed > least)
+  {
+    found.touch = Touch::Closing;
+  }
+  return found;
+}
+
+/// Of a flat punch, over its radius: its line, and what strain does on it.
+constexpr std::array<double, 6> PunchDepths = { 0.05, 0.2, 0.4, 0.7, 1.0, 1.4 };
+
+/// Of what finite strain does, where a body's shape makes the contact another than that of a
+/// half-space under the same force.
+constexpr double LeftOfStrain = 0.3;
+
+/// How deep the tool is pressed into a half-space by that force, mm.
+double depthUnder(const AxisymmetricTool& tool, double force, double radius, double modulus)
+{
+  double depth = radius < tool.largestContactRadius() && radius > tool.smallestContactRadius()
+    ? tool.depthAtContactRadius(radius)
+    : force / (2.0 * modulus * radius);
+  for (int i = 0; i < 8 && depth > 0.0; ++i)
+  {
+    const IndentationPoint at = tool.evaluate(depth, modulus);
+    const double next = depth - (at.force - force) / at.stiffness;
+    depth = next > 0.0 ? next : 0.5 * depth;
+  }
+  return depth;
+}
+
+/// Leaves out samples that do not rise above those before, or above zero; true if the last one did
+/// not.
+bool leaveRising(std::vector<ContactSample>& samples, bool beginsFlat)
+{
+  std::size_t kept = beginsFlat ? std::min<std::size_t>(samples.size(), 1) : 0;
+  bool left = false;
+  for (std::size_t i = kept; i < samples.size(); ++i)
+  {
+    const ContactSample before = kept > 0 ? samples[kept - 1] : ContactSample{};
+    left = !(samples[i].deflection > before.deflection && samples[i].force > before.force);
+    if (!left)
     {
-      samples[i].harmonics = parts[i] / samples[i].deflection;
-      samples[i].deflection -= parts[i];
+      samples[kept++] = samples[i];
     }
   }
+  samples.resize(kept);
+  return left;
 }
+
+/// Depths beyond the one from which on a flat punch touches all over, as parts of that, and what is
+/// open there of the shape below it. Measured like LeftOfGap.
+struct ClosedDepth
+{
+  double depth;
+  double left;
+};
+constexpr std::array<ClosedDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
+  { 1.5, 0.01 }, { 5.0, 0.003 } } };
 } // namespace
 
-ShapedContact::ShapedContact(const AxisymmetricTool& tool, int samples)
+ShapedContact::ShapedContact(
+  const AxisymmetricTool& tool, const StrainCorrection* strain, int samples)
   : Tool(tool)
+  , Strain(strain)
   , Quadrature(tool)
   , Count(std::max(samples, 4))
 {
@@ -126,7 +216,7 @@ ShapedContact::Contact ShapedContact::at(
       products(m, n) = Reduced[m] * Reduced[n] / (2 * m + 2 * n + 1);
     }
   }
-  Eigen::Vector4d gaps = products * kernel.drop;
+  Eigen::Vector4d gaps = products * kernel.gap.drop;
   this->Quadrature.visit(radius,
     [&](double x, double weight, double g)
     { gaps += (weight * g / radius) * reducedPowers(x / radius); });
@@ -143,7 +233,8 @@ ShapedContact::Contact ShapedContact::at(
   contact.stable = 1.0 - rim.dot(flat) > 0.0 && contact.stiffness > 0.0;
   contact.deflection = deflection > 0.0
     ? deflection
-    : (this->Tool.reducedProfile(radius) + kernel.drop.dot(reducedPowers(1.0)) - rim.dot(profile)) /
+    : (this->Tool.reducedProfile(radius) + kernel.gap.drop.dot(reducedPowers(1.0)) -
+        rim.dot(profile)) /
       (1.0 - rim.dot(flat));
   contact.force = 2.0 * reducedModulus * radius * (contact.deflection * flat[0] - profile[0]);
   return contact;
@@ -152,89 +243,154 @@ ShapedContact::Contact ShapedContact::at(
 /// A curve on its way.
 struct ShapedContact::Course
 {
+  Touch touch = Touch::Pointed;
   std::vector<ContactSample> samples;
-  std::vector<double> tilts;
-  double firstStiffness = 0.0;
-  double lastStiffness = 0.0;
+  std::vector<ContactKernel> kernels;
+  std::vector<double> stiffness;
 };
 
-/// Adds the contact of a radius; false when the contact does not grow to it.
-bool ShapedContact::takeSample(
-  double radius, const ContactKernels& kernels, int largestOrder, Course& course) const
+/// Adds the contact of a radius, at a given deflection if that is positive; false where the kernel
+/// lets none grow to it.
+bool ShapedContact::takeSample(double radius, double deflection, const ContactKernels& kernels,
+  int largestOrder, Course& course) const
 {
   const double modulus = kernels.site().reducedModulus;
   const ContactKernel kernel = kernels.at(radius, largestOrder);
-  const double given = this->isFlat() ? 1.0 : 0.0; // a flat's curve is a straight line
-  const Contact contact = this->at(radius, kernel, modulus, given);
+  const Contact contact = this->at(radius, kernel, modulus, deflection);
+  if (kernel.order == 0 || !contact.stable)
+  {
+    return false;
+  }
   ContactSample sample;
   sample.radius = radius;
-  const bool begins =
-    course.samples.empty() && this->Tool.smallestContactRadius() > 0.0 && !this->isFlat();
+  const bool begins = course.touch == Touch::Flat && course.samples.empty() && !isFlat(this->Tool);
   if (!begins)
   {
     sample.deflection = contact.deflection;
     sample.force = contact.force;
-  }
-  const double depthBefore = course.samples.empty() ? 0.0 : course.samples.back().deflection;
-  const double forceBefore = course.samples.empty() ? 0.0 : course.samples.back().force;
-  const bool rises = sample.deflection > depthBefore && sample.force > forceBefore;
-  if (kernel.order == 0 || !contact.stable || (!rises && !begins))
-  {
-    return false;
-  }
-  if (kernel.order > 1 && !begins)
-  {
-    ContactKernel coarser = kernels.at(radius, kernel.order - 1);
-    coarser.drop = kernel.drop; // the shape is not what is expanded
-    const Contact lower = this->at(radius, coarser, modulus, given);
-    sample.truncation =
-      (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
-      1.0;
-  }
-  if (kernel.order == 1 && !begins)
-  {
-    sample.truncation = contact.stiffness * missedByOne(kernel, kernels.site(), radius);
+    const bool isFirst = course.samples.empty();
+    const double depthBefore = isFirst ? 0.0 : course.samples.back().deflection;
+    const double forceBefore = isFirst ? 0.0 : course.samples.back().force;
+    if (!(sample.deflection > depthBefore && sample.force > forceBefore))
+    {
+      return !kernel.gap.drop.isZero(); // the surface, not the kernel: it grows on at once
+    }
+    const ContactKernel coarser = kernel.order > 1 ? kernels.at(radius, kernel.order - 1) : kernel;
+    if (kernel.order > 1)
+    {
+      ContactKernel other = coarser;
+      other.gap = kernel.gap; // the shape is not what is expanded
+      const Contact lower = this->at(radius, other, modulus, deflection);
+      sample.truncation =
+        (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
+        1.0;
+    }
+    else
+    {
+      sample.truncation = contact.stiffness * missedByOne(kernel, kernels.site(), radius);
+    }
   }
   sample.mesh = contact.stiffness * meshError(kernel, kernels.site(), radius);
-  course.firstStiffness = course.samples.empty() ? contact.stiffness : course.firstStiffness;
-  course.lastStiffness = contact.stiffness;
   course.samples.push_back(sample);
-  course.tilts.push_back(kernel.tilt);
+  course.kernels.push_back(kernel);
+  course.stiffness.push_back(contact.stiffness);
   return true;
+}
+
+/// What finite strain does to the samples, or may.
+void ShapedContact::addStrain(const ContactKernels& kernels, Course& course) const
+{
+  const KernelSite& site = kernels.site();
+  for (std::size_t i = 0; i < course.samples.size(); ++i)
+  {
+    ContactSample& sample = course.samples[i];
+    if (!(sample.force > 0.0))
+    {
+      continue;
+    }
+    const double depth = depthUnder(this->Tool, sample.force, sample.radius, site.reducedModulus);
+    const double alone = this->Tool.stiffness(depth, site.reducedModulus);
+    const double local = course.stiffness[i] / alone;
+    if (this->Strain == nullptr)
+    {
+      const double pressure =
+        sample.force / (Pi * sample.radius * sample.radius * site.reducedModulus);
+      sample.strain = local * smallStrainError(pressure, site.material.poissonRatio, 0.0, 0.0);
+      continue;
+    }
+    const StrainFactor found = this->Strain->at(depth, site.material.poissonRatio, 0.0);
+    const double more = (found.factor - 1.0) * sample.force;
+    sample.force += more;
+    sample.deflection += (1.0 / course.stiffness[i] - 1.0 / alone) * more;
+    sample.strain =
+      local * found.error + LeftOfStrain * std::abs((found.factor - 1.0) * (1.0 - local));
+  }
 }
 
 ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrder) const
 {
   const double smallest = this->Tool.smallestContactRadius();
   const double wall = this->Tool.largestContactRadius();
-  CurveEnd end = endOf(kernels.site(), wall <= kernels.site().largestRadius);
-  if (kernels.site().status != PatchStatus::Valid || smallest > kernels.site().largestRadius)
+  const KernelSite& site = kernels.site();
+  CurveEnd end = endOf(site, wall <= site.largestRadius);
+  if (site.status != PatchStatus::Valid || smallest > site.largestRadius)
   {
     return ContactCurve({}, 1.0, false, 0.0, end, 0.0);
   }
-  const double largest = std::min(std::nextafter(wall, 0.0), kernels.site().largestRadius);
-  const std::vector<double> radii =
-    this->isFlat() ? std::vector<double>{ wall } : contactRadii(this->Tool, largest, this->Count);
   Course course;
-  for (std::size_t i = 0; i < radii.size() && end != CurveEnd::Unstable; ++i)
+  const FlatTouch touch = touchOf(*this, this->Tool, kernels);
+  course.touch = touch.touch;
+  const bool isPunch = isFlat(this->Tool);
+  bool grows = true;
+  const auto take = [&](double radius, double deflection, double open)
   {
-    end = this->takeSample(radii[i], kernels, largestOrder, course) ? end : CurveEnd::Unstable;
+    const std::size_t before = course.samples.size();
+    grows = grows && this->takeSample(radius, deflection, kernels, largestOrder, course);
+    if (course.samples.size() > before)
+    {
+      course.samples.back().gap = open;
+    }
+  };
+  if (!isPunch || touch.touch == Touch::Bulging)
+  {
+    const double largest = std::min(std::nextafter(wall, 0.0), site.largestRadius);
+    for (const double radius : contactRadii(smallest, largest, touch.touch, this->Count))
+    {
+      take(radius, 0.0, 0.0);
+    }
+  }
+  const std::size_t growing = course.samples.size();
+  if (isPunch)
+  {
+    const double last = touch.touch == Touch::Flat ? 0.0 : ClosedDepths.back().depth * touch.closed;
+    for (std::size_t i = 0; last > 0.0 && i < ClosedDepths.size(); ++i)
+    {
+      take(wall, ClosedDepths[i].depth * touch.closed, ClosedDepths[i].left);
+    }
+    for (const double depth : PunchDepths)
+    {
+      if (depth * wall > last)
+      {
+        take(wall, depth * wall, ClosedDepths.back().left * last / (depth * wall));
+      }
+    }
   }
   std::vector<ContactSample>& samples = course.samples;
-  addTilts(samples, course.tilts, kernels.site().reducedModulus);
-  std::size_t rising = std::min<std::size_t>(samples.size(), 1);
-  while (rising < samples.size() && samples[rising].deflection > samples[rising - 1].deflection)
+  addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus);
+  this->addStrain(kernels, course);
+  const bool beginsFlat = touch.touch == Touch::Flat && !isPunch;
+  end = leaveRising(samples, beginsFlat) || !grows ? CurveEnd::Unstable : end;
+  const double first = course.stiffness.empty() ? 0.0 : course.stiffness.front();
+  double tail = course.stiffness.empty() ? 0.0 : course.stiffness.back();
+  if (isPunch && samples.size() > 1)
   {
-    ++rising;
+    const ContactSample& last = samples.back();
+    const ContactSample& before = samples[samples.size() - 2];
+    tail = (last.force - before.force) / (last.deflection - before.deflection);
   }
-  end = rising < samples.size() ? CurveEnd::Unstable : end;
-  samples.resize(rising);
-  if (!this->isFlat())
-  {
-    return ContactCurve(std::move(samples), this->Tool.forceExponent(), smallest > 0.0,
-      course.firstStiffness, end, course.lastStiffness);
-  }
-  const double slope = samples.empty() ? 0.0 : samples.front().force / samples.front().deflection;
-  return ContactCurve(std::move(samples), 1.0, false, slope, end, slope);
+  const double exponent = touch.touch == Touch::Bulging ? RoundExponent
+    : isPunch                                           ? 1.0
+                                                        : this->Tool.forceExponent();
+  return ContactCurve(std::move(samples), exponent, beginsFlat, first, end, tail);
 }
 } // namespace palpate

@@ -7,9 +7,13 @@
  * Dimensionality reduction turns r^{2m} into φ_m(x) = κ_m x^{2m}, κ = 1, 2, 8/3, 16/5, on both
  * sides of the kernel, so that the contact of radius a is y(x) + 2E* Σ c_mn φ_m(x) Y_n = δ - g(x),
  * Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth, the integral equation of a half-space
- * with a kernel of rank N. g is that of the tool plus the drop of the surface. Next to an edge the
- * tool's answer to the surface's tilt is added to second order: δ - β²F T - ½ β²F² dT/dF with T =
- * (4/3) E* a³. Linear elasticity at small strain.
+ * with a kernel of rank N. g is that of the tool plus the angle mean of the surface's drop. What
+ * that leaves is added to second order: by its own shape the surface leans by s and waves
+ * (SurfaceGap), and next to an edge it turns by βF under the force, so that U*(F) is less by ½ E*
+ * ∫_0^a (|2x(s + βF)|² + Σ g_m²) dx and δ -= ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T,  T
+ * = (4/3) E* a³. Linear elasticity at small strain; finite strain multiplies what is local of a
+ * contact, as it does on a half-space under the same force (StrainCorrection), and what the body
+ * gives way otherwise grows with that.
  */
 #ifndef palpate_ShapedContact_h
 #define palpate_ShapedContact_h
@@ -22,12 +26,16 @@
 
 namespace palpate
 {
+class StrainCorrection;
+
 /// One tool, on any number of bodies and points.
 class PALPATE_EXPORT ShapedContact
 {
 public:
-  /// `tool` must outlive it. `samples`: contact radii of a curve.
-  explicit ShapedContact(const AxisymmetricTool& tool, int samples = 24);
+  /// `tool` and `strain` must outlive it. `strain`: that of half-spaces; null for small strain.
+  /// `samples`: contact radii of a curve.
+  explicit ShapedContact(
+    const AxisymmetricTool& tool, const StrainCorrection* strain = nullptr, int samples = 24);
 
   /// The curve at a point. Empty where the site is not valid, or the tool begins wider than
   /// the kernels reach: then end() says why. Safe from any number of threads.
@@ -49,14 +57,13 @@ public:
 
 private:
   struct Course;
-  bool takeSample(
-    double radius, const ContactKernels& kernels, int largestOrder, Course& course) const;
-  bool isFlat() const
-  {
-    return this->Tool.largestContactRadius() <= this->Tool.smallestContactRadius();
-  }
+  bool takeSample(double radius, double deflection, const ContactKernels& kernels, int largestOrder,
+    Course& course) const;
+
+  void addStrain(const ContactKernels& kernels, Course& course) const;
 
   const AxisymmetricTool& Tool;
+  const StrainCorrection* Strain;
   ProfileQuadrature Quadrature;
   int Count;
 };

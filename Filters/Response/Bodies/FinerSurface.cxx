@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/FinerSurface.h"
 
+#include "Laws/GapOfSurface.h"
 #include "Mechanics/SharedWork.h"
 #include "Response/BodyConversion.h"
-#include "Response/Pieces/BodySeam.h"
 
 #include "vtkPolyData.h"
 
@@ -16,7 +16,8 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
   const LandmarkKernels& landmarks, double a)
   : Landmarks(landmarks)
   , Normals(normals)
-  , Points(copyPoints(surface))
+  , Mesh(makeBodyMesh(surface))
+  , Reach(a)
   , OnSolid(solid,
       [&landmarks](vtkIdType id)
       {
@@ -25,16 +26,12 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
       })
   , AllOfSolid(solid, [](vtkIdType) { return true; })
   , OnSurface(surface, [](vtkIdType) { return true; })
-  , Around(this->Points.size() / 3)
+  , Around(this->Mesh.pointCount())
   , Turns(this->Around.size(), 0.0F)
 {
-  LawTerms terms;
-  terms.curvature = true;
-  terms.errorTolerance = 0.0; // without edges
-  this->Shape = findShape(surface, BodySeam(Ranks(nullptr), surface), normals, a, terms);
   shareWork(
     this->Around.size(), [this](std::size_t i) { this->Around[i] = this->landmarksAround(i); });
-  this->findTurns(surface);
+  this->findTurns();
 }
 
 Vector3 FinerSurface::normal(std::size_t i) const
@@ -42,9 +39,9 @@ Vector3 FinerSurface::normal(std::size_t i) const
   return Eigen::Map<const Eigen::Vector3f>(this->Normals + 3 * i).cast<double>();
 }
 
-void FinerSurface::findTurns(vtkPolyData* surface)
+void FinerSurface::findTurns()
 {
-  const BodyMesh mesh = makeBodyMesh(surface);
+  const BodyMesh& mesh = this->Mesh;
   std::vector<double> sag(this->Turns.size(), 0.0);
   std::vector<double> least(this->Turns.size(), 1.0);
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)
@@ -73,7 +70,7 @@ void FinerSurface::findTurns(vtkPolyData* surface)
 std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
 {
   std::vector<std::size_t> found;
-  const auto solid = this->AllOfSolid.nearBy(this->Points.data() + 3 * i, this->normal(i));
+  const auto solid = this->AllOfSolid.nearBy(this->Mesh.coordinates() + 3 * i, this->normal(i));
   const SurfaceDisc* nearest = solid.empty()
     ? nullptr
     : this->Landmarks.green().disc(static_cast<std::int32_t>(solid.front().first));
@@ -83,7 +80,7 @@ std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
   }
   const std::vector<std::int32_t>& all = this->Landmarks.points();
   // The nearest first.
-  for (const auto& part : this->OnSolid.nearBy(this->Points.data() + 3 * i, this->normal(i)))
+  for (const auto& part : this->OnSolid.nearBy(this->Mesh.coordinates() + 3 * i, this->normal(i)))
   {
     const auto at = std::lower_bound(all.begin(), all.end(), static_cast<std::int32_t>(part.first));
     found.push_back(static_cast<std::size_t>(at - all.begin()));
@@ -94,11 +91,10 @@ std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
 LandmarkSpot FinerSurface::spot(std::size_t i) const
 {
   LandmarkSpot made;
-  made.surface.place = Eigen::Map<const Vector3>(this->Points.data() + 3 * i);
+  made.surface.place = this->Mesh.point(static_cast<std::int32_t>(i));
   made.surface.normal = this->normal(i);
-  const SpotCurvature curvature = this->Shape->curvatureAt(i);
-  made.surface.curvature = curvature.mean();
-  made.surface.curvatureError = curvature.error;
+  made.surface.gap =
+    gapOfSurface(this->Mesh, this->Normals, static_cast<std::int32_t>(i), this->Reach);
   made.around = this->Around[i];
   return made;
 }
@@ -107,16 +103,14 @@ EdgeSurroundings FinerSurface::surroundings(
   std::int32_t i, const std::function<bool(std::int32_t)>& isValid) const
 {
   const auto at = static_cast<std::size_t>(i);
-  const Vector3 place = Eigen::Map<const Vector3>(this->Points.data() + 3 * at);
+  const Vector3 place = this->Mesh.point(i);
   EdgeSurroundings made;
   made.turn = static_cast<double>(this->Turns[at]);
   for (const auto& part : this->OnSurface.nearBy(place.data(), this->normal(at),
          [&isValid](vtkIdType id) { return isValid(static_cast<std::int32_t>(id)); }))
   {
     const auto other = static_cast<std::int32_t>(part.first);
-    const Vector3 there =
-      Eigen::Map<const Vector3>(this->Points.data() + 3 * static_cast<std::size_t>(other));
-    made.found.push_back({ other, (there - place).norm() });
+    made.found.push_back({ other, (this->Mesh.point(other) - place).norm() });
   }
   return made;
 }
@@ -125,7 +119,7 @@ LandmarkSurface FinerSurface::view() const
 {
   LandmarkSurface made;
   made.spotAt = [this](std::size_t i) { return this->spot(i); };
-  made.edges.points = this->Points.size() / 3;
+  made.edges.points = this->Mesh.pointCount();
   made.edges.materialAt = [this](std::int32_t i)
   {
     const std::vector<std::size_t>& around = this->Around[static_cast<std::size_t>(i)];

@@ -4,9 +4,8 @@
 
 #include "Laws/ShapedResponse.h"
 #include "Response/Bodies/FacingPoints.h"
-#include "Response/Curves/BodyShape.h"
+#include "Contact/BodyMesh.h"
 
-#include <memory>
 #include <vector>
 
 class vtkPolyData;
@@ -19,8 +18,8 @@ class FinerSurface
 {
 public:
   /// `surface` has passed checkTriangles and has three `normals` per point; `solid` is the surface
-  /// that the landmarks number. Curvatures are those that a contact of radius `a` (mm) feels. All
-  /// must stay.
+  /// that the landmarks number. Its shape is asked for up to a contact radius `a` (mm). All must
+  /// stay.
   FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
     const LandmarkKernels& landmarks, double a);
 
@@ -33,15 +32,15 @@ private:
   std::vector<std::size_t> landmarksAround(std::size_t i) const;
   EdgeSurroundings surroundings(
     std::int32_t i, const std::function<bool(std::int32_t)>& isValid) const;
-  void findTurns(vtkPolyData* surface);
+  void findTurns();
 
   const LandmarkKernels& Landmarks;
   const float* Normals;
-  std::vector<double> Points;
-  FacingPoints OnSolid;    ///< landmarks alone
-  FacingPoints AllOfSolid; ///< to tell what is held
-  FacingPoints OnSurface;  ///< all points
-  std::shared_ptr<const BodyShape> Shape;
+  BodyMesh Mesh;
+  double Reach;                                 ///< mm
+  FacingPoints OnSolid;                         ///< landmarks alone
+  FacingPoints AllOfSolid;                      ///< to tell what is held
+  FacingPoints OnSurface;                       ///< all points
   std::vector<std::vector<std::size_t>> Around; ///< landmarks of each point
   std::vector<float> Turns; ///< at each point by which the surface turns away, rad
 };

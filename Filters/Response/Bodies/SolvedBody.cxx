@@ -3,6 +3,7 @@
 
 #include "Contact/ResponseContract.h"
 #include "Laws/ShapedResponse.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
@@ -17,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -174,8 +176,8 @@ vtkSmartPointer<vtkPolyData> SolvedBody::surface(vtkUnstructuredGrid* grid) cons
   return surface;
 }
 
-std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool, double deflection,
-  double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
+std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool,
+  const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
   MadeResponse& made) const
 {
   const std::string fault = fillPointNormals(surface, storage.Normal, storage.Status);
@@ -190,13 +192,12 @@ std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool, doub
       storage.Status->SetValue(i, static_cast<unsigned char>(ResponseStatus::OutOfReach));
     }
   }
-  made = shapedResponse(
-    *tool->GetKernel(), this->Now->Green, { deflection, errorTolerance }, storage.spans(), stage);
+  made = shapedResponse(*tool->GetKernel(), this->Now->Green, terms, storage.spans(), stage);
   return {};
 }
 
 std::string SolvedBody::respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid,
-  vtkContactTool* tool, double deflection, double errorTolerance, const FilterStage& stage,
+  vtkContactTool* tool, const ShapedTerms& terms, const FilterStage& stage,
   ResponseStorage& storage, MadeResponse& made)
 {
   const std::string fault = fillPointNormals(finer, storage.Normal, storage.Status);
@@ -218,11 +219,29 @@ std::string SolvedBody::respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid,
     }
   }
   const vtkSmartPointer<vtkPolyData> solid = this->surface(grid);
-  const FinerSurface surface(finer, storage.Normal->GetPointer(0), solid, *kept.Landmarks,
-    tool->GetKernel()->contactRadius(deflection));
-  made = shapedResponse(*tool->GetKernel(), *kept.Landmarks, surface.view(),
-    { deflection, errorTolerance }, storage.spans(), FilterStage{ stage.filter, fitted, stage.to });
+  const FinerSurface surface(
+    finer, storage.Normal->GetPointer(0), solid, *kept.Landmarks, neededRadius(tool, terms.range));
+  made = shapedResponse(*tool->GetKernel(), *kept.Landmarks, surface.view(), terms, storage.spans(),
+    FilterStage{ stage.filter, fitted, stage.to });
   return {};
+}
+
+std::string SolvedBody::findStrain(vtkContactTool* tool, const StrainLaw& law, double deflection,
+  const FilterStage& stage, std::unique_ptr<StrainCorrection>& strain) const
+{
+  const std::string fault = checkStrainEnergy(law.model, law.parameter);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const ElasticBody& body = this->Now->Body;
+  StrainBodies bodies{ body.material(0).poissonRatio, body.material(0).poissonRatio };
+  for (std::int32_t e = 1; e < body.mesh().elementTotal(); ++e)
+  {
+    bodies.leastRatio = std::min(bodies.leastRatio, body.material(e).poissonRatio);
+    bodies.mostRatio = std::max(bodies.mostRatio, body.material(e).poissonRatio);
+  }
+  return makeStrainCorrection(*tool->GetKernel(), law, bodies, deflection, stage, strain);
 }
 
 const SurfaceMotion& SolvedBody::motion(const FilterStage& stage)

@@ -21,6 +21,9 @@ class vtkPolyData;
 
 namespace palpate
 {
+class StrainCorrection;
+struct ShapedTerms;
+struct StrainLaw;
 /// What is to be solved for on the surface of a body.
 struct SolveRequest
 {
@@ -68,15 +71,19 @@ public:
 
   /// Fills `storage`, of as many points as `surface` has, with what the tool feels. Returns what is
   /// wrong, or ""; not complete where it was aborted.
-  std::string respond(vtkPolyData* surface, vtkContactTool* tool, double deflection,
-    double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
-    MadeResponse& made) const;
+  std::string respond(vtkPolyData* surface, vtkContactTool* tool, const ShapedTerms& terms,
+    const FilterStage& stage, ResponseStorage& storage, MadeResponse& made) const;
 
   /// The same at the points of another surface of the body, which has passed checkTriangles and may
   /// be finer (FinerSurface). The landmarks are fitted once for all tools.
   std::string respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid, vtkContactTool* tool,
-    double deflection, double errorTolerance, const FilterStage& stage, ResponseStorage& storage,
+    const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);
+
+  /// What finite strain does to a contact of the tool on the body's materials. Returns what is
+  /// wrong, or ""; null where it was aborted.
+  std::string findStrain(vtkContactTool* tool, const StrainLaw& law, double deflection,
+    const FilterStage& stage, std::unique_ptr<StrainCorrection>& strain) const;
 
   /// Attaches how the body moves (MotionArrays.h) to its `surface`, or to a finer one with these
   /// normals. Found once for all tools; nothing where it was aborted.

@@ -218,7 +218,8 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "how the body resists large strain: small (not at all otherwise than small strain), "
       "neo-hooke, ogden:ALPHA or demiray:B (solved for once, a minute or so, and kept); auto: "
       "neo-hooke where a table has the tool, and of it, curvature and layers no more than changes "
-      "the force by --tolerance, each with its per cent (the head's default)")
+      "the force by --tolerance, each with its per cent (the head's default; of a --solid: "
+      "neo-hooke where a table has the tool)")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -227,7 +228,6 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       },
       "LAW"))
     ->excludes("--measured")
-    ->excludes("--solid")
     ->default_str("small");
   app
     .add_option("--error-tolerance", options.terms.errorTolerance,

@@ -76,8 +76,6 @@ TEST(ShapedContact, IsTheToolsOwnOnAHalfSpace)
 {
   ContactKernel none;
   none.order = 1;
-  none.coefficients.setZero();
-  none.drop.setZero();
   for (const char* name : { "sphere:6.35", "cone:60", "truncated:1,75", "rounded:2,4" })
   {
     const auto pressed = palpate::testing::tool(name);
@@ -99,8 +97,6 @@ TEST(ShapedContact, AConstantKernelIsInSeries)
 {
   ContactKernel constant;
   constant.order = 1;
-  constant.coefficients.setZero();
-  constant.drop.setZero();
   constant.coefficients(0, 0) = 0.07;
   const auto pressed = palpate::testing::tool("sphere:6.35");
   const ShapedContact::Contact found = ShapedContact(*pressed).at(2.0, constant, 1.2);

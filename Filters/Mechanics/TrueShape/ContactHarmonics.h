@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ContactHarmonics_h
+#define palpate_ContactHarmonics_h
+
+#include "Mechanics/TrueShape/ContactCurve.h"
+#include "Mechanics/TrueShape/ContactKernels.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// Takes what the angle mean leaves out, to second order (ShapedContact.h), off the deflections of
+/// a curve's samples, and adds to their errors what third order and the surface between its points
+/// may do. `kernels`, `stiffness` (N/mm): beside the samples; the contact of the first `growing`
+/// widens from one to the next, that of the others keeps its radius. `modulus` is E*, MPa.
+void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
+  const std::vector<ContactKernel>& kernels, const std::vector<double>& stiffness, double modulus);
+} // namespace palpate
+
+#endif

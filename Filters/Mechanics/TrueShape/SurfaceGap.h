@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SurfaceGap_h
+#define palpate_SurfaceGap_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace palpate
+{
+/// A surface under a contact of radius a, in the tangent plane: r from the point, θ around it.
+struct GapTerms
+{
+  /// Angle mean of how far it lies below the plane, Σ d_m (r/a)^{2m}, mm.
+  Eigen::Vector4d drop = Eigen::Vector4d::Zero();
+  /// Which way it leans as the contact feels it: the slope of a plane with the same moment.
+  Eigen::Vector2d lean = Eigen::Vector2d::Zero();
+  /// Σ g_m(a)² of the harmonics from the second on, mm² (SurfaceGap).
+  double waves = 0.0;
+  /// Mean square under the contact of what all these leave, mm².
+  double left = 0.0;
+  /// How far its facets lie off the surface, which is smooth between its points, mm: the root of
+  /// the mean square under the contact.
+  double facets = 0.0;
+};
+
+/**
+ * How a surface falls off around a point, whatever its shape: its heights on rings, in harmonics of
+ * the angle.
+ *
+ * To first order a contact of radius a feels the mean of the gap weighted by 1/√(a² - r²), to
+ * second order its harmonics: the energy of a gap h_m(r) cos mθ that is closed over the contact is
+ *   ½ E* ∫_0^a g_m(x)² dx,  g_m(x) = x^{-m} d/dx ∫_0^x r^{m+1} h_m / √(x² - r²) dr
+ * (Copson 1947), and since the pressure ends smoothly, that is all there is to second order: the
+ * force at a depth grows by ½ E* Σ g_m(a)² da/dδ. Exact for a plane that leans (h = s r, g = 2 s x)
+ * and for unequal curvatures (Hertz 1882: the force of the mean one times 1 + Δ²R²/12).
+ */
+class PALPATE_EXPORT SurfaceGap
+{
+public:
+  static constexpr int Rings = 16;
+  static constexpr int Angles = 16;
+
+  /// The tangent plane's axes and the inward normal, in which heights and slopes are told.
+  static Eigen::Matrix3d frame(const Eigen::Vector3d& outwardNormal);
+
+  /// Radius of ring k, over that of the last.
+  static double ring(int k);
+
+  /// Heights below the tangent plane, mm, at angles 2π j/Angles of each ring: of the surface, and
+  /// of its facets. Rings beyond `known` are not used.
+  struct Heights
+  {
+    Eigen::Matrix<double, Rings, Angles> surface;
+    Eigen::Matrix<double, Rings, Angles> facets;
+    int known = Rings;
+  };
+
+  /// A plane.
+  SurfaceGap() = default;
+  /// `radius` of the last ring, mm.
+  SurfaceGap(double radius, const Heights& heights);
+
+  /// How far from the point the surface is known, mm, and whether that is as far as was asked for.
+  double reach() const;
+  bool isWhole() const { return this->Known == Rings || this->Radius == 0.0; }
+
+  /// Under a contact of radius a, mm; of one beyond reach() as far as it is known.
+  GapTerms at(double a) const;
+
+private:
+  static constexpr int Harmonics = 4;
+
+  double Radius = 0.0;
+  int Known = 0;
+  std::array<double, Rings> Mean{};
+  std::array<double, Rings> Between{}; ///< mean square of surface less facets
+  std::array<double, Rings> Left{};    ///< mean square of the harmonics beyond
+  /// Of harmonics 1, 2, ...: cosine and sine.
+  std::array<std::array<Eigen::Vector2d, Rings>, Harmonics> Waves;
+};
+} // namespace palpate
+
+#endif
