@@ -53,14 +53,19 @@ def areas(body):
     return found
 
 
+def shares(made, name, area, tolerance):
+    """The share of the area whose stated error at the range is within the tolerance, and of the rest the shares by largest part."""
+    arrays = made.GetPointData()
+    error = vtk_to_numpy(arrays.GetArray(name + "Error"))[:, -1]
+    limit = vtk_to_numpy(arrays.GetArray(name + "Limit"))
+    within = (error <= tolerance) & (area > 0)
+    whole = area.sum()
+    rest = {text: float(area[~within & (limit == code)].sum() / whole) for code, text in enumerate(LIMITS)}
+    return float(area[within].sum() / whole), {text: share for text, share in rest.items() if share > 0}
+
+
 def cover(body, tool, depth=1.0, tolerance=0.05, poisson=0.45):
     """The share of the area, and of the rest the shares by largest part."""
     made = palpate.response(body, tool=tool, young=0.05, poisson=poisson, maximum_deflection=depth, curvature=True,
                             strain="neohooke", error_tolerance=tolerance)
-    arrays = made.GetPointData()
-    error = vtk_to_numpy(arrays.GetArray("ResponseError"))[:, -1]
-    limit = vtk_to_numpy(arrays.GetArray("ResponseLimit"))
-    area = areas(made)
-    within = error <= tolerance
-    rest = {name: float(area[~within & (limit == code)].sum() / area.sum()) for code, name in enumerate(LIMITS)}
-    return float(area[within].sum() / area.sum()), {name: share for name, share in rest.items() if share > 0}
+    return shares(made, "Response", areas(made), tolerance)

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cover and truth of the stated error of contacts of true shape, on a closed surface filled with tetrahedra."""
+import numpy as np
+import palpate
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from cover import areas, shares
+
+TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the others share its solutions
+HELD = 4  # of Status
+CELLS = 20000  # as palpate --solid
+
+
+def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45):
+    """The surface with what each tool feels of the body, held at `fixed`; arrays are called by the tools."""
+    area = areas(body).sum()
+    tools = {text: palpate.vtkContactTool() for text in TOOLS}
+    for text, tool in tools.items():
+        tool.SetSpecification(text)
+    radius = max(tool.GetContactRadius(depth) for tool in tools.values())
+    spacing = np.sqrt(8.7 * area / cells)
+    filled, pressed = palpate.vtkGradedBody(), palpate.vtkElasticContactResponse()
+    filled.SetInputData(body)
+    filled.SetSurfaceSpacing(max(spacing, 0.5 * radius) if cells == CELLS else spacing)
+    filled.SetFixedFaces(fixed)
+    pressed.SetInputConnection(filled.GetOutputPort())
+    pressed.SetYoungsModulus(0.05)
+    pressed.SetPoissonRatio(poisson)
+    pressed.SetMaximumDeflection(depth)
+    pressed.SetErrorTolerance(tolerance)
+    pressed.SetStoreMotion(False)
+    pressed.SetStrainModelToNeoHooke()
+    pressed.SetLargestContactRadius(1.42 * radius)
+    pressed.SetSourceSpacing(max(0.5 * spacing, np.sqrt(area / (CELLS / 4))))
+    made = body
+    for text, tool in tools.items():
+        pressed.SetTool(tool)
+        pressed.SetResponseName(text)
+        pressed.SetSurfaceData(made)
+        pressed.Update()
+        felt = type(body)()
+        felt.ShallowCopy(pressed.GetOutput())
+        made = felt
+    return made
+
+
+def array(made, tool, name):
+    return vtk_to_numpy(made.GetPointData().GetArray(tool + name))
+
+
+def cover(made, tool, depth=1.0, tolerance=0.05):
+    """The share of the area that is not held where the stated error at the depth is within the tolerance, and the rest."""
+    free = np.where(array(made, tool, "Status") != HELD, areas(made), 0.0)
+    reached = array(made, tool, "Range") > 0.999 * depth  # a curve that ends before is not covered
+    share, rest = shares(made, tool, np.where(reached, free, 0.0), tolerance)
+    part = free[reached].sum() / free.sum()
+    return share * part, dict({name: value * part for name, value in rest.items()}, **{"ends before": float(1.0 - part)})
+
+
+def beyond(made, finer, tool, depth=1.0):
+    """The share of points whose force differs from that on finer cells by more than is stated, and how many they are.
+
+    What finer cells do not change, the shape between a scan's points and finite strain, is not tried."""
+    both = np.ones(made.GetNumberOfPoints(), bool)
+    for one in (made, finer):
+        both &= (array(one, tool, "Range") > 0.999 * depth) & (array(one, tool, "Status") == 0)
+    force, better = array(made, tool, "Force")[both, -1], array(finer, tool, "Force")[both, -1]
+    error = np.abs(force / better - 1.0)
+    return float((error > array(made, tool, "Error")[both, -1]).mean()), int(both.sum()), float(np.median(error))
