@@ -37,7 +37,7 @@ namespace palpate
  * one; the force may jump at such a change, by what facets and surface differ.
  *
  * Where the surface is cut along sharp edges (PackedMesh), a contact stays on its face: beyond a
- * crease it is held at its closest point until who asks lets go (BodyEdges). None begins there,
+ * crease it is held at its closest point until the caller lets go (BodyEdges). None begins there,
  * since a tip whose closest point is on a convex edge is outside.
  *
  * The tick neither allocates nor locks nor throws. Steps per tick are bounded by MaximumSteps, a

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Friction.h"
 
+#include "Contact/FrictionFrame.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -19,6 +22,19 @@ bool isValid(const FrictionSettings& settings)
     settings.breakaway >= 0.0 && settings.breakaway <= 1.0 && settings.stickRadius >= 0.0 &&
     std::isfinite(settings.stickRadius);
 }
+
+constexpr int MostPieces = 40;
+constexpr double LongestPiece = 1.0 / 8.0; ///< of z_max
+constexpr double LastBit = 0.005;          ///< of z_max
+constexpr double Ahead = 0.1;              ///< largest slope of z against the path
+constexpr double AtLimit = 1.0 - 1e-9;
+constexpr double Shortest = 1e-150; ///< z_max, mm, whose square is a number
+
+double eighthPower(double square)
+{
+  const double fourth = square * square;
+  return fourth * fourth;
+}
 } // namespace
 
 Friction::Friction(const FrictionSettings& settings) noexcept
@@ -34,5 +50,208 @@ Friction::Friction(const FrictionSettings& settings) noexcept
 void Friction::reset() noexcept
 {
   this->Frame.reset();
+}
+
+ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) noexcept
+  : Stiffness(settings.tangentialStiffness)
+  , Breakaway(settings.breakaway)
+  , Breakaway8(std::pow(settings.breakaway, 8))
+  , Width8(std::max(std::pow(settings.stickRadius, 8) - this->Breakaway8, 0.0))
+  , InverseWidth8(1.0 / this->Width8)
+{
+}
+
+[[gnu::hot]] TangentialForce ElastoPlasticFriction::update(
+  const StraightStep& step, double limit) noexcept
+{
+  const double longest = limit / this->Stiffness;
+  if (!(longest > Shortest))
+  {
+    this->Z.setZero();
+    return {};
+  }
+  if (this->slideOn(step, longest, this->Stiffness / limit))
+  {
+    return { -this->Stiffness * this->Z, true };
+  }
+  StraightStep::clip(this->Z, longest);
+  const double free = this->Breakaway * longest;
+  const Vector2 elastic = this->Z + step.displacement();
+  if (std::max(elastic.squaredNorm(), this->Z.squaredNorm()) <= free * free)
+  {
+    this->Z = elastic; // within the breakaway circle from end to end
+  }
+  else if (step.length() > 0.0)
+  {
+    Vector2 z = step.toPath(this->Z);
+    double left = StraightStep::moveFreely(z, free, step.length());
+    if (left > 0.0)
+    {
+      left = this->creep(z, longest, left);
+    }
+    if (left > 0.0)
+    {
+      StraightStep::drag(z, longest, left);
+    }
+    this->Z = step.fromPath(z);
+  }
+  const double nearly = AtLimit * longest;
+  const bool sliding = this->Z.squaredNorm() >= nearly * nearly;
+  return { -this->Stiffness * this->Z, sliding };
+}
+
+/// What a sliding contact does in most ticks: it is at the limit of the last load, goes the last
+/// bit to that of this one, or is taken back to it, and is dragged on. All of it changes the angle
+/// θ from path to z alone, so that roots and divisions are of what is known before the load is, and
+/// what the load changes is a factor near 1, taken by its series.
+///
+/// The bit is one step with the creep of its middle, in polar coordinates d|z|/dx = (1 - α|z|) cos
+/// θ, dθ/dx = -sin θ/|z|; errors are of the second order in the angle and the third in the bit.
+[[gnu::hot]] bool ElastoPlasticFriction::slideOn(
+  const StraightStep& step, double longest, double inverse) noexcept
+{
+  const double size = this->Z.norm();
+  const Vector2 z = step.toPath(this->Z);
+  const double missing = 1.0 - size * inverse;
+  if (!(z.x() > 0.0 && missing <= LastBit))
+  {
+    return false;
+  }
+  double tangent = z.y() / (size + z.x()); // tan(θ/2)
+  double left = step.length();
+  if (missing > 0.0)
+  {
+    const double slope = z.y() / z.x();
+    const double half = 0.5 * missing;
+    const double middle = 1.0 - half;
+    const double w = eighthPower(middle * middle) - this->Breakaway8;
+    const double bit = missing * (1.0 + w * this->InverseWidth8); // way cos θ, by 1/(1 - α|z|)
+    left -= bit * (longest * (size / z.x()));
+    if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
+    {
+      return false;
+    }
+    // Half the turn, divided by the middle, and the tangent of a sum, divided by 1 - both: series.
+    const double turn = -0.5 * bit * slope * (1.0 + half) * (1.0 + half * half);
+    const double both = tangent * turn;
+    tangent = (tangent + turn * (1.0 - turn * turn)) * (1.0 + both * (1.0 + both));
+  }
+  tangent *= StraightStep::decay(left * inverse);
+  const double squared = tangent * tangent;
+  const double scale = longest / (1.0 + squared);
+  this->Z = step.fromPath({ scale * (1.0 - squared), scale * 2.0 * tangent });
+  return true;
+}
+
+/// Forwards until z is at the limit; the length that is left.
+double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) const noexcept
+{
+  double squared = z.squaredNorm();
+  const double nearly = AtLimit * longest;
+  for (int i = 0; i < MostPieces && length > 0.0 && squared < nearly * nearly; ++i)
+  {
+    double piece = std::min(length, LongestPiece * longest);
+    Vector2 next = this->rungeKutta(z, longest, piece);
+    double reached = next.squaredNorm();
+    if (reached > longest * longest)
+    {
+      // Past the limit: the part of the piece before it, by a secant.
+      const double before = std::sqrt(squared);
+      piece *= (longest - before) / (std::sqrt(reached) - before);
+      next = this->rungeKutta(z, longest, piece);
+      reached = next.squaredNorm();
+    }
+    z = next;
+    squared = reached;
+    length -= piece;
+  }
+  if (length > 0.0)
+  {
+    z *= longest / std::sqrt(squared);
+  }
+  StraightStep::clip(z, longest);
+  return length;
+}
+
+Vector2 ElastoPlasticFriction::rate(const Vector2& z, double longest) const noexcept
+{
+  const double squared = z.squaredNorm();
+  const double share = squared / (longest * longest);
+  const double w = eighthPower(share) - this->Breakaway8;
+  if (!(w > 0.0))
+  {
+    return { 1.0, 0.0 };
+  }
+  // α|z| (cos θ, sin θ) cos θ
+  const double plastic = std::sqrt(share) * w / (w + this->Width8) * z.x() / squared;
+  return { 1.0 - plastic * z.x(), -plastic * z.y() };
+}
+
+Vector2 ElastoPlasticFriction::rungeKutta(
+  const Vector2& z, double longest, double length) const noexcept
+{
+  const Vector2 k1 = this->rate(z, longest);
+  const Vector2 k2 = this->rate(z + 0.5 * length * k1, longest);
+  const Vector2 k3 = this->rate(z + 0.5 * length * k2, longest);
+  const Vector2 k4 = this->rate(z + length * k3, longest);
+  return z + length / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+}
+
+namespace
+{
+constexpr double NearlyAll = 1.0 - 1e-9;
+}
+
+ShapeFriction::ShapeFriction(const FrictionSettings& settings) noexcept
+  : Coefficient(settings.coefficient)
+  , Compliance((2.0 - settings.poissonRatio) / (2.0 * (1.0 - settings.poissonRatio)))
+{
+  this->Stiffness.fill(0.0);
+  this->Displacement.fill(Vector2::Zero());
+}
+
+void ShapeFriction::reset() noexcept
+{
+  this->Count = 0;
+}
+
+TangentialForce ShapeFriction::move(
+  const Vector2& displacement, const Springs& springs, double deflection) noexcept
+{
+  const StraightStep step(displacement);
+  TangentialForce result;
+  for (std::size_t j = 0; j < springs.count; ++j)
+  {
+    const double stiffness = springs.stiffness[j];
+    const double limit = this->Coefficient * this->Compliance * (deflection - springs.level[j]);
+    Vector2 u = Vector2::Zero();
+    if (j < this->Count)
+    {
+      u = this->Displacement[j];
+      if (stiffness > this->Stiffness[j])
+      {
+        u *= this->Stiffness[j] / stiffness;
+      }
+      StraightStep::clip(u, limit);
+    }
+    if (step.length() > 0.0 && limit > 0.0)
+    {
+      u = step.toPath(u);
+      const double left = StraightStep::moveFreely(u, limit, step.length());
+      if (left > 0.0)
+      {
+        StraightStep::drag(u, limit, left);
+      }
+      u = step.fromPath(u);
+    }
+    const double nearly = NearlyAll * limit;
+    result.sliding = result.sliding && (stiffness == 0.0 || u.squaredNorm() >= nearly * nearly);
+    this->Stiffness[j] = stiffness;
+    this->Displacement[j] = u;
+    result.force -= stiffness * u;
+  }
+  this->Count = springs.count;
+  result.force /= this->Compliance;
+  return result;
 }
 } // namespace palpate

@@ -3,14 +3,233 @@
 #define palpate_Friction_h
 
 #include "Contact/ContactSettings.h"
-#include "Contact/FrictionModels.h"
 #include "Contact/FrictionFrame.h"
+#include "Contact/ResponseSampling.h"
 #include "Mechanics/PalpateExport.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace palpate
 {
+/**
+ * Dahl's friction (1968), the baseline of the studies: dz = dx - |dx| z/z_max, force -σ₀ z, with
+ * z_max = limit/σ₀. Creeps from the first displacement on, and so drifts under a load that swings
+ * within the limit, z_max [ln((1-z₁)/(1-z₂)) - ln((1+z₂)/(1+z₁))] per cycle (z in units of z_max).
+ *
+ * Along a straight step the equation is linear and solved exactly: z e^-y/z_max + z_max (1 -
+ * e^-y/z_max) d. So it does not matter in how many ticks a way is gone; the explicit step of
+ * Hayward and Armstrong 2000 would slide at z_max - |dx|, at a force that depends on speed.
+ *
+ * It comes near the limit but never reaches it: sliding is from 99 % on. On a circle of radius ρ it
+ * lags by atan(z_max/ρ), with cos of that of the limit.
+ */
+class PALPATE_EXPORT DahlFriction
+{
+public:
+  explicit DahlFriction(const FrictionSettings& settings) noexcept
+    : Stiffness(settings.tangentialStiffness)
+  {
+  }
+  void reset() noexcept { this->Z.setZero(); }
+
+  /// At most `limit` = μ f_n, N.
+  TangentialForce update(const StraightStep& step, double limit) noexcept
+  {
+    const double longest = limit / this->Stiffness;
+    StraightStep::clip(this->Z, longest);
+    if (step.length() > 0.0 && longest > 0.0)
+    {
+      const double approached = -std::expm1(-step.length() / longest);
+      this->Z += approached * (longest * step.direction() - this->Z);
+    }
+    const bool sliding = this->Z.squaredNorm() >= NearlySliding * NearlySliding * longest * longest;
+    return { -this->Stiffness * this->Z, sliding };
+  }
+
+private:
+  static constexpr double NearlySliding = 0.99;
+
+  double Stiffness;
+  Vector2 Z = Vector2::Zero();
+};
+
+/**
+ * Elasto-plastic friction of Hayward and Armstrong 2000: stick, creep, slide.
+ *
+ * The contact point's displacement x over the surface is elastic, z, plus plastic, w; the force is
+ * -σ₀ z. Forwards (dx along z) a share of the displacement is plastic,
+ *   dw = α(|z|) z (dx·z/|z|),   and |z| <= z_max = limit/σ₀;
+ * backwards none is: a contact unloads elastically (Dupont, Hayward, Armstrong and Altpeter 2002).
+ * With r = |z|/z_max, b = breakaway, s = stick radius, both in units of z_max:
+ *   α z_max = w/(w + s⁸ - b⁸),   w = max(r⁸ - b⁸, 0).
+ * b = 0 is α = z⁸/(z_st⁸ + z⁸)/z_max, as Hayward and Armstrong write it; b = s = 1 their stick and
+ * slide.
+ *
+ * Why b > 0: α small is not α = 0. Under 0.1 kg, 0.5 ± 0.2 of the limit at 2 Hz, z⁸ alone creeps by
+ * 6 µm per cycle at s = 0.9 and 0.2 mm at s = 0.5 (z_max = 1 mm), and goes on. That a contact stays
+ * where it is needs a neighbourhood of z = 0 in which α is exactly 0, as Dupont et al. prove.
+ *
+ * Why the displacement counts forwards only: with |dx| instead, z would be stiffer than σ₀ on the
+ * way back (up to 2 σ₀, past what the loop was made stable for), and shrink under displacements
+ * across it. At the limit this is Coulomb's law with the force against the sliding direction.
+ *
+ * A step of any length goes, in this order, the free way to the breakaway circle and, at the limit,
+ * the tractrix, both exactly; between them the creep by fourth-order Runge-Kutta in pieces of at
+ * most 1/8 z_max, at most 40 (within 2e-5 of the limit). On a circle of radius ρ > z_max the force
+ * is at the limit and lags by asin(z_max/ρ).
+ *
+ * σ₀ is constant and |z| clipped, so that a changing normal force takes energy but creates none
+ * (σ₀ = limit/z_max would create ½ z² Δσ₀ per cycle).
+ */
+class PALPATE_EXPORT ElastoPlasticFriction
+{
+public:
+  explicit ElastoPlasticFriction(const FrictionSettings& settings) noexcept;
+  void reset() noexcept { this->Z.setZero(); }
+
+  /// At most `limit` = μ f_n, N.
+  TangentialForce update(const StraightStep& step, double limit) noexcept;
+
+private:
+  /// False where more than that happens: nothing is done.
+  bool slideOn(const StraightStep& step, double longest, double inverse) noexcept;
+  double creep(Vector2& z, double longest, double length) const noexcept;
+  Vector2 rate(const Vector2& z, double longest) const noexcept;
+  Vector2 rungeKutta(const Vector2& z, double longest, double length) const noexcept;
+
+  double Stiffness;
+  double Breakaway;
+  double Breakaway8; ///< b⁸
+  double Width8;     ///< s⁸ - b⁸
+  double InverseWidth8;
+  Vector2 Z = Vector2::Zero();
+};
+
+/**
+ * Friction that follows from the stored response f(δ) itself; of its own it has only μ and ν.
+ *
+ * Where normal and tangential contact are similar (Jaeger 1998; Ciavarella 1998; for spheres
+ * Mindlin 1949), a displacement u at constant depth meets
+ *   Q(u) = μ [f(δ) - f(δ - u/(μc))],   c = (2-ν)/(2(1-ν)),
+ * and slides from u = μcδ on. As the method of dimensionality reduction has it (Popov and Hess
+ * 2015), the contact is a row of springs: f''(η) dη of them touch when the depth passes the level
+ * η, a flat's f'(0) at 0. A spring of normal stiffness k has tangential stiffness k/c, carries its
+ * own displacement u and slides at |u| = μc(δ - η), where its force is μ times its load. History -
+ * loading under a varying depth, reversals (Masing's rule), paths that turn - is in these u, all
+ * vectors in the tangent plane.
+ *
+ * Here the springs of each of the cells between the depths range·(j/Cells)², the last one ending at
+ * δ, are `PerCell`. Force and stiffness of the response at the ends of a cell give stiffness and
+ * load of its springs, so that all together carry exactly f(δ) at any depth, and slide at exactly
+ * μ f_n. Cells are fixed in depth (on a body of one range), so springs keep their history as δ
+ * changes:
+ * - δ grows: the last cell gets wider and stiffer, then others follow, undisplaced at first;
+ * - δ shrinks: limits shrink and displacements with them; springs whose cell is above δ are gone,
+ *   and have no force left by then;
+ * - beyond the range: no more springs, as the response has its last tangent there; limits grow;
+ * - below range/256, where the force is under a thousandth of its largest: one cell.
+ *
+ * Energy. A spring that gets stiffer keeps its force, not its displacement; one that gets softer
+ * keeps its displacement. Either way it loses energy, so that no change of depth, force or response
+ * along the way can create any. The price: where the response differs from point to point, a stuck
+ * contact that is moved to and fro creeps by that difference.
+ *
+ * Where a response is not convex (f'' < 0, or measured with noise), cells of falling stiffness have
+ * no spring and the others are scaled to carry f_n; so they are if f_n is not the curve's own
+ * (ForceForm::Paper).
+ *
+ * Largest error of Q, of μ f_n, paraboloid / cone (a flat: rounding):
+ *   springs      16             32             64            16 cells of 4
+ *   at range     1.4e-3/3.6e-3  3.4e-4/9.0e-4  8.5e-5/2.2e-4  9.3e-5/2.2e-4
+ *   at range/4   5.5e-3/1.4e-2  1.4e-3/3.6e-3  3.4e-4/9.0e-4  4.5e-4/8.5e-4
+ * It falls with the square of their number, however they are shared out. A cell costs an evaluation
+ * of the response, a spring a few operations; so 16 cells of 4: below 1e-3, as 8 samples hold the
+ * response itself, with a quarter of the evaluations.
+ *
+ * Cost, besides an evaluation of the response per cell within the depth: 5 to 25 ns per spring
+ * (stuck or straight; sliding in a curve, an exponential each).
+ */
+class PALPATE_EXPORT ShapeFriction
+{
+public:
+  static constexpr std::size_t Cells = 16;
+  static constexpr std::size_t PerCell = 4;
+
+  explicit ShapeFriction(const FrictionSettings& settings) noexcept;
+  void reset() noexcept;
+
+  /// At most μ normalForce, N. `curve` is the response at this contact: evaluate(depth) ->
+  /// ResponseValue, range() -> mm.
+  template <class Curve>
+  TangentialForce update(
+    const Vector2& displacement, double normalForce, double deflection, const Curve& curve) noexcept
+  {
+    return this->move(displacement, springsOf(curve, normalForce, deflection), deflection);
+  }
+
+private:
+  struct Springs
+  {
+    std::size_t count = 0;
+    std::array<double, Cells * PerCell> stiffness; ///< normal, N/mm
+    std::array<double, Cells * PerCell> level;     ///< depth at which it touches, mm
+  };
+
+  template <class Curve>
+  static Springs springsOf(const Curve& curve, double normalForce, double deflection) noexcept
+  {
+    Springs springs;
+    const double range = curve.range();
+    const double deepest = std::min(deflection, range);
+    double load = 0.0;
+    double from = 0.0;
+    ResponseValue before;
+    for (std::size_t j = 0; j < Cells && from < deepest; ++j)
+    {
+      const double share = static_cast<double>(j + 1) / static_cast<double>(Cells);
+      const double to = j + 1 < Cells ? std::min(range * (share * share), deepest) : deepest;
+      const ResponseValue value = curve.evaluate(to);
+      const double stiffness = std::max(value.stiffness - before.stiffness, 0.0);
+      const double moment =
+        (to * value.stiffness - value.force) - (from * before.stiffness - before.force);
+      const double centre = stiffness > 0.0 ? std::clamp(moment / stiffness, from, to) : from;
+      const double spacing = 2.0 * std::min(centre - from, to - centre) / PerCell;
+      load += stiffness * (deflection - centre);
+      for (std::size_t i = 0; i < PerCell; ++i)
+      {
+        springs.stiffness[springs.count] = stiffness / PerCell;
+        springs.level[springs.count] =
+          centre + spacing * (static_cast<double>(i) - 0.5 * (PerCell - 1));
+        ++springs.count;
+      }
+      before = value;
+      from = to;
+    }
+    const double scale = normalForce / load;
+    if (!(scale > 0.0) || !std::isfinite(scale) || !std::isfinite(load))
+    {
+      return {}; // no force, or no response
+    }
+    for (std::size_t j = 0; j < springs.count; ++j)
+    {
+      springs.stiffness[j] *= scale;
+    }
+    return springs;
+  }
+
+  TangentialForce move(
+    const Vector2& displacement, const Springs& springs, double deflection) noexcept;
+
+  double Coefficient;
+  double Compliance; ///< c, tangential over normal
+  std::size_t Count = 0;
+  std::array<double, Cells * PerCell> Stiffness;
+  std::array<Vector2, Cells * PerCell> Displacement;
+};
+
 /**
  * What resists the sliding of one contact: a tangential force from the pre-sliding displacement of
  * the contact point over the undeformed surface (Mahvash and Hayward 2002, section 3). The normal
@@ -91,6 +310,7 @@ private:
   DahlFriction Dahl;
   ShapeFriction Shape;
 };
+
 /// Whether there is a contact that makes sense.
 inline bool Friction::advance(const Vector3& contactPoint, const Vector3& normal,
   double normalForce, double deflection) noexcept

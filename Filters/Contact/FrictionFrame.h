@@ -26,7 +26,7 @@ using Vector2 = Eigen::Vector2d;
 class StraightStep
 {
 public:
-  /// None.
+  /// No displacement.
   StraightStep() = default;
   /// Along `direction`, of any length but 0; `length` mm.
   StraightStep(const Vector2& direction, double length) noexcept
@@ -55,8 +55,8 @@ public:
       this->Direction.y() * z.x() + this->Direction.x() * z.y() };
   }
 
-  /// Freely, backwards of the path or within the circle; from outside it, up to where the path
-  /// passes its centre. The length that is left.
+  /// Moves z freely as long as it lies behind, against the path, or within the circle; from outside
+  /// the circle, up to where the path passes its centre. Returns the length that is left.
   static double moveFreely(Vector2& z, double radius, double length) noexcept
   {
     if (z.x() >= 0.0 && z.squaredNorm() >= radius * radius)
@@ -78,8 +78,8 @@ public:
     z = Vector2(scale * (1.0 - tangent * tangent), scale * 2.0 * tangent);
   }
 
-  /// e^-x. A tick moves by little of the limit: there Taylor's polynomial does, to the last digit,
-  /// whose numbers stand in the code itself, where the library's table would be fetched.
+  /// e^-x. For the small x of a tick Taylor's polynomial is exact to the last digit; its numbers
+  /// stand in the code, where the library's function reads a table.
   static double decay(double x) noexcept
   {
     constexpr double little = 0.25; // x^12/12! is 1e-16

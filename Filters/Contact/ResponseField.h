@@ -166,7 +166,7 @@ inline Eigen::Vector4d ResponseField::blendSamples(
 class PALPATE_EXPORT BlendedResponse
 {
 public:
-  /// Points of weight 0 have no say; the others must have a response.
+  /// Points of weight 0 do not count; the others must have a response.
   BlendedResponse(
     const ResponseField& field, const TriangleCorners& points, const Vector3& weights) noexcept
     : Field(field)

@@ -20,7 +20,7 @@ struct SmoothPoint
     Found,
     Border,  ///< on an open border, beyond which the distance would go on to fall
     Crease,  ///< likewise where the surface is cut along a sharp edge
-    NotFound ///< no such point here; the facets have to do
+    NotFound ///< no such point here: take the facets
   };
 
   Outcome outcome = Outcome::NotFound;

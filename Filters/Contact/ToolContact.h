@@ -9,7 +9,6 @@
 #include "Contact/Friction.h"
 #include "Contact/Relaxation/ContactRelaxation.h"
 #include "Contact/Tilt/ContactTilt.h"
-#include "Contact/ToolPose.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <cstdint>
@@ -50,7 +49,7 @@ public:
   {
   }
 
-  /// Of a tool along the body's normal, wherever that points.
+  /// Of a tool whose axis is taken to be the body's normal.
   Contact update(const Vector3& tip) noexcept { return this->update(ToolPose(tip)); }
   Contact update(const Vector3& tip, double elapsed) noexcept
   {
@@ -72,7 +71,7 @@ public:
   /// `sunk` mm. Once after each find.
   Contact feel(ContactTracker::Result found, double sunk) noexcept;
 
-  /// How the tool presses, for who lets the surface down.
+  /// How the tool presses, for tools that let the surface down under one another.
   struct Pressed
   {
     ContactPlace place; ///< where, with the gradients of its area coordinates as the tip moves
@@ -84,11 +83,11 @@ public:
   /// The slow response of the tool, as it is tilted, so deep there (mm).
   ResponseValue slowResponse(const Pressed& pressed, double depth) const noexcept;
 
-  /// Time passes, and nobody knows where the tip is.
+  /// Lets time pass while the position of the tip is not known.
   void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
-  /// All is forgotten.
+  /// Forgets the contact, its friction, and what the body remembers.
   void reset() noexcept;
-  /// The contact and its friction are; what the body remembers of having been pressed is not.
+  /// Forgets the contact and its friction, not what the body remembers of having been pressed.
   void lose() noexcept;
 
   /// Asks for the memory which the next update reads if the tip moves on as it did: for when the
@@ -123,9 +122,9 @@ private:
   /// By how much the point followed is deeper than the tool presses: what it was let down, and what
   /// the tilt there takes.
   void sink(const ContactPlace& place) noexcept;
-  /// Of facets, where the form asks for them.
+  /// The gradients of facets, where the force form needs them.
   void takeGradients(ContactPlace& place) const noexcept;
-  /// Of the area coordinates, as the tip moves.
+  /// Gradients of the area coordinates as the tip moves.
   Eigen::Matrix3d weightGradients(const ContactPlace& place) const noexcept;
   /// What memory makes of the slow response there.
   void relax(const ContactPlace& place, const BlendedResponse& response, const ResponseValue& slow,
@@ -141,7 +140,7 @@ private:
   Contact end(ContactState state) noexcept;
   /// No contact, since the body has not yet come back to the tool.
   Contact comeOff() noexcept;
-  /// Taken by the response of the tool as it is tilted, N mm.
+  /// Work that the tool as it is tilted has taken, N mm.
   double work(const BlendedResponse& response, double deflection) const noexcept
   {
     return this->Tilt.isTilted() ? this->Tilt.work() : response.energy(deflection);

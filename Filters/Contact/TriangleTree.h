@@ -33,7 +33,7 @@ class PALPATE_EXPORT TriangleTree
 {
 public:
   explicit TriangleTree(const PackedMesh& mesh);
-  /// That of an equal mesh, over this one.
+  /// A copy of the tree of an equal mesh, for this one.
   TriangleTree(const TriangleTree& equal, const PackedMesh& mesh)
     : Mesh(mesh)
     , Levels(equal.Levels)

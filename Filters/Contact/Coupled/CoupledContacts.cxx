@@ -315,36 +315,41 @@ void CoupledContacts::rehearse(double elapsed) const noexcept
   }
 }
 
-Eigen::MatrixXd CoupledContacts::stiffness() const
+std::size_t CoupledContacts::gatherCompliances(double factor, double* matrix) const noexcept
 {
-  std::vector<std::size_t> felt;
+  std::size_t rows = 0;
   for (std::size_t i = 0; i < this->Loads.size(); ++i)
   {
-    if (this->Loads[i].counts())
+    rows += this->Loads[i].counts() ? 1 : 0;
+    for (std::size_t j = 0; j < this->Loads.size(); ++j)
     {
-      felt.push_back(i);
+      if (this->Loads[i].counts() && this->Loads[j].counts())
+      {
+        *matrix++ = factor * (i == j ? 1.0 / this->Loads[i].stiffness : this->compliance(i, j));
+      }
     }
   }
-  const auto rows = static_cast<Eigen::Index>(felt.size());
-  Eigen::MatrixXd compliances(rows, rows);
-  for (Eigen::Index i = 0; i < rows; ++i)
+  return rows;
+}
+
+Eigen::MatrixXd CoupledContacts::stiffness() const
+{
+  const std::size_t count = this->Loads.size();
+  std::vector<double> compliances(count * count);
+  const auto rows = static_cast<Eigen::Index>(this->gatherCompliances(1.0, compliances.data()));
+  const Eigen::MatrixXd inverse =
+    Eigen::Map<const Eigen::MatrixXd>(compliances.data(), rows, rows).partialPivLu().inverse();
+  const auto size = static_cast<Eigen::Index>(count);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
+  Eigen::Index next = 0; // of the inverse, column by column
+  for (std::size_t j = 0; j < count; ++j)
   {
-    for (Eigen::Index j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const std::size_t one = felt[static_cast<std::size_t>(i)];
-      const std::size_t other = felt[static_cast<std::size_t>(j)];
-      compliances(i, j) = i == j ? 1.0 / this->Loads[one].stiffness : this->compliance(one, other);
-    }
-  }
-  const Eigen::MatrixXd inverse = compliances.partialPivLu().inverse();
-  const auto count = static_cast<Eigen::Index>(this->Loads.size());
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count, count);
-  for (Eigen::Index i = 0; i < rows; ++i)
-  {
-    for (Eigen::Index j = 0; j < rows; ++j)
-    {
-      all(static_cast<Eigen::Index>(felt[static_cast<std::size_t>(i)]),
-        static_cast<Eigen::Index>(felt[static_cast<std::size_t>(j)])) = inverse(i, j);
+      if (this->Loads[i].counts() && this->Loads[j].counts())
+      {
+        all(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = inverse(next++);
+      }
     }
   }
   return all;
@@ -356,26 +361,13 @@ double CoupledContacts::stiffening() noexcept
   {
     return this->Stiffening;
   }
-  std::size_t rows = 0;
   double stiffest = 0.0;
   for (const Load& load : this->Loads)
   {
-    rows += load.counts() ? 1 : 0;
     stiffest = load.counts() ? std::max(stiffest, load.stiffness) : stiffest;
   }
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < this->Loads.size(); ++i)
-  {
-    for (std::size_t j = 0; j < this->Loads.size(); ++j)
-    {
-      if (this->Loads[i].counts() && this->Loads[j].counts())
-      {
-        this->Work[next++] =
-          stiffest * (i == j ? 1.0 / this->Loads[i].stiffness : this->compliance(i, j));
-      }
-    }
-  }
   double* matrix = this->Work.data();
+  const std::size_t rows = this->gatherCompliances(stiffest, matrix);
   this->Stiffening =
     rows < 2 ? 1.0 : std::max(1.0, stiffnessBound(matrix, matrix + rows * rows, rows));
   return this->Stiffening;

@@ -7,7 +7,6 @@
 #include "Contact/ContactSettings.h"
 #include "Contact/Coupled/BodyCoupling.h"
 #include "Contact/ToolContact.h"
-#include "Contact/ToolPose.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -24,8 +23,8 @@ namespace palpate
  * F_i ← F_i,slow(δ_i - Σ_{j≠i} C_ij F_j) from the forces of the two ticks before, extrapolated
  * (Gauss and Seidel), and lets each ToolContact feel what is left of its depth. Contact::deflection
  * is that rest. Where nothing is left the tool has no force, and is followed all the same. Of up to
- * MostSolved tools a round is a step of Newton's method instead, which also finds fingers that
- * pinch a slender body, whose rounds would halve nothing.
+ * MostSolved tools a round is a step of Newton's method instead, which also finds the forces of
+ * fingers that pinch a slender body, for which Gauss and Seidel's rounds do not converge.
  *
  * Two rounds leave less than 1e-3 of the force at 200 mm/s and 1 kHz (10 contacts; 5e-3: 20), and
  * a body that relaxes is let down by its slow forces alone. Beside sharp edges and beyond borders
@@ -50,7 +49,7 @@ public:
   static constexpr int SettlingRounds = 64; ///< at most, to the last bits
   static constexpr std::size_t MostSolved = 8;
 
-  /// 1 to Most; others are taken for the nearest of these.
+  /// `count` is taken within 1 to Most.
   CoupledContacts(const ContactBody& body, const ContactSettings& settings, std::size_t count);
 
   std::size_t count() const noexcept { return this->Contacts.size(); }
@@ -67,7 +66,7 @@ public:
   /// By how much the others have let the surface down at a contact, mm.
   double sunk(std::size_t contact) const noexcept { return this->Loads[contact].sunk; }
 
-  /// As of ToolContact, of all.
+  /// The functions of ToolContact of these names, for all contacts.
   void pass(double elapsed) noexcept;
   void reset() noexcept;
   void lose() noexcept;
@@ -83,8 +82,8 @@ public:
   /// By how much the contacts of the last update are stiffer together than the stiffest of them
   /// alone, at least 1: no motion of them, in or out, is stiffer than that (the opposite motion of
   /// two is, by 1/(1 - K C)). A bound: exact for two, at most 13 % too large for seven, 21 % for
-  /// twenty. Infinite where compliances are no body's. 4 N³ multiply-adds: not in each tick of
-  /// many.
+  /// twenty. Infinite where the compliances are not positive definite. 4 N³ multiply-adds: not in
+  /// each tick of many.
   double stiffening() noexcept;
   /// ToolContact::cappedShare where the stiffness of all together is to be no larger.
   double cappedShare(std::size_t contact, double maximumStiffness) noexcept;
@@ -117,14 +116,17 @@ private:
   void fillCompliances() noexcept;
   /// By how much the others let a contact down, mm.
   double sunkBy(std::size_t contact) const noexcept;
-  /// What a contact has of its curve under the forces of the others; by how much that is another
-  /// force than before, N.
+  /// Evaluates the curve of a contact at what the others leave of its depth. Returns by how much
+  /// its force has changed, N.
   double press(std::size_t contact) noexcept;
-  /// The largest change of a force as part of the largest force.
+  /// One round of Gauss and Seidel. Returns the largest change of a force over the largest force.
   double goRound() noexcept;
   /// The same by Newton's method, of up to MostSolved contacts.
   double solveRound() noexcept;
   void addSideForce(std::size_t contact, Contact& felt) const noexcept;
+  /// Writes the compliances of the contacts that count, times `factor`, row by row: 1/K_i on the
+  /// diagonal, C_ij beside it. Returns how many contacts these are.
+  std::size_t gatherCompliances(double factor, double* matrix) const noexcept;
   double& compliance(std::size_t i, std::size_t j) noexcept
   {
     return this->Compliance[i * this->Contacts.size() + j];

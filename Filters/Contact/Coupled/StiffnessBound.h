@@ -6,9 +6,9 @@
 
 namespace palpate
 {
-/// No motion of contacts is stiffer than this whose compliances are these, so many rows: the
-/// largest eigenvalue of the inverse, no more than rows^(1/16) too large. Infinite if the matrix is
-/// not positive definite. Both it and the spare one are overwritten. 4 rows³ multiply-adds.
+/// A bound of the stiffness of any motion of contacts with this matrix of compliances: the largest
+/// eigenvalue of its inverse, at most rows^(1/16) times too large. Infinite if the matrix is not
+/// positive definite. Overwrites both matrices. 4 rows³ multiply-adds.
 double stiffnessBound(double* compliance, double* spare, std::size_t rows) noexcept;
 } // namespace palpate
 

@@ -56,16 +56,16 @@ public:
   static constexpr double LeastTurn = 0.349; // 20°
   static constexpr double Reach = 32.0;
 
-  /// Of a surface that is cut, and its curves' longest range (mm).
+  /// `mesh` is cut along its creases; `range` is the longest of its curves, mm.
   BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double range);
 
-  /// Whether something of it is felt over a triangle.
+  /// Whether any edge is felt over a triangle.
   bool areNear(std::int32_t triangle) const noexcept
   {
     return this->Chains.near(triangle) != nullptr;
   }
   void prefetch(std::int32_t triangle) const noexcept { this->Chains.prefetch(triangle); }
-  /// Of a contact `depth` under the plane whose normal is `normal`. All local.
+  /// The effect on a contact `depth` under the plane whose normal is `normal`; local coordinates.
   EdgeEffect at(
     const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept;
 

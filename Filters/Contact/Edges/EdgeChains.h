@@ -78,7 +78,7 @@ public:
       this->NearPlaces.empty() ? None : this->NearPlaces[static_cast<std::size_t>(triangle)];
     return place < 0 ? nullptr : &this->NearLists[static_cast<std::size_t>(place)];
   }
-  /// Asks for the memory of that ahead of its use.
+  /// Asks for the memory that near() reads, ahead of its use.
   void prefetch(std::int32_t triangle) const noexcept
   {
     if (!this->NearPlaces.empty())
@@ -105,7 +105,7 @@ private:
   void roundEnds();
   void findNear(const PackedMesh& mesh);
   Place closest(const Vector3& place, std::int32_t segment, std::size_t mostSteps) const noexcept;
-  /// Of an edge of a triangle; None.
+  /// The segment on an edge of a triangle, or None.
   std::int32_t segmentAt(std::int32_t triangle, int edge) const;
 
   Reach Limits;

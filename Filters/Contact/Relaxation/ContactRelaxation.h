@@ -2,15 +2,84 @@
 #ifndef palpate_ContactRelaxation_h
 #define palpate_ContactRelaxation_h
 
+#include "Contact/FrictionFrame.h"
 #include "Contact/Relaxation/BodyRelaxation.h"
 #include "Contact/Relaxation/ForceNodes.h"
-#include "Contact/Relaxation/SlidingDrag.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Relaxation/QuasiLinearElement.h"
 #include "Mechanics/Relaxation/RelaxationElements.h"
 
 namespace palpate
 {
+/**
+ * What it takes to lead a tool on to material that was not pressed yet (hysteresis friction): a
+ * contact that sticks, with the tangential stiffness of the body itself, until the pull is what the
+ * new material stores per length.
+ *
+ * The stiffness changes with the depth: a spring that gets stiffer keeps its force, one that gets
+ * softer its displacement, so that no change gives energy (ShapeFriction does the same). What the
+ * contact does not slide, it does not exchange: to and fro about one place nothing is new.
+ */
+class SlidingDrag
+{
+public:
+  void reset() noexcept
+  {
+    this->Frame.reset();
+    this->Displacement.setZero();
+  }
+
+  /// Moves to the contact of this tick. Returns the way there, mm; 0 for the first after reset().
+  double advance(const Vector3& contactPoint, const Vector3& normal) noexcept
+  {
+    if (!this->Frame.advance(contactPoint, normal))
+    {
+      this->Displacement.setZero();
+      this->Stiffness = 0.0;
+    }
+    return this->Frame.step().length();
+  }
+
+  /// Along that way. `limit` in N, `stiffness` in N/mm. Returns the length that slid, mm.
+  double slide(double limit, double stiffness) noexcept
+  {
+    if (stiffness > this->Stiffness)
+    {
+      this->Displacement *= this->Stiffness / stiffness;
+    }
+    this->Stiffness = stiffness;
+    const StraightStep& step = this->Frame.step();
+    const double longest = stiffness > 0.0 ? limit / stiffness : 0.0;
+    if (!(longest > Shortest))
+    {
+      this->Displacement.setZero();
+      return step.length();
+    }
+    StraightStep::clip(this->Displacement, longest);
+    Vector2 z = step.toPath(this->Displacement);
+    const double slid = StraightStep::moveFreely(z, longest, step.length());
+    if (slid > 0.0)
+    {
+      StraightStep::drag(z, longest, slid);
+    }
+    this->Displacement = step.fromPath(z);
+    return slid;
+  }
+
+  /// On the tool, N.
+  Vector3 force() const noexcept
+  {
+    return -this->Stiffness * this->Frame.toSpace(this->Displacement);
+  }
+
+private:
+  static constexpr double Shortest = 1e-12; ///< mm
+
+  FrictionFrame Frame;
+  Vector2 Displacement = Vector2::Zero(); ///< elastic
+  double Stiffness = 0.0;
+};
+
 /**
  * The force of one contact on a body that relaxes, tick by tick.
  *
@@ -45,13 +114,13 @@ public:
   ContactRelaxation(const BodyRelaxation* body, int elements) noexcept;
 
   bool isFelt() const noexcept { return this->Body != nullptr; }
-  /// All is forgotten: the next contact is one that has rested where it is found.
+  /// Forgets everything: the next contact is taken to have rested where it is found.
   void reset() noexcept;
 
-  /// Time passes, s, to be told with the next press() or lift(): also while nobody knows where the
-  /// tip is.
+  /// Adds to the time (s) that the next press() or lift() accounts for; also while the position of
+  /// the tip is not known.
   void pass(double elapsed) noexcept { this->Elapsed += elapsed > 0.0 ? elapsed : 0.0; }
-  /// Nothing touches.
+  /// A tick without contact.
   void lift() noexcept;
   /// The contact is no longer followed; what the body remembers stays.
   void lose() noexcept
@@ -86,7 +155,7 @@ public:
   double cappedForce(double cappedSlow, double maximumStiffness) const noexcept;
   /// Of the last press, N.
   double force() const noexcept { return this->Now.total; }
-  /// A loop that holds a force from tick to tick feels the slow stiffness so many times.
+  /// How many times the slow stiffness a loop feels that holds the force from tick to tick.
   double stiffening() const noexcept;
 
   /// Of the last press, N mm: what memory stores, ...

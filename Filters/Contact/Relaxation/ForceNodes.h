@@ -22,7 +22,7 @@ class PALPATE_EXPORT ForceNodes
 public:
   using Values = RelaxationElements::Values;
 
-  /// None.
+  /// Without nodes.
   ForceNodes() = default;
   /// `elements` from 1; `range` in mm.
   ForceNodes(const ResponseSampling& sampling, double range, int elements) noexcept;

@@ -34,7 +34,7 @@ public:
   }
   bool isPerPoint() const noexcept { return !this->Weight.empty(); }
 
-  /// Of a point, ...
+  /// The weights of a point.
   Weights weights(std::int32_t point) const noexcept
   {
     Weights all{};
@@ -46,7 +46,7 @@ public:
     }
     return all;
   }
-  /// ... and blended.
+  /// Those of three points, blended.
   Weights weights(const TriangleCorners& points, const Vector3& shares) const noexcept
   {
     if (!this->isPerPoint())

@@ -4,7 +4,6 @@
 
 #include "Contact/Contact.h"
 #include "Contact/Tilt/BodyTilt.h"
-#include "Contact/ToolPose.h"
 #include "Mechanics/PalpateExport.h"
 
 namespace palpate
@@ -34,7 +33,7 @@ public:
 
   /// Whether the last pose had an axis, and the body knows of tilts.
   bool isFelt() const noexcept { return this->IsFelt; }
-  /// Whether it makes another force of that of the upright tool, where the contact is.
+  /// Whether the tilt at the contact changes the force of the upright tool.
   bool isTilted() const noexcept
   {
     constexpr double upright = 1e-7; // rad: M and the change of F are as small a part of F
@@ -54,7 +53,7 @@ public:
   Eigen::Matrix3d ofTip(const Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
     const ResponseField& response) const noexcept;
 
-  /// What press() gives, of another depth.
+  /// What press() would give at another depth.
   ResponseValue tilted(const TriangleCorners& corners, const Vector3& weights, double depth,
     const ResponseValue& upright, double work) const noexcept;
   /// The force of the tilted tool at a depth > 0 of its deepest point, from that of the upright one
@@ -63,7 +62,7 @@ public:
     const ResponseValue& upright, double work) noexcept;
 
   // Of the last press:
-  /// What it has taken, N mm.
+  /// The work it has taken, N mm.
   double work() const noexcept { return this->Factor.value * this->Work; }
   /// The depth at which the upright tool has the same force, mm, and how stiff it is there.
   struct Alike

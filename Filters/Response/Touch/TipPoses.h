@@ -2,8 +2,8 @@
 #ifndef TipPoses_h
 #define TipPoses_h
 
+#include "Contact/Contact.h"
 #include "Contact/ContactBody.h"
-#include "Contact/ToolPose.h"
 #include "Contact/TriangleSearch.h"
 
 #include "vtkType.h"

@@ -3,7 +3,6 @@
 #define palpate_HapticDevice_h
 
 #include "Haptics/Devices/ToolOrientation.h"
-#include "Haptics/Devices/Wrench.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -14,6 +13,27 @@
 
 namespace palpate
 {
+/// A force and a torque about the tool's tip, on the hand. The device's frame; N, N m.
+struct Wrench
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+
+  bool isFinite() const noexcept { return this->force.allFinite() && this->torque.allFinite(); }
+  /// Each shortened to no more than it may be, N and N m; finite.
+  Wrench within(double maximumForce, double maximumTorque) const noexcept
+  {
+    return { shortened(this->force, maximumForce), shortened(this->torque, maximumTorque) };
+  }
+
+private:
+  static Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double most) noexcept
+  {
+    const double size = vector.norm();
+    return (size > most ? most / size : 1.0) * vector;
+  }
+};
+
 /// What a maker states about a device. SI units, the device's frame.
 struct DeviceSpecification
 {

@@ -3,7 +3,7 @@
 #define palpate_ForceWriter_h
 
 #include "Haptics/Servo/BoundedThread.h"
-#include "Haptics/Devices/Wrench.h"
+#include "Haptics/Devices/HapticDevice.h"
 #include "Haptics/Hid/HidBus.h"
 #include "Mechanics/PalpateExport.h"
 

@@ -3,9 +3,8 @@
 #define palpate_PassivityControl_h
 
 #include "Haptics/Safety/ForcesUnderWay.h"
-#include "Haptics/Safety/SpatialVector.h"
 #include "Haptics/Devices/ToolOrientation.h"
-#include "Haptics/Devices/Wrench.h"
+#include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 #ifndef palpate_Tick_h
 #define palpate_Tick_h
 
-#include "Haptics/Devices/Wrench.h"
+#include "Haptics/Devices/HapticDevice.h"
 #include "Contact/Contact.h"
 
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ struct Tick
   bool clutched = false;   ///< the tip stays while the hand moves
 
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
-  /// What is sent.
+  /// The force and torque that are sent.
   Wrench wrench() const noexcept { return { this->deviceForce, this->deviceTorque }; }
 };
 } // namespace palpate

@@ -3,7 +3,7 @@
 #define palpate_testing_CoupledPlate_h
 
 #include "Contact/ContactBody.h"
-#include "Contact/ToolPose.h"
+#include "Contact/Contact.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"
 

@@ -102,7 +102,7 @@ Vector2 onCircle(const std::function<Vector2(const Vector2&, const Vector2&)>& r
   return z;
 }
 
-/// The law of FrictionModels.h, word by word.
+/// The law of ElastoPlasticFriction, as its header states it.
 std::function<Vector2(const Vector2&, const Vector2&)> elastoPlastic(double b, double s)
 {
   return [=](const Vector2& z, const Vector2& d) -> Vector2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Haptics/Devices/Clutch.h"
+#include "Haptics/Servo/DeviceEnd.h"
 
 #include <gtest/gtest.h>
 

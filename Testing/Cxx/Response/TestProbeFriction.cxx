@@ -165,7 +165,7 @@ void checkShapeDerived(vtkPolyData* body)
     {
       const double left = std::max(0.0, Depth - tips->GetPoint(i)[0] / (Friction * ratio));
       const double expected = -Friction * (normalForce(Depth) - normalForce(left));
-      // Its springs are as many as FrictionModels.h says, with the error said there, and half of
+      // Its springs are as many as Friction.h says, with the error said there, and half of
       // the range is used: 3e-3 of the limit are never exceeded.
       PALPATE_CHECK_NEAR(frictionAt(probe, i), expected, 3e-3 * Friction * normalForce(Depth));
       PALPATE_CHECK(i == 10 || stateAt(probe, i) == (i < 10 ? 1 : 2)); // 10 is the limit itself

@@ -236,7 +236,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             close(table["normal_palpate_N"][rows], force, rtol=5e-4)
             out = np.isin(table["leg"], ("press", "out")) & rows
             slide = table["slide_mm"][out]
-            # 64 springs carry Q(u) to 3e-4 of the limit at the depth of the last sample (FrictionModels.h).
+            # 64 springs carry Q(u) to 3e-4 of the limit at the depth of the last sample (Friction.h).
             close(table["friction_shape_derived_N"][out], 0.5 * gone(slide), atol=5e-4 * force)
             # Mindlin's 2 E* a / c up to 0.8 of the limit, then less.
             elastic = 2 * E_STAR * a * slide * 0.5 * depth / slides_after
