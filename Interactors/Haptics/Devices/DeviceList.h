@@ -42,7 +42,7 @@ struct PALPATE_EXPORT DeviceList
   std::string describe() const;
 };
 
-/// Nothing is opened for it.
+/// Lists what is plugged in, without opening any of it.
 PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
 /// Opens the device at `path` ("/dev/hidraw0") by its kind: a HidDevice or a SpaceMouseDevice (in

@@ -49,9 +49,9 @@ public:
   /// Time of the last way point, s; 0 for an empty path.
   double duration() const noexcept { return this->isEmpty() ? 0.0 : this->Points.back().time; }
 
-  /// Zero on an empty path.
+  /// The position; zero on an empty path.
   Eigen::Vector3d at(double time) const noexcept;
-  /// Of the tool, unit; zero where it is not told.
+  /// The axis of the tool, unit; zero where it is not told.
   Eigen::Vector3d axisAt(double time) const noexcept;
   /// How the path goes on from `time`. An empty path rests at zero.
   Ramp rampAt(double time) const noexcept;

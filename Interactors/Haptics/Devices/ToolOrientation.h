@@ -20,7 +20,7 @@ inline ToolOrientation orientationNotTold() noexcept
   return { 0.0, 0.0, 0.0, 0.0 };
 }
 
-/// One that is not zero, of whatever length, NaN included.
+/// Whether it is not zero, of whatever length, NaN included.
 inline bool isTold(const ToolOrientation& orientation) noexcept
 {
   return !orientation.coeffs().isZero(0.0);

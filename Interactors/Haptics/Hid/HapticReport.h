@@ -89,7 +89,7 @@ struct HelloReport
 };
 
 /// A time (s) to hold a force for as its report tells it, µs: within the device's time-out, which
-/// also is what a time is that is no number.
+/// NaN counts as.
 PALPATE_EXPORT std::uint32_t watchdogOf(
   double seconds, const DeviceSpecification& specification) noexcept;
 

@@ -72,7 +72,7 @@ class ForcesUnderWay
 public:
   static constexpr std::size_t Most = 32; ///< ticks of delay
 
-  /// `delay` and `period` in s; more than Most ticks count as Most, what is no number as none.
+  /// `delay` and `period` in s; more than Most ticks count as Most, NaN as none.
   ForcesUnderWay(double delay, double period) noexcept
     : Late(delay > 0.0 && period > 0.0
           ? static_cast<std::size_t>(std::ceil(std::min(delay / period, 1.0 * Most) - 1e-9))

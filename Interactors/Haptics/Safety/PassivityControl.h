@@ -56,8 +56,8 @@ namespace palpate
  * way may have given on it, max_j F_k-j · d, j = 0..n, and lets a force through up to where the n +
  * 1 holds in which it may act, with those sent before it, can take no more than E: Σ |F|²/(2
  * K_max), or, if that lets more through, as long as the hand goes on as fast as now and accelerates
- * as a hand can. Without a delay that is what stands above, to the bit. A spring
- * is let through whole up to some K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
+ * as a hand can. Without a delay that is what stands above, to the bit. A spring is let through
+ * whole up to some K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
  *
  * **Torque.** Told the largest torsional stiffness K_θ it counts the work of force and torque in
  * one account, F · d + M · φ, φ the turn in the hold, and credits b_θ = K_θ T/2 of turns as b of
@@ -95,7 +95,7 @@ public:
   /// The scene can hold no more than `force` (N) over `depth` (m; infinite: unknown) gives, nor,
   /// where that is less, than springs of K_max and K_θ with it and `torque` (N m).
   void bound(double force, double depth, double torque = 0.0) noexcept;
-  /// The hand is given what they can hold.
+  /// Counts what these can hold as put in by the hand.
   void grant(double force, double depth, double torque = 0.0) noexcept;
   /// What of the force may be sent now.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;

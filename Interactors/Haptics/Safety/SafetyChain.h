@@ -28,7 +28,7 @@ struct SafetyInput
   /// force where there is nothing to cap.
   Eigen::Vector3d cappedForce = Eigen::Vector3d::Zero();
   /// m: over no longer way can the force of now give back what the hand has put in: the deflection
-  /// and, with friction, how far its spring can be stretched. Infinite where nobody knows.
+  /// and, with friction, how far its spring can be stretched. Infinite where it is not known.
   double depth = std::numeric_limits<double>::infinity();
   ToolOrientation orientation = orientationNotTold(); ///< as in DeviceSample
   /// About the tip, N m: what the scene gives, and the same with the stiffness cap applied.
@@ -117,10 +117,10 @@ public:
     return this->IsStopped ||
       (this->UsesTime && (!std::isfinite(time) || this->Watchdog.wouldBeLost(time)));
   }
-  /// As if nothing had been; what is stopped stays stopped.
+  /// Begins anew; what is stopped stays stopped.
   void reset() noexcept;
 
-  /// 0 to 1; beyond that 1, and 0 for what is no number. At once: to change it gradually is the
+  /// 0 to 1; beyond that 1, and 0 for NaN. At once: to change it gradually is the
   /// caller's, in ticks marked as changing where it grows.
   void setForceFactor(double factor) noexcept;
   const SafetySettings& settings() const noexcept { return this->Settings; }

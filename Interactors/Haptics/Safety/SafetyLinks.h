@@ -53,14 +53,14 @@ private:
 class EntryGate
 {
 public:
-  /// `ramp` in s; 0, or what is no number: none. Without `closes` the gate is always open.
+  /// `ramp` in s; 0 or NaN: none. Without `closes` the gate is always open.
   EntryGate(bool closes, double ramp) noexcept
     : Closes(closes)
     , Ramp(ramp)
   {
   }
 
-  /// Of the force that may pass now, 0 to 1; time in s.
+  /// The share of the force that may pass now, 0 to 1; time in s.
   double share(double time, bool outside) noexcept
   {
     this->HasBeenOutside = this->HasBeenOutside || outside;
@@ -131,7 +131,7 @@ public:
     this->LastTime = time;
     this->HasTime = true;
   }
-  /// Nothing has been sent.
+  /// Begins anew, from no force.
   void reset() noexcept
   {
     this->Last.setZero();
@@ -155,7 +155,7 @@ public:
   {
   }
 
-  /// Of a force that is finite.
+  /// `force` is finite.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) const noexcept
   {
     // The plain norm wherever its squares neither overflow nor vanish: it is what C and C++ loops

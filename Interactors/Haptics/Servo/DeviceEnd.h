@@ -57,7 +57,8 @@ public:
   }
 
   bool isHeld() const noexcept { return this->Held; }
-  /// Of the force, for the hand: 1 while the tip follows it, 0 while it moves freely.
+  /// The share of the force that the hand gets: 1 while the tip follows it, 0 while it moves
+  /// freely.
   double forceShare() const noexcept { return this->Force.share(); }
 
   /// The tip is where the mapping puts it, as at the beginning.
@@ -74,15 +75,15 @@ private:
 
 /**
  * What of a servo step belongs to one device: mapping, clutch and safety chain. A tick reads the
- * sample, follows the tip, is told what that feels, and sends; whoever steps the contact does that
- * in between. A tip that is not felt, since the sample is not valid, is neither followed nor told.
+ * sample, follows the tip, takes what that feels, and sends; in between the caller steps the
+ * contact. Without a valid sample there is no tip to be followed or felt.
  *
  * Nothing here allocates, locks or throws; for one thread.
  */
 class PALPATE_EXPORT DeviceEnd
 {
 public:
-  /// As ServoStep.
+  /// Parameters as of ServoStep.
   DeviceEnd(const WorkspaceMapping& mapping, const SafetySettings& safety,
     std::uint32_t clutchButtons) noexcept;
 
@@ -104,7 +105,7 @@ public:
 
   const WorkspaceMapping& mapping() const noexcept { return this->Mapping; }
   const SafetySettings& safety() const noexcept { return this->Safety; }
-  /// For a scene of factor 1.
+  /// Up to which stiffness a scene of force factor 1 may be felt.
   const StiffnessLimits& limits() const noexcept { return this->Limits; }
   double energy() const noexcept { return this->Chain.energy(); }
   double spareEnergy() const noexcept { return this->Chain.spareEnergy(); }
@@ -117,7 +118,7 @@ private:
   Clutch Hand;
   StiffnessLimits Limits;
   bool IsSound;      ///< the mapping
-  double Held = 1.0; ///< of the force, for the hand, before this tick
+  double Held = 1.0; ///< share of the force that the hand got in the tick before
 };
 } // namespace palpate
 

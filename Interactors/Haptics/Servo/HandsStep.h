@@ -41,7 +41,7 @@ class PALPATE_EXPORT HandsStep
 public:
   static constexpr std::size_t Most = 4;
 
-  /// As ServoStep has them of its one.
+  /// What ServoStep is told of its one device.
   struct Hand
   {
     WorkspaceMapping mapping;

@@ -23,8 +23,8 @@ struct ServoScene
 {
   /// `contactBody` must not be null and is kept alive by the scene. `sceneForceFactor` (0, 1] fits
   /// this scene to the device, beside SafetySettings::forceFactor: their product is what counts.
-  /// Outside of its range it gives no force. For a HandsStep each
-  /// of its hands has a contact; 0: for a ServoStep.
+  /// Outside of its range it gives no force. For a HandsStep each of its hands has a contact; 0:
+  /// for a ServoStep.
   explicit ServoScene(std::shared_ptr<const ContactBody> contactBody,
     const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0,
     std::size_t hands = 0)
@@ -44,7 +44,7 @@ struct ServoScene
       this->next = std::move(this->next->next);
     }
   }
-  /// With its history, but alone.
+  /// A copy with its history, without the list.
   ServoScene(const ServoScene& other)
     : body(other.body)
     , settings(other.settings)
@@ -134,7 +134,7 @@ public:
   /// One tick, `elapsed` (s) after the last.
   SceneForce update(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
 
-  /// Of a tool along the body's normal.
+  /// The same for a tool along the body's normal.
   SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
   {
     StiffnessLimits limits;
@@ -157,7 +157,7 @@ public:
   SceneForce rehearse(
     const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept;
 
-  /// Null: nothing happens.
+  /// Begins to leave the scene for this one; null changes nothing.
   void change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Leaving != nullptr; }
   /// How many scenes were left, or begun to be.
@@ -168,9 +168,9 @@ public:
   /// The contacts are over, and so is a ramp: the newest scene is the only one. What its body
   /// remembers of having been pressed stays.
   void forget() noexcept;
-  /// That too is forgotten.
+  /// The same, and what the body remembers is forgotten too.
   void reset() noexcept;
-  /// Time passes, s, and nobody knows where the tip is.
+  /// Lets time pass (s) while the position of the tip is not known.
   void pass(double elapsed) noexcept;
 
 private:
