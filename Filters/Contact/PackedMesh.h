@@ -4,7 +4,6 @@
 
 #include "Contact/Contact.h"
 #include "Contact/LargePages.h"
-#include "Contact/Prefetch.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>

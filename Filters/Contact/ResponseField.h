@@ -7,7 +7,6 @@
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
 #include "Contact/Relaxation/RelaxationTerms.h"
-#include "Contact/Prefetch.h"
 #include "Contact/Tilt/TiltViews.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/ResponseContract.h"

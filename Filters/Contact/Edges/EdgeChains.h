@@ -2,8 +2,8 @@
 #ifndef palpate_EdgeChains_h
 #define palpate_EdgeChains_h
 
+#include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
-#include "Contact/Prefetch.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Servo/ServoLoop.h"
 
-#include "Contact/Prefetch.h"
+#include "Contact/LargePages.h"
 #include "Haptics/Safety/ForceRelease.h"
 
 #include <array>
