@@ -342,11 +342,13 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   course.touch = touch.touch;
   const bool isPunch = isFlat(this->Tool);
   bool grows = true;
+  bool isTaken = true; // the last one
   const auto take = [&](double radius, double deflection, double open)
   {
     const std::size_t before = course.samples.size();
     grows = grows && this->takeSample(radius, deflection, kernels, largestOrder, course);
-    if (course.samples.size() > before)
+    isTaken = course.samples.size() > before;
+    if (isTaken)
     {
       course.samples.back().gap = open;
     }
@@ -379,7 +381,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus);
   this->addStrain(kernels, course);
   const bool beginsFlat = touch.touch == Touch::Flat && !isPunch;
-  end = leaveRising(samples, beginsFlat) || !grows ? CurveEnd::Unstable : end;
+  end = leaveRising(samples, beginsFlat) || !grows || !isTaken ? CurveEnd::Unstable : end;
   const double first = course.stiffness.empty() ? 0.0 : course.stiffness.front();
   double tail = course.stiffness.empty() ? 0.0 : course.stiffness.back();
   if (isPunch && samples.size() > 1)

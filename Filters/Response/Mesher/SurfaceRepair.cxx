@@ -30,13 +30,14 @@ std::string closeSurface(MeshedSurface&, ClosedUp&)
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <cstddef>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -84,12 +85,41 @@ Crossings crossingsOf(const CgalSurface& surface)
   meshes::self_intersections(surface, std::back_inserter(crossing));
   return crossing;
 }
+
+using Corners = std::vector<std::vector<std::size_t>>;
+
+/// Takes out the triangles around places where sheets touch, at an edge of more than two triangles
+/// or at a point, so that all have two sides; how many.
+std::size_t cutTouching(std::vector<CgalPoint>& points, Corners& corners)
+{
+  meshes::repair_polygon_soup(points, corners);
+  const std::size_t before = corners.size();
+  for (;;)
+  {
+    const std::size_t known = points.size();
+    meshes::orient_polygon_soup(points, corners); // what touches gets points of its own, at the end
+    if (points.size() == known)
+    {
+      return before - corners.size();
+    }
+    const std::set<CgalPoint> touching(
+      points.begin() + static_cast<std::ptrdiff_t>(known), points.end());
+    corners.erase(std::remove_if(corners.begin(), corners.end(),
+                    [&](const std::vector<std::size_t>& triangle)
+                    {
+                      return std::any_of(triangle.begin(), triangle.end(),
+                        [&](std::size_t i) { return touching.count(points[i]) > 0; });
+                    }),
+      corners.end());
+    meshes::repair_polygon_soup(points, corners);
+  }
+}
 } // namespace
 
 std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
 {
   std::vector<CgalPoint> points;
-  std::vector<std::vector<std::size_t>> corners;
+  Corners corners;
   for (Eigen::Index i = 0; i < surface.points.cols(); ++i)
   {
     points.emplace_back(surface.points(0, i), surface.points(1, i), surface.points(2, i));
@@ -102,13 +132,8 @@ std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
   CgalSurface mesh;
   try
   {
-    meshes::repair_polygon_soup(points, corners);
-    meshes::orient_polygon_soup(
-      points, corners); // parts sheets at edges of more than two triangles
+    made.triangles = cutTouching(points, corners);
     meshes::polygon_soup_to_polygon_mesh(points, corners, mesh);
-    made.edges = static_cast<std::size_t>(std::count_if(mesh.edges().begin(), mesh.edges().end(),
-      [&mesh](CgalSurface::Edge_index edge) { return mesh.is_border(edge); }));
-    meshes::stitch_borders(mesh);
     meshes::keep_large_connected_components(mesh,
       static_cast<std::size_t>(LeastFragment * static_cast<double>(surface.triangles.size())) + 1);
     const double widest = WidestHole * diagonalOf(meshes::bbox(mesh));

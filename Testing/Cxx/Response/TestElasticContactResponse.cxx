@@ -404,6 +404,60 @@ void checkFinerSurface()
   PALPATE_CHECK(component(finer, "ResponseStatus", 12) == 4.0);
 }
 
+/// On a block that is deep under the contact finite strain does what it does on a half-space.
+void checkStrain()
+{
+  const ElasticFilter shaped = press(block(16, 10), "sphere:1");
+  vtkNew<vtkToolContactResponse> flat;
+  flat->SetInputData(planeBody(30.0, 8));
+  flat->SetTool(makeTool("sphere:1"));
+  flat->SetYoungsModulus(0.1);
+  flat->SetMaximumDeflection(0.6);
+  shaped->SetPoissonRatio(0.3);
+  flat->SetPoissonRatio(0.3);
+  std::array<double, 8> small{};
+  std::array<double, 8> smallFlat{};
+  for (const int model : { 0, 1 })
+  {
+    shaped->SetStrainModel(model);
+    flat->SetStrainModel(model);
+    shaped->Update();
+    flat->Update();
+    const vtkIdType point = shaped->GetOutput()->vtkDataSet::FindPoint(8.0, 8.0, 10.0);
+    for (int k = 0; k < 8; ++k)
+    {
+      const auto at = static_cast<std::size_t>(k);
+      const double force = component(shaped, "ResponseForce", point, k);
+      const double alone =
+        flat->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(40, k);
+      if (model == 0)
+      {
+        small[at] = force;
+        smallFlat[at] = alone;
+      }
+      else
+      {
+        // Less what is not local, a tenth of the compliance.
+        const double change = alone / smallFlat[at] - 1.0;
+        PALPATE_CHECK_NEAR(force / small[at] - 1.0, change, 0.15 * std::abs(change) + 5e-4);
+      }
+    }
+    PALPATE_CHECK(
+      (component(shaped, "ResponseError", point, 7) < 0.02) == (model == 1)); // a tenth of p at 0.3
+  }
+  PALPATE_CHECK(std::string(shaped->GetOutput()
+                              ->GetFieldData()
+                              ->GetAbstractArray("ResponseModel")
+                              ->GetVariantValue(0)
+                              .ToString())
+                  .find("Neo-Hooke") != std::string::npos);
+  Messages messages(shaped.Get());
+  shaped->SetStrainModelToOgden();
+  shaped->SetOgdenExponent(0.0);
+  shaped->Update();
+  PALPATE_CHECK_TEXT(messages.errors(), "Ogden", "0");
+}
+
 void checkThreads()
 {
   std::vector<vtkSmartPointer<vtkDataArray>> runs;
@@ -520,6 +574,7 @@ int TestElasticContactResponse(int, char*[])
   checkNextTool();
   checkPressed();
   checkFinerSurface();
+  checkStrain();
   checkThreads();
   checkErrors();
   checkAbort();
