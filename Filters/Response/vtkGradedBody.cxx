@@ -291,9 +291,9 @@ std::string vtkGradedBody::TakeSurface(vtkPolyData* body, palpate::ClosedSurface
   {
     return fault + " (" + open + ")";
   }
-  vtkWarningMacro(<< "The surface was not closed: " << done.triangles
-                  << " triangles were taken out where it touched itself, and " << done.holes
-                  << " holes filled, the widest " << done.widest << " mm.");
+  vtkWarningMacro(<< "The surface was not closed: it was parted at " << done.points
+                  << " points where it touched itself, and " << done.holes
+                  << " holes were filled, the widest " << done.widest << " mm.");
   closed = {};
   return palpate::takeClosedSurface(convertMeshToSurface(surface), closed);
 }

@@ -75,7 +75,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
         "Number Of Samples": 8, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Relaxations": None, "Error Tolerance": 0.05,
         "Store Error": 1, "Store Motion": 1,
-        "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Least Law That Keeps Forces": 0,
+        "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Strain Model": 0,
+        "Ogden Exponent": 2.0, "Demiray Exponent": 1.0, "Least Law That Keeps Forces": 0,
         "Term Tolerance": 0.01, "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Memory Limit (MiB)": 0.0, "Solver": 0},
     ("filters", "NoduleMaterial"): {
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",

@@ -30,6 +30,7 @@ std::string closeSurface(MeshedSurface&, ClosedUp&)
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::string closeSurface(MeshedSurface&, ClosedUp&)
 #include <exception>
 #include <cstddef>
 #include <iterator>
-#include <set>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -86,40 +87,44 @@ Crossings crossingsOf(const CgalSurface& surface)
   return crossing;
 }
 
-using Corners = std::vector<std::vector<std::size_t>>;
+/// How far a point where sheets touch moves towards the middle of its neighbours: each sheet leaves
+/// the place on its own side.
+constexpr double Parted = 0.05;
 
-/// Takes out the triangles around places where sheets touch, at an edge of more than two triangles
-/// or at a point, so that all have two sides; how many.
-std::size_t cutTouching(std::vector<CgalPoint>& points, Corners& corners)
+/// Moves apart what lies at the same place; how many points.
+std::size_t partTouching(CgalSurface& mesh)
 {
-  meshes::repair_polygon_soup(points, corners);
-  const std::size_t before = corners.size();
-  for (;;)
+  std::map<CgalPoint, std::size_t> used;
+  for (const CgalSurface::Vertex_index v : mesh.vertices())
   {
-    const std::size_t known = points.size();
-    meshes::orient_polygon_soup(points, corners); // what touches gets points of its own, at the end
-    if (points.size() == known)
-    {
-      return before - corners.size();
-    }
-    const std::set<CgalPoint> touching(
-      points.begin() + static_cast<std::ptrdiff_t>(known), points.end());
-    corners.erase(std::remove_if(corners.begin(), corners.end(),
-                    [&](const std::vector<std::size_t>& triangle)
-                    {
-                      return std::any_of(triangle.begin(), triangle.end(),
-                        [&](std::size_t i) { return touching.count(points[i]) > 0; });
-                    }),
-      corners.end());
-    meshes::repair_polygon_soup(points, corners);
+    ++used[mesh.point(v)];
   }
+  std::vector<std::pair<CgalSurface::Vertex_index, CgalPoint>> moved;
+  for (const CgalSurface::Vertex_index v : mesh.vertices())
+  {
+    if (used[mesh.point(v)] > 1)
+    {
+      CGAL::Vector_3<CgalKernel> sum(0.0, 0.0, 0.0);
+      for (const CgalSurface::Vertex_index beside :
+        CGAL::vertices_around_target(mesh.halfedge(v), mesh))
+      {
+        sum = sum + (mesh.point(beside) - mesh.point(v));
+      }
+      moved.emplace_back(v, mesh.point(v) + sum * (Parted / static_cast<double>(mesh.degree(v))));
+    }
+  }
+  for (const auto& [v, place] : moved)
+  {
+    mesh.point(v) = place;
+  }
+  return moved.size();
 }
 } // namespace
 
 std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
 {
   std::vector<CgalPoint> points;
-  Corners corners;
+  std::vector<std::vector<std::size_t>> corners;
   for (Eigen::Index i = 0; i < surface.points.cols(); ++i)
   {
     points.emplace_back(surface.points(0, i), surface.points(1, i), surface.points(2, i));
@@ -132,8 +137,11 @@ std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
   CgalSurface mesh;
   try
   {
-    made.triangles = cutTouching(points, corners);
+    meshes::repair_polygon_soup(points, corners);
+    meshes::orient_polygon_soup(
+      points, corners); // parts sheets at edges of more than two triangles
     meshes::polygon_soup_to_polygon_mesh(points, corners, mesh);
+    meshes::stitch_borders(mesh);
     meshes::keep_large_connected_components(mesh,
       static_cast<std::size_t>(LeastFragment * static_cast<double>(surface.triangles.size())) + 1);
     const double widest = WidestHole * diagonalOf(meshes::bbox(mesh));
@@ -165,6 +173,7 @@ std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
   {
     return "it cannot be closed";
   }
+  made.points = partTouching(mesh);
   meshes::orient_to_bound_a_volume(mesh);
   fromCgal(mesh, surface);
   done = made;

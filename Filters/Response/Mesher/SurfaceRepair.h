@@ -21,17 +21,18 @@ std::string mendSurface(MeshedSurface& surface, std::size_t& mended);
 /// What was done to a surface so that it is closed.
 struct ClosedUp
 {
-  std::size_t triangles = 0; ///< that were taken out, around places where it touched itself
-  std::size_t holes = 0; ///< that were filled
-  double widest = 0.0;   ///< of them, the diagonal of its box, mm
+  std::size_t points = 0; ///< where it touched itself: its sheets were parted there
+  std::size_t holes = 0;  ///< that were filled
+  double widest = 0.0;    ///< of them, the diagonal of its box, mm
 };
 
 /**
- * Closes a surface that is nearly so, as scans are: triangles that lie twice are one, those around
- * places where sheets touch each other are taken out, fragments of less than a thousandth of the triangles are
- * left out, holes no wider than a tenth of the body are filled as flat as may be (CGAL's Polygon
- * Mesh Processing; Liepa 2003). Returns what is wrong - a wider hole, no mesher in this build - and
- * leaves the surface as it was, or "". Cost: 1 s per 100 thousand triangles.
+ * Closes a surface that is nearly so, as scans are: triangles that lie twice are one, sheets that
+ * touch each other at an edge or a point are parted by a twentieth of a side, fragments of less
+ * than a thousandth of the triangles are left out, holes no wider than a tenth of the body are
+ * filled as flat as may be (CGAL's Polygon Mesh Processing; Liepa 2003). Returns what is wrong - a
+ * wider hole, no mesher in this build - and leaves the surface as it was, or "". Cost: 1 s per 100
+ * thousand triangles.
  */
 std::string closeSurface(MeshedSurface& surface, ClosedUp& done);
 } // namespace palpate

@@ -236,7 +236,7 @@ TEST(SurfaceGap, WavesDrawnAtRandom)
         continue; // it says so by its range
       }
       // The cells' own error is that on a plane.
-      const double side = pressed->contactRadius(depth) / 10.0;
+      const double side = pressed->contactRadius(depth) / 8.0;
       const double extent = 1.6 * pressed->contactRadius(depth);
       const double plane = pressed->force(depth, 1.0);
       const double scale = plane /
