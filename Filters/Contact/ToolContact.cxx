@@ -128,7 +128,8 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
 
 [[gnu::hot]] Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
 {
-  auto& [outcome, place] = found;
+  const ContactTracker::Outcome outcome = found.outcome;
+  ContactPlace& place = found.place;
   this->LetDown = sunk;
   this->LastWeights.setZero();
   this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;

@@ -144,7 +144,7 @@ private:
           isSmooth = patch.build(
             at, { this->turned(corners[0]), this->turned(corners[1]), this->turned(corners[2]) });
         }
-        this->put(k, j, at, area, isSmooth ? this->heightOn(patch, area, place) : NotANumber);
+        this->put(k, j, at, area, isSmooth ? heightOn(patch, area, place) : NotANumber);
       }
     }
     return true;
