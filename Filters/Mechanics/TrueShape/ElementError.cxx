@@ -8,10 +8,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double Missed = 1.5;               ///< of what second order lets expect: 2 of 100 pass it
-constexpr double MissedByLinear = 7.5;       ///< likewise of linear tetrahedra, which lock
-constexpr double MissedBending = 0.1;        ///< by elements with straight sides
-constexpr double MissedBendingCurved = 0.03; ///< by quadratic tetrahedra, which bend
+constexpr double Missed = 1.5;         ///< of what second order lets expect: 2 of 100 pass it
+constexpr double MissedByLinear = 7.5; ///< likewise of linear tetrahedra, which lock
 constexpr double OfHeld = 0.5; ///< where a base holds, elements have its displacement exactly
 constexpr double QuadraticGain = 1.25; ///< as if a quadratic tetrahedron were so much smaller
 
@@ -54,9 +52,6 @@ ElementError::ElementError(const ElasticBody& body)
   const bool locks = std::any_of(mesh.elements.begin(), mesh.elements.end(),
     [](const VolumeElement& element) { return element.kind == ElementKind::Tetrahedron; });
   this->Part = locks ? MissedByLinear : Missed;
-  const bool bends = std::all_of(mesh.elements.begin(), mesh.elements.end(),
-    [](const VolumeElement& element) { return element.kind == ElementKind::QuadraticTetrahedron; });
-  this->OfBending = bends ? MissedBendingCurved : MissedBending;
   for (const BoundaryFace& boundary : body.topology().boundary())
   {
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(boundary.element)];
@@ -93,7 +88,7 @@ ElementError::ElementError(const ElasticBody& body)
 ExpectedError ElementError::at(const SingularSource& source) const
 {
   const BoussinesqField field(source.material);
-  ExpectedError sum{ 0.0, 0.0, this->OfBending };
+  ExpectedError sum{ 0.0, 0.0 };
   const auto add = [&sum](double amount, double missed)
   {
     sum.direct += amount;

@@ -15,8 +15,8 @@ namespace palpate
  * another material. Elements of size h at a distance r from the source, over which the field
  * changes, miss of that a part of second order, (h/r)². The parts are summed by their amounts:
  * where an edge softens and a base stiffens as much, H is nothing and its error is not. Of the
- * surface that is smooth around the source they miss less, by its turn over an element. Of what
- * the body bends beyond that, a part by their kind. How often it holds: ShapedErrorTest.
+ * surface that is smooth around the source they miss less, by its turn over an element. What
+ * bending does is not in it. How often it holds: ShapedErrorTest.
  *
  * Made once for a body; at() may be called by any number of threads. Cost: 0.1 µs per outer face
  * and per element of another material.
@@ -28,8 +28,6 @@ public:
   explicit ElementError(const ElasticBody& body);
 
   ExpectedError at(const SingularSource& source) const;
-  /// Of what the body bends, the part that its elements may miss.
-  double ofBending() const { return this->OfBending; }
 
 private:
   /// One side of the body.
@@ -50,7 +48,6 @@ private:
   };
 
   double Part = 0.0; ///< of the sum, by the kind of the elements
-  double OfBending = 0.0;
   std::vector<Side> Sides;
   std::vector<Cell> Cells;
 };

@@ -163,8 +163,7 @@ void BlendedKernels::blendSites(
   this->Site.nearestSource = 0.0;
   this->Site.spacing = blend([](const KernelSite& site) { return site.spacing; });
   this->Site.elements = { blend([](const KernelSite& site) { return site.elements.error; }),
-    blend([](const KernelSite& site) { return site.elements.direct; }),
-    nearest.elements.ofBending };
+    blend([](const KernelSite& site) { return site.elements.direct; }) };
 }
 
 void BlendedKernels::blendKernels(

@@ -260,7 +260,7 @@ void RegularGreen::expectErrors()
   shareWork(own.size(),
     [&](std::size_t i)
     {
-      ExpectedError sum{ 0.0, 0.0, elements.ofBending() };
+      ExpectedError sum{ 0.0, 0.0 };
       double weights = 0.0;
       this->visitSources(i,
         [&](std::size_t place, double weight)
@@ -271,7 +271,7 @@ void RegularGreen::expectErrors()
         });
       if (std::isnan(own[i].error) && weights > 0.0)
       {
-        this->Errors[i] = { sum.error / weights, sum.direct / weights, sum.ofBending };
+        this->Errors[i] = { sum.error / weights, sum.direct / weights };
       }
     });
 }

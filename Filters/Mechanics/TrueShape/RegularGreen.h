@@ -28,7 +28,6 @@ struct ExpectedError
 {
   double error = NotANumber;
   double direct = NotANumber; ///< of H what is beyond this is bending
-  double ofBending = 0.1;     ///< of that, the part which elements may miss
 };
 
 /// H between surface points that share a contact, and the surface around each.

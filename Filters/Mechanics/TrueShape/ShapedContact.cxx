@@ -27,7 +27,8 @@ Eigen::Vector4d reducedPowers(double t)
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
 }
 
-constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from facet to facet
+constexpr double OfBending = 0.1; ///< of what bends
+constexpr double OfFacets = 0.8;  ///< of H, times the square of the turn from facet to facet
 
 /// What the elements let expect of the error of a contact's compliance, mm/N: by its place
 /// (ElementError), less of a contact wider than they are, as they err most next to the source; of
@@ -39,7 +40,7 @@ double meshError(const ContactKernel& kernel, const KernelSite& site, double rad
   const double self = std::abs(kernel.coefficients(0, 0));
   const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
   return site.elements.error * site.spacing / (site.spacing + radius) +
-    site.elements.ofBending * std::max(0.0, self - site.elements.direct) +
+    OfBending * std::max(0.0, self - site.elements.direct) +
     self * OfFacets * std::min(1.0, turn * turn) + kernel.spread;
 }
 

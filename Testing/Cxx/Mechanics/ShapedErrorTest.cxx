@@ -134,12 +134,12 @@ ElasticBodyInput barThatBends(int finer)
   return heldBelow(block(5, 5, 16, finer), { { 0.1, 0.35 } });
 }
 
-ElasticBodyInput heldAtTheEnds(VolumeMesh mesh)
+ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
 {
   std::vector<unsigned char> fixed;
   for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
   {
-    fixed.push_back(mesh.nodes(0, i) == 0.0 || mesh.nodes(0, i) == 14.0 ? 7 : 0);
+    fixed.push_back(mesh.nodes(0, i) == 0.0 || mesh.nodes(0, i) == length ? 7 : 0);
   }
   return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
 }
@@ -147,14 +147,16 @@ ElasticBodyInput heldAtTheEnds(VolumeMesh mesh)
 /// Two elements thick, held at two ends; pressed from the side, too.
 ElasticBodyInput thinPlate(int finer)
 {
-  return heldAtTheEnds(block(14, 14, 2, finer));
+  return heldAtTheEnds(block(14, 14, 2, finer), 14.0);
 }
 
-/// One quadratic tetrahedron thick.
+/// Two quadratic tetrahedra thick.
 ElasticBodyInput plateOfTetrahedra(int finer)
 {
-  return heldAtTheEnds(palpate::testing::quadratic(palpate::testing::tetrahedra(
-    palpate::testing::hexahedronBlock(7 * finer, 7 * finer, finer, 2.0 / finer))));
+  return heldAtTheEnds(
+    palpate::testing::quadratic(palpate::testing::tetrahedra(
+      palpate::testing::hexahedronBlock(10 * finer, 10 * finer, 2 * finer, 1.0 / finer))),
+    10.0);
 }
 
 ElasticBodyInput overAStiffBase(int finer)
