@@ -66,6 +66,7 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   sizes.sources = std::max(LeastOfSpacing * sizes.spacing, std::sqrt(area / UsualSources));
   return sizes;
 }
+
 /// How the body resists large strain under a tool: what was asked for, or Neo-Hooke where that is
 /// tabulated.
 StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const TouchScene& scene)

@@ -130,7 +130,7 @@ FlatTouch touchOf(
   const double least = LeastBulge * smallest;
   // Where the pressure at the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere below 0.
   const double uneven = 2.0 * radius * kernel.gap.lean.norm() + std::sqrt(2.0 * kernel.gap.waves);
-  FlatTouch found{ Touch::Flat, std::abs(rise) + (rise < 0.0 ? -rise : 0.0) + uneven };
+  FlatTouch found{ Touch::Flat, (rise < 0.0 ? -2.0 * rise : rise) + uneven };
   if (rise > std::max(least, isFlat(tool) ? uneven : 0.0))
   {
     found.touch = Touch::Bulging;
@@ -276,12 +276,11 @@ bool ShapedContact::takeSample(double radius, double deflection, const ContactKe
     {
       return !kernel.gap.drop.isZero(); // the surface, not the kernel: it grows on at once
     }
-    const ContactKernel coarser = kernel.order > 1 ? kernels.at(radius, kernel.order - 1) : kernel;
     if (kernel.order > 1)
     {
-      ContactKernel other = coarser;
-      other.gap = kernel.gap; // the shape is not what is expanded
-      const Contact lower = this->at(radius, other, modulus, deflection);
+      ContactKernel coarser = kernels.at(radius, kernel.order - 1);
+      coarser.gap = kernel.gap; // the shape is not what is expanded
+      const Contact lower = this->at(radius, coarser, modulus, deflection);
       sample.truncation =
         (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
         1.0;

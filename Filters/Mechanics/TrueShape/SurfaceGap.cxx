@@ -38,7 +38,16 @@ Eigen::Matrix3d SurfaceGap::frame(const Eigen::Vector3d& outwardNormal)
 
 double SurfaceGap::ring(int k)
 {
-  return std::pow(RingRatio, Rings - 1 - k);
+  static const std::array<double, Rings> radii = []
+  {
+    std::array<double, Rings> all{};
+    for (int i = 0; i < Rings; ++i)
+    {
+      all[static_cast<std::size_t>(i)] = std::pow(RingRatio, Rings - 1 - i);
+    }
+    return all;
+  }();
+  return radii[static_cast<std::size_t>(k)];
 }
 
 SurfaceGap::SurfaceGap(double radius, const Heights& heights)

@@ -138,8 +138,8 @@ std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
   try
   {
     meshes::repair_polygon_soup(points, corners);
-    meshes::orient_polygon_soup(
-      points, corners); // parts sheets at edges of more than two triangles
+    // Parts sheets at edges of more than two triangles.
+    meshes::orient_polygon_soup(points, corners);
     meshes::polygon_soup_to_polygon_mesh(points, corners, mesh);
     meshes::stitch_borders(mesh);
     meshes::keep_large_connected_components(mesh,
