@@ -6,7 +6,7 @@
  *
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm;
  * points at the same place count as one. What scans have is mended, with a warning: sheets that
- * touch each other are parted, holes up to a tenth of the body are filled, and where fewer than a
+ * touch each other are parted, holes up to a fifth of the body are filled, and where fewer than a
  * hundredth of the triangles cross each other these are taken out. A wider hole, more
  * crossings (the first are named), a surface that is inside out, and one of which a part is lost
  * since SurfaceSpacing is too coarse for it, are errors. Parts and cavities may be several; of one

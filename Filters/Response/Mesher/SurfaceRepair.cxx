@@ -48,7 +48,7 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double WidestHole = 0.1;      ///< of the body's own box
+constexpr double WidestHole = 0.2;      ///< of the body's own box
 constexpr double LeastFragment = 0.001; ///< of all triangles
 constexpr double MostCrossing = 0.01;   ///< of the triangles: beyond, it is no slip of a scanner
 

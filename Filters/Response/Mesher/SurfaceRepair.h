@@ -29,7 +29,7 @@ struct ClosedUp
 /**
  * Closes a surface that is nearly so, as scans are: triangles that lie twice are one, sheets that
  * touch each other at an edge or a point are parted by a twentieth of a side, fragments of less
- * than a thousandth of the triangles are left out, holes no wider than a tenth of the body are
+ * than a thousandth of the triangles are left out, holes no wider than a fifth of the body are
  * filled as flat as may be (CGAL's Polygon Mesh Processing; Liepa 2003). Returns what is wrong - a
  * wider hole, no mesher in this build - and leaves the surface as it was, or "". Cost: 1 s per 100
  * thousand triangles.
