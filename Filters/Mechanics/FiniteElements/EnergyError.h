@@ -18,6 +18,10 @@ namespace palpate
  */
 PALPATE_EXPORT std::vector<double> energyErrors(
   const ElasticBody& body, const std::vector<Eigen::Matrix3Xd>& displacements);
+
+/// So many times that estimate bounds the error: for hexahedra, linear and quadratic tetrahedra on
+/// layers and plates, from one element through the thickness on.
+constexpr double BoundOfEnergy = 4.0;
 } // namespace palpate
 
 #endif

@@ -19,7 +19,6 @@ namespace
 constexpr double SampleCount = 10.0; ///< about as many
 constexpr std::size_t AtATime = 4;   ///< displacements of the whole body are kept of so many
 constexpr double OfDifference = 2.0;
-constexpr double OfEnergy = 4.0;
 
 /// Points with a compliance, about SampleCount of them, spread over the surface.
 std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompliances& compliances)
@@ -41,25 +40,6 @@ std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompl
   }
   return thinnedSources(
     surface, candidates, std::vector<double>(candidates.size(), std::sqrt(area / SampleCount)));
-}
-
-/// The regular part of the displacement of every node under 1 N at a source.
-Eigen::Matrix3Xd regularDisplacement(
-  const ElasticBody& body, const SingularSource& source, const Eigen::VectorXd& smooth)
-{
-  const BoussinesqField field(source.material);
-  Eigen::Matrix3Xd moved(3, body.mesh().nodeTotal());
-  for (std::int32_t node = 0; node < body.mesh().nodeTotal(); ++node)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int unknown = body.unknown(node, axis);
-      moved(axis, node) = unknown >= 0 ? smooth[unknown]
-                                       : -source.frame.row(axis).dot(field.displacement(
-                                           source.inFrame(body.mesh().nodes.col(node))));
-    }
-  }
-  return moved;
 }
 } // namespace
 
@@ -98,7 +78,7 @@ std::vector<double> complianceErrors(
       const double otherWay = -surface.normal(point).dot(moved[s - first].col(surface.node(point)));
       atSamples[s] = OfDifference *
           std::abs(otherWay - compliances.compliance[static_cast<std::size_t>(point)]) +
-        OfEnergy * energies[s - first];
+        BoundOfEnergy * energies[s - first];
     }
   };
   if (!shareWork((samples.size() + AtATime - 1) / AtATime, estimate, observer))

@@ -163,7 +163,8 @@ void BlendedKernels::blendSites(
   this->Site.nearestSource = 0.0;
   this->Site.spacing = blend([](const KernelSite& site) { return site.spacing; });
   this->Site.elements = { blend([](const KernelSite& site) { return site.elements.error; }),
-    blend([](const KernelSite& site) { return site.elements.direct; }) };
+    blend([](const KernelSite& site) { return site.elements.direct; }),
+    blend([](const KernelSite& site) { return site.elements.bending; }) };
 }
 
 void BlendedKernels::blendKernels(

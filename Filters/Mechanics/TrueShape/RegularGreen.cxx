@@ -5,7 +5,6 @@
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/ThreadCount.h"
-#include "Mechanics/TrueShape/ElementError.h"
 #include "Mechanics/TrueShape/SourceThinning.h"
 #include "Mechanics/TrueShape/SubtractedLoad.h"
 
@@ -27,9 +26,6 @@ constexpr double RingOfSources = 2.9;
 /// one everywhere.
 constexpr double ClosestSources = 2.0 / 3.0;
 
-/// Sources around a point that is none, whose expected error it takes.
-constexpr std::size_t ErrorSources = 3;
-
 /// Mean curvature at the middle of a disc, 1/mm, > 0 where convex: of the nearest points.
 double meanCurvature(const ElasticBody& body, std::int32_t point)
 {
@@ -50,20 +46,25 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
 }
 } // namespace
 
-const SurfaceDisc* RegularGreen::disc(std::int32_t point) const
+/// Its place in Points; their number if it is none of them.
+std::size_t RegularGreen::placeOf(std::int32_t point) const
 {
   const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
   return at != this->Points.end() && *at == point
-    ? &this->Discs[static_cast<std::size_t>(at - this->Points.begin())]
-    : nullptr;
+    ? static_cast<std::size_t>(at - this->Points.begin())
+    : this->Points.size();
+}
+
+const SurfaceDisc* RegularGreen::disc(std::int32_t point) const
+{
+  const std::size_t place = this->placeOf(point);
+  return place < this->Points.size() ? &this->Discs[place] : nullptr;
 }
 
 ExpectedError RegularGreen::elementError(std::int32_t point) const
 {
-  const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
-  return at != this->Points.end() && *at == point
-    ? this->Errors[static_cast<std::size_t>(at - this->Points.begin())]
-    : ExpectedError{};
+  const std::size_t place = this->placeOf(point);
+  return place < this->Points.size() ? this->Errors.at(place) : ExpectedError{};
 }
 
 const double* RegularGreen::find(std::int32_t x, std::int32_t source) const
@@ -220,64 +221,10 @@ void RegularGreen::layOut()
   }
 }
 
-/// Calls visit(place in Points, weight) of the sources that tell what to expect of one of Points:
-/// itself if it is one, or the nearest of its disc.
-template <class Visit>
-void RegularGreen::visitSources(std::size_t i, const Visit& visit) const
+void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t block)
 {
-  std::size_t seen = 0;
-  for (const DiscPoint& at : this->Discs[i].points)
-  {
-    const auto place = std::lower_bound(this->Points.begin(), this->Points.end(), at.point);
-    if (!this->isSource(at.point) || place == this->Points.end() || *place != at.point)
-    {
-      continue;
-    }
-    visit(static_cast<std::size_t>(place - this->Points.begin()),
-      1.0 / std::max(at.distance * at.distance, 1e-300));
-    if (at.distance == 0.0 || ++seen == ErrorSources)
-    {
-      return;
-    }
-  }
-}
-
-void RegularGreen::expectErrors()
-{
-  const ElementError elements(this->Body);
-  std::vector<ExpectedError> own(this->Points.size());
-  shareWork(own.size(),
-    [&](std::size_t i)
-    {
-      bool isToldByOthers = false;
-      this->visitSources(i, [&](std::size_t place, double) { isToldByOthers = place != i; });
-      if (!isToldByOthers && this->Discs[i].status == PatchStatus::Valid)
-      {
-        own[i] = elements.at(SingularSource(this->Body, this->Points[i]));
-      }
-    });
-  this->Errors = own;
-  shareWork(own.size(),
-    [&](std::size_t i)
-    {
-      ExpectedError sum{ 0.0, 0.0 };
-      double weights = 0.0;
-      this->visitSources(i,
-        [&](std::size_t place, double weight)
-        {
-          sum.error += weight * own[place].error;
-          sum.direct += weight * own[place].direct;
-          weights += weight;
-        });
-      if (std::isnan(own[i].error) && weights > 0.0)
-      {
-        this->Errors[i] = { sum.error / weights, sum.direct / weights };
-      }
-    });
-}
-
-void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t first, std::size_t last)
-{
+  const std::size_t first = block * GreenBlock;
+  const std::size_t last = std::min(this->Sources.size(), first + GreenBlock);
   const BodySurface& surface = this->Body.surface();
   Eigen::MatrixXd right(this->Body.unknowns(), static_cast<Eigen::Index>(last - first));
   for (std::size_t s = first; s < last; ++s)
@@ -326,6 +273,29 @@ void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t first, st
       }
     }
   }
+  const std::vector<std::int32_t> sources(
+    this->Sources.begin() + static_cast<std::ptrdiff_t>(first),
+    this->Sources.begin() + static_cast<std::ptrdiff_t>(last));
+  const auto bendingOf = [&](std::size_t s)
+  {
+    const double* self = this->find(sources[s], sources[s]);
+    return self == nullptr ? NotANumber : std::abs(*self) - this->elementError(sources[s]).direct;
+  };
+  if (smooth.size() > 0)
+  {
+    BendingError::sample(
+      this->Body, block, this->Bending.size(), sources, smooth, bendingOf, this->Bending[block]);
+  }
+}
+
+void RegularGreen::expectBending()
+{
+  std::vector<BendingError::Sample> all;
+  for (const std::vector<BendingError::Sample>& ofBlock : this->Bending)
+  {
+    all.insert(all.end(), ofBlock.begin(), ofBlock.end());
+  }
+  this->Errors.setBending(BendingError(std::move(all)), this->Body.surface(), this->Points);
 }
 
 std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double radius,
@@ -367,16 +337,13 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   }
   this->chooseSources();
   this->layOut();
-  this->expectErrors();
+  this->Errors = SourceErrors(this->Body, this->Points, this->Discs, this->Sources);
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
+  this->Bending.assign(blocks, {});
   // The blocks are the same for any number of threads, and so are the results.
-  const auto solveNext = [&](std::size_t block)
-  {
-    this->solveBlock(
-      loads, block * GreenBlock, std::min(this->Sources.size(), (block + 1) * GreenBlock));
-  };
-  if (!shareWork(blocks, solveNext, observer))
+  if (!shareWork(
+        blocks, [&](std::size_t block) { this->solveBlock(loads, block); }, observer))
   {
     this->Rows.clear();
     this->Sources.clear();
@@ -389,6 +356,7 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
       return "the solution for the sources does not fit the memory";
     }
   }
+  this->expectBending();
   return {};
 }
 } // namespace palpate

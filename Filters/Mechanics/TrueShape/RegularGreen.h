@@ -19,17 +19,10 @@
 #include "Mechanics/FiniteElements/ElasticBody.h"
 #include "Mechanics/FiniteElements/PatchCompliance.h"
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/TrueShape/SurfaceDisc.h"
+#include "Mechanics/TrueShape/SourceErrors.h"
 
 namespace palpate
 {
-/// What elements let expect of the error of H at a source, mm/N, >= 0 (ElementError).
-struct ExpectedError
-{
-  double error = NotANumber;
-  double direct = NotANumber; ///< of H what is beyond this is bending
-};
-
 /// H between surface points that share a contact, and the surface around each.
 class PALPATE_EXPORT RegularGreen
 {
@@ -86,23 +79,23 @@ private:
     std::vector<double> values;
   };
 
+  std::size_t placeOf(std::int32_t point) const;
   const double* find(std::int32_t x, std::int32_t source) const;
   double discRadius(std::int32_t point) const;
   void chooseSources();
   void layOut();
-  template <class Visit>
-  void visitSources(std::size_t i, const Visit& visit) const;
-  void expectErrors();
-  void solveBlock(const class SubtractedLoad& loads, std::size_t first, std::size_t last);
+  void solveBlock(const class SubtractedLoad& loads, std::size_t block);
+  void expectBending();
 
   const ElasticBody& Body;
   double Radius = 0.0;
   double Spacing = 0.0;
-  std::vector<std::int32_t> Points;  ///< asked for, ascending
-  std::vector<SurfaceDisc> Discs;    ///< beside Points
-  std::vector<ExpectedError> Errors; ///< beside Points
-  std::vector<std::int32_t> Sources; ///< ascending
-  std::vector<Row> Rows;             ///< beside Sources
+  std::vector<std::int32_t> Points;                       ///< asked for, ascending
+  std::vector<SurfaceDisc> Discs;                         ///< beside Points
+  SourceErrors Errors;                                    ///< beside Points
+  std::vector<std::int32_t> Sources;                      ///< ascending
+  std::vector<Row> Rows;                                  ///< beside Sources
+  std::vector<std::vector<BendingError::Sample>> Bending; ///< by blocks of them
 };
 } // namespace palpate
 

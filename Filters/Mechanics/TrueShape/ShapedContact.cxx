@@ -27,21 +27,21 @@ Eigen::Vector4d reducedPowers(double t)
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
 }
 
-constexpr double OfBending = 0.1; ///< of what bends
-constexpr double OfFacets = 0.8;  ///< of H, times the square of the turn from facet to facet
+constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from facet to facet
 
 /// What the elements let expect of the error of a contact's compliance, mm/N: by its place
 /// (ElementError), less of a contact wider than they are, as they err most next to the source; of
-/// what bends; and of facets on a curved surface, which is the same everywhere (measured on a
-/// ball); and of what lies between the places where H is known. What the moduli of mixed cells do
-/// is not in it.
+/// what bends (BendingError); of facets on a curved surface, which is the same everywhere (measured
+/// on a ball); and of what lies between the places where H is known. They know nothing of each
+/// other. What the moduli of mixed cells do is not in it.
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
   const double self = std::abs(kernel.coefficients(0, 0));
   const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
-  return site.elements.error * site.spacing / (site.spacing + radius) +
-    OfBending * std::max(0.0, self - site.elements.direct) +
-    self * OfFacets * std::min(1.0, turn * turn) + kernel.spread;
+  return Eigen::Vector4d(site.elements.error * site.spacing / (site.spacing + radius),
+    site.elements.bending * std::max(0.0, self - site.elements.direct),
+    self * OfFacets * std::min(1.0, turn * turn), kernel.spread)
+    .norm();
 }
 
 /// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for

@@ -290,4 +290,22 @@ Eigen::VectorXd SubtractedLoad::load(const SingularSource& source) const
   load -= this->Coupling * held;
   return load;
 }
+
+Eigen::Matrix3Xd regularDisplacement(
+  const ElasticBody& body, const SingularSource& source, const Eigen::VectorXd& smooth)
+{
+  const BoussinesqField field(source.material);
+  Eigen::Matrix3Xd moved(3, body.mesh().nodeTotal());
+  for (std::int32_t node = 0; node < body.mesh().nodeTotal(); ++node)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int unknown = body.unknown(node, axis);
+      moved(axis, node) = unknown >= 0 ? smooth[unknown]
+                                       : -source.frame.row(axis).dot(field.displacement(
+                                           source.inFrame(body.mesh().nodes.col(node))));
+    }
+  }
+  return moved;
+}
 } // namespace palpate

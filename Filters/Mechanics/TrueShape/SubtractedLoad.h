@@ -69,6 +69,10 @@ private:
   std::vector<std::pair<std::int32_t, int>> Held; ///< node and axis of the columns of Coupling
   Eigen::SparseMatrix<double> Coupling;           ///< unknowns × held directions
 };
+
+/// w at every node, mm, of which `smooth` has the unknowns.
+Eigen::Matrix3Xd regularDisplacement(
+  const ElasticBody& body, const SingularSource& source, const Eigen::VectorXd& smooth);
 } // namespace palpate
 
 #endif

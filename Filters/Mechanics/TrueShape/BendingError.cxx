@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/TrueShape/BendingError.h"
+
+#include "Mechanics/FiniteElements/EnergyError.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t SampledBlocks = 12;
+constexpr std::size_t OfBlock = 4; ///< sources of one that is sampled
+} // namespace
+
+void BendingError::sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
+  const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
+  const BendingOf& bendingOf, std::vector<Sample>& samples)
+{
+  if (block % std::max<std::size_t>(1, blocks / SampledBlocks) != 0)
+  {
+    return;
+  }
+  std::vector<std::pair<std::size_t, double>> bent;
+  for (std::size_t s = 0; s < sources.size(); ++s)
+  {
+    const double bending = bendingOf(s);
+    if (bending > 0.0)
+    {
+      bent.emplace_back(s, bending);
+    }
+  }
+  std::vector<Eigen::Matrix3Xd> moved;
+  const std::size_t step = std::max<std::size_t>(1, bent.size() / OfBlock);
+  for (std::size_t k = 0; k < bent.size() && moved.size() < OfBlock; k += step)
+  {
+    const auto& [s, bending] = bent[k];
+    const SingularSource source(body, sources[s]);
+    moved.push_back(regularDisplacement(body, source, smooth.col(static_cast<Eigen::Index>(s))));
+    samples.push_back({ source.origin, bending, 0.0 });
+  }
+  if (moved.empty())
+  {
+    return;
+  }
+  const std::vector<double> energies = energyErrors(body, moved);
+  for (std::size_t k = 0; k < energies.size(); ++k)
+  {
+    samples[samples.size() - energies.size() + k].energy = energies[k];
+  }
+}
+
+BendingError::BendingError(std::vector<Sample> samples)
+  : Samples(std::move(samples))
+{
+}
+
+double BendingError::at(const Eigen::Vector3d& place) const
+{
+  double bends = 0.0;
+  double missed = 0.0;
+  for (const Sample& sample : this->Samples)
+  {
+    const double weight = 1.0 / std::max((sample.place - place).squaredNorm(), 1e-300);
+    bends += weight * sample.bending;
+    missed += weight * BoundOfEnergy * sample.energy;
+  }
+  if (!(bends > 0.0))
+  {
+    return Assumed;
+  }
+  // The smooth stresses miss the same part of what is missed, and so on: x + x² + ...
+  return missed < bends ? std::clamp(missed / (bends - missed), Least, Most) : Most;
+}
+} // namespace palpate
