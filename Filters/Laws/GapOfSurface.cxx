@@ -34,6 +34,7 @@ public:
   {
     this->Found.surface.setConstant(NotANumber);
     this->Found.facets.setConstant(NotANumber);
+    this->Found.uneven.setZero();
     for (int j = 0; j < SurfaceGap::Angles; ++j)
     {
       const double angle = 2.0 * Pi * j / SurfaceGap::Angles;
@@ -122,6 +123,7 @@ private:
       return false;
     }
     SmoothTriangle patch;
+    double uneven = 0.0;
     bool isBuilt = false;
     bool isSmooth = false;
     for (int k = 0; k < SurfaceGap::Rings; ++k)
@@ -141,10 +143,12 @@ private:
         if (!isBuilt)
         {
           isBuilt = true;
-          isSmooth = patch.build(
-            at, { this->turned(corners[0]), this->turned(corners[1]), this->turned(corners[2]) });
+          const std::array<Vector3, 3> normals = { this->turned(corners[0]),
+            this->turned(corners[1]), this->turned(corners[2]) };
+          isSmooth = patch.build(at, normals);
+          uneven = isSmooth ? unevenness(at, normals) : 0.0;
         }
-        this->put(k, j, at, area, isSmooth ? heightOn(patch, area, place) : NotANumber);
+        this->put(k, j, at, area, isSmooth ? heightOn(patch, area, place) : NotANumber, uneven);
       }
     }
     return true;
@@ -164,6 +168,19 @@ private:
     return { part(1, 2), part(2, 0), part(0, 1) };
   }
 
+  /// Of a triangle's edges (GapTerms::uneven), the root of the mean square.
+  static double unevenness(const std::array<Vector3, 3>& at, const std::array<Vector3, 3>& normals)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t next = (i + 1) % 3;
+      const double off = (normals[i] + normals[next]).dot(at[next] - at[i]);
+      sum += off * off;
+    }
+    return std::sqrt(sum / 3.0);
+  }
+
   /// How far the patch lies below the plane over a place: its point of these area coordinates,
   /// moved along its tangent plane.
   static double heightOn(
@@ -175,7 +192,8 @@ private:
     return jet.point[2] - away.dot(across.head<2>()) / across[2];
   }
 
-  void put(int k, int j, const std::array<Vector3, 3>& at, const Vector3& area, double smooth)
+  void put(int k, int j, const std::array<Vector3, 3>& at, const Vector3& area, double smooth,
+    double uneven)
   {
     const double flat = area[0] * at[0][2] + area[1] * at[1][2] + area[2] * at[2][2];
     const double height = std::isfinite(smooth) ? smooth : flat;
@@ -184,6 +202,7 @@ private:
     {
       known = height;
       this->Found.facets(k, j) = flat;
+      this->Found.uneven(k, j) = uneven;
     }
   }
 

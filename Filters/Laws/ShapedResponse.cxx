@@ -55,6 +55,10 @@ public:
     }
     this->Spans.range[i] = static_cast<float>(this->Terms.range);
     this->Spans.validity[i] = 0.0F;
+    if (this->Terms.surfaceError)
+    {
+      this->Terms.surfaceError[i] = std::numeric_limits<float>::quiet_NaN();
+    }
     this->Spans.limit[i] = static_cast<unsigned char>(ResponseLimit::None);
     unsigned char& status = this->Spans.status[i];
     if (status != ValidPoint)
@@ -83,6 +87,11 @@ public:
         curve.evaluate(this->Sampling.depth(static_cast<int>(k), static_cast<double>(range)));
       force[k] = static_cast<float>(point.force);
       stiffness[k] = static_cast<float>(point.stiffness);
+    }
+    if (this->Terms.surfaceError)
+    {
+      this->Terms.surfaceError[i] =
+        static_cast<float>(curve.errorsAt(static_cast<double>(range)).surface);
     }
     this->judge(i, curve);
   }

@@ -23,6 +23,10 @@ struct ShapedTerms
   /// curve is known.
   double errorTolerance = 0.05;
   const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
+  /// One value per point, what lies between the points of the surface may change of the force at
+  /// the end of its range: relative, in 95 of 100 cases. It is the surface's error, not one of the
+  /// contact on it, and no part of validity. Null: not kept.
+  float* surfaceError = nullptr;
 };
 
 /**

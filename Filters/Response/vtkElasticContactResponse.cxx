@@ -198,7 +198,14 @@ std::string vtkElasticContactResponse::Respond(
   {
     return fault;
   }
-  const palpate::ShapedTerms terms{ this->MaximumDeflection, this->ErrorTolerance, strain.get() };
+  vtkNew<vtkFloatArray> surfaceError;
+  palpate::ShapedTerms terms{ this->MaximumDeflection, this->ErrorTolerance, strain.get() };
+  if (finer)
+  {
+    surfaceError->SetName((this->ResponseName + "SurfaceError").c_str());
+    surfaceError->SetNumberOfValues(count);
+    terms.surfaceError = surfaceError->GetPointer(0);
+  }
   fault = finer ? this->Kept->respondOn(surface, grid, this->Tool, terms, stage, storage, made)
                 : this->Kept->respond(surface, this->Tool, terms, stage, storage, made);
   if (!fault.empty())
@@ -213,6 +220,11 @@ std::string vtkElasticContactResponse::Respond(
   {
     vtkWarningMacro(<< made.without << " of " << count << " points have no response: see array '"
                     << this->ResponseName << "Status'.");
+  }
+  if (finer)
+  {
+    this->WarnOfSurface(surfaceError);
+    surface->GetPointData()->AddArray(surfaceError);
   }
   const std::string choiceFault =
     this->AutomaticTerms ? this->KeepSimplerLaw(surface, storage) : std::string();
@@ -268,6 +280,21 @@ std::string vtkElasticContactResponse::Respond(
   }
   this->UpdateProgress(1.0);
   return {};
+}
+
+void vtkElasticContactResponse::WarnOfSurface(vtkFloatArray* error)
+{
+  const float* values = error->GetPointer(0);
+  const vtkIdType count = error->GetNumberOfValues();
+  const auto open = std::count_if(values, values + count,
+    [this](float value) { return static_cast<double>(value) > this->ErrorTolerance; });
+  if (this->ErrorTolerance > 0.0 && 10 * open > count)
+  {
+    vtkWarningMacro(<< "What lies between the points of the surface may change the force by more "
+                       "than "
+                    << 100.0 * this->ErrorTolerance << " % at " << open << " of " << count
+                    << " points: see array '" << error->GetName() << "'.");
+  }
 }
 
 std::string vtkElasticContactResponse::KeepSimplerLaw(

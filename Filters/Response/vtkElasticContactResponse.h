@@ -55,6 +55,7 @@
 
 class vtkAlgorithmOutput;
 class vtkContactTool;
+class vtkFloatArray;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -76,8 +77,11 @@ public:
    * vtkPolyData of triangles, mm, beside the solid's. The output is then that surface with its
    * arrays: at each of its points H is that of the six solved ones around that face the same way
    * (a plane through their values), and the gap under the tool is its own shape there, whatever it
-   * is (palpate::SurfaceGap), smooth between its points; what is open of that is part 2 of `Limit`.
-   * Optional; not with AutomaticTerms. */
+   * is (palpate::SurfaceGap), smooth between its points. What may lie between them is the surface's
+   * error, not the contact's: the point array `<name>SurfaceError` (float) tells by how much it may
+   * change the force at the end of the range, relative, in 95 of 100 cases; there is a warning
+   * where that is more than ErrorTolerance at a tenth of the points. Optional; not with
+   * AutomaticTerms. */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
@@ -273,6 +277,7 @@ private:
 
   std::string CheckProperties();
   std::string Solve(vtkUnstructuredGrid* grid, bool& ended);
+  void WarnOfSurface(vtkFloatArray* error);
   std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
   std::string CheckSurface(vtkPolyData* finer) const;
   std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);

@@ -161,6 +161,7 @@ ContactSample ContactCurve::errorsAt(double deflection) const
   errors.truncation = between(low.truncation, high.truncation);
   errors.harmonics = between(low.harmonics, high.harmonics);
   errors.gap = between(low.gap, high.gap);
+  errors.surface = between(low.surface, high.surface);
   errors.strain = between(low.strain, high.strain);
   errors.mesh = between(low.mesh, high.mesh);
   return errors;

@@ -60,6 +60,7 @@ SurfaceGap::SurfaceGap(double radius, const Heights& heights)
     const auto row = heights.surface.row(k);
     this->Mean[at] = row.mean();
     this->Between[at] = (row - heights.facets.row(k)).squaredNorm() / Angles;
+    this->Uneven[at] = heights.uneven.row(k).squaredNorm() / Angles;
     Eigen::Matrix<double, 1, Angles> rest = row.array() - row.mean();
     for (int m = 1; m <= Harmonics; ++m)
     {
@@ -158,8 +159,10 @@ GapTerms SurfaceGap::at(double a) const
   {
     terms.left += weights[k] * this->Left[static_cast<std::size_t>(k)];
     terms.facets += weights[k] * this->Between[static_cast<std::size_t>(k)];
+    terms.uneven += weights[k] * this->Uneven[static_cast<std::size_t>(k)];
   }
   terms.facets = std::sqrt(terms.facets);
+  terms.uneven = std::sqrt(terms.uneven);
   return terms;
 }
 } // namespace palpate

@@ -24,6 +24,10 @@ struct GapTerms
   /// How far its facets lie off the surface, which is smooth between its points, mm: the root of
   /// the mean square under the contact.
   double facets = 0.0;
+  /// How far the edges of its triangles are from arcs, likewise: (n₁ + n₂)·e of an edge e between
+  /// two normals, κ'l³/6 if its curvature changes by κ' per mm. It tells a surface that its points
+  /// describe from one that goes on between them.
+  double uneven = 0.0;
 };
 
 /**
@@ -50,11 +54,12 @@ public:
   static double ring(int k);
 
   /// Heights below the tangent plane, mm, at angles 2π j/Angles of each ring: of the surface, and
-  /// of its facets. Rings beyond `known` are not used.
+  /// of its facets; and how uneven the edges are there. Rings beyond `known` are not used.
   struct Heights
   {
     Eigen::Matrix<double, Rings, Angles> surface;
     Eigen::Matrix<double, Rings, Angles> facets;
+    Eigen::Matrix<double, Rings, Angles> uneven = Eigen::Matrix<double, Rings, Angles>::Zero();
     int known = Rings;
   };
 
@@ -77,6 +82,7 @@ private:
   int Known = 0;
   std::array<double, Rings> Mean{};
   std::array<double, Rings> Between{}; ///< mean square of surface less facets
+  std::array<double, Rings> Uneven{};  ///< mean square
   std::array<double, Rings> Left{};    ///< mean square of the harmonics beyond
   /// Of harmonics 1, 2, ...: cosine and sine.
   std::array<std::array<Eigen::Vector2d, Rings>, Harmonics> Waves;

@@ -381,6 +381,25 @@ void checkFinerSurface()
   const double error = component(finer, "ResponseError",
     finer->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height), 7);
   PALPATE_CHECK(error > 0.0 && error < 0.2);
+  PALPATE_CHECK(at("ResponseSurfaceError", 0.5 * Side) == 0.0); // a plane between its points, too
+  PALPATE_CHECK(std::isnan(at("ResponseSurfaceError", 0.0)));
+
+  const Body bumpy = planeBody(0.5 * Side, 48, Height);
+  for (vtkIdType i = 0; i < bumpy->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> x{};
+    plane->GetPoint(i, x.data());
+    bumpy->GetPoints()->SetPoint(i, x[0], x[1], x[2] + (i % 2 == 0 ? 0.0 : 0.03));
+  }
+  finer->SetSurfaceData(bumpy);
+  {
+    Messages messages(finer.Get());
+    finer->Update();
+    PALPATE_CHECK_TEXT(messages.warnings(), "What lies between the points of the surface");
+    PALPATE_CHECK_TEXT(messages.warnings(), "see array 'ResponseSurfaceError'");
+  }
+  const double open = at("ResponseSurfaceError", 0.5 * Side);
+  PALPATE_CHECK(open > 0.05 && open < 0.5);
 
   finer->SetTool(makeTool("cone:70")); // no new solution
   finer->Update();
