@@ -17,27 +17,27 @@
  * - blocks are appended in their order, and are not joined: they must not overlap. A block without
  *   triangles is left out if another has some.
  *
- * Point arrays are kept as they are, whatever their unit; of several blocks or partitions those
+ * Point arrays are kept as they are, whatever their unit; several blocks or partitions keep those
  * that all of them have, and a warning names the others. Active point normals are kept. Without
  * them, a closed block whose triangles are inside out is turned.
  *
- * **Unit of length.** Coordinates are multiplied to millimetres by the LengthUnit of the input (or
+ * **Unit of length.** Coordinates are converted to millimetres by the LengthUnit of the input (or
  * any other LengthScale). A body whose longest side is then below 5 mm or above 5000 mm raises one
  * warning, which asks whether the Length Unit is right (AskAboutSize).
  *
  * Errors, each naming the block if there are several: a cell that names a point which is not there;
- * coordinates that are not finite (how many, the first point); no triangles at all, with the filter
- * that makes some of points or lines; a LengthScale that is not positive.
+ * coordinates that are not finite (how many, the first point); no triangles at all, naming the
+ * filter that makes some from points or lines; a LengthScale that is not positive.
  *
  * **Several processes**: each may have a piece of the body, or none (Controller); errors, the
  * turning of a closed surface and the size are those of the whole, and one process warns. Walls at
- * the seams of a volume are taken out: told by ghost cells (one level is asked for), by the extent
- * of a structured grid, or by their being there twice.
+ * the seams of a volume are removed: they are recognised by ghost cells (one level is requested),
+ * by the extent of a structured grid, or as faces that occur twice.
  *
  * Cost: a pass over the points for a surface of triangles, its cells and coordinates shared with
  * the input if they are in mm; without normals a second one with the edges.
  *
- * Not threaded inside; the output is the same on every run. Abort is not looked at.
+ * Single-threaded; the output is the same on every run. Abort is ignored.
  *
  * @sa
  * vtkSkinSurface vtkToolContactResponse vtkVoxelBody
@@ -111,11 +111,11 @@ public:
   /** The longest side of a box along the axes around the last body, mm; 0 if it is empty. */
   vtkGetMacro(LongestSide, double);
 
-  /** Whether a body with this longest side, mm, has probably another unit: < 5 or > 5000. */
+  /** Whether a body with this longest side, mm, probably has another unit: < 5 or > 5000. */
   static bool IsSizeDoubtful(double longestSide);
 
   ///@{
-  /** What was done to the last input, a part of a sentence each. */
+  /** What was done to the last input; each note is part of a sentence. */
   int GetNumberOfNotes() { return static_cast<int>(this->Notes.size()); }
   std::string GetNote(int index);
   ///@}
@@ -134,10 +134,12 @@ private:
   vtkBodySurface(const vtkBodySurface&) = delete;
   void operator=(const vtkBodySurface&) = delete;
 
-  /** The blocks as one; what is wrong with them, or "". `missing`: why one has no triangles. */
+  /**
+   * Joins the blocks; returns what is wrong with them, or "". `missing`: why one has no triangles.
+   */
   std::string Gather(
     vtkInformation* input, vtkPolyData* output, const palpate::Ranks& ranks, std::string& missing);
-  /** A closed surface in pieces on several ranks. */
+  /** Turns a closed surface in pieces on several ranks, if it is inside out. */
   void TurnPieces(vtkPolyData* body, const palpate::Ranks& ranks);
   void Scale(vtkPolyData* body);
   void Measure(vtkPolyData* body, const palpate::Ranks& ranks);

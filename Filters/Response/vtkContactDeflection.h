@@ -5,16 +5,16 @@
  *
  * Port 0: the body. Port 1: the output of vtkToolContactProbe; TipIndex chooses the tip. Output:
  * the body with point vectors `ContactDisplacement` (float 3, mm), the surface displacement of the
- * tool on an elastic half-space (u_r, u_z of vtkContactTool) at the tip's deflection, laid around
- * the contact point: u_z against the contact normal, u_r along the surface away from the contact,
- * for distances r measured along the surface. Zero without contact. To see it, warp by the vector.
+ * tool on an elastic half-space (u_r, u_z of vtkContactTool) at the tip's deflection, with u_z
+ * against the contact normal and u_r along the surface away from the contact, at distances r
+ * measured along the surface. Zero without contact. To see it, warp by the vector.
  *
  * The field covers the part of the surface that is connected to the contact and whose normal is
- * within 60° of the contact normal, and ends there: beyond, and behind, the body is no half-space.
- * With MaximumDistance it fades smoothly to zero: it is exact within 3/4 of that distance and 50°.
- * Within it r is the length of the circular arc that leaves and arrives along the surface,
- * r = chord (θ/2)/sin(θ/2) with θ the angle between the normals; exact on planes, spheres and
- * around cylinders.
+ * within 60° of the contact normal, and ends there: beyond it, and on the far side, the body is not
+ * a half-space. With MaximumDistance it fades smoothly to zero, and is exact within 3/4 of that
+ * distance and 50°. There r is the length of the circular arc that leaves and arrives along the
+ * surface, r = chord (θ/2)/sin(θ/2) with θ the angle between the normals; exact on planes, spheres
+ * and around cylinders.
  *
  * Tool: if none is set, the one named in the body's response (ResponseName, field array `Tool`).
  * On a half-space PoissonRatio scales u_r alone. Where the response has layers (its point array
@@ -24,25 +24,24 @@
  *
  * Where the response has a global compliance or is of true shape and the body carries its modes
  * (NumberOfModes of vtkElasticCompliance, StoreMotion of vtkElasticContactResponse), the whole
- * surface moves by them under the tip's `NormalForce`, and the
- * local part is that of the deflection they leave (palpate::ContactField). Without modes the field
- * shows the local part at the whole deflection; a warning says so, once. Of true shape the field
- * also follows what lies near the contact (`NearField`): beside an edge the surface gives more,
- * over a nodule or a base less. Against finite elements under the same force, beyond two contact
- * radii and on the side that is pressed, within 3 % of the deflection (TestDeflectionShape); the
- * side behind an edge follows the modes alone. A `NearField` of another shape is an error; one that
- * is not finite is not drawn.
+ * surface moves by them under the tip's `NormalForce`, and the local part is that of the deflection
+ * they leave (palpate::ContactField). Without modes the field shows the local part at the whole
+ * deflection; a warning says so, once. A response of true shape also shows what lies near the
+ * contact (`NearField`): beside an edge the surface gives more, over a nodule or a base less.
+ * Against finite elements under the same force, beyond two contact radii and on the side that is
+ * pressed, within 3 % of the deflection (TestDeflectionShape); the side behind an edge follows the
+ * modes alone. A `NearField` of another shape is an error; one that is not finite is not drawn.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *
  * **Several processes** (Controller), each with a piece of the body: tips are counted through all
- * processes, rank by rank; the chosen one presses all pieces, and the dent goes on over their
+ * processes, rank by rank; the chosen one presses all pieces, and the dent continues across their
  * seams. Each process holds its own piece and the points of all seams. `ContactRank` of
  * vtkToolContactProbe must be among the tips' arrays. Ghost cells are left out. An error on one is
  * an error on all. All processes must update the filter.
  *
- * Cost: the mesh is linked once per change of its points or triangles, O(n); then one evaluation of
- * the law per point within the field, and a sum per point of the body where it bends.
+ * Cost: the mesh's neighbours are found once per change of its points or triangles, O(n); then one
+ * evaluation of the law per point within the field, and, with modes, a sum per point of the body.
  */
 #ifndef vtkContactDeflection_h
 #define vtkContactDeflection_h

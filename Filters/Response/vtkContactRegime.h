@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactRegime
- * @brief whether a body gives way locally or globally under a tool, and so whether its shape
+ * @brief whether a body deforms locally or globally under a tool, and so whether the tool's shape
  * matters
  *
- * Input: the body, with the material that its response was made of: the same properties and arrays
- * to process as vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance,
- * 3 Poisson's ratio). Output: the body with, per point and for the tool pressed `Deflection` deep,
+ * Input: the body, with the material of its response: the same properties and arrays to process as
+ * vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance, 3 Poisson's
+ * ratio). Output: the body with, per point and for the tool pressed `Deflection` deep,
  * - `RegimeIndex` (float): λ = 1 - δ_hs(F)/δ, δ_hs the depth of the same tool under the same force
  *   on a half-space of the same modulus. At most 1: near 0 where deformation is local, near 1 where
  *   it is global, negative where a near base stiffens the body;
@@ -18,23 +18,24 @@
  *   more than on a half-space. It judges a change of size; a flat beside a sphere may differ a
  *   little more: 7 % between the paper's tools where all three had verdict 2
  *   (Testing/Studies/paper, Figure 5).
- * - field array `RegimeDeflection` (double, mm; the largest, where it follows Range): λ and S
- *   depend on the load, so a number without its depth says nothing.
+ * - field array `RegimeDeflection` (double, mm; the largest, where it follows Range): the depth, on
+ *   which λ and S depend.
  *
  * NaN, and verdict 0, where there is no stable contact (compliance folds the curve, layer too
  * thin).
  *
  * Deflection 0 (default): half of the array `<ResponseName>Range` at each point; without that array
- * an error. Where the body carries the response `ResponseName` of the same tool, its force at
- * that depth must agree with the material given here to 2 %, otherwise an error names the point:
- * a regime of another body than the one that is felt is worse than none. (2 %: the storage error of
- * a response in series; depths below a hundredth of Range are not compared.)
+ * an error. Where the body carries the response `ResponseName` of the same tool, its force at that
+ * depth must agree with the material given here to 2 %, otherwise an error names the point, since
+ * the regime would be that of another body than the one that is felt. (2 %: the storage error of a
+ * response in series; depths below a hundredth of Range are not compared.)
  *
  * Several processes, each with a piece of the body (Controller): the arrays are those of the whole
  * body, and so is RegimeDeflection; an error on one is an error on all. Ghost cells are left out.
  *
  * Sources: St. Venant, Castigliano; Mahvash and Hayward 2002, section 2. Cost: three times that of
- * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools, same bits for any number.
+ * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools, same bits for any number of
+ * threads.
  *
  * @sa vtkToolContactResponse vtkElasticCompliance
  */
@@ -87,7 +88,7 @@ public:
   ///@}
 
   ///@{
-  /** As vtkToolContactResponse has them. */
+  /** As in vtkToolContactResponse. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
   int GetNumberOfAddedLayers();

@@ -3,10 +3,10 @@
  * @class vtkContactSettings
  * @brief how a contact feels: form of the force, surface, friction
  *
- * What vtkToolContactProbe, vtkToolTouch and vtkHapticSession, given the same tip, must be told
- * alike to give the same force. Each has one of its own from the start; give one object to several
- * (SetSettings), and they feel alike whatever is set later. Their own properties of these names, as
- * SetFrictionCoefficient, are those of the object they have:
+ * vtkToolContactProbe, vtkToolTouch and vtkHapticSession give the same force at the same tip if
+ * these settings are equal. Each starts with its own; give one object to several (SetSettings), and
+ * later changes reach them all. Their properties of these names, as SetFrictionCoefficient, are
+ * those of the object they hold:
  *
  *     session.SetSettings(probe.GetSettings())
  *     session.SetFrictionCoefficient(0.3)        # the probe's too
@@ -18,17 +18,18 @@
  * | FrictionModel | what a contact does before it slides | 0 to 2 | ElastoPlastic |
  * | FrictionCoefficient | Coulomb's μ; 0: no friction | finite, >= 0 | 0 |
  * | TangentialStiffness | of the stuck contact, N/mm | finite, > 0 | 1 |
- * | FrictionBreakaway | share of the limit below which it sticks | 0 to 1 | 0.8 |
- * | FrictionStickRadius | share at which half of a way creeps | > 0, >= breakaway | 0.9 |
+ * | FrictionBreakaway | fraction of the limit below which it sticks | 0 to 1 | 0.8 |
+ * | FrictionStickRadius | fraction at which half of a displacement is creep | > 0, >= breakaway |
+ * 0.9 |
  * | PoissonRatio | of the body, for ShapeDerived friction | 0 to 0.5 | 0.5 |
  * | RelaxationElements | how finely a body that relaxes is felt | 0 to 32 | 16 |
  *
- * Any value is taken, as one may make sense only with the next: GetFault says, in words, what is
- * out of its range, also where the chosen model does not use it. A filter or a session that has
- * such settings reports those words as its error and does nothing. A filter reads them when it
- * updates, a session at Start and ApplyChanges.
+ * Set... accepts any value, as one may make sense only with the next: GetFault tells, in words,
+ * what is out of its range, even if the chosen model does not use it. A filter or session with such
+ * settings reports those words as its error and does nothing. A filter reads them when it updates,
+ * a session at Start and ApplyChanges.
  *
- * GetTable gives all of this as numbers and words, for whoever makes a user interface of it.
+ * GetTable gives all of this as numbers and words, for a user interface.
  */
 #ifndef vtkContactSettings_h
 #define vtkContactSettings_h
@@ -59,8 +60,8 @@ public:
     Paper = 0,
     /// Σ n_i f_i along the normalised Σ n_i U_i.
     NormalizedDirection = 1,
-    /// The gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the surface:
-    /// closed loops within one contact neither gain nor lose energy.
+    /// The gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the surface: a
+    /// closed path within one contact neither gains nor loses energy.
     EnergyConsistent = 2
   };
 
@@ -76,8 +77,8 @@ public:
   /// Values of FrictionModel: what a contact does before it slides at μ times the normal force.
   enum FrictionModelType
   {
-    /// It sticks elastically with TangentialStiffness, creeps towards the limit, and stays where it
-    /// is under less than FrictionBreakaway of it (Hayward and Armstrong 2000).
+    /// It sticks elastically with TangentialStiffness, creeps as it nears the limit, and does not
+    /// creep below FrictionBreakaway of it (Hayward and Armstrong 2000).
     ElastoPlastic = 0,
     Dahl = 1, ///< creeps from the first displacement on, and so drifts under any changing load
               /// From the stored response f(δ) itself, Q(u) = μ [f(δ) - f(δ - u/(μc))], c =
@@ -136,9 +137,9 @@ public:
 
   ///@{
   /**
-   * ElastoPlastic only. Breakaway: share of the sliding limit up to which the contact is elastic,
-   * 0 to 1, default 0.8; at 0 it creeps under any load. StickRadius: share at which half of a
-   * further displacement is creep, positive and no less than the breakaway, default 0.9.
+   * ElastoPlastic only. Breakaway: fraction of the sliding limit up to which the contact is
+   * elastic, 0 to 1, default 0.8; at 0 it creeps under any load. StickRadius: fraction at which
+   * half of a further displacement is creep, positive and no less than the breakaway, default 0.9.
    */
   void SetFrictionBreakaway(double share) { this->Assign(this->Values.friction.breakaway, share); }
   double GetFrictionBreakaway() { return this->Values.friction.breakaway; }
@@ -157,10 +158,10 @@ public:
 
   ///@{
   /**
-   * Elements side by side that a body which relaxes is felt with, of which each touches and lets go
-   * by itself, 0 to 32. Default 16: within 0.9 % of the largest force, whatever the tool and the
-   * way; 8: 3 %, 0: 12 %, one for all, the quasi-linear law. vtkResponseChoice says how many a
-   * tolerance needs. Where nothing relaxes they change nothing.
+   * Number of parallel elements of a relaxing contact, each of which touches and separates by
+   * itself, 0 to 32. Default 16: within 0.9 % of the largest force, whatever the tool and its path;
+   * 8: 3 %; 0: 12 %, a single element, the quasi-linear law. vtkResponseChoice says how many a
+   * tolerance needs. No effect where nothing relaxes.
    */
   void SetRelaxationElements(int elements)
   {

@@ -2,7 +2,7 @@
 // clang-format off
 /**
  * @class vtkContactTool
- * @brief a rigid tool of revolution, and what it feels on an elastic half-space
+ * @brief a rigid tool of revolution, and its law of contact with an elastic half-space
  *
  * The tool is pressed `deflection` mm deep, along its axis, without friction, into a half-space of
  * reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
@@ -20,24 +20,24 @@
  * | Profile       | points (r, f) | straight, then a wall   | δ = Σ m_i a A_i           | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i])                 |
  *
  * Radius is that of the flat end (a, b), of the tip or of the sphere (R); R_e is EdgeRadius, B the
- * Coefficient, α the HalfAngle. BluntedCone goes on along the sphere's tangent beyond b.
- * A = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
- * the change of slope at r_i.
- * (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape dF/dδ = 2 E* a. The strain is
- * measured by a/R where the tip has a radius R (Paraboloid, Sphere, BluntedCone), else by δ/a.
+ * Coefficient, α the HalfAngle. Beyond b, BluntedCone continues along the sphere's tangent. A =
+ * arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is the
+ * change of slope at r_i. (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape dF/dδ =
+ * 2 E* a. The strain is measured by a/R where the tip has a radius R (Paraboloid, Sphere,
+ * BluntedCone), otherwise by δ/a.
  *
  * **Profiles.** Points taken from a smooth tool give its law with an error that falls with the
  * square of their spacing. The formulas hold for one full circle of contact. A tool that is not
- * convex (a shoulder, a groove, a second ring) would from some depth on touch outside it; pressed
+ * convex (a shoulder, a groove, a second ring) would touch outside it from some depth on; pressed
  * deeper, every Get... reports an error that names the deflection and the radius, and gives NaN:
  * see GetDepthLimit. A ring that lies lower than the tip is refused at once.
  *
- * **On the sphere of Mahvash and Hayward (2002), Table 1.** It stands there as 4/3 √(R E*) δ^1.5,
- * with E* under the root. The right form is 4/3 E* √R δ^1.5: a force is linear in the modulus of a
- * linear elastic body, and only then are the units N (MPa · mm^½ · mm^1.5). That form is the
- * Paraboloid here. It is Hertz's approximation of a sphere, good while a << R: at a/R = 0.4 it is
- * 1.7 % too stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has a/R = 1 by it.
- * Sphere is exact at every depth of linear elasticity.
+ * **On the sphere of Mahvash and Hayward (2002), Table 1.** It is printed there as 4/3 √(R E*)
+ * δ^1.5, with E* under the root. The right form, that of Paraboloid, is 4/3 E* √R δ^1.5: the force
+ * on a linear elastic body is linear in its modulus, and only then are the units N (MPa · mm^½ ·
+ * mm^1.5). It is Hertz's approximation of a sphere, good while a << R: at a/R = 0.4 it is 1.7 % too
+ * stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has a/R = 1 by it. Sphere is
+ * exact at every depth of linear elasticity.
  *
  * A deflection <= 0 gives 0, NaN gives NaN. An invalid tool or argument (a radius that is not
  * positive, a half angle outside 0..90, an exponent outside 1..100, E* <= 0, ν outside 0..0.5)
@@ -150,7 +150,7 @@ public:
   ///@}
 
   ///@{
-  /** The same point by point. Points given by SetProfile are left as they are. */
+  /** The same point by point. They do not change the points given to SetProfile. */
   void AddProfilePoint(double r, double f);
   void RemoveAllProfilePoints();
   ///@}
@@ -159,9 +159,9 @@ public:
    * The tool in writing: "flat:R", "paraboloid:R", "sphere:R", "cone:DEGREES",
    * "truncated:R,DEGREES", "blunted:R,DEGREES", "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT",
    * "profile:FILE.csv" or "profile:r1,f1;r2,f2;…" (mm). A profile is written in the last form, so
-   * that a stored response explains itself; a file has a line r_mm,f_mm per point. Setting reports
-   * an error, returns false and changes nothing when the text or the file is wrong. Getting an
-   * invalid tool's specification reports an error and returns "".
+   * that a stored response needs no file; a file has a line r_mm,f_mm per point. Setting reports an
+   * error, returns false and changes nothing when the text or the file is wrong. Getting an invalid
+   * tool's specification reports an error and returns "".
    */
   bool SetSpecification(const std::string& specification);
   std::string GetSpecification();
@@ -203,10 +203,10 @@ public:
    * object, valid until it is changed.
    */
   const palpate::AxisymmetricTool* GetKernel();
-  /** Why there is no kernel, or "": the same without an error. */
+  /** Why there is no kernel, or ""; reports no error. */
   std::string FindFault();
 
-  /** The profile's points count. */
+  /** Includes the time of the profile's points. */
   vtkMTimeType GetMTime() override;
 
 protected:

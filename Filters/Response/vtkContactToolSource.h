@@ -5,8 +5,8 @@
  *
  * The tip is at the origin and the tool rises along +z: its profile, then a straight shaft up to
  * Length. Triangles with outward normals, mm. A tool with a wall (Flat, Sphere, Profile) is drawn
- * to it; a profile that keeps widening (the others) is cut at MaximumRadius, or where it reaches
- * 9/10 of Length, and continued as a shaft. Edges and corners of the profile are points of the
+ * up to it; a profile that keeps widening (the others) ends at MaximumRadius, or where it reaches
+ * 9/10 of Length, and continues as a shaft. Edges and corners of the profile are points of the
  * geometry.
  */
 #ifndef vtkContactToolSource_h

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkElasticCompliance
- * @brief how far a body as a whole gives way per force, at each point of its surface
+ * @brief the global compliance of a body at each point of its surface, by finite elements
  *
  * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
  * cells in mm, with the point array `Fixed` (one component; the bits 1, 2, 4 hold a point along x,
- * y, z). Cells hang together by shared points. Any other cell, an inverted one, a part that its
+ * y, z). Cells are connected by shared points. Any other cell, an inverted one, a part that its
  * fixed points leave free to move, and E or ν out of range are errors that name cell and value.
  * Empty input gives empty output.
  *
@@ -21,23 +21,23 @@
  * - `GlobalComplianceError` (double, mm/N, >= 0): how far C_g may be off by the elements
  * (palpate::complianceErrors, from some ten points); where it was interpolated, at least |C_g|.
  * vtkToolContactResponse finds it by its name, beside that of the compliance, and counts it in the
- * error of the force. Not there if none of those points can be pressed;
+ * error of the force. Absent if none of those points can be pressed;
  * - `OriginalPointIds` (vtkIdType): the points of the input;
  * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
- * s_k (int, 1 or -1), NumberOfModes of them: how the body moves as a whole, see below;
- * - `CouplingModes` φ (float, NumberOfCouplingModes of them, sqrt(mm/N)): by how much the body
- * moves inward along its normal at each point; a force pressed in at j lets i down by F Σ φ(i) φ(j)
- * beside the dent (palpate/CouplingModes.h), a finger on the other side of a plate up. With
+ * s_k (int, 1 or -1), NumberOfModes of them: the motion of the whole body, see below;
+ * - `CouplingModes` φ (float, NumberOfCouplingModes of them, sqrt(mm/N)): the inward motion along
+ * the normal at each point; a force F pressed in at j lowers i by F Σ φ(i) φ(j) besides the dent
+ * (palpate/CouplingModes.h), and raises a finger on the other side of a plate. With
  * vtkToolContactResponse::CouplingOn and the compliance they are part of its response;
  * - `LoadedDisplacement` (double 3, mm), if LoadedPoint is set: the motion of the whole surface
  * under LoadForce on the patch of that point, towards the body. Within about a patch radius of the
  * point it is that of the patch, not of a tool.
  *
  * **Method.** By Castigliano, the mean displacement of a uniform patch of normal load is twice its
- * energy, bᵀK⁻¹b; what the same patch gives on a half-space of the same elements is taken off, so
+ * energy, bᵀK⁻¹b; that of the same patch on a half-space of the same elements is subtracted, so
  * that the errors of the elements under the patch cancel (palpate::patchCompliances,
  * PatchSelfTerm). What remains is C_g with a bias in the square of the patch radius, which two
- * radii take away. E* of the half-space is that of the point: the mean E and ν of the cells that
+ * radii eliminate. E* of the half-space is that of the point: the mean E and ν of the cells that
  * meet there. Where E changes within a few cells under the point, the tool's own law on that E* is
  * no longer local to it, and C_g depends on the mesh.
  *
@@ -47,40 +47,40 @@
  * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4, nor in bending. Quadratic
  * tetrahedra lose some per cent beyond ν = 0.47, in the half-space term.
  *
- * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by
- *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X))  in mm, and the dent of the tool on top;
- * X itself goes in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. To keep the surface on a tool pressed by δ,
- * let the dent have what the modes leave, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear.
- * The modes come from full solutions for eight forces per mode, spread over the points of status 0,
- * less the dent of each on the surface that faces as it does (palpate::GlobalModes, RegularField);
- * so they hold at points of any status, and where the body is fixed they take back the dent's own
- * tail. A mode moves one part of a body of several. Where there are fewer forces than modes, the
- * last are zero; all are, if no point has status 0. Equal modes, as of a square bar, may come as
- * any combination; sums over them do not change.
+ * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by u(x) = -F
+ * Σ_k s_k φ_k(x) (n·φ_k(X)) in mm, and the dent of the tool on top; X itself goes in by F Σ_k s_k
+ * (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by δ, the dent must be what the
+ * modes leave, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear. The modes come from full
+ * solutions for eight forces per mode, spread over the points of status 0, less the dent of each on
+ * the surface that faces the same way (palpate::GlobalModes, RegularField); so they hold at points
+ * of any status, and where the body is fixed they cancel the tail of the dent. A mode moves one
+ * part of a body of several. Where there are fewer forces than modes, the last are zero; all are
+ * zero if no point has status 0. Modes of equal strength, as of a square bar, may come as any
+ * combination; sums over them do not change.
  *
- * **What modes neglect**: all beyond the few, that is the point of the dish around the force, and
- * in proportion most near supports, where the body hardly gives way; forces along the surface; the
- * rest of a dent where it is drawn to end before the surface turns by 50°. Six modes against full
- * solutions, largest error anywhere as part of the largest motion: a cantilever of 40 × 4 × 4 mm
- * 0.3 % under forces beyond two fifths of its length, 1 % at a quarter, Σ s (n·φ)² within 0.2 % of
- * C_g (r.m.s. over the surface); a circular plate of 60 × 4 mm clamped at its rim 4 % under a force
- * at the centre, 8 % half-way to the rim (r.m.s. over the plate 0.6 and 1.6 %), Σ s (n·φ)² 16 %
- * short of C_g: no six functions hold more than four fifths of the compliance of a plate. A body
- * bonded along a whole side deforms locally; few modes do not describe it (40 % short on a block of
- * 20 × 20 × 5 mm). GetNeglectedByModes() tells.
+ * **What modes neglect**: all modes beyond these few, that is the sharp bottom of the dish around
+ * the force; relatively most near supports, where the body hardly gives way; forces along the
+ * surface; the rest of a dent where it is drawn to end before the surface turns by 50°. Six modes
+ * against full solutions, largest error anywhere as part of the largest motion: a cantilever of 40
+ * × 4 × 4 mm 0.3 % under forces beyond two fifths of its length, 1 % at a quarter, Σ s (n·φ)²
+ * within 0.2 % of C_g (r.m.s. over the surface); a circular plate of 60 × 4 mm clamped at its rim 4
+ * % under a force at the centre, 8 % half-way to the rim (r.m.s. over the plate 0.6 and 1.6 %), Σ s
+ * (n·φ)² 16 % short of C_g: no six functions hold more than four fifths of the compliance of a
+ * plate. A body bonded along a whole side deforms locally; few modes do not describe it (40 % short
+ * on a block of 20 × 20 × 5 mm). GetNeglectedByModes() tells how much.
  *
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
- * points and both radii, half as much again on two cores, where cells form a regular
- * grid; the half-space terms of irregular meshes, where no two points are alike, take about 8 ms
- * per point and core (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes
- * some ten solutions of the whole body, and 100 µs per cell for each.
- * CHOLMOD with OpenBLAS if Palpate was built with it, Eigen otherwise, some hundred times slower.
- * A body that does not fit MemoryLimit is refused before it is solved: by its numbers of points
- * (palpate::MemoryForecast) before anything is assembled, if that is certain, otherwise by the
- * memory of the factor, known to a seventh before it is computed. A cube of n³ points takes about
- * 0.9 n⁴ kB: 64 points on a side 14 GiB, which is as far as CHOLMOD counts. Abort is seen between
- * steps, not during the factorisation. Takes as many threads as vtkSMPTools (one per core where
- * that is Sequential). The same bits for any number, of OpenBLAS's threads too.
+ * points and both radii, half as much again on two cores, where cells form a regular grid; the
+ * half-space terms of irregular meshes, where no two points are alike, take about 8 ms per point
+ * and core (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes some ten
+ * solutions of the whole body, and 100 µs per cell for each. CHOLMOD with OpenBLAS if Palpate was
+ * built with it, Eigen otherwise, some hundred times slower. A body that does not fit MemoryLimit
+ * is refused before it is solved: by its numbers of points (palpate::MemoryForecast) before
+ * anything is assembled, if that is certain, otherwise by the memory of the factor, known to a
+ * seventh before it is computed. A cube of n³ points takes about 0.9 n⁴ kB: 64 points on a side 14
+ * GiB, the most that CHOLMOD can index. Abort is seen between steps, not during the factorisation.
+ * Uses as many threads as vtkSMPTools (one per core where that is Sequential). The same bits for
+ * any number, of OpenBLAS's threads too.
  *
  * @sa vtkVoxelBody vtkToolContactResponse
  */
@@ -166,15 +166,18 @@ public:
   ///@}
 
   ///@{
-  /** How many components CouplingModes has, 0 (default: no such array) to 16. Each takes eight
-   * solutions of the whole body. A strip needs four, a plate twelve; GetNeglectedByCouplingModes()
-   * tells. */
+  /**
+   * How many components CouplingModes has, 0 (default: no such array) to 16. Each takes eight
+   * solutions of the whole body. A strip needs four, a plate twelve.
+   */
   vtkSetMacro(NumberOfCouplingModes, int);
   vtkGetMacro(NumberOfCouplingModes, int);
   ///@}
 
-  /** What these neglect in the last run: root mean square of C_ij - Σ φ(i) φ(j) between points
-   * spread over the surface, relative to that of C_ij; 0 without. */
+  /**
+   * What the coupling modes of the last run neglect: root mean square of C_ij - Σ φ(i) φ(j) between
+   * points spread over the surface, relative to that of C_ij; 0 without coupling modes.
+   */
   vtkGetMacro(NeglectedByCouplingModes, double);
 
   /** What the modes of the last run neglect: the root mean square of C_g - Σ s (n·φ)² over the

@@ -5,27 +5,27 @@
  * for vtkElasticContactResponse
  *
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm;
- * points at the same place count as one. What scans have is mended, with a warning: sheets that
- * touch each other are parted, holes up to a fifth of the body are filled, and where fewer than a
- * hundredth of the triangles cross each other these are taken out. A wider hole, more
- * crossings (the first are named), a surface that is inside out, and one of which a part is lost
- * since SurfaceSpacing is too coarse for it, are errors. Parts and cavities may be several; of one
- * that was not closed those of less than a thousandth of the triangles are left out.
+ * points at the same place count as one. Common defects of scans are repaired, with a warning:
+ * sheets that touch each other are separated, holes up to a fifth of the body are filled, and
+ * triangles that cross each other are removed if they are fewer than a hundredth. A wider hole,
+ * more crossings (the first are named), a surface that is inside out, and one that loses a part
+ * because SurfaceSpacing is too coarse for it, are errors. There may be several parts and cavities;
+ * if the surface was not closed, parts of less than a thousandth of the triangles are left out.
  *
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
  * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)
  * where it is curved by 1/R. Inside they grow by Growth per distance from the surface, to
  * InteriorSpacing. In FineBalls they are shorter. Edges by which the surface turns more than 45°
  * are kept, unless most of them are shorter than three SurfaceSpacings, as the noise of a scan is.
- * Mid-edge nodes of the outside lie on the true surface, or its sharp edges, but where that would
- * spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the points
- * within half a SurfaceSpacing, or as far as is said, of the output's outermost point on each of
- * the FixedFaces, 0 elsewhere.
+ * Mid-edge nodes of the outside lie on the true surface, or its sharp edges, except where that
+ * would spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the
+ * points within half a SurfaceSpacing, or the given depth, of the output's outermost point on each
+ * of the FixedFaces, 0 elsewhere.
  *
- * The mesher is CGAL's Mesh_3, under the GPL: a build without CGAL (PALPATE_USE_CGAL) refuses in
- * words. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell, of which there
- * are about 8.7 per SurfaceSpacing³ beside the surface; if that needs more memory than is
- * available, it is an error beforehand. Progress is an estimate; an abort is seen within
+ * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
+ * the filter is an error. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell,
+ * of which there are about 8.7 per SurfaceSpacing³ beside the surface; if that is more than the
+ * available memory, it is an error beforehand. Progress is an estimate; an abort is seen within
  * milliseconds while cells are refined, nine tenths of the work, and only at the end while slivers
  * are moved apart.
  *
@@ -78,9 +78,11 @@ public:
   ///@}
 
   ///@{
-  /** Adds a ball within which edges are about `spacing` long, on the surface and inside, and from
-   * which they grow by Growth: around a nodule, or where a tool is pressed. Middle, radius >= 0 and
-   * spacing > 0 in mm. They are checked when the filter runs. */
+  /**
+   * Adds a ball within which edges are about `spacing` long, on the surface and inside, and from
+   * which they grow by Growth: around a nodule, or where a tool is pressed. Centre, radius >= 0 and
+   * spacing > 0 in mm; checked when the filter runs.
+   */
   void AddFineBall(double x, double y, double z, double radius, double spacing);
   void ClearFineBalls();
   int GetNumberOfFineBalls() { return static_cast<int>(this->FineBalls.size()); }

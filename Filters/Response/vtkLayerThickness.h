@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkLayerThickness
- * @brief how thick the soft tissue over the bone is, from a scan, point by point
+ * @brief thickness of the soft tissue over the bone at each point, from a scan
  *
  * Port 0: the body, a vtkPolyData of triangles in mm, as vtkSkinSurface makes it; its active point
  * normals, or angle-weighted ones, point outward. Port 1: the scan, a three-dimensional
  * vtkImageData in the same coordinates, with one-component scalars that are bright in soft tissue
  * and dark in the base (input array 0 to process; default: the active scalars).
  *
- * Output: the body with the point array `LayerThickness` (float, mm), 0 where no base was found: as
- * vtkToolContactResponse takes it, array to process 1, where 0 is a half-space. All else passes
- * through.
+ * Output: the body with the point array `LayerThickness` (float, mm), 0 where no base was found:
+ * array to process 1 of vtkToolContactResponse, where 0 is a half-space. All else passes through.
  *
  * The steps: (1) from each point a ray goes inward along the normal, MaximumDepth deep, and reads
  * the scan every quarter of the smallest spacing (trilinear interpolation). (2) The base is the
  * first run of values below BaseValue that is at least a voxel long and, at its darkest, at most
- * half as bright as the tissue above it; it begins where the grey falls through the middle between
- * tissue and base, the brightest and the darkest value within EdgeWidth. (3) A base with surface
- * facing the other way within EdgeWidth of it is none: the ray left the body, as through an ear.
- * (4) Median over the points within SmoothingRadius whose normals turn by less than 60°; a point
- * without base counts as infinitely deep, so that it is found or not by the majority. A ray ends
- * where the scan ends or is not finite; points of the body that are not finite are an error.
+ * half as bright as the tissue above it; it begins where the grey level falls through the mean of
+ * the brightest and the darkest value within EdgeWidth. (3) A base within EdgeWidth of which the
+ * surface faces the other way is rejected: the ray left the body, as through an ear. (4) Median
+ * over the points within SmoothingRadius whose normals turn by less than 60°; a point without base
+ * counts as infinitely deep, so that the majority decides whether there is one. A ray ends where
+ * the scan ends or is not finite; points of the body that are not finite are an error.
  *
  * Accuracy, on sharp edges blurred by voxels: a tenth of a voxel. On a head it is that of the scan:
  * fat is shifted against water along the read-out axis, typically by up to a voxel.
  *
- * @warning
- * The thickness is that along the normal, and the base is what is dark: air behind thin tissue
- * (sinuses, nostrils, mouth) looks like bone. On the T1 scan of Colin 27 cortical bone has 10 to
- * 25, the eyes 38, muscle 60 and more.
+ * @warning The thickness is measured along the normal, and whatever is dark is base: air behind
+ * thin tissue (sinuses, nostrils, mouth) looks like bone. On the T1 scan of Colin 27 cortical bone
+ * has 10 to 25, the eyes 38, muscle 60 and more.
  *
  * @warning
  * Points of the body must be closer together than EdgeWidth for step 3, and than SmoothingRadius
@@ -73,7 +71,7 @@ public:
   ///@}
 
   ///@{
-  /** How deep a base is looked for, mm, > 0. Default 20. */
+  /** Depth down to which a base is searched for, mm, > 0. Default 20. */
   vtkSetMacro(MaximumDepth, double);
   vtkGetMacro(MaximumDepth, double);
   ///@}
@@ -88,7 +86,7 @@ public:
   ///@}
 
   ///@{
-  /** The median is taken over points as near as this, mm; 0: none is taken. Default 3. */
+  /** Radius of the points over which the median is taken, mm; 0: no median. Default 3. */
   vtkSetMacro(SmoothingRadius, double);
   vtkGetMacro(SmoothingRadius, double);
   ///@}

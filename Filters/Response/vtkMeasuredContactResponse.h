@@ -1,59 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeasuredContactResponse
- * @brief measured with one tool, felt with another
+ * @brief the response of any tool from force-deflection curves measured with others
  *
  * Input: a body as for vtkToolContactResponse, and files of force-deflection curves taken at sites
  * of it, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
  * finite-element code). Sites of one name in several files are one site, measured with several
  * tools. Curves also come as tables with the columns of such files, on the optional and repeatable
- * input port 1: what a reader of .csv makes of files without the comments of their heads, so that
- * the tool is MeasuringTool's, and the curves count as measured.
+ * input port 1: a reader of .csv drops the comments in the head of a file, so the tool is
+ * MeasuringTool, and the curves count as measured.
  *
- * For each site the loading branches are separated, hysteresis and the effect of speed judged, the
- * depth of first contact found, and the simplest elastic body identified that explains the readings
- * within their noise: a half-space (E*), one in series with a global compliance (E*, C_g), or a
- * layer on a rigid base (E*, h). See CurvePreparation.h, BodyIdentification.h. A site that shows a
- * loop, a hold or an effect of speed beyond the limits, and whose curves have times, is identified
- * as one that relaxes: E* and the rest are then the slow response, and strengths and times of up to
- * four branches come with it, from loading, hold and unloading alike (RelaxingIdentification.h). A
- * site is refused, with the reason, when it is not elastic and has no times, not fitted by any
- * model, farther from the surface than MaximumSiteDistance, or when its curves do not tell the
- * parameters apart, as those of a flat punch alone. Refused sites are named in a warning; if none
- * is left, that is an error.
+ * For each site the loading branches are separated, hysteresis and the effect of speed are
+ * measured, the depth of first contact is found, and the simplest elastic body that explains the
+ * readings within their noise is identified: a half-space (E*), one in series with a global
+ * compliance (E*, C_g), or a layer on a rigid base (E*, h). See CurvePreparation.h,
+ * BodyIdentification.h. A site that shows a loop, a hold or an effect of speed beyond the limits,
+ * and whose curves have times, is identified as one that relaxes: E* and the rest are then the slow
+ * response, and strengths and times of up to four branches come with it, from loading, hold and
+ * unloading alike (RelaxingIdentification.h). A site is refused, with the reason, when it is not
+ * elastic and has no times, not fitted by any model, farther from the surface than
+ * MaximumSiteDistance, or when its curves do not tell the parameters apart, as those of a flat
+ * punch alone. Refused sites are named in a warning; if none is left, that is an error.
  *
- * Then any Tool follows from the identified bodies, spread over the surface (vtkShepardKernel)
- * within Reach mm of a site, connected over the surface and facing the same way, so never across a
- * thin lobe. E*, C_g and 1/h are interpolated.
+ * The response of any Tool follows from the identified bodies. E*, C_g and 1/h are interpolated
+ * over the surface (vtkShepardKernel) within Reach mm of a site, where it is connected to the site
+ * and faces the same way, so never across a thin lobe.
  *
  * Output port 0: the body with the response arrays of vtkToolContactResponse, and
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
  *   `IdentifiedThickness` (mm, 0 for a half-space), double;
  * - `Status` 4 OutOfReach where no site reaches: no response there;
- * - `Error` and `Validity` as there: at each sample, what the readings leave open at the sites (95
- * % intervals of the identified body, for this tool), how far the sites around differ from one
- * another, and of curvature and edges what differs from the contact the site was measured
- * with, as that much is in the readings;
- * - `Limit` 6, data: noise and sites leave most open; or beyond Validity the tool presses harder
- * (force) or strains more of the body (contact radius, see DataEnd.h) than any tool did when it was
- * measured;
- * - `RelaxationStrength` and `RelaxationTime` (field data), where a site relaxes, beside which the
- * curves are the slow response: the mean over the sites, at times that they share; with several
- * sites point data `LocalRelaxation`, their strengths interpolated as E* is, 0 out of reach;
- * - field data `Model`: what was identified, from what; it says `synthetic` if a file does.
- * Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
+ * - `Error` and `Validity` as of vtkToolContactResponse: at each sample, the uncertainty at the
+ * sites (95 % intervals of the identified body, for this tool), how far the sites around differ
+ * from one another, and the effect of curvature and edges as far as it differs from that in the
+ * readings;
+ * - `Limit` 6, data: noise and the differences of sites are the largest part; or beyond Validity
+ * the tool presses harder (force) or strains more of the body (contact radius, see DataEnd.h) than
+ * any tool did when it was measured;
+ * - `RelaxationStrength` and `RelaxationTime` (field data), where a site relaxes; the curves are
+ * then the slow response: the mean over the sites, at times that they share; with several sites
+ * point data `LocalRelaxation`, their strengths interpolated as E* is, 0 out of reach;
+ * - field data `Model`: what was identified, and from which data; it says `synthetic` if a file
+ * does. Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
  * Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance, Thickness,
  * ContactOffset, each with its 95 % confidence interval, Noise, Misfit, LargestForce (N),
- * WithinNoise, Hysteresis and RateEffect (shares of the energy; NaN where not recorded); where a
- * site relaxes also HoldLoss (share of the force), RelaxationStrength and RelaxationTime 1 to 4
- * with their intervals, ShortestTime and LongestTime that the test can tell (s), and Remark, what
- * it cannot. Output port 2: a vtkTable, a row per reading of a loading: Deflection (mm, from first
- * contact), Force, MonotoneForce (isotonic regression), ModelForce (N), Site, Tool; of a site that
- * relaxes a row per reading at all, in the order of time, with Time (s), and ModelForce along that
- * history.
+ * WithinNoise, Hysteresis and RateEffect (fractions of the energy; NaN where not recorded); where a
+ * site relaxes also HoldLoss (fraction of the force), RelaxationStrength and RelaxationTime 1 to 4
+ * with their intervals, ShortestTime and LongestTime that the test can resolve (s), and Remark,
+ * what it cannot. Output port 2: a vtkTable, a row per reading of a loading: Deflection (mm, from
+ * first contact), Force, MonotoneForce (isotonic regression), ModelForce (N), Site, Tool; of a site
+ * that relaxes a row per reading of the whole test, in the order of time, with Time (s), and
+ * ModelForce along that history.
  *
  * @warning Small strain, frictionless tools, a body that is homogeneous under each site. A body is
- * identified by its behaviour under the measuring tools: E* of a site says nothing of layers
+ * identified by its behaviour under the measuring tools: E* of a site says nothing about layers
  * thinner than the contact radius that was reached. Force readings are taken to start at zero.
  *
  * Cost: up to a tenth of a second per site, a second where it relaxes, on all cores, then that of
@@ -107,14 +107,14 @@ public:
   ///@{
   /**
    * A file that carries the instrument's frame to the body's: a rigid 4×4 matrix or pairs of points
-   * (SiteRegistration.h). Empty, the default: the frames are one.
+   * (SiteRegistration.h). Empty, the default: the frames are the same.
    */
   vtkSetMacro(RegistrationFile, std::string);
   vtkGetMacro(RegistrationFile, std::string);
   ///@}
 
   ///@{
-  /** The tool to be felt; required. Its changes count in this filter's modification time. */
+  /** The tool of the response; required. Its changes count in this filter's modification time. */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
@@ -129,7 +129,7 @@ public:
   };
 
   ///@{
-  /** The model of every site, where it is known from elsewhere. Default Automatic. */
+  /** The model of every site, if it is known from elsewhere. Default Automatic. */
   vtkSetClampMacro(BodyModel, int, Automatic, Layer);
   vtkGetMacro(BodyModel, int);
   ///@}
@@ -148,8 +148,8 @@ public:
 
   ///@{
   /**
-   * Whether the depth of first contact is to be found from the readings. Default on; off where
-   * deflections count from first contact, as from finite elements.
+   * Whether to find the depth of first contact from the readings. Default on; off where deflections
+   * are measured from first contact, as by finite elements.
    */
   vtkSetMacro(FindContact, bool);
   vtkGetMacro(FindContact, bool);
@@ -164,8 +164,8 @@ public:
 
   ///@{
   /**
-   * Largest share of the loading's energy that unloading may keep, of an elastic body. Default 0.2;
-   * less, so that relaxation is identified that is weaker.
+   * Largest fraction of the loading's energy that an elastic body may lose by unloading. Default
+   * 0.2; a smaller value lets weaker relaxation be identified.
    */
   vtkSetMacro(MaximumHysteresis, double);
   vtkGetMacro(MaximumHysteresis, double);
@@ -173,8 +173,8 @@ public:
 
   ///@{
   /**
-   * Largest difference in energy between a fast and a slow loading, relative, and largest share of
-   * its force that a hold may lose, of an elastic body. Default 0.1.
+   * Of an elastic body, the largest relative difference in energy between a fast and a slow
+   * loading, and the largest fraction of its force that a hold may lose. Default 0.1.
    */
   vtkSetMacro(MaximumRateEffect, double);
   vtkGetMacro(MaximumRateEffect, double);
@@ -182,10 +182,10 @@ public:
 
   ///@{
   /**
-   * How the body relaxes, where that is known from elsewhere: E(t)/E∞ = 1 + Σ p exp(-t/τ), each
-   * branch with its strength p >= 0, relative to the slow modulus E∞, and its time τ > 0 in
-   * seconds; up to four. Then it is not identified, and the speed of the test is taken into account
-   * in E* and the rest; curves without times are taken for slow ones. Default none.
+   * How the body relaxes, if that is known from elsewhere: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch
+   * with its strength p >= 0, relative to the slow modulus E∞, and its time τ > 0 in seconds; up to
+   * four. Then it is not identified, and the speed of the test is taken into account in E* and the
+   * rest; curves without times count as slow. Default none.
    */
   void AddRelaxation(double strength, double seconds)
   {
@@ -215,8 +215,7 @@ public:
 
   ///@{
   /**
-   * What a model may leave unexplained, more than noise, as a share of the largest force. Default
-   * 0.02.
+   * Largest residual of a model beyond the noise, as a fraction of the largest force. Default 0.02.
    */
   vtkSetMacro(MaximumMisfit, double);
   vtkGetMacro(MaximumMisfit, double);
@@ -235,7 +234,7 @@ public:
   ///@}
 
   ///@{
-  /** How far a site speaks for the surface around it, mm. Default 20. */
+  /** Radius around a site within which it determines the surface, mm. Default 20. */
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}
@@ -268,8 +267,8 @@ public:
 
   ///@{
   /**
-   * Of the last update: the root of the mean square by which pairs of points miss each other after
-   * registration (NaN unless registered by pairs), and by which the sites miss the surface, mm.
+   * Of the last update: root-mean-square distance between the pairs of points after registration
+   * (NaN unless registered by pairs), and of the sites from the surface, mm.
    */
   vtkGetMacro(RegistrationResidual, double);
   vtkGetMacro(SiteResidual, double);

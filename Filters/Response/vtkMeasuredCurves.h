@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeasuredCurves
- * @brief measured readings beside the curves of the bodies identified from them, as a table to plot
+ * @brief measured readings and the curves of the bodies identified from them, as a table to plot
  *
  * Input: the readings of vtkMeasuredContactResponse (its output port 2), with the columns
  * `Deflection (mm)`, `Force (N)`, `ModelForce (N)`, `Site` and `Tool`.
  *
  * Output: a vtkTable with `Deflection (mm)` from first contact, and for every site and tool, in the
- * order in which they come, `<site> measured (N)`, the readings, and `<site> model (N)`, what the
- * identified body gives there; with several tools `<site> measured with <tool> (N)`. The rows of a
+ * order in which they come, `<site> measured (N)`, the readings, and `<site> model (N)`, the force
+ * of the identified body there; with several tools `<site> measured with <tool> (N)`. The rows of a
  * site and tool stand together, in the order of their deflection, or, where the readings have a
- * `Time (s)` because the body relaxes, in the order of time: drawn as lines they are the loops. In
- * the others' rows its columns are NaN. A site that was refused has no model: NaN.
+ * `Time (s)` because the body relaxes, in the order of time: drawn as lines they are the loops. Its
+ * columns are NaN in all other rows. A site that was refused has no model: NaN.
  *
  * Errors: a column is missing (named).
  */

@@ -1,40 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNoduleDetectability
- * @brief where on a body tools feel the nodules inside, and by how much
+ * @brief where on a body, and by how much, nodules inside change the force on tools
  *
  * Input: a vtkUnstructuredGrid as of vtkElasticContactResponse, with the cell arrays of
- * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Others by
- * arrays to process 0 to 3, in this order. What is wrong with it is an error that names it. Empty
- * input gives empty output.
+ * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Arrays of
+ * other names are given as arrays to process 0 to 3, in this order. What is wrong with it is an
+ * error that names it. Empty input gives empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays,
  * `OriginalPointIds`, and
  * - the response arrays of Tool on the body with nodules, as of vtkElasticContactResponse, and of
- *   the tools of AddMoreTool under ResponseName with 2, 3 … behind; with StoreWithout also those of
+ *   the tools of AddMoreTool under ResponseName followed by 2, 3 …; with StoreWithout also those of
  *   the body without, the names ending in `Without`: "ResponseWithout", "Response2Without";
- * - point arrays with one component per tool, named by its specification: `ForceChange`, by which
- *   fraction the nodules change the force at the same depth, negative where it gets less, at the
- *   depth where that is most; `StiffnessChange`, that of dF/dδ there; `ChangeDepth`, that depth,
- *   mm; `Felt`, 1 where |ForceChange| is Threshold or more, else 0;
- * - `StrongestTool`: the number of the tool that feels most of it, 0 being Tool; -1 where none is
- *   known to. The tool whose force a nodule changes most is the one that feels the deepest ones.
+ * - point arrays with one component per tool, named by its specification: `ForceChange`, the
+ *   largest relative change of the force by the nodules at equal depth, negative where it
+ *   decreases; `StiffnessChange`, that of dF/dδ there; `ChangeDepth`, that depth, mm; `Felt`, 1
+ *   where |ForceChange| is Threshold or more, else 0;
+ * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 being Tool; -1 where
+ *   none is known. That tool also feels the deepest nodules.
  *
  * Depths: from the first sample to PressDepth, or where the response of either body ends (Range,
  * with WithinValidity also Validity). Where one has no response the changes are NaN and Felt is 0.
  *
- * **Threshold.** The least change of a force that a hand can tell is about 7 % of it (Pang, Tan
- * and Durlach 1991, from 2.5 to 10 N, one interval at a time, with feedback); between 0.07 and 0.1
- * for most. 0.1 is on the safe side. Forces below half a newton need more.
+ * **Threshold.** The least change of a force that a hand can tell is about 7 % of it (Pang, Tan and
+ * Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); between 0.07 and 0.1 for
+ * most. 0.1 is on the safe side. Forces below half a newton need more.
  *
- * **Accuracy.** That of vtkElasticContactResponse for either body; what is wrong with both, as
- * small strain and the elements far away, cancels. By the mixed cells of a nodule see
+ * **Accuracy.** That of vtkElasticContactResponse for either body; errors that both share, as of
+ * small strain and of elements far away, cancel. For the error by the mixed cells of a nodule see
  * vtkNoduleMaterial.
  *
  * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, kept for all
  * tools until the input changes or a contact gets wider; then some milliseconds per point and tool.
- * Without nodules there may be little to resolve: SourceSpacingWithout saves most of the second.
- * Abort is seen between steps and solutions. The same bits for any number of threads.
+ * Without nodules a coarser spacing often suffices: SourceSpacingWithout saves most of the second
+ * body's solutions. Abort is seen between steps and solutions. The same bits for any number of
+ * threads.
  *
  * @sa vtkNoduleMaterial vtkElasticContactResponse
  */
@@ -72,8 +73,10 @@ public:
   ///@}
 
   ///@{
-  /** Further tools, by their specification, as "flat:1.6" (vtkContactTool::SetSpecification); what
-   * is none is an error when the filter runs. */
+  /**
+   * Further tools, by their specification, as "flat:1.6" (vtkContactTool::SetSpecification); a
+   * wrong one is an error when the filter runs.
+   */
   void AddMoreTool(const std::string& specification);
   void RemoveAllMoreTools();
   int GetNumberOfTools() { return static_cast<int>(this->MoreTools.size()) + 1; }
@@ -118,7 +121,7 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkElasticContactResponse: of the widest of other tools to come, mm. Default 0. */
+  /** As of vtkElasticContactResponse, mm: the widest contact of all tools to follow. Default 0. */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}

@@ -9,20 +9,20 @@
  *
  * Output: the same grid with the cell arrays (doubles)
  * - `YoungsModulus` (MPa) and `PoissonRatio`: with the nodules;
- * - `YoungsModulusWithout` and `PoissonRatioWithout`: as if they were not there;
- * - `NoduleFraction`: how much of the cell's volume they fill, 0 to 1.
+ * - `YoungsModulusWithout` and `PoissonRatioWithout`: without the nodules;
+ * - `NoduleFraction`: the fraction of the cell's volume that they fill, 0 to 1.
  *
- * A cell that the surface of a sphere cuts is mixed by the fractions of its volume, counted on
- * Subdivisions³ places in it: E by palpate::mixedModulus, harmonic where the nodule is harder,
- * geometric where softer; ν by volume. Where spheres overlap the one added last holds.
+ * A cell that the surface of a sphere cuts is mixed by the fractions of its volume, counted at
+ * Subdivisions³ points in it: E by palpate::mixedModulus, harmonic where the nodule is harder,
+ * geometric where softer; ν by volume. Where spheres overlap, the one added last counts.
  *
  * **Accuracy.** Of the force on a nodule of 3 mm, ten times as hard, 2 mm or deeper, in cells of 1
- * mm: 1.5 %; 1 mm deep 4 %. Cells no larger than half the distance of a nodule's top from the
- * surface, no larger than a third of its radius.
+ * mm: 1.5 %; 1 mm deep 4 %. Cells should be no larger than half the distance of a nodule's top from
+ * the surface, and no larger than a third of its radius.
  *
- * Errors, and no output: a radius, E or ν that is none (E positive and finite, ν 0 to 0.499), a
- * nodule that fills no part of any cell, by its number; an array, or a value in it, that is none; a
- * cell of another kind.
+ * Errors, and no output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or a nodule
+ * that fills no part of any cell, by its number; a wrong array or value in it; a cell of another
+ * kind.
  *
  * Cost: Subdivisions³ distances for each cell whose box a sphere's surface cuts, milliseconds for
  * ten thousand.
@@ -64,8 +64,10 @@ public:
   ///@}
 
   ///@{
-  /** Adds a sphere: its middle and radius, mm, its E, MPa, and its ν; without one that of what is
-   * around it. They are checked when the filter runs. */
+  /**
+   * Adds a sphere: its centre and radius, mm, its E, MPa, and its ν; without ν, that of its
+   * surroundings. Checked when the filter runs.
+   */
   void AddNodule(double x, double y, double z, double radius, double youngsModulus);
   void AddNodule(
     double x, double y, double z, double radius, double youngsModulus, double poissonRatio);
@@ -74,7 +76,7 @@ public:
   int GetNumberOfNodules() { return static_cast<int>(this->Nodules.size()); }
 
   ///@{
-  /** Places along each side of a cell that a sphere's surface cuts, 1 to 64. Default 8. */
+  /** Points along each side of a cell that a sphere's surface cuts, 1 to 64. Default 8. */
   vtkSetMacro(Subdivisions, int);
   vtkGetMacro(Subdivisions, int);
   ///@}
@@ -101,7 +103,8 @@ private:
   };
 
   std::string Check();
-  /// Mixes the nodules that fill fractions of a cell into its material; how much they fill.
+  /// Mixes the nodules that fill `fractions` of a cell into its material; returns the fraction they
+  /// fill.
   double MixCell(const std::vector<double>& fractions, palpate::ElasticMaterial& material) const;
   std::string Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
 

@@ -4,29 +4,31 @@
  * @brief a response in the fewest numbers that keep its forces within a tolerance
  *
  * Input: a body with response arrays (vtkToolContactResponse, vtkMeasuredContactResponse), in
- * either form. Output: the same body, whose response `ResponseName` is, from the fewest numbers up,
+ * either form. Output: the same body, whose response `ResponseName` is the first of these that
+ * suffices:
  * - one law for the body: the same curve at every point;
  * - one law, times a number per point;
  * - a basis of up to MaximumNumberOfLaws laws, with as many coefficients per point;
  * - a curve of its own per point, in fewer samples;
- * - what it was, where nothing less will do.
+ * - the response unchanged.
  *
  * Laws are the field array `<name>Basis` and coefficients the point array `<name>Coefficient`, in
  * place of `<name>Force` and `<name>Stiffness`; every reader of a response accepts both, and the
- * tick evaluates the laws directly: its record of a point shrinks from 80 bytes to 16, and 4 per
- * coefficient (none for one law). All other arrays pass through.
+ * servo tick evaluates the laws directly: its record of a point shrinks from 80 bytes to 16, and 4
+ * per coefficient (none for one law). All other arrays pass through.
  *
  * The error of a point is the largest difference of the force at any depth up to its Range, over
  * the force at that depth (over that of the first sample before it). It is found at every point,
- * four times per interval between samples, from the numbers as stored; in between it may be a tenth
- * larger. Curves of different Range (measured ones, cut where their data end) take more laws.
+ * four times per interval between samples, from the numbers as stored; between these depths it may
+ * be a tenth larger. Curves of different Range (measured ones, cut where their data end) take more
+ * laws.
  *
- * What was dropped and what that costs is told by the Get... below, and by the field arrays
- * `<name>Reduction` (text) and `<name>ReductionError` (double, relative).
+ * What was dropped, and the error by that, is told by the Get... functions below and by the field
+ * arrays `<name>Reduction` (text) and `<name>ReductionError` (double, relative).
  *
  * Source: proper orthogonal decomposition (Sirovich 1987), the columns weighted for the relative
- * error; details in ResponseReduction.h. Cost: some µs per point and core. Threads do not change
- * a bit.
+ * error; details in ResponseReduction.h. Cost: some µs per point and core. The same bits for any
+ * number of threads.
  *
  * Errors: no such response; Tolerance not above 0, MaximumNumberOfLaws not from 1 to 16.
  */
@@ -45,7 +47,7 @@ public:
   vtkTypeMacro(vtkReducedContactResponse, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms a response is stored in, from the fewest numbers on.
+  /// The forms of a stored response, from the fewest numbers up.
   enum FormType
   {
     OneLaw = 0,
@@ -56,14 +58,16 @@ public:
   };
 
   ///@{
-  /** Largest relative error of the force, > 0; below some 1e-6 float storage is in the way.
-   * Default 0.01: a tenth of what a hand can tell. */
+  /**
+   * Largest relative error of the force, > 0; below about 1e-6 the rounding of floats prevails.
+   * Default 0.01: a tenth of what a hand can tell.
+   */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** Most laws of a basis, 1 to 16. Default 8. */
+  /** Largest number of laws of a basis, 1 to 16. Default 8. */
   vtkSetMacro(MaximumNumberOfLaws, int);
   vtkGetMacro(MaximumNumberOfLaws, int);
   ///@}

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkResponseChoice
- * @brief whether a body needs a point force, one law or a response per vertex; and takes it
+ * @brief chooses the simplest response a body needs: a point force, a few laws or a curve per
+ * vertex
  *
  * Input: a body with response arrays (vtkToolContactResponse, vtkMeasuredContactResponse), in
  * either form, and, if a point force is to be considered, with the arrays of vtkContactRegime for
- * the same tool. Output: the body, its response in the least of these that keeps the forces:
+ * the same tool. Output: the body, its response in the first of these that keeps the forces:
  * - PointForce: a spring per point, F = k δ;
  * - OneLaw: the same curve at every point;
  * - ScaledLaw: one law, times a number per point;
@@ -20,24 +21,24 @@
  * is not felt (RegimeVerdict 2), `Deflection` lies within Validity, and the spring is off by no
  * more than `Tolerance` of the force at Range. Its stiffness is the secant of the tool's curve
  * there: the local compliance in series with the global one, nearly 1/GlobalCompliance; another
- * tool would get the same to some per cent. What is lost is the soft start of a contact: a curve
- * begins with no stiffness, a spring with all of it, so that the relative error at a tenth of Range
- * may be many times the Tolerance while the force there is a tenth. Without the regime, and for
- * half-spaces and layers, whose λ is never near 1, there is no point force.
+ * tool would get the same to some per cent. It loses the soft start of a contact: a curve begins
+ * without stiffness, a spring with all of it, so that at a tenth of Range, where the force is a
+ * tenth, the relative error may be many times the Tolerance. Without the regime's arrays there is
+ * no point force, nor for half-spaces and layers, whose λ is never near 1.
  *
- * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, its arrays taken away, where
- * no press can feel more of it than `Tolerance`. Otherwise the field array
- * `<name>RelaxationElements` (int) says with how many elements (vtkContactSettings) the force stays
- * within it, of the largest of a press, by the worst of the study's motions
- * (palpate/RelaxationError.h): how fast the tool will move is not known.
+ * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, with its arrays, where it
+ * changes the force of no press by more than `Tolerance`. Otherwise the field array
+ * `<name>RelaxationElements` (int) says with how many elements (vtkContactSettings) the error stays
+ * within `Tolerance` of the largest force of a press, for the worst of the motions studied
+ * (palpate/RelaxationError.h), as the speed of the tool is not known.
  *
  * The choice in words, with its numbers: GetReason, and the field array `<name>Choice`. It also
- * tells where Deflection is beyond Validity: there the numbers of the law are kept, but the law is
- * not the body's.
+ * tells where Deflection is beyond Validity: there the law's numbers are kept, but the law no
+ * longer describes the body.
  *
  * All other arrays pass through; Validity and Limit stay those of the tool's law. Cost: 20 ns per
- * point where all curves are the same, else 2 to 3 us per point and core. Threads do not change a
- * bit. See ResponseChoice.h.
+ * point where all curves are the same, else 2 to 3 us per point and core. The same bits for any
+ * number of threads. See ResponseChoice.h.
  *
  * Errors: no such response; a setting out of its range; RegimeVerdict or Validity of another type;
  * a RegimeDeflection that is not Deflection.
@@ -59,7 +60,7 @@ public:
   vtkTypeMacro(vtkResponseChoice, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms that may suffice, from the least on.
+  /// The forms that may suffice, the simplest first.
   enum VerdictType
   {
     PointForce = 0,
@@ -77,21 +78,25 @@ public:
   ///@}
 
   ///@{
-  /** Share of the points that must keep the tolerance, above 0 to 1. Default 1: all of them. The
-   * others may be off by any amount: see GetLargestError. */
+  /**
+   * Fraction of the points that must keep the tolerance, above 0 to 1. Default 1: all. The error of
+   * the others is not limited: see GetLargestError.
+   */
   vtkSetMacro(Share, double);
   vtkGetMacro(Share, double);
   ///@}
 
   ///@{
-  /** How deep the tool is pressed, mm: where regime and validity are looked at. Default 0: where
-   * the regime was found, without one half of Range at each point. */
+  /**
+   * Depth at which regime and validity are checked, mm. Default 0: that of the regime; without one,
+   * half of Range at each point.
+   */
   vtkSetMacro(Deflection, double);
   vtkGetMacro(Deflection, double);
   ///@}
 
   ///@{
-  /** Most laws that are combined, 1 to 16. Default 8. */
+  /** Largest number of laws that are combined, 1 to 16. Default 8. */
   vtkSetMacro(MaximumNumberOfLaws, int);
   vtkGetMacro(MaximumNumberOfLaws, int);
   ///@}
@@ -108,10 +113,12 @@ public:
   vtkGetMacro(Reason, std::string);
   ///@}
   ///@{
-  /** Of the last execution: numbers stored per point (but for normal, range, status), now and
-   * before; largest error over all points; share of the points within the tolerance; share at which
-   * the shape of the tool is not felt (0 without regime); largest error of springs (0 where they
-   * were not considered); share at which Deflection is beyond Validity. */
+  /**
+   * Of the last execution: numbers stored per point (but for normal, range, status), now and
+   * before; largest error over all points; fraction of the points within the tolerance; fraction at
+   * which the shape of the tool is not felt (0 without regime); largest error of springs (0 where
+   * they were not considered); fraction at which Deflection is beyond Validity.
+   */
   vtkGetMacro(NumbersPerPoint, int);
   vtkGetMacro(NumbersPerPointBefore, int);
   vtkGetMacro(LargestError, double);

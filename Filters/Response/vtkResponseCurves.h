@@ -10,14 +10,14 @@
  * Output: a vtkTable with column `Deflection (mm)`, from 0 to the largest Range of the chosen
  * points in NumberOfRows steps, and one column of force in N per response and point, named
  * `<response> at point <id> (N)` and evaluated as the kernel does. Beyond a point's Range the
- * column is NaN. Where the response keeps its error and ErrorBand is on, two columns more for each
- * follow after all these, what the force may be by its estimated error: `<response> at point <id>,
- * least (N)` and `<response> at point <id>, most (N)`.
+ * column is NaN. Where the response keeps its error and ErrorBand is on, two more columns for each
+ * follow after all these, the bounds of the force by its estimated error: `<response> at point
+ * <id>, least (N)` and `<response> at point <id>, most (N)`.
  *
  * A given point without response, or an id out of range, is an error naming it. Selected points
  * without response are left out, with one warning that counts them; if none is left, that is an
- * error. Of more than MaximumNumberOfPoints selected points, so many are taken, evenly among their
- * ids, and a warning says so. An empty selection, like no PointIds, gives an empty table.
+ * error. Of more selected points only MaximumNumberOfPoints are taken, evenly among their ids, and
+ * a warning says so. An empty selection, like no PointIds, gives an empty table.
  */
 #ifndef vtkResponseCurves_h
 #define vtkResponseCurves_h
@@ -46,17 +46,17 @@ public:
   void RemoveAllPointIds();
   ///@}
 
-  /** Convenience for the second input port, the selection. */
+  /** The selection, input port 1. */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
 
   /**
-   * What finds the selected points. Default: a vtkExtractSelection. An application whose selections
-   * are of kinds of its own gives its own; it stays as it is set but for its inputs.
+   * The filter that finds the selected points. Default: a vtkExtractSelection. An application with
+   * its own kinds of selection sets its own; only the inputs of that filter are changed.
    */
   void SetSelectionExtractor(vtkExtractSelection* extractor);
 
   ///@{
-  /** Most points of a selection, at least 1. Default 20. */
+  /** Largest number of points of a selection, at least 1. Default 20. */
   vtkSetClampMacro(MaximumNumberOfPoints, int, 1, 10000);
   vtkGetMacro(MaximumNumberOfPoints, int);
   ///@}
@@ -74,14 +74,16 @@ public:
   ///@}
 
   ///@{
-  /** Other responses for the same chart, after ResponseName's; a name counts once. Default: none.
+  /**
+   * Other responses for the same chart, after ResponseName's; a repeated name is ignored. Default:
+   * none.
    */
   void AddMoreResponseName(const std::string& name);
   void RemoveAllMoreResponseNames();
   ///@}
 
   ///@{
-  /** Whether the least and the most that each force may be are columns, too. Default on. */
+  /** Whether the bounds of each force are columns, too. Default on. */
   vtkSetMacro(ErrorBand, bool);
   vtkGetMacro(ErrorBand, bool);
   vtkBooleanMacro(ErrorBand, bool);

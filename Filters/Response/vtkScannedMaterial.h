@@ -13,19 +13,18 @@
  *
  * A map (AddMaterial) says which E and ν a value of the image has: with Labels on (default) each
  * value is a tissue of its own, taken from the nearest voxel, and one that the map does not have is
- * an error; off, for elastography or CT numbers, values between two of the map have log E and ν in
- * proportion, those beyond its ends that of the end, read trilinearly. Places outside the image
- * have the constants.
+ * an error; off, for elastography or CT numbers, the image is read trilinearly, and log E and ν are
+ * interpolated linearly between the values of the map, constant beyond its ends. Outside the image
+ * the constants hold.
  *
- * Each cell is looked at on Subdivisions³ places, equal in volume for boxes and straight
- * tetrahedra. What is most of it is its material; of the rest harder ones are mixed in
- * harmonically, softer ones geometrically (palpate::mixedModulus), ν by volume; without labels log
- * E and ν are means. An error in E counts in full in the force: no map is known better than some
- * ten per cent.
+ * Each cell is sampled at Subdivisions³ points, of equal volume in boxes and straight tetrahedra.
+ * The most frequent material is mixed with the others, harder ones harmonically, softer ones
+ * geometrically (palpate::mixedModulus), ν by volume; without labels log E and ν are means. The
+ * force has the relative error of E; no map is known better than about ten per cent.
  *
- * Errors, and no output: no map, a row that is none (E positive and finite, ν 0 to 0.499), one
- * value twice; no image or array; a value that is not finite, or a label that is not in the map, by
- * its cell; a cell of another kind. Abort is seen every 4,096 cells. Cost: 0.1 µs a place.
+ * Errors, and no output: no map, a wrong row (E must be positive and finite, ν 0 to 0.499), a value
+ * given twice; no image or array; a value that is not finite, or a label that is not in the map, by
+ * its cell; a cell of another kind. Abort is checked every 4,096 cells. Cost: 0.1 µs a point.
  *
  * @sa vtkNoduleMaterial vtkGradedBody vtkElasticContactResponse
  */
@@ -68,14 +67,14 @@ public:
   ///@}
 
   ///@{
-  /** Whether values are labels of tissues, or lie on a scale. Default on. */
+  /** Whether values are labels of tissues (default) or lie on a scale. */
   vtkSetMacro(Labels, bool);
   vtkGetMacro(Labels, bool);
   vtkBooleanMacro(Labels, bool);
   ///@}
 
   ///@{
-  /** Where there is no image: MPa; 0 to 0.499. Defaults 0.1 and 0.45. */
+  /** E, MPa, and ν, 0 to 0.499, outside the image. Defaults 0.1 and 0.45. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   vtkSetMacro(PoissonRatio, double);
@@ -83,7 +82,7 @@ public:
   ///@}
 
   ///@{
-  /** Places along each side of a cell, 1 to 64. Default 4. */
+  /** Points along each side of a cell, 1 to 64. Default 4. */
   vtkSetMacro(Subdivisions, int);
   vtkGetMacro(Subdivisions, int);
   ///@}

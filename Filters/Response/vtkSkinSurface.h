@@ -21,7 +21,7 @@
  * scalable isocontouring algorithm, LDAV), largest region; (5) windowed-sinc smoothing (Taubin,
  * Zhang, Golub 1996, Optimal surface smoothing as filter design, ECCV; Hamming's window, whatever
  * VTK's default), border points unmoved: waves of 8 spacings of the scan fall to 3 %, of 10 to a
- * quarter, of 20 and more stay; (6) point normals.
+ * quarter; those of 20 and more stay; (6) point normals.
  *
  * Axes: points are in the image's physical coordinates: origin + direction * (index * spacing).
  * vtkNIFTIImageReader ignores the file's qform and sform and leaves origin 0 and the identity
@@ -36,13 +36,12 @@
  * The output does not depend on the number of threads and is the same on every run, and with every
  * version of VTK from 9.1 on.
  *
- * @warning
- * Openings wider than twice the ClosingRadius stay open, and the cavity behind them then belongs
- * to the surface. Much larger radii web folds that are wanted, as between ear and head.
+ * @warning Openings wider than twice the ClosingRadius stay open, and the cavity behind them then
+ * belongs to the surface. Much larger radii close folds that are wanted, as between ear and head.
  * Noise in the air that touches the skin above ContourValue becomes part of the surface.
  *
- * @warning
- * Air in two parts, separated by the tissue and the field of view, counts only by its larger part.
+ * @warning Of air in two parts, separated by the tissue and the field of view, only the larger part
+ * counts.
  *
  * @sa
  * vtkFlyingEdges3D vtkWindowedSincPolyDataFilter vtkNIFTIImageReader

@@ -5,32 +5,30 @@
  *
  * Port 0: a body with response arrays (vtkToolContactResponse). Port 1: tool tips, the points of a
  * vtkPolyData in the body's frame, mm. A point that belongs to no polyline is an independent query
- * of the whole body, without friction; each polyline is one history, in which the contact is
- * followed from point to point, with friction, as a tool that moves along it would feel it. A point
- * in several polylines holds the value of the last.
+ * of the whole body, without friction; each polyline is one history, along which the contact is
+ * followed from point to point, with friction, as on a moving tool. A point in several polylines
+ * has the value of the last.
  *
  * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, any length) says how
- * the tool is held: a response that knows tilts (`<name>Tilt...`) is felt by it, one that does not
- * feels as along the normal. Three numbers that are not finite, or all zero, are an error.
+ * the tool is held. It matters where the response has tilts (`<name>Tilt...`); others are felt as
+ * with the tool along the normal. Three numbers that are not finite, or all zero, are an error.
  *
- * With **Coupled** tips that are there at once press at once and feel one another
- * (palpate/CoupledContacts.h): along polylines those of the same `Time`, to the bit, or, without
- * Time, of the same place in their polylines; of the single points those of the same Time, or all
- * of them; points and polylines do not feel each other. At most 64 at once. Between its first and
- * its last point a polyline must have one, and no more, at each Time that another has; before and
- * after them its tool is not there. Each moment is solved to the last bits, where a servo loop goes
- * round twice a tick. The response must tell how contacts couple
- * (vtkToolContactResponse::CouplingOn): without, an error. Deflection is then that of the tool's
- * own dent: what the others have let down is not in it. With EnergyConsistent what draws
- * tools to each other's dents is in Force, not in NormalForce.
+ * With **Coupled** tips that press at the same time feel one another (palpate/CoupledContacts.h):
+ * of polylines those of exactly the same `Time`, or, without Time, of the same index in their
+ * polylines; of single points those of the same Time, or all of them; points and polylines do not
+ * feel each other. At most 64 at once. Between its first and its last point a polyline must have
+ * exactly one point at each Time of another; before and after these its tool is absent. Each moment
+ * is solved to convergence, where a servo loop makes two iterations a tick. The response must have
+ * its coupling (vtkToolContactResponse::CouplingOn); without, it is an error. Deflection is then
+ * that of the tool's own dent, without what the others lower the surface. With EnergyConsistent the
+ * force that draws tools to each other's dents is in Force, not in NormalForce.
  *
  * An optional point array `Time` (s, one number per point) says when the tool is where. A body that
- * relaxes (vtkToolContactResponse::AddRelaxation) is felt in time by it: along each polyline its
- * memory begins at the first point, where it has none, and goes on from point to point, each time
- * as if the tip had moved evenly. Without Time, and for single points, the force is the slow one
- * that is left when a press has lasted. Nothing else felt here depends on the rate - friction
- * follows the way, not the speed - and Time passes through; but along each polyline it must be
- * finite and not decrease, or the trajectory was read wrongly: an error.
+ * relaxes (vtkToolContactResponse::AddRelaxation) is felt in time by it: each polyline starts at
+ * its first point without memory, and the tip moves at constant speed from point to point. Without
+ * Time, and for single points, the force is the slow one that is left after a long press. Nothing
+ * else depends on the rate - friction depends on the displacement, not the speed - and Time passes
+ * through; but along each polyline it must be finite and not decrease, otherwise it is an error.
  *
  * Output: the tips, in input order, with their arrays and
  * - `Force` (double 3, N): total force on the tool: NormalForce along Normal, FrictionForce, and
@@ -44,29 +42,27 @@
  *   range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not finite, or
  * a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
  *   friction slides;
- * - `MemoryForce` (double, N), where the body relaxes: what of NormalForce is more than the slow
- *   response at this depth, less than 0 while the tool comes out; 0 for single points and without
+ * - `MemoryForce` (double, N), where the body relaxes: by how much NormalForce exceeds the slow
+ *   response at this depth, negative while the tool comes out; 0 for single points and without
  *   Time;
  * - `Torque` (double 3, N mm), about the tip, and `Tilt` (double, degrees), of the axis from
  * Normal, where the tips have a ToolAxis;
- * - `CoupledStiffness` (double k, N/mm), with Coupled: by how much NormalForce, but for memory,
- *   rises with the depth of each of the up to k tips that press at once, in the order of their
- *   polylines, or of the points; its own among them, zeros for those without force. On one process
- *   only;
+ * - `CoupledStiffness` (double k, N/mm), with Coupled: the derivative of NormalForce, without
+ *   memory, by the depth of each of the up to k tips that press at once, itself included, in the
+ *   order of their polylines, or of the points; zeros for those without force. On one process only;
  * - `RelativeError` (double), where the response keeps its error: the estimated error of Force,
  *   relative, blended as the force is; 0 without contact, NaN beyond range. On one process only.
  *
  * The force blends the curves of the triangle's three vertices by area coordinates (Mahvash and
  * Hayward 2002, eqs. 3 and 4). How, on which surface and with which friction, vtkContactSettings
- * says; a setting out of its range is an error, also one that the chosen model does not use.
+ * says; a setting out of its range is an error, even if the chosen model does not use it.
  * vtkHapticSession and the C interface (palpate.h) have the same settings and give the same bits
  * for the same tips.
  *
- * What the kernel finds wrong with the mesh is said in one warning for each state of the body:
- * triangles that wound against their neighbours and were turned, points of open borders that were
- * joined because they coincide, triangles without area or with a coordinate that is not finite
- * (they take no part), edges of more than two triangles (they count as border). Open borders are
- * nothing wrong.
+ * One warning for each state of the body tells what the kernel finds wrong with the mesh: triangles
+ * that wound against their neighbours and were turned, points of open borders that were joined
+ * because they coincide, triangles without area or with a coordinate that is not finite (they take
+ * no part), edges of more than two triangles (they count as border). Open borders are allowed.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *
@@ -74,19 +70,18 @@
  * none: the contact is that with the whole body, also along a polyline across seams; every tip
  * comes out on the process that gave it. ContactCell is then the cell of the piece (without its
  * ghost cells) on process `ContactRank` (int, one more array, -1 for none). Each process gathers
- * what of the body lies around its own tips; the result is that of one process but for the last
- * bits where normals of several triangles are summed in another order. What is said of the mesh is
- * said of those parts, and whether triangles wind against their neighbours is judged there. An
- * error on one is an error on all. All processes must update the filter. With Coupled all tips are
- * on one of them, or it is an error.
+ * the part of the body around its own tips; the result is that of one process except for the last
+ * bits where normals of several triangles are summed in another order. The warnings about the mesh,
+ * and the turning of triangles, concern those parts. An error on one is an error on all. All
+ * processes must update the filter. With Coupled all tips must be on one process, or it is an
+ * error.
  *
- * Input that is no vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
+ * Input other than vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
  *
  * Cost: building the kernel's copy of the body once per change of the body, O(n log n), with
- * progress; then half a microsecond to one per tip, if they are many. Independent tips are felt in
- * an order in which neighbours follow one another, whatever the order they come in, and threaded
- * by vtkSMPTools; same bits for any order and any number of threads. Meanwhile each thread keeps
- * some 220 bytes for up to 262144 tips.
+ * progress; then 0.5 to 1 µs per tip, if there are many. Independent tips are sorted so that
+ * neighbours follow one another, and threaded by vtkSMPTools; same bits for any order and any
+ * number of threads. Each thread needs some 220 bytes for each of up to 262144 tips meanwhile.
  */
 #ifndef vtkToolContactProbe_h
 #define vtkToolContactProbe_h
@@ -137,8 +132,10 @@ public:
   ///@}
 
   ///@{
-  /** How the contact feels: an object that others may share, and its properties, which
-   * vtkContactSettings explains. Default, and in place of null: one of its own. */
+  /**
+   * The settings of the contact, which others may share, and their properties: see
+   * vtkContactSettings. Default, and for null: an object of its own.
+   */
   virtual void SetSettings(vtkContactSettings* settings)
   {
     if (this->Settings != settings)
@@ -190,7 +187,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether tips that are there at once feel one another, see above. Default off. */
+  /** Whether tips that press at the same time feel one another, see above. Default off. */
   vtkSetMacro(Coupled, bool);
   vtkGetMacro(Coupled, bool);
   vtkBooleanMacro(Coupled, bool);
@@ -215,7 +212,7 @@ public:
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
 
-  /** The settings count. */
+  /** Includes the time of the settings. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -241,7 +238,8 @@ private:
   double Indentation = 0.0;
   std::string ResponseName = "Response";
 
-  // The kernel's copy of the body, or the piece of several, and of which state of which body it is.
+  // The kernel's copy of the body, or of the piece here, and which state of which body it was made
+  // from.
   std::shared_ptr<const palpate::ContactBody> Body;
   std::unique_ptr<const palpate::BodyPiece> Piece;
   vtkPolyData* BodySource = nullptr;

@@ -20,10 +20,10 @@
  *   data `LayerBase` (uint8), so that vtkContactDeflection knows the field.
  * See palpate/contract.py for how they are evaluated.
  *
- * **Error** (point data, float n) is the estimated relative error of the force at each sample: what
- * strain, curvature, thickness, edge, storage and the elements behind a compliance may add up to
+ * **Error** (point data, float n) is the estimated relative error of the force at each sample: the
+ * sum of the errors by strain, curvature, thickness, edge, storage and the elements of a compliance
  * (palpate/ErrorRule.h). **Validity** is the largest depth at which it is within ErrorTolerance, at
- * most Range, and **Limit** the largest part just beyond: 0 none within Range, 1 strain, 2
+ * most Range, and **Limit** names the largest part just beyond it: 0 none within Range, 1 strain, 2
  * curvature, 3 thickness, 5 edge, 7 elements, 8 tilt.
  *
  * With an ErrorTolerance of 0 there is no `Error`, and validity is the depth at which the first
@@ -32,17 +32,17 @@
  * exceeds it at any depth). Curvature: the body's normal turns by more than 0.2 rad under the
  * contact radius, by the largest normal curvature along the edges at the point; beyond it the body
  * no longer looks flat to the tool. Thickness: δ exceeds 20 % of a layer's thickness. Edge: the
- * contact circle is wider than the whole body, by the middle one of the three lengths of its box (a
- * tool larger than the body; how far off an edge on a larger body is, is not looked at).
+ * contact circle is wider than the whole body, that is, than the middle one of the three lengths of
+ * its box (the distance to an edge of a larger body does not count).
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
  * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
  * array counts by its index, not by its name), 5 strengths of the relaxations, with a component for
- * each (AddRelaxation), instead of theirs. Beside a global compliance the array of its name and
- * `Error`, if it is there, says by how many mm/N it may be off. An index that was never set, or set
+ * each (AddRelaxation), instead of those given there. With a global compliance the array of its
+ * name followed by `Error`, if present, is its error in mm/N. An index that was never set, or set
  * to an empty name, means the constant property, whatever arrays the body has; one that was set but
- * is not there is an error. So is a value out of range, naming array, index and value.
+ * does not exist is an error. So is a value out of range, naming array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
  * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global
@@ -51,12 +51,12 @@
  * ones are computed; a closed surface that is then found inside out is an error.
  *
  * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
- * bound by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per
- * point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool;
- * CurvatureCorrection and ErrorTolerance another 0.7 µs on a half-space, a StrainModel 3 µs and
- * what its solver takes, once (palpate/StrainCorrection.h); on layers some 10 µs together.
- * StoreError writes 4 n bytes more. Threaded by vtkSMPTools; the same bits for any number of
- * threads. Abort leaves no output.
+ * limited by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs
+ * per point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool;
+ * CurvatureCorrection and ErrorTolerance another 0.7 µs on a half-space, a StrainModel 3 µs, and
+ * its solver once (palpate/StrainCorrection.h); on layers some 10 µs together. StoreError writes 4
+ * n bytes more. Threaded by vtkSMPTools; the same bits for any number of threads. Abort leaves no
+ * output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
  * set the limit. A kilometre away (1e6 mm) points stored as float lie on a grid of 0.0625 mm, and
@@ -151,7 +151,7 @@ public:
   ///@{
   /**
    * Layers below that of LayerThickness, from above, up to three: thickness (mm), Young's modulus
-   * (MPa), Poisson's ratio, and whether it slips without friction below the layer above it. The
+   * (MPa), Poisson's ratio, and whether it slides without friction below the layer above it. The
    * body is then a stack everywhere (palpate/LayerStack.h). Default none.
    */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
@@ -169,9 +169,9 @@ public:
 
   ///@{
   /**
-   * Whether the body's sag under the tool is in the law: its principal curvatures, found from the
-   * mesh, are added to the tool's profile (palpate/CurvedContact.h). Default on; off: the surface
-   * counts as flat. Where the tool does not fit into a hollow the law stays that of the flat
+   * Whether the law takes the body's curvature into account: its principal curvatures, found from
+   * the mesh, are added to the tool's profile (palpate/CurvedContact.h). Default on; off: the
+   * surface counts as flat. Where the tool does not fit into a hollow, the law is that of the flat
    * surface.
    */
   vtkSetMacro(CurvatureCorrection, bool);
@@ -182,12 +182,11 @@ public:
   ///@{
   /**
    * Whether sharp convex edges are felt: a contact beside one is softer, is pushed off the body,
-   * and leaves over it with its force going to nothing, as an elastic body lets it
-   * (palpate/BodyEdges.h; Hetényi 1970). The curves stay those far from edges; a field array
-   * `<name>Edges` (double 5: exponent m, contact radius at 1 mm in mm, Poisson's ratio, extent in
-   * mm, 1 where the curves know the edges) has the probe, the touch and the servo loop feel them,
-   * and the error counts what is left of them. Default off: the force drops where a contact passes
-   * an edge.
+   * and its force falls to zero as it leaves over the edge (palpate/BodyEdges.h; Hetényi 1970). The
+   * curves stay those far from edges; a field array `<name>Edges` (double 5: exponent m, contact
+   * radius at 1 mm in mm, Poisson's ratio, extent in mm, 1 where the curves know the edges) makes
+   * probe, touch and servo loop feel them, and the error includes the rest of their effect. Default
+   * off: the force drops where a contact passes an edge.
    */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
@@ -196,18 +195,18 @@ public:
 
   ///@{
   /**
-   * How far the tool will be tilted against the body's normal, degrees, >= 0. Default 0: it is
-   * taken to be upright, wherever its axis points.
+   * Largest tilt of the tool against the body's normal, degrees, >= 0. Default 0: it counts as
+   * upright, wherever its axis points.
    *
    * Above 0 the output has the field arrays `<name>Tilt`, `<name>TiltDrop`, `<name>TiltNode`
    * (double) and, where points differ in more than their modulus, the point array
-   * `<name>TiltWeight` (float): what a tilt makes of the work of the upright tool
-   * (palpate/TiltTable.h). With them a probe or session that is told the tool's axis feels its
-   * tilt, and a torque. Exact for a sphere and, on a half-space, a flat end; cones to 0.5 %, other
-   * tools to 1 %, flat-ended ones to 3 % from a tenth of their size on. On layers by the
-   * axisymmetric tool of equal contact radius, as far as Validity says. An angle at which a flank
-   * of the tool lies flat, less 4 degrees, is an error. Cost: some seconds for each tool that has
-   * no closed form.
+   * `<name>TiltWeight` (float): how a tilt changes the work of the upright tool
+   * (palpate/TiltTable.h). With them a probe or session that knows the tool's axis feels its tilt,
+   * and a torque. Exact for a sphere and, on a half-space, a flat end; cones to 0.5 %, other tools
+   * to 1 %, flat-ended ones to 3 % from a tenth of their size on. On layers by the axisymmetric
+   * tool of equal contact radius, as far as Validity says. An angle within 4 degrees of that at
+   * which a flank of the tool lies flat, or beyond, is an error. Cost: some seconds for each tool
+   * that has no closed form.
    */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
@@ -237,11 +236,11 @@ public:
    *
    * Poisson's ratio does not change, and the curves, YoungsModulus and Error are those of the slow
    * response; what is felt in time is more than it, up to 1 + Σ p times (palpate/ToolContact.h). A
-   * literature's share g of the instantaneous modulus is p = g/(1 - Σ g); a modulus measured in a
-   * press at constant speed is above the slow one (palpate/PronySeries.h, rampFactor). The output
-   * tells it by the field arrays `<name>RelaxationStrength` and `<name>RelaxationTime` (double, a
-   * tuple each, s) and, where array to process 5 gives strengths, `<name>LocalRelaxation` (point
-   * data, float, a component each).
+   * fraction g of the instantaneous modulus, as in the literature, is p = g/(1 - Σ g); a modulus
+   * measured in a press at constant speed is above the slow one (palpate/PronySeries.h,
+   * rampFactor). The output has the field arrays `<name>RelaxationStrength` and
+   * `<name>RelaxationTime` (double, a tuple each, s) and, where array to process 5 gives strengths,
+   * `<name>LocalRelaxation` (point data, float, a component each).
    */
   void AddRelaxation(double strength, double seconds);
   void ClearRelaxations();
@@ -253,7 +252,7 @@ public:
   ///@{
   /**
    * Whether a global compliance is of the same material, and relaxes as it does. Default on; off:
-   * what it yields is elastic, a spring below a body that relaxes. It is then kept as point array
+   * it is elastic, a spring below a body that relaxes. It is then kept as point array
    * `<name>ElasticCompliance` (float, mm/N) and must not be negative. Without effect where nothing
    * relaxes.
    */
@@ -298,8 +297,8 @@ public:
   /**
    * The estimated relative error of the force (palpate/ErrorRule.h) that Validity is to stay
    * within. Default 0.05, 5 %. 0: Validity is the depth at which the first assumption breaks, as
-   * above. StoreError: whether that error is kept at each sample, in the array `Error`, which
-   * displays take it from. Default on; without effect where ErrorTolerance is 0.
+   * above. StoreError: whether that error is kept at each sample, in the array `Error`, for
+   * displays. Default on; without effect where ErrorTolerance is 0.
    */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
@@ -310,12 +309,12 @@ public:
 
   ///@{
   /**
-   * Whether the law has no more than the forces need. Edges are left out where there are none, and
-   * layers, CurvatureCorrection and finite strain where they change the force by no more than
-   * TermTolerance in sum; Neo-Hooke is taken, where its tables have the tool and it changes more,
-   * without being asked for. Judged down to MaximumDeflection, by 95 % of some 400 points
-   * (palpate/TermEffect.h). What is in the law and what is not, each with its per cent, is told by
-   * GetTermReason and the field array `<name>Terms`. Default off: the law is what is asked for.
+   * Whether to choose the terms of the law by their effect. Edges are left out where there are
+   * none, and layers, CurvatureCorrection and finite strain where together they change the force by
+   * no more than TermTolerance; Neo-Hooke is added where its tables have the tool and it changes
+   * the force by more. Judged down to MaximumDeflection, by 95 % of some 400 points
+   * (palpate/TermEffect.h). GetTermReason and the field array `<name>Terms` list what is in the law
+   * and what is not, each with its per cent. Default off: all terms as set.
    */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
@@ -328,7 +327,7 @@ public:
   vtkGetMacro(TermTolerance, double);
   ///@}
 
-  /// Of the last execution: what AutomaticTerms took and left out, in words; "" without it.
+  /// Of the last execution: what AutomaticTerms included and left out, in words; "" without it.
   vtkGetMacro(TermReason, std::string);
 
   ///@{

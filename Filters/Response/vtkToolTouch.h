@@ -6,15 +6,15 @@
  * Input: a body with response arrays (vtkToolContactResponse), mm. The tool is the one the response
  * names. Where it touches:
  * - Snap on (default): at the point of the surface nearest to TipPosition, pressed Indentation deep
- *   along the contact normal. So it touches wherever the tip is.
+ *   along the contact normal. It touches wherever the tip is.
  * - Snap off: the tip is where it is, moved inward by Indentation along the normal at its nearest
  *   surface point; outside the body nothing is felt.
  *
  * Output:
  * - 0 the dented body: the input with its points moved by `ContactDisplacement`
- * (vtkContactDeflection within Reach contact radii), and the point array `Dent (mm)`, how far each
- * went in along the contact normal, as active scalars. All arrays of the body pass; those of the
- * response stay those of the undeformed body. Active point normals follow the dent.
+ * (vtkContactDeflection within Reach contact radii), and the point array `Dent (mm)`, the inward
+ * displacement along the contact normal, as active scalars. All arrays of the body pass; those of
+ * the response stay those of the undeformed body. Active point normals follow the dent.
  * - 1 the tool, triangles with normals, tip in place, axis along the contact normal.
  * - 2 the force as an arrow from the tip, ForceScale mm long per N; empty without contact.
  * - 3 the numbers in words and units: a vtkTable with one string, column `Text`.
@@ -23,22 +23,23 @@
  * vtkToolContactProbe gives - `Force`, `NormalForce`, `FrictionForce`, `Deflection`, `Normal`,
  * `ContactPoint`, `ContactCell`, `ContactState` - and `TipPosition` (3, mm, after snap and
  * indentation), `Stiffness` (N/mm: dF/dδ of the blended curves), `Validity` (mm: the depth at which
- * the law's first assumption breaks, the weakest of the triangle's corners; infinite if none does
- * or the response does not say) and `ForceScale` (mm/N).
+ * the law's first assumption breaks, the least of the triangle's corners; infinite if none breaks
+ * or the response has no validity) and `ForceScale` (mm/N).
  *
  * With SecondTip another tool of the same kind presses at SecondTipPosition, placed as the first
- * is: both dents, tools and arrows, and the numbers of both. Where the response tells how contacts
- * couple (vtkToolContactResponse::CouplingOn) they feel one another, and Deflection is what each
- * has of its own dent, as of vtkToolContactProbe with Coupled; otherwise each feels what it feels
- * alone, and the numbers say so. The arrow's field arrays then have a tuple for each.
+ * is: both dents, tools and arrows, and the numbers of both. Where the response has its coupling
+ * (vtkToolContactResponse::CouplingOn) they feel one another, and Deflection is that of each one's
+ * own dent, as of vtkToolContactProbe with Coupled; otherwise each has the force it has alone, and
+ * the numbers say so. The arrow's field arrays then have a tuple for each.
  *
  * There is no friction: one touch has no history. For the same reason a body that relaxes is felt
- * as it is when the touch has lasted: its slow response. A body without the response is an error
- * that names the missing array; an empty body gives empty output. Of several processes (the global
+ * as after a long touch: by its slow response. A body without the response is an error that names
+ * the missing array; an empty body gives empty output. Of several processes (the global
  * controller's) one must have the whole body, or it is an error; all must update the filter.
  *
- * Cost: once per state of the body the kernel's copy (vtkToolContactProbe) and the links of its
- * mesh, O(n log n); then per move a copy of the points and some microseconds per point of the dent.
+ * Cost: once per state of the body the kernel's copy (vtkToolContactProbe) and the neighbours of
+ * its mesh, O(n log n); then per move a copy of the points and some microseconds per point of the
+ * dent.
  */
 #ifndef vtkToolTouch_h
 #define vtkToolTouch_h
@@ -81,8 +82,10 @@ public:
   };
 
   ///@{
-  /** Where the tip is, in the body's frame, mm. Until it is set (0, 0, 0 then): on the place that
-   * FindStart finds from +z, y up, anew on every body. */
+  /**
+   * Where the tip is, in the body's frame, mm. Until it is set, Get returns 0, 0, 0, and the tip is
+   * where FindStart puts it from +z, y up, on each body.
+   */
   virtual void SetTipPosition(double x, double y, double z);
   virtual void SetTipPosition(const double position[3])
   {
@@ -92,14 +95,13 @@ public:
   ///@}
 
   /**
-   * Where a touch begins well, for whoever looks at the body from the direction `towards` (from the
-   * body to the viewer, not zero) with `up` upward in his picture: into `start`, a point of the
-   * surface, mm. It is seen, flat as far as the contact of half of Range and its surroundings
-   * reach, faces the viewer, its normal leaning upward so that he sees tool and force from their
-   * side, lies near the middle, and is within the response's validity as far as there is such a
-   * place; from a side where nothing has a response the next of +z, +x, +y, -z, -x, -y. Depends on
-   * shape, response and direction alone. Returns false, and leaves `start`, for a body without the
-   * response, or with none that is valid. Some 0.2 s.
+   * A good place to begin a touch, for a viewer in the direction `towards` (from the body to the
+   * viewer, not zero) with `up` upward in the picture: into `start`, a point of the surface, mm. It
+   * is visible, near the middle, flat within the contact of half of Range and its surroundings,
+   * faces the viewer with its normal leaning upward, so that tool and force are seen from the side,
+   * and lies within the response's validity if possible. If nothing on that side has a response,
+   * the next of +z, +x, +y, -z, -x, -y is tried. Depends on shape, response and direction alone.
+   * Returns false, and leaves `start` unchanged, for a body without a valid response. Some 0.2 s.
    */
   static bool FindStart(vtkPolyData* body, const std::string& responseName, const double towards[3],
     const double up[3], double start[3]);
@@ -133,8 +135,10 @@ public:
   ///@}
 
   ///@{
-  /** How the contact feels: an object that others may share. Friction does not act, as one tip has
-   * no way behind it. Null, and the default: one of its own. */
+  /**
+   * The settings of the contact, which others may share. Friction does not act, as a single tip has
+   * no history. Default, and for null: an object of its own.
+   */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
@@ -147,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Where the dent has faded out, in contact radii from the contact, positive; from 3/4 of it on it
-   * fades. Default 20: it has fallen there to a thirtieth of the deflection.
+   * Distance from the contact, in contact radii, at which the dent has faded out, positive; fading
+   * begins at 3/4 of it. Default 20, where the dent has fallen to a thirtieth of the deflection.
    */
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
@@ -158,7 +162,7 @@ public:
   /**
    * Length of the arrow per force, mm/N, finite and not negative. Default 0: such that the force at
    * half of Range, on average over the body, is about a fifth of the body's diagonal long, rounded
-   * to 1, 2 or 5. So on one body a longer arrow is a larger force, wherever it is touched.
+   * to 1, 2 or 5. So on one body a longer arrow means a larger force, wherever it is touched.
    */
   vtkSetMacro(ForceScale, double);
   vtkGetMacro(ForceScale, double);
@@ -177,7 +181,7 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
-  /** The settings count. */
+  /** Includes the time of the settings. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -192,9 +196,9 @@ private:
   void operator=(const vtkToolTouch&) = delete;
 
   bool CheckSettings();
-  /// Takes the body, its tool and its force scale, if they are not those of the last time.
+  /// Takes body, tool and force scale, if they have changed.
   bool PrepareBody(vtkPolyData* body);
-  /// Where a touch is asked for, and how it feels by itself.
+  /// The touch at a position, without the other tool.
   palpate::Touch PressAlone(const double position[3]);
   /// Puts the tips in their places and probes there.
   std::vector<palpate::Touch> Probe();
