@@ -24,7 +24,7 @@ struct AttachedChoice
   TiltNeed tilt;             ///< of a tool that may be tilted
 };
 
-/// The body with the least form of its response, see vtkResponseChoice.
+/// Puts the simplest form of a body's response in place of it, see vtkResponseChoice.
 PALPATERESPONSE_EXPORT std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached);
 } // namespace palpate

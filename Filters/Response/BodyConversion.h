@@ -27,7 +27,7 @@ class vtkPolyData;
 namespace palpate
 {
 /// What is wrong with the cells of a body, or "": it must have triangles, and no other polygons,
-/// strips, corners that are no points, or more points than 2^31.
+/// strips, corners without a point, or more than 2^31 points.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 
 /// Three point indices per triangle, and x, y, z per point, of a body that has passed
@@ -41,17 +41,17 @@ PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 /// The point or field data of a body, as the contract has it for an array.
 PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body);
 
-/// Takes the arrays of a response that are of this use away.
+/// Removes the arrays of a response that have this use.
 PALPATERESPONSE_EXPORT void removeArrays(
   vtkPolyData* body, const std::string& name, ContractArray::Use use);
 
-/// The response arrays with prefix `name`, both forms, where they lie; false and an error if they
+/// Views of the response arrays with prefix `name`, in either form; false and an error if they
 /// break the contract.
 PALPATERESPONSE_EXPORT bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 
-/// Validity and Limit of the response with prefix `name`, where they lie, one value per point;
-/// false and an error if one is missing or of another type. Not needed to evaluate a response.
+/// Views of Validity and Limit of the response with prefix `name`, one value per point; false and
+/// an error if one is missing or of another type. Not needed to evaluate a response.
 PALPATERESPONSE_EXPORT bool viewValidity(vtkPolyData* body, const std::string& name,
   const float*& validity, const unsigned char*& limit, std::string& error);
 
@@ -64,16 +64,16 @@ PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const BuildProgress& progress = {});
 
-/// The same of a body with the same points and triangles as `same` was made of, other responses:
-/// the surface is copied, a tenth of the work.
+/// The same for a body with the points and triangles of `same` and other responses: the surface is
+/// copied, a tenth of the work.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
   vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same);
 
-/// What was wrong with the mesh and what became of it, each fault with its number; "" for a sound
-/// mesh. Open borders are no fault.
+/// The defects of the mesh and how each was handled, with their numbers; "" for a sound mesh. Open
+/// borders are no fault.
 PALPATERESPONSE_EXPORT std::string describeDefects(const ContactBody& body);
 
-/// What a response says of itself in field arrays.
+/// The description of a response in its field arrays.
 struct ResponseDescription
 {
   double exponent;
@@ -87,7 +87,7 @@ struct ResponseDescription
 PALPATERESPONSE_EXPORT void describeResponse(
   vtkPolyData* body, const std::string& name, const ResponseDescription& description);
 
-/// What a response is of: in words, and as a sum of ModelPart.
+/// The model of a response, in words and as a sum of ModelPart.
 struct ResponseModel
 {
   std::string text;
@@ -105,7 +105,7 @@ PALPATERESPONSE_EXPORT void describeModel(
 PALPATERESPONSE_EXPORT void describeEdges(
   vtkPolyData* body, const std::string& name, const EdgeTerms& edges);
 
-/// The model of a response; its parts from the text where a file of before has no other.
+/// The model of a response; its parts from the text in older files, which have nothing else.
 PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);
 
 /// The string in a field array (Tool, Model, Units); "" if there is none.

@@ -21,13 +21,13 @@ class AxisymmetricTool;
 class Ranks;
 
 /**
- * The displacement of a body around one contact after another: its arrays as ContactField takes
- * them. They are the response's `LayerThickness` and `LayerBase`, where its model has a global
- * compliance or is of true shape the modes (point arrays `GlobalMode0`..., field array
- * `GlobalModeSign`), and of true shape `NearField`.
+ * The displacement of a body around successive contacts, from the arrays that ContactField needs:
+ * the response's `LayerThickness` and `LayerBase`, the modes where its model has a global
+ * compliance or is of true shape (point arrays `GlobalMode0`..., field array `GlobalModeSign`), and
+ * of true shape `NearField`.
  *
- * Keeps the links of the mesh, O(n log n), as long as points and triangles are the same, and the
- * solution of the last layer.
+ * Keeps the neighbours of the mesh, O(n log n), as long as points and triangles are the same, and
+ * the solution of the last layer.
  */
 class PALPATERESPONSE_EXPORT BodyField
 {
@@ -48,7 +48,7 @@ public:
   /// wrong, the same on all ranks, or "".
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// What displace() left out, in sentences; that the modes are missing it says once.
+  /// What displace() left out, in sentences; missing modes are told once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 
 private:
@@ -67,7 +67,7 @@ PALPATERESPONSE_EXPORT FieldTriangle fieldTriangle(
 /// The point array of a body of true shape that holds its NearField: NearField::Numbers numbers.
 constexpr const char* NearFieldArray = "NearField";
 
-/// The modes that bend with the response `name` of a body: none unless it has a global compliance
+/// The modes that belong to the response `name` of a body: none unless it has a global compliance
 /// or is of true shape.
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
   vtkPolyData* body, const std::string& name);
@@ -78,8 +78,8 @@ PALPATERESPONSE_EXPORT void addDisplacements(vtkFloatArray* other, vtkFloatArray
 /// Whether a cell is one of the triangles of a body.
 PALPATERESPONSE_EXPORT bool isTriangle(vtkPolyData* body, vtkIdType cell);
 
-/// What is wrong with triangles, or with point arrays that bend a body or tell the layer under it;
-/// "" if nothing. Where this is not asked, an array without a value per point is taken for none.
+/// What is wrong with triangles, or with point arrays of its modes or its layer; "" if nothing.
+/// Without this check an array without a value per point is ignored.
 PALPATERESPONSE_EXPORT std::string checkBody(vtkPolyData* body, const std::string& name);
 } // namespace palpate
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * The laws of the room beside, called on a body: each fetches the arrays, checks them, calls, and
- * attaches what comes back. Filters make these calls in a pipeline, other code directly. What is
- * wrong comes back in words, or "".
+/**
+ * @file The functions of Filters/Laws, called on a body: each fetches and checks the arrays, calls,
+ * and attaches the result. Filters make these calls in a pipeline, other code directly. They return
+ * what is wrong, or "".
  */
 #ifndef BodyLaws_h
 #define BodyLaws_h
@@ -45,8 +45,8 @@ struct LawRequest
 /// What is wrong with the settings of a response, or "".
 PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 
-/// The body with its response, see vtkToolContactResponse; nothing if `goOn(share)` ends it. Also a
-/// warning, or "". Collective; `body` is the own piece.
+/// The body with its response, see vtkToolContactResponse; nothing if `goOn(fraction)` ends it.
+/// Also a warning, or "". Collective; `body` is the own piece.
 PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* body,
   const LawRequest& request, const std::function<bool(double)>& goOn, vtkPolyData* output,
   std::string& warning);

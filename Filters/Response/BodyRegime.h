@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// The body with its regime, see vtkContactRegime; without a tool that of the response. Collective;
-/// `body` is the own piece.
+/// The body with its regime, see vtkContactRegime; without a tool, for that of the response.
+/// Collective; `body` is the own piece.
 PALPATERESPONSE_EXPORT std::string attachRegime(
   const Ranks& ranks, vtkPolyData* body, const LawRequest& request, vtkPolyData* output);
 } // namespace palpate

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Whether a filter is to stop: it was told so itself or, since VTK 9.3, one that comes before it
-/// in the pipeline was.
+/// Whether a filter must stop: an abort was requested of it or, since VTK 9.3, of a filter before
+/// it in the pipeline.
 inline bool isAborted(vtkAlgorithm* filter)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// While this lives, the kernels that the calling thread enters take as many threads as VTK's own
-/// loops. Where these take none (the back end Sequential, ParaView's default), as many as without.
+/// While this lives, kernels called by this thread use as many threads as VTK's own loops. Where
+/// these have none (the back end Sequential, ParaView's default), it has no effect.
 class FilterThreads
 {
   ThreadLimit Limit{ wish() };

@@ -21,7 +21,7 @@ PALPATERESPONSE_EXPORT std::string writeFlatBody(
   vtkPolyData* body, const std::string& name, const std::string& path);
 
 /// Reads such a file as a body with the response under prefix `name`: the same bits as were
-/// written. Null and an error naming the file if it is not to be used.
+/// written. Null and an error naming the file if it cannot be used.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> readFlatBody(
   const std::string& path, const std::string& name, std::string& error);
 } // namespace palpate

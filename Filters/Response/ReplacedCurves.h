@@ -7,17 +7,17 @@
 
 class vtkPolyData;
 
-/// What filters share that put another form of a response in place of the one there was.
+/// Functions of the filters that replace a response by another form of it.
 namespace palpate
 {
-/// The same data, with a list of field arrays of its own.
+/// Shallow copy with a separate list of field arrays.
 void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to);
-/// Takes the curves of a response away, in whichever form; the rest of it stays.
+/// Removes the curves of a response, in either form; the rest of it stays.
 void removeCurves(vtkPolyData* body, const std::string& name);
 /// Attaches values where the contract places the array, in place of one of the same name.
 void addFloats(vtkPolyData* body, const std::string& name, ResponseArray which, int components,
   const std::vector<float>& values);
-/// A text as a field array, in place of one of the same name.
+/// Attaches a text as a field array, in place of one of the same name.
 void addText(vtkPolyData* body, const std::string& name, const std::string& text);
 } // namespace palpate
 

@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// `set`, or if that is null the tool that the response `name` of the body says it is of. Null, and
-/// what is missing, if there is none.
+/// `set`, or if that is null the tool named by the response `name` of the body. Null, and what is
+/// missing, if there is none.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkContactTool> findTool(
   vtkContactTool* set, vtkPolyData* body, const std::string& name, std::string& error);
 } // namespace palpate

@@ -6,12 +6,12 @@
 
 namespace palpate
 {
-/// What counts as the dark base under brighter tissue along a ray of grey values.
+/// Criteria of the dark base under brighter tissue along a ray of grey values.
 struct BaseCriteria
 {
   double baseValue;         ///< below it, a sample is dark
   std::ptrdiff_t edge;      ///< samples over which an edge is spread, > 0
-  std::ptrdiff_t darkCount; ///< a base is dark for so many samples
+  std::ptrdiff_t darkCount; ///< least number of dark samples of a base
 };
 
 /**
@@ -19,8 +19,9 @@ struct BaseCriteria
  *
  * The ray begins at the first sample that is not dark, and ends at the first that is not finite. A
  * dark run is a base if it is long enough and its lowest value, within an edge, is at most half the
- * highest value of the tissue within an edge above it. The base begins where the grey falls through
- * the middle of the two: there a sharp edge lies, however it was blurred by partial volume.
+ * highest value of the tissue within an edge above it. The base begins where the grey level falls
+ * through the mean of the two, which is where a sharp edge lies, however it was blurred by partial
+ * volume.
  */
 double findBaseDepth(const double* grey, std::size_t count, const BaseCriteria& criteria);
 } // namespace palpate

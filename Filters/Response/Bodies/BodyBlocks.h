@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * The parts of whatever a user takes for a body: the blocks of a composite, each a data set or the
- * partitions of one. Empty parts are skipped.
+/**
+ * @file The parts of a user's body: the blocks of a composite, each a data set or the partitions of
+ * one. Empty parts are skipped.
  */
 #ifndef BodyBlocks_h
 #define BodyBlocks_h
@@ -28,7 +28,7 @@ public:
 
   /// Not owned: they live as long as the input.
   const std::vector<BodyBlock>& blocks() const { return this->Blocks; }
-  /// Why the input is no body, with what to do; "" if it is one.
+  /// Why the input is not a body, and what to do; "" if it is one.
   const std::string& fault() const { return this->Fault; }
 
 private:

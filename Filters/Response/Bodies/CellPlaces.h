@@ -11,8 +11,8 @@ class vtkCell;
 namespace palpate
 {
 /**
- * Places spread over a cell, n along each side, each with the volume around it, relative:
- * hexahedra and voxels as they are, tetrahedra, also quadratic ones, with straight sides.
+ * Sample points in a cell, n along each side, each with its fraction of the volume; tetrahedra,
+ * also quadratic ones, are taken with straight sides.
  */
 class CellPlaces
 {

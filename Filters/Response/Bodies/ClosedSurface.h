@@ -20,18 +20,18 @@ struct ClosedSurface
   vtkSmartPointer<vtkPolyData> surface; ///< without arrays, points at the same place as one
   double volume = 0.0;                  ///< mm³
   double area = 0.0;                    ///< mm²
-  bool isOpen = false; ///< or touches itself: `surface` is known, but cannot be filled
+  bool isOpen = false; ///< or touches itself: `surface` is set, but cannot be filled
 };
 
 /// Returns what is wrong - no triangles, open, inside out - or "".
 std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed);
 
-/// Sides of a box that hold the body, -x, +x, -y, +y, -z, +z: how deep each reaches in from the
-/// outermost node, mm; 0: it does not.
+/// Sides of a box that hold the body, -x, +x, -y, +y, -z, +z: the depth of each from the outermost
+/// node, mm; 0: not held.
 using HeldFaces = std::array<double, 6>;
 
-/// Reads "z-, x+:2.5": a side, and how deep it holds where that is not `usual` (mm). Returns what
-/// is wrong, or "".
+/// Reads "z-, x+:2.5": a side, and its depth where that is not `usual` (mm). Returns what is wrong,
+/// or "".
 std::string readHeldFaces(const std::string& text, double usual, HeldFaces& faces);
 
 /// The array `Fixed`: 7 within the depths of the faces, 0 elsewhere.

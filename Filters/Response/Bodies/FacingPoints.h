@@ -18,8 +18,8 @@ class vtkStaticPointLocator;
 
 namespace palpate
 {
-/// Points of a surface from which its arrays are interpolated to places nearby, of those alone that
-/// face the same way: nothing crosses a thin lobe.
+/// Points of a surface from which its arrays are interpolated to places nearby, using only points
+/// that face the same way, so that nothing crosses a thin lobe.
 class PALPATERESPONSE_EXPORT FacingPoints
 {
 public:
@@ -34,8 +34,8 @@ public:
   std::vector<std::pair<vtkIdType, double>> around(
     const double place[3], const Vector3& normal) const;
 
-  /// The same of those that are wanted (empty: all), three or more of the 24 nearest of all points,
-  /// else what there is among the 192 nearest: it does not look farther.
+  /// The same of the wanted ones alone (empty: all): those among the 24 nearest points, if three or
+  /// more, otherwise those among the 192 nearest.
   std::vector<std::pair<vtkIdType, double>> nearBy(const double place[3], const Vector3& normal,
     const std::function<bool(vtkIdType)>& isWanted = {}) const;
 

@@ -13,7 +13,7 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// What a filter of elastic bodies is told of material and solver.
+/// Material and solver of a filter for elastic bodies.
 struct FactorRequest
 {
   ElasticMaterial material;        ///< of cells without an array
@@ -23,17 +23,17 @@ struct FactorRequest
   double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of what the machine has available
 };
 
-/// Whether elements can have it for Poisson's ratio: 0 to LargestPoissonRatio.
+/// Whether it is a Poisson's ratio that the elements allow: 0 to LargestPoissonRatio.
 bool isElementRatio(double ratio);
 
 /// What is wrong with a request, naming the property, or "".
 std::string checkFactorRequest(const FactorRequest& request);
 
-/// Bytes that may be used, by a limit in MiB or, of 0, by what is available now.
+/// Bytes that may be used, from a limit in MiB or, if that is 0, from the memory available now.
 double allowedMemory(double memoryLimit);
 
-/// The cell array that a filter was told to process, null if it was told none: "", or what is wrong
-/// with it. `find` fetches the one of a filter that names none.
+/// Finds the cell array that a filter was told to process, null if none was set. Returns what is
+/// wrong with it, or "". `find` fetches the array of a filter that names none.
 std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
@@ -42,8 +42,8 @@ std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int 
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
 /// Makes `body` of the grid and its point array `Fixed`, and factorises it. Returns what is wrong,
-/// or "". `memory` (MiB): what the factorisation takes, also where that is refused. Where
-/// `goOn(share of the work)` says false it ends at once, and `body` is not to be used.
+/// or "". `memory` (MiB): what the factorisation takes, also where that is refused. If
+/// `goOn(fraction of the work)` returns false it ends at once, and `body` must not be used.
 std::string factoriseBody(vtkUnstructuredGrid* grid, const FactorRequest& request,
   const std::function<bool(double)>& goOn, ElasticBody& body, double& memory, bool& ended);
 } // namespace palpate

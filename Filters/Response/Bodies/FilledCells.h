@@ -22,8 +22,8 @@ struct BodyBall
   double radius = 0.0;
 };
 
-/// How much of a cell's volume each of several balls fills: counted on n³ places in the cell
-/// (CellPlaces). A place in several balls is the last one's.
+/// The fraction of a cell's volume that each of several balls fills, counted at n³ points of the
+/// cell (CellPlaces). A point in several balls belongs to the last.
 class FilledCells
 {
 public:

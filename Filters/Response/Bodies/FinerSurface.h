@@ -12,18 +12,18 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The surface of a body as it was scanned, whose solid is coarser: each point is felt from the
-/// landmarks around it on the solid that face the same way, curved as it is itself.
+/// The scanned surface of a body whose solid is coarser: each point takes its response from the
+/// landmarks around it on the solid that face the same way, with its own curvature.
 class FinerSurface
 {
 public:
   /// `surface` has passed checkTriangles and has three `normals` per point; `solid` is the surface
-  /// that the landmarks number. Its shape is asked for up to a contact radius `a` (mm). All must
-  /// stay.
+  /// that the landmarks number. Its shape is needed up to a contact radius `a` (mm). All arguments
+  /// must outlive this.
   FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
     const LandmarkKernels& landmarks, double a);
 
-  /// As a law asks for it; this must stay.
+  /// The view that a law needs; valid as long as this.
   LandmarkSurface view() const;
 
 private:
@@ -39,10 +39,10 @@ private:
   BodyMesh Mesh;
   double Reach;                                 ///< mm
   FacingPoints OnSolid;                         ///< landmarks alone
-  FacingPoints AllOfSolid;                      ///< to tell what is held
+  FacingPoints AllOfSolid;                      ///< to find out what is held
   FacingPoints OnSurface;                       ///< all points
   std::vector<std::vector<std::size_t>> Around; ///< landmarks of each point
-  std::vector<float> Turns; ///< at each point by which the surface turns away, rad
+  std::vector<float> Turns;                     ///< of the surface at each point, rad
 };
 } // namespace palpate
 

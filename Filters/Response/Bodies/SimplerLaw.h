@@ -13,7 +13,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The law that finite elements of true shape are to be judged by: a half-space of the material at
+/// The law with which finite elements of true shape are compared: a half-space of the material at
 /// each point, curved as the surface is, or a layer on a rigid base.
 struct SimplerLaw
 {
@@ -27,9 +27,9 @@ struct SimplerLaw
 /**
  * Puts the curves of a simpler law in place of those of true shape at each point where the force
  * changes by no more than the tolerance, down to the point's range. `change` (one component per
- * point) becomes how much true shape changes the force, relative to the law, where it changes most;
- * NaN where one of the two has no curve. `reason` says how many points keep which, and how much it
- * matters. Returns what is wrong, or "".
+ * point) becomes the largest relative change of the law's force by true shape; NaN where one of the
+ * two has no curve. `reason` tells how many points keep which curve, and how large the change is.
+ * Returns what is wrong, or "".
  */
 std::string keepSimplerLaw(const ElasticBody& body, vtkPolyData* surface, const SimplerLaw& law,
   ResponseStorage& storage, vtkFloatArray* change, std::string& reason);

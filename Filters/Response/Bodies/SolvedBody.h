@@ -24,7 +24,7 @@ namespace palpate
 class StrainCorrection;
 struct ShapedTerms;
 struct StrainLaw;
-/// What is to be solved for on the surface of a body.
+/// The points and contacts of a body to solve for.
 struct SolveRequest
 {
   FactorRequest factor;
@@ -32,15 +32,15 @@ struct SolveRequest
   double spacing = 0.0; ///< of the points that are solved for, mm; 0: all
 };
 
-/// What it took.
+/// The cost of a solution.
 struct SolveCost
 {
   double memory = 0.0;     ///< MiB, known also where that was refused
-  vtkIdType solutions = 0; ///< 0: all that was needed was there
+  vtkIdType solutions = 0; ///< 0: nothing had to be solved
   bool ended = false;      ///< by an abort
 };
 
-/// The radius of contact that a tool needs at a depth (mm) on any body.
+/// The contact radius to solve for, for a tool at a depth (mm) on any body.
 double neededRadius(vtkContactTool* tool, double deflection);
 
 /// What is wrong with the settings of a response of true shape, tool and depth among them, or "".
@@ -50,9 +50,9 @@ std::string checkShapedRequest(const LawRequest& request);
 std::string checkLength(const char* property, double length);
 
 /**
- * A body and its H (RegularGreen), as filters keep them from one tool to the next: factorised and
- * solved anew only when the grid, its material or the solver changes, or a contact gets wider. With
- * a point array `Pressed` of the grid only for contacts where that is not 0.
+ * A body and its H (RegularGreen), which filters keep from one tool to the next: factorised and
+ * solved again only when the grid, its material or the solver changes, or a contact gets wider. If
+ * the grid has a point array `Pressed`, only for contacts where that is not 0.
  */
 class SolvedBody
 {
@@ -60,7 +60,8 @@ public:
   SolvedBody();
   ~SolvedBody();
 
-  /// Sees to it that what the request needs is there. Returns what is wrong, or "".
+  /// Factorises and solves what the request needs and is not there yet. Returns what is wrong, or
+  /// "".
   std::string solve(vtkUnstructuredGrid* grid, const SolveRequest& request,
     const FilterStage& stage, SolveCost& cost);
 
@@ -69,8 +70,8 @@ public:
   /// The surface, with the grid's point arrays and `OriginalPointIds`.
   vtkSmartPointer<vtkPolyData> surface(vtkUnstructuredGrid* grid) const;
 
-  /// Fills `storage`, of as many points as `surface` has, with what the tool feels. Returns what is
-  /// wrong, or ""; not complete where it was aborted.
+  /// Fills `storage`, of as many points as `surface` has, with the tool's response. Returns what is
+  /// wrong, or ""; incomplete after an abort.
   std::string respond(vtkPolyData* surface, vtkContactTool* tool, const ShapedTerms& terms,
     const FilterStage& stage, ResponseStorage& storage, MadeResponse& made) const;
 
@@ -80,13 +81,13 @@ public:
     const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);
 
-  /// What finite strain does to a contact of the tool on the body's materials. Returns what is
-  /// wrong, or ""; null where it was aborted.
+  /// Finds the correction by finite strain for a contact of the tool on the body's materials.
+  /// Returns what is wrong, or ""; null after an abort.
   std::string findStrain(vtkContactTool* tool, const StrainLaw& law, double deflection,
     const FilterStage& stage, std::unique_ptr<StrainCorrection>& strain) const;
 
   /// Attaches how the body moves (MotionArrays.h) to its `surface`, or to a finer one with these
-  /// normals. Found once for all tools; nothing where it was aborted.
+  /// normals. Found once for all tools; nothing after an abort.
   void attachMotionTo(vtkPolyData* surface, const FilterStage& stage);
   void attachMotionTo(vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid,
     const FilterStage& stage);

@@ -2,9 +2,9 @@
 /** @file
  * One data set, whole or in partitions, as triangles.
  *
- * A surface of triangles alone comes out as it is. Polygons and strips are cut, vertices and lines
+ * A surface of triangles alone comes out unchanged. Polygons and strips are cut, vertices and lines
  * left out; of a volume the outer surface is taken. Partitions are joined where their points
- * coincide exactly, and what they hold twice (ghost cells) is taken once.
+ * coincide exactly, and ghost cells are left out.
  */
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
@@ -23,23 +23,24 @@ struct SurfaceTriangles
 {
   vtkSmartPointer<vtkPolyData> surface; // null after a fault
   bool isOfVolume = false;
-  std::vector<std::string> notes; // what was done, a part of a sentence each
+  std::vector<std::string> notes; // what was done, each part of a sentence
   std::string fault;              // why there are none; "" if there are
   bool isEmpty = false;           // the fault is only that there are none
 };
 
-/// The surface, as it comes: polygons, strips. `wholeExtent`: of all ranks' pieces of a structured
-/// grid, where only its faces are surface; null: the grid is whole. Pieces must have points.
+/// The surface, still with polygons and strips. `wholeExtent`: that of all ranks' pieces of a
+/// structured grid, of which only the faces are surface; null: the grid is whole. Pieces must have
+/// points.
 SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const int* wholeExtent);
 
 /// Cuts it into triangles; a fault if there are none.
 void cutSurface(SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces);
 
 /// Names of point arrays that some of the data sets have and others lack, comma-separated: those
-/// are lost when they are appended.
+/// lost by appending.
 std::string arraysNotShared(const std::vector<vtkDataSet*>& pieces);
 
-/// Triangles wound so that the closed surface encloses a negative volume.
+/// Whether a closed surface is wound so that it encloses a negative volume.
 bool isInsideOut(vtkPolyData* surface);
 } // namespace palpate
 

@@ -14,7 +14,7 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// Nodes and elements of a grid. What is wrong - a cell that is no hexahedron, voxel, linear or
+/// Nodes and elements of a grid. What is wrong - a cell other than a hexahedron, voxel, linear or
 /// quadratic tetrahedron, by its id and type - or "".
 std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh);
 

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A regular grid over a box, its voxels in or out.
+/// A regular grid over a box, each voxel inside or outside.
 struct VoxelGrid
 {
   std::array<int, 3> size{}; ///< voxels along each axis
@@ -26,13 +26,14 @@ struct VoxelGrid
   bool isInside(int i, int j, int k) const;
 };
 
-/// Takes the voxels in whose eight nodes all lie at least `depth` (mm) inside; `depthOf` by node.
+/// Marks as inside the voxels whose eight nodes all lie at least `depth` (mm) inside; `depthOf` by
+/// node.
 void takeCore(VoxelGrid& grid, const std::vector<double>& depthOf, double depth);
 
-/// Takes voxels out until no two touch at an edge or a corner only, nor two holes do.
+/// Removes voxels until no two touch at an edge or a corner only, nor two holes.
 void openPinches(VoxelGrid& grid);
 
-/// Keeps the largest part that hangs together by faces. Returns how many voxels are taken out.
+/// Keeps the largest part connected by faces. Returns how many voxels are removed.
 std::size_t keepLargestPart(VoxelGrid& grid);
 
 /// The voxels inside as hexahedra.
@@ -40,9 +41,9 @@ VolumeMesh makeVoxelMesh(const VoxelGrid& grid);
 
 /**
  * Puts a layer of hexahedra between the mesh and a surface around it: one on each outer face, its
- * far nodes where `reach` puts them, given the near node's position and the mean
- * outward normal of the core's faces there. Where that would spoil a hexahedron - a
- * Jacobian below a twentieth of the voxel's - the far nodes are drawn back towards it.
+ * far nodes where `reach` puts them, given the near node's position and the mean outward normal of
+ * the core's faces there. Where that would spoil a hexahedron - a Jacobian below a twentieth of the
+ * voxel's - the far nodes are moved back towards it.
  */
 void coverWithLayer(VolumeMesh& mesh, const VoxelGrid& grid,
   const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reach);

@@ -13,12 +13,12 @@ namespace palpate
 {
 class StrainCorrection;
 
-/// The least law that keeps the forces of what was asked for, and why in words.
+/// The simplest law that keeps the forces of the requested one, and the reason in words.
 struct AutomaticTerms
 {
   LawTerms terms;
   BodyMaterial material;
-  std::unique_ptr<StrainCorrection> strain = {}; ///< where it had to be made already
+  std::unique_ptr<StrainCorrection> strain = {}; ///< if it was needed for the choice
   std::string reason = {};
 };
 
@@ -27,11 +27,11 @@ using StrainMaker = std::function<std::string(
   const BodyMaterial&, const StrainLaw&, std::unique_ptr<StrainCorrection>&)>;
 
 /**
- * Takes terms out of the law of `request` one by one (layers, curvature, finite strain), as long as
- * what has been left out changes the force by no more than request.terms.changeTolerance in sum
- * (TermEffect.h). Finite strain is considered where it is asked for, and where Neo-Hooke's tables
- * have the tool. `chosen` begins as what the request asks for. Collective: without a piece of the
- * body, `shape` is not asked. Returns what is wrong, or "".
+ * Removes terms from the law of `request` one by one (layers, curvature, finite strain), as long as
+ * together they change the force by no more than request.terms.changeTolerance (TermEffect.h).
+ * Finite strain is considered where it is requested, and where Neo-Hooke's tables have the tool.
+ * `chosen` begins with the terms of the request. Collective: without a piece of the body, `shape`
+ * is not asked. Returns what is wrong, or "".
  */
 std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
   const SurfaceShape& shape, const StrainMaker& makeStrain, AutomaticTerms& chosen);

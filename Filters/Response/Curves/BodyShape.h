@@ -18,7 +18,7 @@ namespace palpate
 class BodySeam;
 class Ranks;
 
-/// The shape of the own piece of a body, as a contact feels it; null: not asked for.
+/// The shape of this rank's piece of a body, as it affects a contact; null: not requested.
 struct BodyShape
 {
   std::unique_ptr<SurfaceCurvature> curvature; ///< of the whole body, as are the edges
@@ -37,15 +37,15 @@ struct BodyShape
 /// `a` (mm). `normals`: three floats a point. Never null. Collective; each rank holds the whole
 /// body for a while.
 ///
-/// A shape does not depend on the material, which changes more often: the last ones are kept in the
-/// process, by content, 28 bytes a point, up to 128 MB and 16 of them. Any thread.
+/// A shape does not depend on the material, which changes more often: the last ones are cached in
+/// the process, by content, 28 bytes a point, up to 128 MB and 16 of them. Thread-safe.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
 /// Of the three lengths of the whole body's box, mm.
 struct BodyLengths
 {
-  double least;  ///< how deep it is at most everywhere
+  double least;  ///< the body is nowhere deeper
   double middle; ///< no circle much wider fits it
 };
 /// Collective.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * The arrays by which a response tells how contacts on its body feel one another: Coupling,
+/**
+ * @file The arrays of a response by which contacts on its body feel one another: Coupling,
  * CouplingModulus, CouplingThickness, CouplingModes of Contact/ResponseContract.h. Without them
  * each contact is alone.
  */
@@ -19,7 +19,7 @@ namespace palpate
 {
 class BodyMaterial;
 
-/// The point array of a body whose finite elements tell how it moves (vtkElasticCompliance).
+/// The point array of a body with its motion by finite elements (vtkElasticCompliance).
 constexpr const char* CouplingModesName = "CouplingModes";
 
 /// Why contacts on a body of this material, with these arrays, cannot be coupled; or "".
@@ -32,8 +32,8 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
 PALPATERESPONSE_EXPORT void describeCoupling(
   vtkPolyData* body, const std::string& name, const CouplingTerms& terms);
 
-/// Fills arrays.coupling, of arrays where they lie; the number of points is known. Leaves it as it
-/// is where there is none. False, and an error that names array and number, if it is wrong.
+/// Fills arrays.coupling with views, the number of points being set already. Leaves it unchanged
+/// where there is none. False, and an error that names array and number, if it is wrong.
 bool viewCoupling(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 } // namespace palpate

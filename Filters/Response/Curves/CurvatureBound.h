@@ -20,7 +20,8 @@ class BodySeam;
  * exact on a sphere.
  *
  * Built in one threaded pass over the triangles. The maximum commutes, so the result has the same
- * bits for any number of threads, and of pieces of the body: at a seam it is that of all.
+ * bits for any number of threads, and of pieces of the body: at a seam it is the maximum over all
+ * pieces.
  */
 class CurvatureBound
 {
@@ -35,8 +36,8 @@ public:
 private:
   void joinAlong(const BodySeam& seam);
 
-  /// 0 where nothing was met, otherwise the bits of the bound, plus one: non-negative floats order
-  /// as their bits.
+  /// 0 where no edge was seen, otherwise the bits of the bound plus one: non-negative floats are
+  /// ordered as their bits.
   std::vector<std::atomic<std::int32_t>> Raised;
 };
 } // namespace palpate

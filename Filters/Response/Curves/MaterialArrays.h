@@ -19,10 +19,10 @@ namespace palpate
 {
 class Ranks;
 
-/// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness,
-/// 2 global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. One that is not
-/// wanted has no name; one that is wanted and not there has no array. Beside a compliance an array
-/// named <its name>Error says, if it is there, how far it may be off.
+/// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness, 2
+/// global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. One that is not
+/// wanted has no name; one that is wanted but missing has no array. With a compliance, an array
+/// named <its name>Error is its error, if present.
 struct MaterialArray
 {
   std::string name;
@@ -30,13 +30,15 @@ struct MaterialArray
 };
 using MaterialArrays = std::array<MaterialArray, 5>;
 
-/// `first` with the layers that were added to a filter, each as thickness (mm), Young's modulus
-/// (MPa), Poisson's ratio and whether it slips, and with an elastic base in place of the rigid one.
+/// `first` with the layers that were added to a filter, each by thickness (mm), Young's modulus
+/// (MPa), Poisson's ratio and whether it slides, and with an elastic base in place of the rigid
+/// one.
 BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
   double baseRatio);
 
-/// One that a filter was told to process, without a name if it was not; `find(index)` fetches it.
+/// The array that a filter was told to process, without a name if none was set; `find(index)`
+/// fetches it.
 MaterialArray arrayToProcess(
   vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int index)>& find);
 /// Those that a filter was told to process.
@@ -50,13 +52,13 @@ PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
 /// array, point and value, or "".
 std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material);
 
-/// After readMaterial, on every rank that has a piece of the body, and without it on those that
-/// have none: the range of `material` becomes that of the whole body. Collective.
+/// Makes the range of `material` that of the whole body, after readMaterial on the ranks that have
+/// a piece of it. Collective: the ranks without one call it, too.
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material);
 
 /// Attaches <name>LayerThickness and <name>LayerBase, if there are layers; of a stack also, as
 /// field data, <name>LayerStack (double 4: thickness in mm, 0 for the half-space; E in MPa, ν,
-/// whether it slips below what is above it; one tuple each, from the top, those that vary at their
+/// whether it slides below the layer above; one tuple each, from the top, varying ones at their
 /// thinnest), and <name>SecondThickness per point.
 void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 } // namespace palpate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * The arrays by which a response tells how its body relaxes: RelaxationStrength, RelaxationTime,
+/**
+ * @file The arrays of a response by which its body relaxes: RelaxationStrength, RelaxationTime,
  * LocalRelaxation, ElasticCompliance of Contact/ResponseContract.h. With them the curves of the
  * response are its slow part; without them nothing relaxes.
  */
@@ -27,9 +27,10 @@ PALPATERESPONSE_EXPORT bool relaxationOf(
 PALPATERESPONSE_EXPORT void describeRelaxation(
   vtkPolyData* body, const std::string& name, const PronySeries& series);
 
-/// Fills arrays.relaxation, the rest of `arrays` being there: series, arrays where they lie, and,
-/// from the text Tool, exponent and contact radius of the tool at the deepest range. Of a tool that
-/// cannot be read, or not be pressed as deep, the exponent is that of the curves, the radius 0.
+/// Fills arrays.relaxation, the rest of `arrays` being set: the series, views of the arrays, and,
+/// from the text Tool, exponent and contact radius of the tool at the deepest range. If the tool
+/// cannot be read, or not be pressed that deep, the exponent is that of the curves, and the radius
+/// 0.
 bool viewRelaxation(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 } // namespace palpate

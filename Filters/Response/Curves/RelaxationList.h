@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// Strength and seconds of each branch, as a filter is told them, one by one: whatever numbers, as
-/// many as are given, until fillSeries() says what is wrong.
+/// Strength and seconds of each branch, as set on a filter one by one: any numbers, as many as are
+/// given, until fillSeries() checks them.
 class RelaxationList
 {
 public:
   void add(double strength, double seconds) { this->Branches.push_back({ strength, seconds }); }
-  /// Replaces a branch, or adds one behind the last. Whether anything has changed.
+  /// Replaces a branch, or appends one. Whether anything has changed.
   bool set(int place, double strength, double seconds)
   {
     const std::array<double, 2> next{ strength, seconds };

@@ -14,7 +14,7 @@ namespace palpate
 /// Index of the array to process that holds the strengths of each point.
 constexpr int RelaxationArrayIndex = 5;
 
-/// How a body is to relax; without branches it does not.
+/// How a body relaxes; without branches it does not.
 struct RelaxationRequest
 {
   PronySeries series;

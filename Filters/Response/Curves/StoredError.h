@@ -28,7 +28,7 @@ public:
   bool isKept() const { return this->Errors != nullptr; }
   /// Of a point's force at a depth (mm). NaN where none is kept, or beyond the range.
   double at(vtkIdType point, double depth) const;
-  /// Of the force on a place of a triangle, given by its cell and a point on it.
+  /// Of the force at a place on a triangle, given by its cell and a point on it.
   double at(vtkIdType cell, const double* point, double depth) const;
 
 private:
@@ -38,12 +38,12 @@ private:
 };
 
 /// Adds to tips that were touched (ContactCell, ContactPoint, Deflection) the array RelativeError
-/// (double): of the force on each, 0 without contact, NaN where it is not known. Nothing where the
-/// response keeps none.
+/// (double): of the force on each, 0 without contact, NaN where it is not known. Adds nothing if
+/// the response keeps no error.
 PALPATERESPONSE_EXPORT void addContactErrors(
   vtkPolyData* body, const std::string& responseName, vtkPolyData* tips);
 
-/// What to write behind a force: " ± 4 %"; from 100 % on that nothing is known; "" of NaN.
+/// The text to write behind a force: " ± 4 %"; from 100 % on, that nothing is known; "" for NaN.
 PALPATERESPONSE_EXPORT std::string errorInWords(double relativeError);
 } // namespace palpate
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * The arrays by which a response tells what tilting its tool makes of the force: Tilt, TiltDrop,
+/**
+ * @file The arrays of a response with the effect of tilting its tool on the force: Tilt, TiltDrop,
  * TiltNode, TiltWeight of Contact/ResponseContract.h, the numbers of a TiltTable. Without them the
- * tool is taken to be upright, wherever its axis points.
+ * tool counts as upright, wherever its axis points.
  */
 #ifndef TiltConversion_h
 #define TiltConversion_h
@@ -24,7 +24,7 @@ namespace palpate
 PALPATERESPONSE_EXPORT void describeTilts(vtkPolyData* body, const std::string& name,
   const TiltTable& table, const std::vector<float>& weights);
 
-/// Fills arrays.tilt where the arrays are there, as views of them. False, and an error that names
+/// Fills arrays.tilt with views of the arrays, if they are there. False, and an error that names
 /// the array and the number, if they are wrong.
 bool viewTilts(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);

@@ -11,7 +11,7 @@ namespace palpate
 class AxisymmetricTool;
 class BodyMaterial;
 
-/// How far a tool is tilted, of a response.
+/// How far the tool of a response is tilted.
 struct TiltRequest
 {
   const AxisymmetricTool& tool;
@@ -22,9 +22,9 @@ struct TiltRequest
 /// What is wrong with it, naming the angle, or "".
 std::string checkTilts(const TiltRequest& request);
 
-/// Attaches what the tilts make of the force, to a body with its response; nothing for 0 degrees.
-/// `material` null: the tilts of a half-space, and validity stays as it is; else validity and error
-/// (`tolerance` > 0) count what is not known of them. What is wrong, or "".
+/// Attaches the tilts to a body with its response; nothing for 0 degrees. `material` null: the
+/// tilts of a half-space, and validity is unchanged; otherwise validity and error (`tolerance` > 0)
+/// include the error of the tilts. Returns what is wrong, or "".
 std::string attachTilts(const TiltRequest& request, const BodyMaterial* material, double tolerance,
   const std::string& name, vtkPolyData* output);
 } // namespace palpate

@@ -13,11 +13,11 @@ namespace palpate
 class AxisymmetricTool;
 
 /**
- * How far the force of a tool may be off since a body was measured, not given: at each sample of
- * its response what the readings leave open at the sites (predictedForceError), interpolated as the
- * material is, and the root of the weighted mean square by which the sites' own forces differ from
- * their mean. So it is that of the site on a site, and grows between sites that do not agree. A
- * change of the body that no site has measured is not counted.
+ * The error of a tool's force on a measured body: at each sample of its response the uncertainty at
+ * the sites (predictedForceError), interpolated as the material is, and the weighted root mean
+ * square by which the sites' own forces differ from their mean. On a site it is that of the site,
+ * and it grows between sites that disagree. A change of the body that no site has measured is not
+ * counted.
  *
  * Cost: five evaluations of the body per site and sample; then a sum over the sites of a point.
  */
@@ -29,7 +29,7 @@ public:
   DataError(
     const SiteMeasurement& measurement, const AxisymmetricTool& tool, double range, int samples);
 
-  /// Relative, at a point that is reached (0 elsewhere) and a sample 0 … n-1.
+  /// Relative, at a point within reach of a site (0 elsewhere) and a sample 0 … n-1.
   double at(std::size_t point, std::size_t sample) const;
   /// The deepest contact that was measured, interpolated, for E* = 1; its radius is 0 where no site
   /// reaches.

@@ -19,13 +19,14 @@ constexpr const char* ThicknessArray = "IdentifiedThickness";
 constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed in the end
 } // namespace MeasuredMaterial
 
-/// Makes `spread` the body with what its points are made of: E*, C_g and 1/h of the sites that are
+/// Makes `spread` the body with the material of its points: E*, C_g and 1/h of the sites that are
 /// not refused, interpolated within `reach` (mm).
 void spreadMaterial(vtkPolyData* body, double poissonsRatio, double reach,
   SiteMeasurement& measurement, vtkPolyData* spread);
 
-/// Takes the response `name` away where no site reaches, marks where the data end elsewhere
-/// (DataEnd.h), and says in its field arrays what it was measured from. `range`: its depth, mm.
+/// Removes the response `name` where no site reaches, marks elsewhere where the data end
+/// (DataEnd.h), and describes in its field arrays what it was measured from. `range`: its depth,
+/// mm.
 void limitToData(
   const SiteMeasurement& measurement, const std::string& name, double range, vtkPolyData* output);
 } // namespace palpate

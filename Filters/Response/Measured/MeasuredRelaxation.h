@@ -10,9 +10,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Attaches to the response `name` how its body relaxes: times that the used sites share
-/// (CommonRelaxation.h), the mean of their strengths, and, of several sites, the strengths of each
-/// point between them. Nothing where no site relaxes.
+/// Attaches to the response `name` how its body relaxes: times common to the used sites
+/// (CommonRelaxation.h), the mean of their strengths, and, with several sites, the strengths at
+/// each point between them. Nothing where no site relaxes.
 void attachMeasuredRelaxation(
   const SiteMeasurement& measurement, const std::string& name, vtkPolyData* output);
 

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// What vtkMeasuredContactResponse knows between the files it reads and the response it makes.
+/// The state of vtkMeasuredContactResponse between the files it reads and the response it makes.
 struct SiteMeasurement
 {
   std::vector<MeasuredCurves> Files;
@@ -36,13 +36,13 @@ struct SiteMeasurement
   }
 
   /// Finds where the sites lie on the mesh, and refuses those farther from it than
-  /// `largestDistance` (mm). Returns the root of the mean square of their distances.
+  /// `largestDistance` (mm). Returns the root mean square of their distances.
   double place(double largestDistance);
 
   /// How many sites are refused, and their names and reasons.
   std::size_t countRefused(std::string& reasons) const;
 
-  /// What was identified from what, for the field array Model.
+  /// What was identified, and from which data, for the field array Model.
   std::string describe() const;
   int modelParts() const; ///< sum of ModelPart
 };

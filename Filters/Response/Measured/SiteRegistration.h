@@ -14,7 +14,7 @@ struct SiteRegistration
 {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   std::size_t pairs = 0;        ///< 0: given as a matrix
-  double residual = 0.0;        ///< of the pairs, root of the mean square, mm
+  double residual = 0.0;        ///< of the pairs, root mean square, mm
   double largestResidual = 0.0; ///< mm
 };
 

@@ -19,13 +19,12 @@ struct SiteAnchor
 };
 
 /**
- * Spreads values known at sites over the points of a body.
+ * Interpolates values known at sites to the points of a body.
  *
- * A point takes part in a site that lies within `reach` (mm, straight), is connected with it over
- * the surface within that distance, and faces the same way, to 60° (visitSurfacePatch): so nothing
- * crosses a thin lobe. The sites of a point are weighed by vtkShepardKernel, 1/d², times
- * (1 - d/reach)², so that a site leaves without a step at the end of its reach (Franke and Little
- * 1980).
+ * A site counts at a point that lies within `reach` (mm, straight), is connected with it over the
+ * surface within that distance, and faces the same way, to 60° (visitSurfacePatch), so that nothing
+ * crosses a thin lobe. The weights of a point's sites are those of vtkShepardKernel, 1/d², times (1
+ * - d/reach)², continuous at the end of a site's reach (Franke and Little 1980).
  */
 class SiteSpread
 {
@@ -39,13 +38,13 @@ public:
       this->Start[static_cast<std::size_t>(point) + 1];
   }
 
-  /// The value at a point that is reached, from one value per site.
+  /// The value at a point within reach of a site, from one value per site.
   double at(std::int32_t point, const std::vector<double>& values) const;
-  /// The root of the weighted mean square by which the sites' values differ from that; 0 on a site.
+  /// The weighted root mean square by which the sites' values differ from that; 0 on a site.
   double deviationAt(std::int32_t point, const std::vector<double>& values) const;
 
 private:
-  std::vector<std::size_t> Start; ///< of each point's shares, and the end
+  std::vector<std::size_t> Start; ///< of each point's sites, and the end
   std::vector<std::int32_t> Site;
   std::vector<double> Weight;
 };

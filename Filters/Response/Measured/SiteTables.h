@@ -12,7 +12,7 @@ class vtkTable;
 
 namespace palpate
 {
-/// A site, and where it came to lie on the body.
+/// A site, and its place on the body.
 struct PlacedSite
 {
   MeasuredSite measured;
@@ -30,8 +30,8 @@ void tabulateCurves(const std::vector<PlacedSite>& sites,
   const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);
 
 /// The readings of one tool from a table with the columns of a file of curves (CurvesFile.h), as a
-/// reader of .csv files makes it; other columns are passed over. `name` stands for the file in
-/// errors. Returns what is wrong, with the row, or "".
+/// reader of .csv files makes it; other columns are ignored. `name` stands for the file in errors.
+/// Returns what is wrong, with the row, or "".
 std::string curvesFromTable(
   vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves);
 } // namespace palpate

@@ -20,10 +20,10 @@ struct CurvedTetrahedra
 using EdgeReach = std::function<Eigen::Vector3d(const Eigen::Vector3d& middle, bool isSharp)>;
 
 /**
- * A node in the middle of each edge; those of the outside are moved as `reach` says, unless a
- * tetrahedron's Jacobian could then fall below a tenth of what it is with straight edges: it is a
- * cubic whose 20 Bézier coefficients bound it (Johnen, Remacle and Geuzaine 2013). Such a
- * tetrahedron gets its edges straight again.
+ * Adds a node in the middle of each edge; those of the outside are moved by `reach`, unless a
+ * tetrahedron's Jacobian could then fall below a tenth of that with straight edges: it is a cubic,
+ * bounded by its 20 Bézier coefficients (Johnen, Remacle and Geuzaine 2013). The edges of such a
+ * tetrahedron stay straight.
  */
 CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& reach);
 

@@ -18,7 +18,7 @@ struct FineBall
   double spacing = 0.0;
 };
 
-/// What a closed surface is to be filled with. Lengths in mm.
+/// A closed surface, and the sizes of the cells to fill it with. Lengths in mm.
 struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
@@ -32,15 +32,14 @@ struct MeshedSurface
 };
 
 /**
- * The spacing wanted at places in and on a surface, from a grid over its box: that of the surface
- * nearby, and growing with the distance from it; the least of all that places on the surface ask
- * for, so that a fine part of it has no jump around it; and of the balls that are to be finer,
- * growing with the distance from them. Linear between nodes. Distances are those along a grid's
- * sides and diagonals, up to a tenth too long, less a step of the grid.
+ * The spacing wanted at points in and on a surface, from a grid over its box: the least over all
+ * points of the surface, and over the finer balls, of the spacing there plus growth times the
+ * distance, so that there is no jump around a fine part. Linear between nodes. Distances are those
+ * along a grid's sides and diagonals, up to a tenth too long, less a step of the grid.
  *
  * Cost: two sweeps, a second and 16 MiB for the two million nodes it has at most. A lookup takes
- * some ten nanoseconds, where the closest place of a surface of 20 thousand triangles takes a
- * thousand times as long from the middle of a ball.
+ * some ten nanoseconds; the closest point of a surface of 20 thousand triangles takes a thousand
+ * times as long from the centre of a ball.
  */
 class SpacingGrid
 {

@@ -20,8 +20,8 @@ struct TetrahedralMesh
   Eigen::Matrix3Xd nodes;
   std::vector<std::array<std::int32_t, 4>> cells;
   std::vector<std::array<std::int32_t, 2>> sharpEdges; ///< the lower node first, ascending
-  /// Empty, as the surface is so rough that the deviation asks for several times the cells
-  /// expected.
+  /// The mesh is empty, as the surface is so rough that the deviation would need several times the
+  /// cells expected.
   bool isTooRough = false;
 };
 
@@ -29,12 +29,12 @@ struct TetrahedralMesh
 bool hasSurfaceMesher();
 
 /**
- * Delaunay refinement, then slivers below 10° are moved apart as far as that goes (CGAL Mesh_3:
- * Rineau and Yvinec 2007; sharp edges: Cheng, Dey and Ramos 2007; perturbation: Tournois et al.
- * 2009). On one thread; the same bits on every run. The observer is told how far the work has come
- * by estimate, `cells` being expected; false ends the refinement, whose result is then empty,
- * within milliseconds, and is not asked while slivers are moved. Returns what is wrong with the
- * surface, by its triangles, or "".
+ * Delaunay refinement, then removal of slivers below 10° as far as possible (CGAL Mesh_3: Rineau
+ * and Yvinec 2007; sharp edges: Cheng, Dey and Ramos 2007; perturbation: Tournois et al. 2009). On
+ * one thread; the same bits on every run. The observer is told the estimated progress, `cells`
+ * being expected; if it returns false, refinement ends within milliseconds with an empty result. It
+ * is not called while slivers are moved. Returns what is wrong with the surface, by its triangles,
+ * or "".
  */
 std::string fillSurface(
   const MeshedSurface& surface, double cells, const WorkObserver& observer, TetrahedralMesh& mesh);

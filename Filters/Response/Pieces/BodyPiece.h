@@ -28,15 +28,15 @@ struct TipBall
 };
 
 /**
- * The own piece of a body, ready to be cut: which of its triangles lie around given tips.
+ * This rank's piece of a body, from which the triangles around given tips are cut.
  *
- * Points and triangles with a coordinate that is not finite are as good as absent. Built in O(n);
- * not collective but for the seam, which is given. The body must not change meanwhile.
+ * Points and triangles with a coordinate that is not finite are ignored. Built in O(n); not
+ * collective, as the seam is given. The body must not change meanwhile.
  */
 class BodyPiece
 {
 public:
-  /// Names of what a cut carries besides the response.
+  /// Names of the arrays of a cut besides the response.
   static constexpr const char* SeamArray = "PalpateSeam"; ///< int per point; -1: not on the seam
   static constexpr const char* CellArray = "PalpateCell"; ///< int per triangle: cell of the piece
 
@@ -51,8 +51,8 @@ public:
 
   /**
    * The triangles with a corner in one of the balls, grown by `margin`; and those that reach the
-   * faces of `whole`, the box of all pieces, so that the cuts of all ranks have that box together.
-   * With the arrays of the response `name`, SeamArray and CellArray.
+   * faces of `whole`, the box of all pieces, so that all ranks' cuts together have that box. With
+   * the arrays of the response `name`, SeamArray and CellArray.
    */
   vtkSmartPointer<vtkPolyData> cut(const std::vector<TipBall>& balls, double margin,
     const Eigen::AlignedBox3d& whole, const std::string& name) const;

@@ -16,9 +16,9 @@ namespace palpate
  * Where the pieces of a body on several ranks meet.
  *
  * Points of different ranks are one seam point if both lie on an open border of their piece, at the
- * same place to four units of the last place of a float coordinate (pieces may have computed it
- * each for itself), and, where the body has point normals, with the same normal. Within a piece
- * points are what the piece says.
+ * same place to four units in the last place of a float coordinate (each piece may have computed it
+ * by itself), and, where the body has point normals, with the same normal. Points of one piece are
+ * never merged.
  *
  * Seam points are numbered alike on all ranks. Collective to build; one rank has no seam, at no
  * cost. O(n) locally; each rank holds the seam points of all.
@@ -39,13 +39,13 @@ public:
   const Ranks& ranks() const noexcept { return this->Among; }
   /// In rising order of the points.
   const std::vector<Place>& places() const noexcept { return this->Places; }
-  /// Border edges, of all ranks, that meet one of another piece the other way round.
+  /// Border edges, of all ranks, that coincide with one of another piece in the opposite direction.
   std::size_t joinedEdges() const noexcept { return this->JoinedEdges; }
 
   /**
-   * Brings together what each rank knows of its places: `own` has a value for each, and so has the
-   * answer, which is combine(...combine(start, first)..., last) over the values of all ranks for
-   * the seam point, in the order of the ranks: the same bits everywhere. Collective.
+   * Combines values of the seam points over all ranks: `own` has a value for each of places(), and
+   * so has the result, combine(...combine(start, first)..., last) over the values of all ranks in
+   * the order of the ranks: the same bits everywhere. Collective.
    */
   template <class T, class Combine>
   std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const

@@ -14,8 +14,8 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * The parts that BodyPiece::cut gave on several ranks as one body with the response `name`: the
- * points of a seam are one point. Each triangle knows where it came from.
+ * The parts cut by BodyPiece on several ranks as one body with the response `name`: the points of a
+ * seam are merged. The origin of each triangle is kept.
  */
 class GatheredBody
 {

@@ -20,8 +20,8 @@ class Ranks;
  */
 vtkSmartPointer<vtkPolyData> ownPiece(vtkPolyData* input, const Ranks& ranks);
 
-/// What is wrong with the type of an input that should be vtkPolyData, naming the filter that makes
-/// one of it, or "". `what` is said of it: "body" or "tips".
+/// What is wrong with the type of an input that should be vtkPolyData, naming the filter that
+/// converts it, or "". `what` is its name in the text: "body" or "tips".
 std::string checkType(vtkInformation* input, const char* what);
 } // namespace palpate
 

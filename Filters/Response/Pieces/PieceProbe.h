@@ -16,19 +16,19 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * Touches a body whose pieces lie on several ranks with tips on any of them: each rank gathers what
- * of the body lies around its own tips, and the one-rank kernel runs on that.
+ * Touches a body whose pieces lie on several ranks with tips on any of them: each rank gathers the
+ * part of the body around its own tips, and the one-rank kernel runs on that.
  *
- * The kernel looks only at triangles no farther from a tip than its nearest or its last contact,
- * at those a few corners on (the rings it compares and packs), and at the box of the body for its
- * frame. So the part is: all triangles within a ball around each tip, grown by some longest edges;
- * and those that reach the box. Whether a ball was large enough shows afterwards, by the distances
- * found; if not (a contact followed into a thin body), it is gathered again, larger. The result
- * therefore is that of the whole body, but for the order in which normals around a point are
- * summed. Smooth patches are followed by steps that have no such bound; they get a wider margin.
+ * The kernel reads only triangles no farther from a tip than its nearest or its last contact, a few
+ * rings of neighbours around them, and the box of the body for its frame. So the part consists of
+ * all triangles within a ball around each tip, grown by a few longest edges, and of those that
+ * reach the box. The distances found tell afterwards whether a ball was large enough; if not (a
+ * contact followed into a thin body), a larger part is gathered. The result is therefore that of
+ * the whole body, except for the order in which normals around a point are summed. The search on
+ * smooth patches has no such bound; it gets a wider margin.
  *
- * Memory: each rank holds the parts around its own tips: at worst, for tips all over or triangles
- * as long as the body, the whole. All calls are collective.
+ * Memory: each rank holds the parts around its own tips; at worst, for tips all over the body or
+ * triangles as long as it, the whole. All calls are collective.
  */
 class PieceProbe
 {
@@ -44,7 +44,7 @@ public:
   PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::string& name);
 
   /// The contacts of the own tips, which have passed checkTips; the same error on all ranks, or "".
-  /// Together: they have passed checkCoupledTips, and feel one another.
+  /// If they feel one another, they have passed checkCoupledTips.
   std::string touch(vtkPolyData* tips, const ContactSettings& settings, double indentation,
     bool areTogether, std::vector<Touch>& touched);
 

@@ -20,7 +20,7 @@ namespace palpate
  * The processes among which a body is divided, each with a piece of it.
  *
  * All calls but own, count and areAlone are collective: every rank must make them, in the same
- * order. With one rank, or without a controller, they give back what is given and cost nothing.
+ * order. With one rank, or without a controller, they return their argument at no cost.
  */
 class PALPATERESPONSE_EXPORT Ranks
 {
@@ -32,14 +32,14 @@ public:
   int count() const noexcept { return this->Count; }
   int own() const noexcept { return this->Own; }
 
-  /// Whether it is so on any rank.
+  /// Whether `own` is true on any rank.
   bool any(bool own) const;
   double largest(double own) const;
   double smallest(double own) const;
   /// The fault of the lowest rank that has one, with that rank's number; "" if none has.
   std::string firstFault(const std::string& own) const;
 
-  /// What each rank gives, rank by rank, on all ranks.
+  /// The values of all ranks, in their order, on all ranks.
   template <class T>
   std::vector<std::vector<T>> gather(const std::vector<T>& own) const
   {
@@ -66,9 +66,9 @@ public:
     return all;
   }
 
-  /// What each rank gives, rank by rank, on rank `to`; nothing elsewhere.
+  /// The bodies of all ranks, in their order, on rank `to`; nothing elsewhere.
   std::vector<vtkSmartPointer<vtkPolyData>> send(vtkPolyData* own, int to) const;
-  /// What rank `from` gives, on all ranks.
+  /// Copies the body of rank `from` to all ranks.
   void spread(vtkPolyData* body, int from) const;
 
 private:

@@ -11,8 +11,8 @@ namespace palpate
 class BodySeam;
 
 /// Unit angle-weighted normals at the places of a seam, over the triangles of all pieces: those of
-/// the body in one piece but for the order in which its triangles are summed. Zero where no usable
-/// triangle meets. Collective; the same bits on all ranks.
+/// the body in one piece except for the order in which its triangles are summed. Zero where no
+/// usable triangle meets. Collective; the same bits on all ranks.
 std::vector<Vector3> seamNormals(const BodyMesh& piece, const BodySeam& seam);
 
 /// Whether the surface of all pieces is closed, and the volume it then encloses (mm³, negative when

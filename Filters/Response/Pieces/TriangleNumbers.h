@@ -8,11 +8,12 @@
 
 namespace palpate
 {
-/// A triangle of a field as numbers, which go from one process to another, and back.
+/// A triangle of a field as numbers, to be sent to another process, and back.
 std::vector<double> triangleNumbersOf(const FieldTriangle& triangle);
 FieldTriangle triangleOf(const std::vector<double>& numbers);
 
-/// A stack of the numbers of <name>LayerStack, four a layer; without layers where they are none.
+/// A stack from the numbers of <name>LayerStack, four a layer; without layers if there are no
+/// numbers.
 LayerStack stackOf(const std::vector<double>& numbers, LayerBase base);
 } // namespace palpate
 

@@ -13,7 +13,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// What one contact does to a body.
+/// The displacement of a body by one contact.
 struct Dent
 {
   vtkSmartPointer<vtkFloatArray> displacement; ///< mm, one vector per point
@@ -21,13 +21,13 @@ struct Dent
 };
 
 /**
- * Moves the points of a body by what all dents make together and adds the point array `Dent (mm)`:
- * how far each has gone against the normals, by each dent along its own; it becomes the active
- * scalars. The point array `ContactDisplacement` is the whole motion. At least one dent.
+ * Moves the points of a body by the sum of all dents and adds the point array `Dent (mm)`, the sum
+ * of each dent's motion against its own normal, as active scalars. The point array
+ * `ContactDisplacement` is the whole motion. At least one dent.
  *
- * `body` shares its arrays with others: what changes is replaced, nothing is written to. Active
- * point normals are corrected where the surface has turned: by the change of the mean of the
- * facets around a point, so that smooth shading and sharp edges stay as they were.
+ * `body` shares its arrays with others: changed arrays are replaced, none is written to. Active
+ * point normals are corrected by the change of the mean of the facets around a point, so that
+ * smooth shading and sharp edges stay as they were.
  */
 void dentBody(vtkPolyData* body, const std::vector<Dent>& dents);
 } // namespace palpate

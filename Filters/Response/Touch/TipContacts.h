@@ -17,8 +17,8 @@ namespace palpate
 /// array `ToolAxis`; "" if nothing.
 std::string checkTips(vtkPolyData* tips);
 
-/// Told each tip, its contact, and where the tip was after Indentation. From several threads, for
-/// different tips.
+/// Receives each tip, its contact, and the tip's position after Indentation. Called by several
+/// threads, for different tips.
 using TipVisitor =
   std::function<void(vtkIdType tip, const Contact& contact, const Vector3& pressed)>;
 

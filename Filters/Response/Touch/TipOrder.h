@@ -16,15 +16,15 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * A block of tips in such an order that each is near the one before: along Morton's curve of a
- * 1024³ grid of cells around them. The search for one contact then begins where the last was found,
- * and what it reads is in the cache, however the tips were given.
+ * A block of tips sorted so that each is near the one before: along Morton's curve of a 1024³ grid
+ * of cells around them. The search for a contact then begins where the last was found, and the
+ * memory it reads is in the cache, whatever the order of the tips.
  */
 class TipOrder
 {
 public:
-  /// Tips of one block: several for each place of a large body, and what is kept of them no more
-  /// than a large cache holds.
+  /// Tips of one block: several for each part of a large body, and few enough for their data to fit
+  /// a large cache.
   static constexpr vtkIdType BlockSize = 1 << 18;
 
   struct Tip
@@ -39,8 +39,8 @@ public:
   /// The tips as they were given.
   const std::vector<Tip>& tips() const { return this->Given; }
 
-  /// Calls visit(k, next) for each of tips(), in the order; `next` comes a little later, and its
-  /// memory can be asked for.
+  /// Calls visit(k, next) for each of tips(), in the order; `next` comes a little later, so that
+  /// its memory can be prefetched.
   template <class Visit>
   void forEach(const Visit& visit) const
   {

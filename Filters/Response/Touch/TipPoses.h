@@ -25,8 +25,8 @@ bool haveAxes(vtkPolyData* tips);
 std::string checkAxes(vtkPolyData* tips);
 
 /**
- * Where the tools of tips are, whose axes have passed checkAxes: each moved inward by `indentation`
- * (mm) along the blended normal at its closest point, with its axis where there are axes. Serves
+ * The poses of tools at tips whose axes have passed checkAxes: each moved inward by `indentation`
+ * (mm) along the blended normal at its closest point, with its axis if there are axes. For use by
  * one thread; body and tips must outlive it.
  */
 class TipPoses
@@ -35,7 +35,7 @@ public:
   TipPoses(const ContactBody& body, vtkPolyData* tips, double indentation);
 
   ToolPose at(vtkIdType tip);
-  /// The same of a tip whose position is known.
+  /// The pose for a tip whose position is known.
   ToolPose at(vtkIdType tip, const Vector3& position);
 
 private:

@@ -15,7 +15,8 @@ namespace palpate
  */
 void passTimes(vtkInformationVector** inputs, vtkInformation* output);
 
-/// DATA_TIME_STEP of the tips, or if they have none of the body, on the output. Either may be null.
+/// Sets DATA_TIME_STEP of the output to that of the tips, or, if they have none, of the body.
+/// Either may be null.
 void passDataTime(vtkDataObject* body, vtkDataObject* tips, vtkDataObject* output);
 } // namespace palpate
 

@@ -16,7 +16,7 @@ class AxisymmetricTool;
 struct ToolSurfaceSize
 {
   double length;        ///< mm
-  double maximumRadius; ///< mm, where the profile widens for ever
+  double maximumRadius; ///< mm, where the profile widens without end
   int resolution = 64;  ///< facets around
 };
 
@@ -25,7 +25,7 @@ struct ToolSurfaceSize
 std::string makeToolSurface(
   const AxisymmetricTool& tool, const ToolSurfaceSize& size, vtkPolyData* output);
 
-/// Makes such a surface stand with its tip at `tip`, its axis along the unit vector `axis`.
+/// Moves such a surface so that its tip is at `tip` and its axis along the unit vector `axis`.
 void standTool(const Vector3& tip, const Vector3& axis, vtkPolyData* surface);
 } // namespace palpate
 

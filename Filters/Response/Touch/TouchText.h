@@ -14,16 +14,16 @@ namespace palpate
 struct Touch
 {
   Vector3 tip = Vector3::Zero(); ///< after snap and indentation
-  TouchedPlace nearest;          ///< of the tip as it was given
+  TouchedPlace nearest;          ///< of the given tip
   TouchedPlace place;            ///< the contact; cell -1: none
-  /// Without contact its normal leads away from the surface.
+  /// Without contact its normal points away from the surface.
   Contact contact;
   double stiffness = 0.0; ///< of the stored curve, N/mm
   double range = 0.0;     ///< of the response there
   double scale = 0.0;     ///< mm/N of the arrow
   PlaceValidity validity;
-  double sunk = 0.0;    ///< by how much another tool has let the surface down here, mm
-  bool isAlone = false; ///< there is another tool, which the response does not let it feel
+  double sunk = 0.0;    ///< by how much another tool lowers the surface here, mm
+  bool isAlone = false; ///< there is another tool, but the response has no coupling
 
   bool touches() const { return this->place.cell >= 0; }
 };

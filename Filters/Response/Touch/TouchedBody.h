@@ -16,7 +16,7 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// What the law says of itself at a place: the weakest of the corners.
+/// The law's validity at a place: the least of the corners.
 struct PlaceValidity
 {
   bool known = false; ///< whether the response has the arrays
@@ -26,8 +26,8 @@ struct PlaceValidity
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A body with a response, as a display of one touch reads it: where it is nearest, and what the
-/// stored curves are there. Holds the body, and a locator of its triangles made when first asked.
+/// A body with a response, for the display of a touch: its nearest place, and the stored curves
+/// there. Holds the body, and a locator of its triangles made on first use.
 class TouchedBody
 {
 public:
@@ -36,12 +36,12 @@ public:
   TouchedBody(const TouchedBody&) = delete;
   TouchedBody& operator=(const TouchedBody&) = delete;
 
-  /// False, and what is missing, if the body has not the response `name`.
+  /// False, and what is missing, if the body does not have the response `name`.
   bool take(vtkPolyData* body, const std::string& name, std::string& error);
 
   /// The nearest place of the surface; cell -1 for a body without triangles.
   TouchedPlace nearest(const Vector3& tip);
-  /// The first place of the surface on the way from one point to another; cell -1 for none.
+  /// The first intersection of the surface with a segment; cell -1 for none.
   TouchedPlace hit(const Vector3& from, const Vector3& to);
   /// The place of a point of the surface in a cell of the body.
   TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
@@ -57,7 +57,7 @@ public:
   double range(const TouchedPlace& place) const;
   /// dF/dδ of the three corners' curves, blended, N/mm.
   double stiffness(const TouchedPlace& place, double depth) const;
-  /// What the law says of itself there at a deflection, mm.
+  /// The law's validity there at a deflection, mm.
   PlaceValidity validity(const TouchedPlace& place, double depth) const;
 
   /// Force at half of Range, on average over the points that have a response, N. O(points).
