@@ -18,19 +18,18 @@ namespace palpate
 class AxisymmetricTool;
 class ResponseLaw;
 
-/// Values of a body's points, and what they are called where an error names them. No values: the
-/// constant holds.
+/// Values of a body's points, and their name in errors. No values: the constant is used.
 struct PointValues
 {
   std::string name;
   std::vector<double> values;
 };
 
-/// What a body is made of, point by point: constants, and values that override them.
+/// The material of a body, point by point: constants, and values that override them.
 class PALPATE_EXPORT BodyMaterial
 {
 public:
-  /// What holds at every point without a value of its own.
+  /// The material of points without a value of their own.
   struct Constants
   {
     Constants(double modulus, double ratio, double layer, LayerBase layerBase, bool excludes,
@@ -50,16 +49,16 @@ public:
     double thickness; ///< mm, 0 for a half-space
     LayerBase base;
     bool complianceExcludesLayer;
-    /// Below that layer, from above: with them, or on a half-space, the body is a stack
-    /// (LayerStack.h), everywhere, and Young's modulus and Poisson's ratio are constant.
+    /// Layers below that one, from above. With them, or with a half-space as base, the body is a
+    /// stack (LayerStack.h) everywhere, and Young's modulus and Poisson's ratio are constant.
     std::vector<StackLayer> deeper;
     std::optional<StackLayer> halfSpace; ///< in place of the rigid base
 
     bool isStack() const { return !this->deeper.empty() || this->halfSpace.has_value(); }
-    /// The whole of it; without layers where it is none.
+    /// The whole stack; without layers if the body is not one.
     LayerStack stack() const;
   };
-  /// What overrides the constants, each point by point or not at all.
+  /// Values that override the constants, each at every point or nowhere.
   struct Values
   {
     PointValues youngsModulus; ///< MPa
@@ -67,7 +66,7 @@ public:
     PointValues compliance;    ///< in series, mm/N
     PointValues poissonsRatio;
     PointValues second;               ///< thickness of the second layer of a stack, mm
-    PointValues complianceError = {}; ///< how far the compliance may be off, mm/N
+    PointValues complianceError = {}; ///< error of the compliance, mm/N
   };
   explicit BodyMaterial(const Constants& constants);
 
@@ -79,11 +78,11 @@ public:
 
   ContactSpots spots() const;
   const MaterialRange& range() const noexcept { return this->Range; }
-  /// Of a body whose other pieces are elsewhere: the range of all of them.
+  /// Sets the range of all pieces, if other processes have some.
   void setRange(const MaterialRange& range) { this->Range = range; }
 
-  /// The exponent with the smaller storage error where the body is softest, stiffest, thinnest and
-  /// thickest: the tip's, or 1.
+  /// The tip's exponent or 1: the one with the smaller storage error where the body is softest,
+  /// stiffest, thinnest and thickest.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
   /// The largest relative error of storage with an exponent at the same four places, of those that

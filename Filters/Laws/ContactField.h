@@ -20,20 +20,20 @@
 
 namespace palpate
 {
-/// One contact, as its field needs it. Body frame, mm, N.
+/// One contact for its field. Body frame, mm, N.
 struct FieldContact
 {
   std::int64_t cell = -1;  ///< of the body; -1: no contact
-  double deflection = 0.0; ///< the whole of it, local and global
+  double deflection = 0.0; ///< local and global together
   double force = 0.0;      ///< along the normal, > 0 out of the body: for modes and near field
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::Zero(); ///< outward, unit
-  /// Of the tip, where another tool holds the body against this one, so that less than the
-  /// deflection is its dent; mm.
+  /// Depth of the tip, mm, where another tool holds the body against this one, so that its dent is
+  /// less than the deflection.
   double depth = std::numeric_limits<double>::infinity();
 };
 
-/// The triangle of a contact, and what is known at its corners.
+/// The triangle of a contact, with the data of its corners.
 struct FieldTriangle
 {
   /// A global mode of the body at the corners.
@@ -46,21 +46,21 @@ struct FieldTriangle
   std::array<Vector3, 3> corners = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
   std::array<double, 3> thickness{}; ///< of the layer, mm; 0 on a half-space
   LayerBase base = LayerBase::Bonded;
-  LayerStack stack;               ///< where the layer is the first of one; else without layers
-  std::array<double, 3> second{}; ///< thickness of its second layer, mm; 0: as it says
-  std::vector<Mode> modes;        ///< none where the response knows of no motion as a whole
-  std::array<NearField, 3> near;  ///< of radius 0 where the response is not one of true shape
+  LayerStack stack;               ///< if the layer is the first of one; otherwise without layers
+  std::array<double, 3> second{}; ///< thickness of its second layer, mm; 0: that of `stack`
+  std::vector<Mode> modes;        ///< none if the response has no global motion
+  std::array<NearField, 3> near;  ///< of radius 0 if the response is not of true shape
 };
 
-/// What is the same for all contacts.
+/// Settings common to all contacts.
 struct FieldSettings
 {
   double poissonRatio = 0.45; ///< 0 to 0.5
-  double reach = 0.0;         ///< mm; 0: no end but that of the normals
+  double reach = 0.0;         ///< mm; 0: limited by the normals alone
 };
 
 /**
- * How the surface of a body moves around one contact.
+ * The displacement of a body's surface around one contact:
  *
  *   u(x) = fade [u_r(r) t - (u_z(r) + v(d)) n] + Σ_k w_k φ_k(x)
  *
@@ -68,21 +68,21 @@ struct FieldSettings
  * (LayerSurface), at the local deflection; n is the contact normal, r the distance along the
  * surface and t the tangent away from the contact at x (SurfacePatch.h).
  *
- * Near part, on a body of true shape, where the response knows R (NearField.h): what an edge, a
- * base or an inclusion near the contact adds to a half-space's dent, d the way from the contact in
- * its tangent plane, as long as r,
- *     v = (1 - m) v₀ + m F R(d),  m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) beyond a, else 0:
- * within the contact the surface is the tool's, and outside it is what a flat punch that is kept
- * from tilting leaves of a tilt (Johnson 1985, § 5.4 (f)). The local deflection is then that of the
- * same force on a half-space of the E* at the contact, and v₀ what that and the modes leave of δ.
+ * Near part, on a body of true shape, where the response has R (NearField.h): the effect of an
+ * edge, a base or an inclusion near the contact on a half-space's dent. d is the vector from the
+ * contact in its tangent plane, of length r, v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) -
+ * (a/r) √(1 - (a/r)²)) beyond a, else 0: within the contact the surface is that of the tool;
+ * outside, it is what a flat punch that cannot tilt leaves of a tilt (Johnson 1985, § 5.4 (f)). The
+ * local deflection is then that of the same force on a half-space of the E* at the contact, and v₀
+ * the rest of δ without that and the modes.
  *
- * Global part, by the modes φ_k of the body (GlobalModes.h) with their signs s_k:
- * w_k = -F s_k (n·φ_k(X)), X the contact. The local deflection is what the modes leave of the
- * whole, δ - F Σ s_k (n·φ_k(X))², so that the surface meets the tool. Without modes and R the local
- * part is drawn at the whole deflection, or as deep as the tip is.
+ * Global part, by the modes φ_k of the body (GlobalModes.h) with their signs s_k: w_k = -F s_k
+ * (n·φ_k(X)), X the contact. The local deflection is what the modes leave of the whole, δ - F Σ s_k
+ * (n·φ_k(X))², so that the surface meets the tool. Without modes and R the local part is that at
+ * the whole deflection, or at the depth of the tip.
  *
  * Fade: 1 where reach is 0. Otherwise exactly 1 within 3/4 of the reach and 50° of the contact
- * normal, and smoothly down to 0 at the reach and at 60°: no edge is seen where the field ends.
+ * normal, and smoothly down to 0 at the reach and at 60°, so that the field has no visible edge.
  *
  * Cost: some µs on a half-space, 1 to 2 ms on a layer.
  */
@@ -94,8 +94,8 @@ public:
   static constexpr double FadeBegin = 0.75;           ///< of the reach
 
   ContactField() = default; ///< of no contact: zero
-  /// `tool` must outlive the field. `kernel` is that of the last layer, kept by the caller since it
-  /// is costly to make.
+  /// `tool` must outlive the field. `kernel` is that of the last layer, kept by the caller since
+  /// making one is expensive.
   ContactField(const FieldTriangle& triangle, const AxisymmetricTool& tool,
     const FieldContact& contact, const FieldSettings& settings,
     std::shared_ptr<const LayerKernel>& kernel);
@@ -104,9 +104,10 @@ public:
   SurfaceDisplacement local(double r) const;
   /// `cosine`: of the angle between the point's normal and the contact's.
   double fade(double r, double cosine) const;
-  /// v: how far the surface goes in besides, mm, at `away` from the contact in its tangent plane.
+  /// v: the further inward displacement of the surface, mm, at `away` from the contact in its
+  /// tangent plane.
   double near(const Vector3& away) const;
-  /// F R, mm, and v₀; of radius 0 where nothing is known.
+  /// F R, mm, and v₀; of radius 0 where there is none.
   const NearField& nearField() const { return this->Near; }
   double nearDepth() const { return this->NearDepth; }
   /// One per mode of the triangle; none without a global part.
@@ -116,7 +117,7 @@ public:
   double localDeflection() const { return this->Deflection; }
   double contactRadius() const { return this->Radius; } ///< mm; 0 if empty
   double reach() const { return this->Reach; }
-  /// Where the tool has an edge within the contact, so that u_z has a kink there, mm; 0: nowhere.
+  /// Radius of an edge of the tool within the contact, where u_z has a kink, mm; 0: none.
   double kinkRadius() const { return this->Kink; }
   /// Why there is no local part though there is contact; "" if there is one.
   const std::string& fault() const { return this->Fault; }
@@ -139,18 +140,18 @@ private:
   std::string Fault;
 };
 
-/// The vectors of a mode, 3 numbers per point, where they lie.
+/// View of a mode's vectors, 3 numbers per point.
 using ModeSpan = std::variant<const float*, const double*>;
 
-/// Goes on where a patch has come to the seam of a piece: enters what was reached on the others.
-/// False when nothing is left to visit on any.
+/// Continues a patch across the seams of pieces: enters the points reached on other pieces. False
+/// when nothing is left to visit on any.
 using SeamCrossing = std::function<bool(SurfacePatch&)>;
 
 /**
  * Adds the displacement by a field to `displacement`, 3 floats (mm) per point of the patch's mesh:
- * the modes at every point, the local part at those of the patch, whose first points have been
- * entered. `modes`: at least as many as the field has weights. False where the modes displace to
- * infinity. The same bits for any number of threads.
+ * the modes at every point, the local part at those of the patch, whose start points have been
+ * entered. `modes`: at least as many as the field has weights. False if a mode's displacement is
+ * not finite. The same bits for any number of threads.
  */
 PALPATE_EXPORT bool contactField(const ContactField& field, const Vector3& normal,
   const std::vector<ModeSpan>& modes, SurfacePatch& patch, std::size_t points, float* displacement,

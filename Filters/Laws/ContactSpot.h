@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// How the body's surface is curved at a point, 1/mm: the principal curvatures, positive where it
-/// is convex, and how far they may be off.
+/// Curvature of the body's surface at a point, 1/mm: the principal curvatures, positive where it is
+/// convex, and their error.
 struct SpotCurvature
 {
   double first = 0.0;
@@ -25,13 +25,13 @@ struct SpotCurvature
 struct ContactSpot
 {
   double reducedModulus = 0.0;  ///< E*, MPa
-  double poissonsRatio = 0.0;   ///< of the layer; the half-space knows E* alone
+  double poissonsRatio = 0.0;   ///< of the layer; a half-space needs E* alone
   double compliance = 0.0;      ///< in series, mm/N
   double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
   SpotCurvature curvature = {}; ///< that the law is to take into account
-  double second = 0.0;          ///< of a stack: the thickness of the layer below that one, mm
-  double thinnest = 0.0;        ///< of a stack: that of its thinnest layer, mm
-  double complianceError = 0.0; ///< how far the compliance may be off, mm/N
+  double second = 0.0;          ///< of a stack: thickness of its second layer, mm
+  double thinnest = 0.0;        ///< of a stack: thickness of its thinnest layer, mm
+  double complianceError = 0.0; ///< error of the compliance, mm/N
 
   LayerPlace place() const noexcept
   {
@@ -39,7 +39,7 @@ struct ContactSpot
   }
 };
 
-/// The body under each point: constants, and arrays that override them where they are not null.
+/// The body under each point: constants, and arrays that override them unless null.
 struct ContactSpots
 {
   ContactSpot constant;

@@ -17,17 +17,17 @@ class AxisymmetricTool;
  * The contact of one tool on a curved half-space (CurvedContact.h) at given depths, without nodes
  * for each curvature.
  *
- * Of the tool alone, once: contact radius a, and force F over a t², over t = √depth, as cubic
- * polynomials, in which spheres, cones and flats are smooth. On a body of curvatures κ₁, κ₂ the
- * depth of the same circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)), solved for t by Newton's method;
- * the force is F + 4/3 a (y - t²), the stiffness 2a, both times 1 + ln²(B/A)/48. A flat end that is
- * touched whole has the mean curvature for both. Errs by 1e-7, and by 1e-4 near the kinks of a
- * profile. Cost: 40 ns a depth. Safe to use from any number of threads.
+ * Tabulated once for the tool: contact radius a and F/(a t²) as cubic polynomials of t = √depth, in
+ * which spheres, cones and flats are smooth. On a body of curvatures κ₁, κ₂ the depth of the same
+ * circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)), solved for t by Newton's method; the force is F + 4/3
+ * a (y - t²), the stiffness 2a, both times 1 + ln²(B/A)/48. A flat end in full contact has the mean
+ * curvature for both. Error 1e-7, 1e-4 near the kinks of a profile. Cost: 40 ns a depth. Safe to
+ * use from any number of threads.
  */
 class PALPATE_EXPORT CurvedHalfSpace
 {
 public:
-  /// The tool pressed `deepest` (mm) into the flat body at most.
+  /// For a tool pressed at most `deepest` (mm) into the flat body.
   CurvedHalfSpace(const AxisymmetricTool& tool, double deepest);
 
   /// The contact at `deflections` (mm), which ascend from above 0, in series with a compliance of
@@ -37,7 +37,7 @@ public:
     LocalState* states) const;
 
 private:
-  /// Of one interval of t, coefficients of the powers of the fraction of it that is passed.
+  /// On one interval of t, coefficients of the powers of the fraction of the interval.
   struct Piece
   {
     std::array<double, 4> radius;
@@ -47,12 +47,12 @@ private:
   struct Circle
   {
     double radius; ///< mm
-    double slope;  ///< of the radius over t
+    double slope;  ///< derivative of the radius by t
     double force;  ///< F/E*, mm²
   };
   Circle at(double t) const;
-  /// The curved body under a circle: the two sums of t² and the sag, the depth, and its slope over
-  /// t; 0 where the body's hollow is narrower.
+  /// The curved body under a circle: the two sums of t² and the sag, the depth, and its derivative
+  /// by t; 0 where the body's hollow is too narrow.
   struct Sagging
   {
     double one;
@@ -65,8 +65,8 @@ private:
   struct Contact
   {
     LocalState local;
-    double slope; ///< of its depth over t
-    bool isThere; ///< false: the body's hollow is narrower
+    double slope; ///< derivative of its depth by t
+    bool isThere; ///< false: the body's hollow is too narrow
   };
   Contact contactAt(double t, const SpotCurvature& curvature) const;
   LocalState sagAlone(double depth, const SpotCurvature& curvature) const;
@@ -75,8 +75,8 @@ private:
   double Step; ///< of t, √mm
   double FlatRadius;
   std::vector<Piece> Pieces;
-  double FirstRadius = 0.0; ///< at the end of the first piece, in which it is a power of t;
-  double FirstPower = 0.0;  ///< 0: it is not, of a flat end
+  double FirstRadius = 0.0; ///< at the end of the first piece, in which the radius is a power of t;
+  double FirstPower = 0.0;  ///< 0: it is not, as of a flat end
 };
 } // namespace palpate
 

@@ -12,31 +12,31 @@
 
 namespace palpate
 {
-/// Where a point on an edge takes its curve from.
+/// The points from which a point on an edge takes its curve.
 struct EdgeSurroundings
 {
-  std::vector<AlongSurface> found; ///< points with a curve, and how far they are
+  std::vector<AlongSurface> found; ///< points with a curve, and their distances
   double turn = 0.0;               ///< by which the surface turns away at the edge, rad
 };
 
-/// A surface whose edges have no curves of their own. Asked from any number of threads.
+/// A surface whose edges have no curves of their own. Thread-safe.
 struct EdgedSurface
 {
   std::size_t points = 0;
   std::function<ElasticMaterial(std::int32_t)> materialAt;
-  /// Of a point, those around it that `isValid`, six or fewer.
+  /// The valid points around a point, at most six.
   std::function<EdgeSurroundings(std::int32_t, const std::function<bool(std::int32_t)>& isValid)>
     around;
 };
 
-/// The outer surface of a body, which must stay: the nearest points along it.
+/// The outer surface of a body, which must outlive the result: the nearest points along it.
 EdgedSurface edgesOf(const ElasticBody& body);
 
 /**
  * Gives the points of a surface whose status is Edge, where a contact has no law, curves from the
- * valid points around, by 1/distance², so that the force goes on across an edge: each as much
- * softer as the edge makes it there, Φ(0)/Φ(d/a) (edgeFactor), with d its distance and a = K/2E*
- * its contact radius. Their range is the mean of those, their error 1, their validity 0.
+ * valid points around, by 1/distance², so that the force is continuous across an edge. Each curve
+ * is softened by the edge's factor there, Φ(0)/Φ(d/a) (edgeFactor), with d its distance and a =
+ * K/2E* its contact radius. Their range is the mean of those, their error 1, their validity 0.
  *
  * Beside a right-angled edge the curve is that of a tool along the face's normal within some 15 %.
  * Points with no valid one around stay without a curve, their range 0. `sampling` is that of the

@@ -19,10 +19,10 @@ struct SurfaceSide
   std::int32_t from;
   std::int32_t to;
   float turn;           ///< by which the surface turns away there, rad; 0: a border
-  bool isSharp = false; ///< two facets turn so, by no less than PackedMesh::BluntTurn
+  bool isSharp = false; ///< a side of two facets that turns by PackedMesh::BluntTurn or more
 };
 
-/// A surface and what lies beside what. Facets without an area take no part: corners -1, area 0.
+/// A surface with its neighbours. Facets without an area are ignored: corners -1, area 0.
 struct LinkedSurface
 {
   /// What `surface` points to must outlive this.
@@ -44,8 +44,8 @@ private:
   const std::vector<TriangleCorners>& findCorners();
 };
 
-/// Where a surface ends: sides of one facet, in loops longer than a hole of four contact radii
-/// (mm); sides that lie twice at the same place are none.
+/// The border of a surface: sides of a single facet, in loops longer than a hole of four contact
+/// radii (mm); two sides at the same place are not a border.
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius);
 } // namespace palpate
 

@@ -17,19 +17,19 @@ class AxisymmetricTool;
 class StrainCorrection;
 
 /**
- * The local contact of one tool with what makes a real one differ from the law of the textbook: the
- * curvature of the body (CurvedContact.h) and finite strain (StrainCorrection.h), which multiplies
- * the force at the depth the tool has at the same contact radius on the flat body.
+ * The local contact of one tool beyond the textbook's law: with the curvature of the body
+ * (CurvedContact.h) and finite strain (StrainCorrection.h), whose factor is that at the tool's
+ * depth with the same contact radius on the flat body.
  *
- * On a half-space found depth by depth (CurvedHalfSpace.h), else in nodes; see NodeLaw for their
- * error. Cost: 40 ns a depth on a half-space, with finite strain 0.3 µs; 3 µs a law on a layer.
- * Safe to use from any number of threads once it is prepared.
+ * Solved depth by depth on a half-space (CurvedHalfSpace.h), otherwise interpolated between nodes;
+ * see NodeLaw for their error. Cost: 40 ns a depth on a half-space, with finite strain 0.3 µs; 3 µs
+ * a law on a layer. Safe to use from any number of threads once it is prepared.
  */
 class PALPATE_EXPORT LocalContact
 {
 public:
-  /// Answers at least to `range` (mm); with `deeper` to three times that, as a negative compliance
-  /// asks. `tool` and `strain` (null: small strain) must outlive this.
+  /// Valid at least to `range` (mm); with `deeper` to three times that, as needed for a negative
+  /// compliance. `tool` and `strain` (null: small strain) must outlive this.
   LocalContact(
     const AxisymmetricTool& tool, double range, bool deeper, const StrainCorrection* strain);
   ~LocalContact();
@@ -41,10 +41,10 @@ public:
   {
     return this->Strain != nullptr || !spot.curvature.isFlat();
   }
-  /// Whether the spot's layer is not too thin.
+  /// Whether the spot's layer is thick enough for a law.
   bool answers(const ContactSpot& spot) const;
-  /// For a spot that is answered: the contact for E* = 1. `fits` tells whether the tool fits into
-  /// the body down to the range; where it does not, the law is that of the flat body.
+  /// For a spot that answers() accepts: the contact for E* = 1. `fits` tells whether the tool fits
+  /// into the body down to the range; where it does not, the law is that of the flat body.
   NodeLaw law(const ContactSpot& spot, bool& fits) const;
   NodeLaw law(const ContactSpot& spot) const
   {
@@ -52,14 +52,14 @@ public:
     return this->law(spot, fits);
   }
 
-  /// Whether states() answers: on a half-space with no compliance, or one that does not stiffen.
+  /// Whether states() can be used: on a half-space whose compliance is not negative.
   bool isDirect(const ContactSpot& spot) const
   {
     return !(spot.thickness > 0.0) &&
       (spot.compliance == 0.0 || (spot.compliance > 0.0 && !this->Strain));
   }
-  /// The contact for E* = 1 at deflections (mm) of the whole series, which ascend to the range;
-  /// returns what law() tells as `fits`.
+  /// The contact for E* = 1 at ascending deflections (mm) of the whole series, up to the range;
+  /// returns `fits` as law().
   bool states(
     const ContactSpot& spot, const std::vector<double>& deflections, LocalState* states) const;
 
@@ -73,7 +73,7 @@ private:
   const StrainCorrection* Strain;
   ContactNodes HalfSpace;
   CurvedHalfSpace Direct;
-  std::unique_ptr<AxisymmetricTool> Sag; ///< the paraboloid that stands for the body's sag
+  std::unique_ptr<AxisymmetricTool> Sag; ///< the paraboloid of the body's curvature
   double SagCurvature;                   ///< 1/mm
   std::unique_ptr<LayerCurves> Layers;
   std::unique_ptr<LayerCurves> SagLayers;

@@ -11,27 +11,28 @@
 
 namespace palpate
 {
-/// Between what the points of a body lie: all that a law has to be prepared for.
+/// The range of the materials of a body's points, for which a law must be prepared.
 class PALPATE_EXPORT MaterialRange
 {
 public:
-  /// `stack`: below every point, its first two layers perhaps of another thickness; none.
+  /// `stack`: the layers below every point, the first two of which may vary in thickness; default
+  /// none.
   explicit MaterialRange(LayerBase base, LayerStack stack = {});
 
   void add(const ContactSpot& spot);
-  /// With the points of another piece of the body.
+  /// Includes the points of another piece of the body.
   void join(const MaterialRange& other);
 
   bool hasLayers() const noexcept { return this->layers.thickest > 0.0; }
   bool hasStack() const noexcept { return !this->stack.layers.empty(); }
-  /// The layers, of a stack with its kernels: they are made here (StackKernels.h).
+  /// The layers; of a stack with its kernels, which are made here (StackKernels.h).
   LayerTable::Layers prepared() const;
-  /// The bodies that a correction by finite strain is to serve.
+  /// The bodies for a correction by finite strain.
   StrainBodies strainBodies() const;
 
-  LayerTable::Layers layers; ///< thinnest infinite and thickest 0 as long as there are none
+  LayerTable::Layers layers; ///< thinnest infinite and thickest 0 if there are none
   LayerStack stack;          ///< without layers: none
-  ThicknessSpan second;      ///< of its second layer, mm; as `layers` before there are any
+  ThicknessSpan second;      ///< of its second layer, mm; like `layers` if there is none
   bool stiffens = false;     ///< a compliance is negative somewhere
   bool hasHalfSpace = false; ///< a point has no layer
   double leastRatio = 0.5;   ///< Poisson's

@@ -15,14 +15,15 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// What tilting a tool makes of its force at every point of a body.
+/// The effect of tilting a tool on its force at every point of a body.
 struct MaterialTilts
 {
   TiltTable table;
   std::vector<float> weights; ///< of each point, one per law, sum 1; none where there is one law
   std::string fault;          ///< why there is no table, or ""
-  double error = 0.0;         ///< of forces, the largest that tiltError expects
-  /// The thinnest layer there is a law for, mm, 0 without layers; points with less take this one's.
+  double error = 0.0;         ///< relative error of the force, the largest by tiltError
+  /// The thinnest layer that has a law, mm, 0 without layers; points with thinner layers use this
+  /// law.
   double thinnest = 0.0;
 };
 
@@ -30,16 +31,18 @@ struct MaterialTilts
  * The table of a tool tilted by up to `largest` (rad), pressed up to `range` (mm) into a body, and
  * the weights of its `points` points.
  *
- * A modulus scales all and changes no factor: one law. What does is spanned by nodes, a law each,
- * with linear weights between: the thickness of layers, even in a/(a + h), a the contact radius at
- * the range, so that a half-space is its end; Poisson's ratio of layers; the thickness of a stack's
- * second layer; compliance times modulus Y, even in YK/(1 + YK), K the stiffness over E* at the
- * range. Several of them: the grid of all, at most TiltTerms::MostLaws, coarser where need be. With
- * enough nodes for one of them the force between is met to 1 % (MaterialTiltsTest.cxx).
+ * A modulus scales the force and changes no factor, so it needs one law. Other parameters are
+ * spanned by nodes, a law each, with linear weights between: the thickness of layers, even in a/(a
+ * + h), a the contact radius at the range, so that a half-space is the end; Poisson's ratio of
+ * layers; the thickness of a stack's second layer; compliance times modulus Y, even in YK/(1 + YK),
+ * K the stiffness over E* at the range. Several of them form a grid of at most TiltTerms::MostLaws,
+ * coarser if necessary. With enough nodes for one of them the error of the force between is 1 %
+ * (MaterialTiltsTest.cxx).
  *
- * Of a body at finite strain or curved, the factor is that of the flat body at small strain, whose
- * upright force it multiplies. `bounds` may be of more pieces than `spots`: the same table for all.
- * `spots` are those of a BodyMaterial. Cost: TiltedHalfSpace and 0.2 to 0.5 s a layer.
+ * On a curved body or at finite strain, the factor is that of the flat body at small strain,
+ * applied to the upright force. `bounds` may include more pieces than `spots`: the table is the
+ * same for all. `spots` are those of a BodyMaterial. Cost: TiltedHalfSpace and 0.2 to 0.5 s a
+ * layer.
  */
 PALPATE_EXPORT MaterialTilts tiltsOf(const AxisymmetricTool& tool, double range, double largest,
   const MaterialRange& bounds, const ContactSpots& spots, std::size_t points);

@@ -14,8 +14,7 @@ class AxisymmetricTool;
 class MaterialRange;
 class StrainCorrection;
 
-/// A tool's law, and its local contact with what is to be counted beyond the textbook; null: the
-/// law is the textbook's.
+/// A tool's law, and its local contact with curvature and finite strain; null: the textbook's law.
 struct PreparedLaw
 {
   ResponseLaw law;

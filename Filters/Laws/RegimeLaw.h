@@ -20,8 +20,8 @@ namespace palpate
 {
 class BodyMaterial;
 
-/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). NaN where there
-/// is no stable contact; the verdict is ShapeMatters there.
+/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). Without stable
+/// contact NaN, with the verdict ShapeMatters.
 struct SpotRegime
 {
   double index = 0.0;       ///< λ
@@ -30,13 +30,13 @@ struct SpotRegime
 };
 
 /**
- * The laws of one tool, and of it a little smaller and larger, which tell its regime. Safe to use
+ * The regime of one tool, from its law and those of slightly smaller and larger ones. Safe to use
  * from any number of threads.
  */
 class PALPATE_EXPORT RegimeLaw
 {
 public:
-  /// `tool` must outlive this; it is asked for depths up to `deepest` (mm) at spots within `range`.
+  /// `tool` must outlive this; valid for depths up to `deepest` (mm) at spots within `range`.
   RegimeLaw(const AxisymmetricTool& tool, const MaterialRange& range, double deepest);
 
   /// Whether the tool can be made smaller and larger; if not, nothing below may be called.
@@ -56,7 +56,7 @@ private:
   std::vector<ResponseLaw> Laws;
 };
 
-/// Where the regime of a body goes, one value per point.
+/// The output arrays of a body's regime, one value per point.
 struct RegimeSpans
 {
   float* index;
@@ -64,8 +64,8 @@ struct RegimeSpans
   std::uint8_t* verdict;
 };
 
-/// A response that a body has, and its name; the curvatures that are in its law, none if it is that
-/// of a flat surface.
+/// A body's response, and its name; the curvatures in its law, none if it is that of a flat
+/// surface.
 struct ComparedResponse
 {
   ResponseArrays arrays;
@@ -76,9 +76,9 @@ struct ComparedResponse
 /**
  * The regime of a tool pressed `depths[i]` (mm, > 0) deep at each point of a body. `stored`, unless
  * null, is the response of the same tool on it: its force there must agree to 2 % (its storage
- * error in series; depths below a hundredth of its range are not compared), since a regime of
- * another body than the one that is felt is worse than none. Returns what is wrong, naming the
- * point, or "". The same bits for any number of threads.
+ * error in series; depths below a hundredth of its range are not compared), since the regime must
+ * be that of the body that is felt. Returns what is wrong, naming the point, or "". The same bits
+ * for any number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
   const std::vector<double>& depths, double deepest, const ComparedResponse* stored,

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// How two responses of one tool at one place differ, relative to the second; NaN: not known.
+/// The difference of two responses of one tool at one place, relative to the second; NaN: unknown.
 struct ResponseChange
 {
   double force = 0.0;     ///< (F - F₀)/F₀
@@ -16,11 +16,11 @@ struct ResponseChange
 };
 
 /**
- * Where `changed` differs most in force from `usual` at point `i` of both, whose exponent of
- * storage is 1: by magnitude, at one of eight depths between each two samples, from the first
- * sample to `deepest` (mm) or where the shorter of the two ranges ends, of the validities too if
- * `withinValidity`. Of depths whose changes are equal within 1e-4 of themselves, the least.
- * All NaN where one of the two has no response, or no depth is left.
+ * The largest difference in force, by magnitude, of `changed` from `usual` at point `i` of both,
+ * stored with exponent 1. Checked at eight depths between each two samples, from the first sample
+ * to `deepest` (mm) or the end of the shorter range, and of the shorter validity if
+ * `withinValidity`. Of depths with equal change, to 1e-4 of it, the least. All NaN if one of the
+ * two has no response, or no depth is left.
  */
 PALPATE_EXPORT ResponseChange largestChange(const ResponseSpans& changed,
   const ResponseSpans& usual, std::size_t i, double deepest, bool withinValidity);

@@ -20,8 +20,8 @@ class BodyMaterial;
 class ResponseLaw;
 class StrainCorrection;
 
-/// Where the arrays of a response lie that is being made: per point one value, of force (N) and
-/// stiffness (N/mm) `samples`.
+/// The output arrays of a response: one value per point, of force (N) and stiffness (N/mm)
+/// `samples`.
 struct ResponseSpans
 {
   int samples;
@@ -34,8 +34,7 @@ struct ResponseSpans
   float* error = nullptr; ///< relative, of each sample; null: not kept
 };
 
-/// How well a measured body is known, point by point; may be asked from several threads. Counts
-/// where the error is estimated.
+/// The errors of a measured body, point by point; thread-safe. Used if the error is estimated.
 struct MeasuredBodyError
 {
   /// Relative error of the force at a sample (0 … n-1) by noise and distance of the measurement.
@@ -44,36 +43,35 @@ struct MeasuredBodyError
   std::function<LocalState(std::size_t point)> contact;
 };
 
-/// What a response takes into account beyond the law of its tool on a flat body at small strain,
-/// and how its validity is found.
+/// The terms of a response beyond its tool's law on a flat body at small strain, and how its
+/// validity is found.
 struct ResponseTerms
 {
-  bool curvature = false;                   ///< the body's sag
+  bool curvature = false;                   ///< the body's curvature
   const StrainCorrection* strain = nullptr; ///< finite strain
-  /// Validity is the largest depth at which the estimated error is within this; 0: where
-  /// ValidityRule breaks.
+  /// Validity is the largest depth at which the estimated error is within this; 0: by ValidityRule.
   double errorTolerance = 0.0;
   const MeasuredBodyError* measured = nullptr; ///< the material was measured
-  bool edges = false;                          ///< a tick feels sharp edges, as BodyEdges does
+  bool edges = false; ///< the servo tick takes sharp edges into account (BodyEdges)
 };
 
-/// The shape of a body's surface, point by point; may be asked from several threads.
+/// The shape of a body's surface, point by point; thread-safe.
 struct SurfaceShape
 {
   double width = 0.0; ///< mm, of the whole body
   /// Largest normal curvature (1/mm) as in ValidityRule; negative where no triangle with an area
   /// meets, which is Degenerate.
   std::function<double(std::size_t)> bound;
-  /// The curvatures; asked only with terms that need them.
+  /// The curvatures; called only with terms that need them.
   std::function<SpotCurvature(std::size_t)> curvature;
-  /// The next edge; asked only where the error is estimated. Empty: there is none.
+  /// The nearest edge; called only where the error is estimated. Empty: there is none.
   std::function<NearEdge(std::size_t)> edge = {};
 };
 
 /**
- * Fills the arrays of a response point by point: the curve of a law, how deep it may be trusted
- * (ValidityRule.h or ErrorRule.h), and the error at each sample where it is kept. The status must
- * be set: where it is not Valid the curve is zero.
+ * Fills the arrays of a response point by point: the curve of a law, its validity (ValidityRule.h
+ * or ErrorRule.h), and the error at each sample if it is kept. The status must be set: where it is
+ * not Valid the curve is zero.
  */
 class PALPATE_EXPORT ResponseFiller
 {
@@ -83,16 +81,15 @@ public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
-  /// From now on with the error: validity ends where it is within `tolerance` (> 0) no more.
-  /// `contact` is the law's, and must outlive this.
-  /// `measured` (null: the material is given) must, too.
+  /// Estimates the error from now on: validity ends where it exceeds `tolerance` (> 0). `contact`
+  /// is the law's. `contact` and `measured` (null: the material is given) must outlive this.
   void estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
     const MeasuredBodyError* measured = nullptr);
 
   /// Point `i`; different points may be filled at the same time. `curvature` (1/mm) as in
   /// ValidityRule; negative where no triangle with an area meets, which is Degenerate.
   void fill(std::size_t i, const ContactSpot& spot, double curvature) const;
-  /// With what the error needs of the surface.
+  /// The same with the surface, which the error needs.
   void fill(std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
 
 private:
@@ -113,22 +110,22 @@ private:
   const LocalContact* Contact = nullptr;
   const MeasuredBodyError* Measured = nullptr;
   std::unique_ptr<ErrorRule> Errors;  ///< null: not estimated
-  std::vector<double> ErrorDepths;    ///< mm: just at touch, then of the samples
+  std::vector<double> ErrorDepths;    ///< mm: at first contact, then of the samples
   std::vector<LocalState> FlatStates; ///< there, on a flat half-space; empty with finite strain
   double Tolerance = 0.0;
 };
 
-/// What is to be known of a response besides its arrays.
+/// The results of a response besides its arrays.
 struct MadeResponse
 {
-  bool complete = false;   ///< not given up on the way
-  double exponent = 0.0;   ///< that stores it best
+  bool complete = false;   ///< not stopped before the end
+  double exponent = 0.0;   ///< with the least storage error
   std::size_t without = 0; ///< points whose status is not Valid
 };
 
 /// A tool pressed at each of `points` points of a body: fills the spans, whose status must be set.
-/// `range` (mm): one that the tool's checkDepth allows. `goOn(fraction)` is told how much is done,
-/// and stops it by false. The same bits for any number of threads.
+/// `range` (mm): one that the tool's checkDepth allows. `goOn(fraction)` gets the fraction done;
+/// returning false stops it. The same bits for any number of threads.
 PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
   double range, std::size_t points, const SurfaceShape& shape, const ResponseTerms& terms,
   const ResponseSpans& spans, const std::function<bool(double)>& goOn = {});

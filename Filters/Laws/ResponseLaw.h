@@ -20,9 +20,9 @@ namespace palpate
  *
  * Half-space: evaluated once for E* = 1 and scaled. Layer: interpolated over the thickness
  * (LayerTable.h) and scaled. Points of finite global compliance are solved one by one
- * (SeriesCompliance.h). A spot with a curvature has the body's sag in its law (CurvedContact.h),
- * and finite strain multiplies the local force, where these are asked for (LocalContact.h).
- * Safe to use from any number of threads.
+ * (SeriesCompliance.h). On request (LocalContact.h) the law includes the spot's curvature
+ * (CurvedContact.h), and finite strain multiplies the local force. Safe to use from any number of
+ * threads.
  */
 class PALPATE_EXPORT ResponseLaw
 {
@@ -30,28 +30,28 @@ public:
   /// `tool` must outlive the law. Range (mm) is the depth of the last sample.
   ResponseLaw(const AxisymmetricTool& tool, double range, int samples);
 
-  /// Makes ready for spots with a layer. `stiffening`: some have a negative compliance, too, which
-  /// drives the layer deeper than the range.
+  /// Prepares for spots with a layer. `stiffening`: some also have a negative compliance, with
+  /// which the layer's deflection exceeds the range.
   void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
-  /// From now on spots have their curvature, and finite strain, as `contact` has them: it is to be
-  /// made for this tool, and prepared for the layers.
+  /// Includes curvature and finite strain from now on, as `contact` has them; it must be made for
+  /// this tool and prepared for the layers.
   void correct(std::shared_ptr<const LocalContact> contact) { this->Contact = std::move(contact); }
 
   /// Writes n forces (N) and n stiffnesses (N/mm). Zeros, and why, where there is no curve: Folded
-  /// by the compliance, OutOfReach for a layer too thin for the range, NotFinite where a float does
-  /// not hold a number to its precision (1.2e-38 to 3.4e38).
+  /// by the compliance, OutOfReach for a layer too thin for the range, NotFinite where a number is
+  /// outside the normal range of a float (1.2e-38 to 3.4e38).
   ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// The same of a local contact that was made already.
+  /// The same with a local contact that has been made already.
   ResponseStatus sample(
     const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// The same of the local contact at each of depths().
+  /// The same with the local contact at each of depths().
   ResponseStatus sample(
     const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// Of the samples, mm.
+  /// Depths of the samples, mm.
   const std::vector<double>& depths() const { return this->Depths; }
 
   /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm), to 1e-6 on a layer; NaN
@@ -74,7 +74,7 @@ private:
   {
     std::vector<double> forces;
     std::vector<double> stiffnesses;
-    double least = 0.0; ///< of all that are not 0, by magnitude
+    double least = 0.0; ///< of all nonzero values, by magnitude
     double most = 0.0;
     void findExtremes();
     double force(int i) const { return this->forces[static_cast<std::size_t>(i)]; }
@@ -82,7 +82,7 @@ private:
   };
   class SampledLaw;
 
-  /// A body's sag is left out where the layer is too thin for it, finite strain never.
+  /// The body's curvature is left out where the layer is too thin for it, finite strain never.
   bool isCorrected(const ContactSpot& spot) const
   {
     return this->Contact && this->Contact->corrects(spot) &&
@@ -102,10 +102,10 @@ private:
   std::vector<double> Depths;
   UnitCurve HalfSpace;
   std::unique_ptr<LayerCurves> Stored; ///< layers at the depths of the samples
-  std::unique_ptr<LayerCurves> Local;  ///< layers in more samples, to be solved in series
+  std::unique_ptr<LayerCurves> Local;  ///< layers in more samples, for solving in series
   ResponseSampling LocalSampling;
   double LocalRange;
-  std::shared_ptr<const LocalContact> Contact; ///< with its corrections; null: none
+  std::shared_ptr<const LocalContact> Contact; ///< with corrections; null: none
 };
 } // namespace palpate
 

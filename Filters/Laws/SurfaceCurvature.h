@@ -13,39 +13,39 @@
 namespace palpate
 {
 /**
- * Principal curvatures of a body at its points, as a contact feels them, with their error.
+ * Principal curvatures of a body at its points, averaged over a contact, with their error.
  *
  * Along each edge ij that meets at a point the surface turns by (n_j - n_i)·(x_j - x_i)/|x_j -
  * x_i|² (1/mm, positive where convex). The second fundamental form of the tangent plane that fits
  * these best (least squares, weighted by the edges' length²) has the principal curvatures as
  * eigenvalues; exact on a sphere. With fewer than three directions, the mean of the edges.
  *
- * Where the mesh is finer than the contact, forms are then averaged from point to point, turned
- * from normal to normal, `steps` times (stepsFor): what noise and small detail do to one of them
- * the contact does not feel. How widely follows from the contact: to first order its force feels
- * the sag weighted by 1/√(a²-r²), which for a sag of second and fourth order is the mean curvature
+ * Where the mesh is finer than the contact, the forms are then averaged from point to point, turned
+ * from normal to normal, `steps` times (stepsFor), since the contact averages noise and small
+ * detail. The width follows from the contact: to first order its force depends on the surface's
+ * height weighted by 1/√(a²-r²), which for heights of second and fourth order is the mean curvature
  * averaged so that the mean of r² is a²/5.
  *
- * The error is that of the mean curvature that the contact feels. With the *roughness* of a point,
- * the root mean square, over it and its neighbours, of the difference of a mean curvature from the
- * mean around it: of one form 2.5 times that, or, if more, the root mean square of what the form
- * does not explain (twice that of the edges where there are fewer than three directions). Averaged:
- * 1.3/(1 + steps) times the roughness, since noise moves neighbours against each other, what the
- * second half of the steps has changed, a tenth of the spread and a fiftieth of the curvature.
- * It holds for 95 of 100 points of analytic surfaces, noisy and coarse ones among them:
+ * The error is that of this mean curvature. The *roughness* of a point is the root mean square,
+ * over it and its neighbours, of the difference of a mean curvature from the mean around it. The
+ * error of one form is 2.5 times that or, if more, the root-mean-square residual of the form (twice
+ * that of the edges where there are fewer than three directions). The error of an average is the
+ * sum of 1.3/(1 + steps) times the roughness, since noise moves neighbours against each other, the
+ * change by the second half of the steps, a tenth of the spread and a fiftieth of the curvature. It
+ * holds for 95 of 100 points of analytic surfaces, noisy and coarse ones among them:
  * Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
  *
  * Points are gathered one by one, threaded; the same bits for any number of threads. Memory: 12
- * bytes per point kept, 28 per triangle and 160 per point while it is made. Cost: 1 µs a point, and
- * 0.3 µs more a step.
+ * bytes per point kept, 28 per triangle and 160 per point during construction. Cost: 1 µs a point,
+ * and 0.3 µs more a step.
  */
 class PALPATE_EXPORT SurfaceCurvature
 {
 public:
   static constexpr int MostSteps = 16;
 
-  /// Steps that average as a contact does, for points that are `spacing` apart (mm): the root of
-  /// the area each one has. At most MostSteps.
+  /// Steps that average as a contact does, for points that are `spacing` apart (mm), the square
+  /// root of the area per point. At most MostSteps.
   static int stepsFor(double contactRadius, double spacing);
 
   /// `normals` are 3 floats per point, unit length.

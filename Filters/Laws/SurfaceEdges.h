@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Where a surface turns away.
+/// The convex edges of a surface.
 struct SurfaceEdges
 {
   static constexpr double LeastTurn = 0.35; ///< rad, 20°
@@ -18,17 +18,16 @@ struct SurfaceEdges
 };
 
 /**
- * What a contact of radius a (mm) takes for an edge of a surface, where it turns away (convex).
+ * Finds the convex edges of a surface at the scale of a contact of radius a (mm).
  *
- * Facets are averaged in cells of a, of a coarse mesh of a few facets (long facets stand for
- * themselves), so that neither a scan's noise nor fine facets are edges, and a narrow fillet is
- * one. From cell to cell, and over two, the surface turns by an angle; what of it its own curvature
- * beside does not explain (the turn goes on at the same rate on a ball, and does not beyond an
- * edge) is the edge's. From LeastTurn on it counts. The edge itself lies along the facets' sides
- * that turn most there.
+ * Facets are averaged in cells of a, of a coarse mesh of a few facets (long facets are cells of
+ * their own), so that neither a scan's noise nor fine facets are edges, but a narrow fillet is.
+ * From cell to cell, and over two cells, the surface turns by an angle. The part not explained by
+ * the curvature beside it (on a ball the turn continues at the same rate, beyond an edge it does
+ * not) is that of the edge, which counts from LeastTurn on. The edge itself lies along the sides of
+ * facets that turn most there.
  *
- * Cost: O(n log n), 0.5 s for a million triangles on one thread; 100 bytes a triangle while they
- * are found.
+ * Cost: O(n log n), 0.5 s for a million triangles on one thread; 100 bytes a triangle meanwhile.
  */
 SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius);
 } // namespace palpate

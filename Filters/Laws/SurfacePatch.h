@@ -18,9 +18,9 @@ using PatchVisitor =
   std::function<void(std::int32_t, double, const Vector3& away, const Vector3& normal)>;
 
 /**
- * The patch of a surface around a contact: what hangs together with the points entered first, as
+ * The patch of a surface around a contact: all that is connected to the points entered first, as
  * far as the point normal lies within 60° of the contact normal and, if `reach` > 0, the point
- * within that distance (mm) or next to a point that is. Points entered belong to it in any case.
+ * within that distance (mm) or next to a point that is. Entered points always belong to it.
  *
  * The distance is that of the circular arc that leaves the contact and arrives at the point along
  * the surface: chord (θ/2)/sin(θ/2), θ the angle between the contact normal and the point normal
@@ -39,7 +39,7 @@ public:
   bool has(std::int32_t point) const { return this->Seen[static_cast<std::size_t>(point)]; }
   /// Whether points wait to be visited.
   bool isPending() const noexcept { return !this->Front.empty(); }
-  /// Visits the points entered and what hangs together with them, each once.
+  /// Visits the points entered and all connected to them, each once.
   void visit(const PatchVisitor& visitor);
 
 private:

@@ -9,24 +9,25 @@
 
 namespace palpate
 {
-/// What a tolerance needs of the tilts of a response.
+/// Whether a tolerance needs the tilts of a response.
 struct TiltNeed
 {
-  double change = 0.0;  ///< of the force, relative: the largest by any tilt
-  double angle = 0.0;   ///< rad, at which it is so large
-  double without = 0.0; ///< of the points: those where no tilt changes it by more
-  double torque = 0.0;  ///< the largest there is, N mm
-  bool isFelt = false;  ///< somewhere by more than the tolerance
+  double change = 0.0; ///< of the force, relative: the largest by any tilt
+  double angle = 0.0;  ///< rad, at which it is largest
+  double without =
+    0.0; ///< fraction of the points where no tilt changes it by more than the tolerance
+  double torque = 0.0; ///< the largest, N mm
+  bool isFelt = false; ///< the change exceeds the tolerance somewhere
 };
 
 /**
- * By how much a tilt changes the force, the tip being as deep: at half of each point's range, over
- * eight tilts up to the largest. A tool whose end is flat or round goes deeper beside its tip as it
- * is tilted about it, which is in the change. Of up to 4096 points evenly taken.
+ * The change of the force by a tilt at equal depth of the tip: at half of each point's range, over
+ * eight tilts up to the largest. It includes that a tool with a flat or round end, tilted about its
+ * tip, is deeper beside it. Uses up to 4096 points, evenly spaced.
  */
 PALPATE_EXPORT TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance);
 
-/// The need in a sentence without its stop; "" of a response that knows of no tilts.
+/// The need in a sentence without its full stop; "" for a response without tilts.
 PALPATE_EXPORT std::string tiltReason(
   const TiltNeed& need, const TiltViews& tilts, double tolerance);
 } // namespace palpate

@@ -10,7 +10,7 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// Where the trust in a response lies: of each point one value, of the error as many as samples.
+/// The validity arrays of a response: one value per point, of the error one per sample.
 struct TrustSpans
 {
   float* validity = nullptr;      ///< mm
@@ -19,13 +19,13 @@ struct TrustSpans
 };
 
 /**
- * Takes into account that a tool may be tilted as far as its table goes: what the equivalent
- * profile may be off by on a layer then (tiltError), at each sample's contact radius on a
- * half-space. The larger of it and what the upright law has is the error; validity ends where it
- * passes `tolerance` (> 0), and is then limited by Tilt. Nothing changes on a half-space.
+ * Includes the error of tilts up to the largest of the table: that of the equivalent profile on a
+ * layer (tiltError), at each sample's contact radius on a half-space. The error is the larger of it
+ * and that of the upright law; validity ends where it exceeds `tolerance` (> 0), and is then
+ * limited by Tilt. Nothing changes on a half-space.
  *
- * `arrays` is the response with its tilts, `spots` its material. Safe for any number of threads of
- * its own: the same bits.
+ * `arrays` is the response with its tilts, `spots` its material. The same bits for any number of
+ * threads.
  */
 PALPATE_EXPORT void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
   const ResponseArrays& arrays, double tolerance, const TrustSpans& trust);

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// The curves of a response whose tool may be tilted, point by point, offline; a tick has
+/// The curves of a response whose tool may be tilted, point by point, offline; the servo tick has
 /// ContactTilt. Safe to use from any number of threads.
 class TiltedCurves
 {
@@ -27,7 +27,7 @@ public:
   const ResponseField& upright() const noexcept { return this->Curves; }
   const TiltTable& table() const noexcept { return this->Table; }
 
-  /// What a tilted tool feels.
+  /// Force and torque of a tilted tool.
   struct Felt
   {
     double force = 0.0;  ///< N

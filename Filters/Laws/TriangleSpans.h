@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// A body's triangles as they lie in memory; those without an area take no part.
+/// View of a body's triangles; those without an area are ignored.
 struct TriangleSpans
 {
   const double* points = nullptr; ///< x, y, z of each, mm

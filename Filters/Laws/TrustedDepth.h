@@ -8,8 +8,8 @@
 namespace palpate
 {
 /// The largest depth to which the error of a curve is within a tolerance, found from the deepest
-/// sample up. Between the samples, which lie at even √δ, the error is straight over √δ, as strain
-/// is below a sphere.
+/// sample up. Between the samples, which lie at even √δ, the error is linear in √δ, as the strain
+/// of a sphere is.
 class TrustedDepth
 {
 public:
@@ -21,7 +21,8 @@ public:
   {
   }
 
-  /// The error at sample k = n … 1, then just at touch, 0. True as soon as the depth is known.
+  /// Adds the error at sample k = n … 1, then at first contact, 0. True as soon as the depth is
+  /// known.
   bool add(std::size_t k, double error)
   {
     if (!this->Known && error <= this->Tolerance)

@@ -12,17 +12,17 @@ class AxisymmetricTool;
 class ResponseLaw;
 
 /**
- * How deep a law may be trusted at a point: the depth at which its first assumption breaks
+ * The validity of a law at a point: the depth at which its first assumption breaks
  * (vtkToolContactResponse.h, Validity). Safe to use from any number of threads.
  */
 class PALPATE_EXPORT ValidityRule
 {
 public:
-  /// Where a law is left, and by what.
+  /// The depth at which a law ceases to hold, and why.
   struct Answer
   {
     double depth;        ///< mm, at most the range
-    ResponseLimit limit; ///< what breaks there; None at the range
+    ResponseLimit limit; ///< the assumption that breaks there; None at the range
   };
 
   /// Tool and law must outlive this. `range` (mm) is the law's, `bodyWidth` (mm) that of the whole
@@ -30,7 +30,7 @@ public:
   ValidityRule(
     const AxisymmetricTool& tool, const ResponseLaw& law, double range, double bodyWidth);
 
-  /// `curvature` (1/mm): how fast the body's normal turns at the point.
+  /// `curvature` (1/mm): the turn of the body's normal per length at the point.
   Answer at(const ContactSpot& spot, double curvature) const;
 
 private:
@@ -40,7 +40,7 @@ private:
   double StrainDepth;  ///< on a half-space
   double StrainRadius; ///< the contact radius there
   double HalfWidth;    ///< of the body
-  double WidthDepth;   ///< on a half-space, where the contact radius is as large
+  double WidthDepth;   ///< depth on a half-space at which the contact radius is HalfWidth
 };
 } // namespace palpate
 

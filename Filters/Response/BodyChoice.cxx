@@ -24,7 +24,7 @@ namespace palpate
 {
 namespace
 {
-/// The laws in place of the curves there were.
+/// Replaces the curves by the laws.
 void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseChoice& choice)
 {
   removeCurves(body, name);
@@ -48,7 +48,7 @@ std::string capitalised(std::string words)
   return words;
 }
 
-/// How many elements the relaxation needs; or it is taken away, where it is not felt.
+/// Stores how many elements the relaxation needs, or removes it where it is not felt.
 void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
   const RelaxationNeed& need)
 {
@@ -68,8 +68,8 @@ void keepRelaxation(vtkPolyData* body, const std::string& name, const Relaxation
   }
 }
 
-/// Verdicts of the regime, and validities, where they are on the body; "" or what is wrong with
-/// them.
+/// Reads the verdicts of the regime and the validities, if the body has them; returns what is wrong
+/// with them, or "".
 std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvidence& evidence)
 {
   vtkPointData* points = body->GetPointData();
@@ -91,7 +91,8 @@ std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvide
   return error;
 }
 
-/// The depth (mm) that regime and validity are looked at; 0 for half of Range. "" or what is wrong.
+/// The depth (mm) at which regime and validity are checked; 0 for half of Range. Returns what is
+/// wrong, or "".
 std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double& depth)
 {
   vtkDataArray* at = body->GetFieldData()->GetArray("RegimeDeflection");
@@ -102,7 +103,7 @@ std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double&
   const double found = at->GetTuple1(0);
   if (depth == 0.0)
   {
-    // The largest, where the regime followed Range; as it is done here without it.
+    // The largest, where the regime followed Range, as it does here by default.
     const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
     depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
     return {};

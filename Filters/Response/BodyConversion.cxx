@@ -77,7 +77,7 @@ bool fetchCurves(
   return arrays.coefficient != nullptr;
 }
 
-/// Leaves the terms as they are where there are none.
+/// Leaves `edges` unchanged where there are none.
 bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
 {
   const std::string full = arrayName(name, ResponseArray::Edges);
@@ -319,7 +319,7 @@ std::shared_ptr<const ContactBody> makeContactBody(
   }
   if (arrays.edges.areFelt() != (same.edges != nullptr))
   {
-    return makeContactBody(body, name, error); // one of them is cut along its edges
+    return makeContactBody(body, name, error); // one of the two is cut along its edges
   }
   const FilterThreads threads;
   return std::make_shared<const ContactBody>(same, arrays);

@@ -37,7 +37,7 @@ vtkIdType firstTriangle(vtkPolyData* body)
   return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 
-/// What one rank knows of a triangle, on all.
+/// Copies a triangle from the rank that has it to all.
 FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
 {
   if (ranks.areAlone())
@@ -52,7 +52,7 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   return numbers.empty() ? own : triangleOf(numbers);
 }
 
-/// Where the modes lie; those of other types in copies, which `kept` holds.
+/// Views of the modes; those of other types are copied into `kept`.
 std::vector<ModeSpan> viewModes(
   const std::vector<vtkDataArray*>& modes, std::vector<vtkSmartPointer<vtkDataArray>>& kept)
 {
@@ -148,7 +148,7 @@ bool isTriangle(vtkPolyData* body, vtkIdType cell)
 
 namespace
 {
-/// The stack that the body says it is, none where its arrays say nothing that makes sense.
+/// The stack in the body's arrays, none if they are missing or wrong.
 void readStack(
   vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
 {
@@ -225,7 +225,7 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   return triangle;
 }
 
-/// The linked mesh of the own piece, where it meets the others, and of which state it is.
+/// The linked mesh of this rank's piece, its seam, and the state of the body it was made from.
 class BodyField::LinkedPiece
 {
 public:
@@ -237,7 +237,7 @@ public:
     , PolysTime(body->GetPolys()->GetMTime())
   {
   }
-  // Modification times are unique, so the two name this pair.
+  // Modification times are unique, so the two identify this pair.
   bool isOf(vtkPolyData* body) const
   {
     return this->PointsTime == body->GetPoints()->GetMTime() &&
@@ -287,7 +287,7 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
       this->Warnings.emplace_back("The response has a global compliance, but the body no "
                                   "GlobalMode0...; the field shows the local part alone, at the "
                                   "whole deflection");
-      this->WarnedOfModel = model.text; // a live display asks for the field many times a second
+      this->WarnedOfModel = model.text; // a live display computes the field many times a second
     }
   }
   if (ranks.any(!this->Piece || !this->Piece->isOf(body)))

@@ -51,7 +51,7 @@ std::string findStrain(const LawRequest& request, const StrainLaw& law,
     request.deflection, goOn, strain);
 }
 
-/// What is beyond small strain on a flat surface, in words and as a sum of ModelPart.
+/// The terms beyond small strain on a flat surface, in words and as a sum of ModelPart.
 ResponseModel termsOf(const LawTerms& terms)
 {
   ResponseModel model{ "", 0 };
@@ -68,7 +68,7 @@ ResponseModel termsOf(const LawTerms& terms)
   return model;
 }
 
-/// How the tool leaves over sharp edges of a body of a depth (mm), or a layer's.
+/// The terms of a contact at sharp edges, on a body of a depth (mm) or on a layer.
 EdgeTerms edgesOf(
   const AxisymmetricTool& tool, double deflection, const BodyMaterial& material, double depth)
 {

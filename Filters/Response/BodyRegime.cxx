@@ -90,7 +90,7 @@ std::string attachRegime(
   {
     return {};
   }
-  // Once all agree that nothing is wrong, a rank without a piece has nothing to do but to agree.
+  // Once no rank has a fault, a rank without a piece only takes part in the collective calls.
   const std::string& name = request.responseName;
   std::string fault;
   vtkSmartPointer<vtkContactTool> tool;
@@ -120,7 +120,7 @@ std::string attachRegime(
   std::shared_ptr<const BodyShape> shape;
   if (ranks.any((parts & CurvaturePart) != 0))
   {
-    // As the response was made: on the scale of its deepest contact.
+    // As for the response, on the scale of its deepest contact.
     double radius = 0.0;
     auto* normals = vtkFloatArray::SafeDownCast(
       body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));

@@ -112,7 +112,7 @@ std::string vtkBodySurface::GetNote(int index)
 int vtkBodySurface::FillInputPortInformation(int, vtkInformation* info)
 {
   // The composite type comes first: a composite is then taken whole, not block by block. The last
-  // one admits what is no body, for an error that says what to do.
+  // one admits all other data, for an error that says what to do.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");

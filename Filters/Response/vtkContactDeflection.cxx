@@ -70,7 +70,7 @@ vtkMTimeType vtkContactDeflection::GetMTime()
 
 int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Anything: RequestData says what to make of what it cannot take.
+  // Anything: RequestData reports a wrong type and what to do about it.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }

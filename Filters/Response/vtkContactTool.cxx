@@ -110,7 +110,7 @@ const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
   return this->Kernel.get();
 }
 
-/// The kernel, if it answers at a deflection; null, after an error, if not.
+/// The kernel, if its law holds at a deflection; otherwise null, after an error.
 const palpate::AxisymmetricTool* vtkContactTool::GetKernelFor(double deflection)
 {
   const palpate::AxisymmetricTool* tool = this->GetKernel();

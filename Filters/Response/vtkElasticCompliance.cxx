@@ -51,7 +51,7 @@ void attachCompliances(
   output->GetPointData()->AddArray(status);
 }
 
-/// Where a compliance was carried to from around, it may be off by all of itself.
+/// An interpolated compliance has an error of at least its own size.
 void attachErrors(const palpate::PatchCompliances& compliances, const std::vector<double>& errors,
   vtkPolyData* output)
 {

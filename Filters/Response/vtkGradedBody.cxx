@@ -41,18 +41,18 @@ constexpr double InteriorRatio = 4.0;
 constexpr double DeviationRatio = 0.05;
 constexpr double LargestGrowth = 2.0;
 
-/// Cells per cube of the spacing, and what one takes at its peak; measured on balls.
+/// Cells per cube of the spacing, and the peak memory per cell; measured on balls.
 constexpr double CellsPerCube = 8.7;
 constexpr double BytesPerCell = 2000.0;
-/// Ten nodes each, which 32 bits count.
+/// Cells have ten nodes each, numbered by 32 bits.
 constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 
-/// The facets' chords leave out a hundredth or so; more is a part of the body.
+/// Facets cut off about a hundredth of the volume; a larger loss is a part of the body.
 constexpr double LostVolume = 0.1;
 constexpr double MeshedShare = 0.9; // of the work
 constexpr double RoughStep = 3.0;   // of the deviation, where a surface is too rough for it
 
-/// Of a body of a volume and an area whose spacing grows from s to l inwards.
+/// For a body of given volume and area whose spacing grows from s to l inwards.
 double expectedCells(const palpate::ClosedSurface& closed, double s, double l, double growth)
 {
   const double graded =
@@ -60,8 +60,8 @@ double expectedCells(const palpate::ClosedSurface& closed, double s, double l, d
   return CellsPerCube * std::min(graded, closed.volume / std::pow(s, 3));
 }
 
-/// Of a ball that is finer, and of the shell in which the spacing grows from that to l: of cells of
-/// u³, r = R + (u - s)/growth.
+/// For a finer ball, and for the shell in which the spacing u grows from s to l: cells of u³ at r =
+/// R + (u - s)/growth.
 double expectedCells(const palpate::FineBall& ball, double l, double growth)
 {
   const double s = std::min(ball.spacing, l);
@@ -73,7 +73,7 @@ double expectedCells(const palpate::FineBall& ball, double l, double growth)
   return CellsPerCube * 4.0 * vtkMath::Pi() * (inside + around);
 }
 
-/// The closest place of lines or triangles.
+/// The closest point of lines or triangles.
 class ClosestPlace
 {
 public:

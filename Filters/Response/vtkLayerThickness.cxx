@@ -55,7 +55,7 @@ double LargestSpacing(vtkImageData* scan)
   return std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
-/** The points of a body, where they are and whereto they face. */
+/** Positions and normals of a body's points. */
 struct Surface
 {
   vtkPoints* points;
@@ -130,7 +130,7 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/** Whether surface that faces the other way than point `i` lies near a place. */
+/** Whether surface that faces away from the normal of point `i` lies near a place. */
 bool LeavesBody(
   const Surface& surface, vtkIdType i, const double place[3], double reach, vtkIdList* near)
 {
@@ -343,7 +343,7 @@ int vtkLayerThickness::RequestData(
       }
     });
 
-  // What most points around a point say.
+  // The median around each point.
   vtkNew<vtkFloatArray> thickness;
   thickness->SetName("LayerThickness");
   thickness->SetNumberOfTuples(count);

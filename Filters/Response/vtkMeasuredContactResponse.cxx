@@ -338,7 +338,7 @@ bool vtkMeasuredContactResponse::RespondTo(
   }
   request.material.poissonsRatio = this->PoissonRatio;
   request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
-  // No site has both; between sites, each has its share.
+  // No site has both; between sites both are interpolated.
   request.material.complianceExcludesLayer = true;
   request.arrays = palpate::materialArrays(body,
     { palpate::MeasuredMaterial::YoungArray, anywhere(palpate::MeasuredMaterial::ThicknessArray),

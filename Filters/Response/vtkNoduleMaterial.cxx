@@ -28,7 +28,7 @@ namespace
 constexpr vtkIdType CellsBetweenLooks = 4096; // whether to stop
 constexpr int MostSubdivisions = 64;
 
-/// What goes out, an array each.
+/// The output arrays.
 struct MixedArrays
 {
   vtkNew<vtkDoubleArray> Young;
@@ -148,7 +148,7 @@ double vtkNoduleMaterial::MixCell(
 {
   const double within = std::min(std::accumulate(fractions.begin(), fractions.end(), 0.0), 1.0);
   const double around = material.poissonRatio;
-  // One after the other: each fraction is of what was mixed so far and itself.
+  // One after the other: each fraction is relative to the sum of those mixed so far and itself.
   double mixed = 1.0 - within;
   for (std::size_t i = 0; i < fractions.size(); ++i)
   {

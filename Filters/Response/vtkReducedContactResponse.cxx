@@ -28,7 +28,7 @@ using palpate::ResponseArray;
 static_assert(static_cast<int>(ReducedForm::OneLaw) == vtkReducedContactResponse::OneLaw &&
   static_cast<int>(ReducedForm::Unchanged) == vtkReducedContactResponse::Unchanged);
 
-/// The curves of the reduced form in place of those there were.
+/// Replaces the curves by those of the reduced form.
 void replaceCurves(vtkPolyData* body, const std::string& name, const ReducedResponse& reduced)
 {
   if (reduced.form == ReducedForm::Unchanged)

@@ -36,7 +36,7 @@ struct NamedResponse
   bool covers(vtkIdType id) const { return this->field->isValid(static_cast<std::int32_t>(id)); }
 };
 
-/// So many of the ids, evenly, the first and the last among them.
+/// `count` of the ids, evenly, the first and the last among them.
 std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t count)
 {
   std::vector<vtkIdType> kept;
@@ -47,7 +47,7 @@ std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t co
   return kept;
 }
 
-/// The columns of what the forces may be by their errors; at most nothing to twice as much.
+/// Adds the columns of the forces' bounds by their errors; at most from 0 to twice the force.
 void addBand(const NamedResponse& response, vtkIdType id, vtkDoubleArray* deflection,
   vtkDoubleArray* force, vtkTable* table)
 {
@@ -235,7 +235,7 @@ int vtkResponseCurves::RequestData(
       {
         longest = std::max(longest, response.ranges->GetTuple1(id));
       }
-      else if (!selection) // selected: a gap, the point has another of the responses
+      else if (!selection) // selected: a gap, as the point may have another response
       {
         vtkErrorMacro(<< "Point " << id << " has no response '" << response.name << "'.");
         return 0;

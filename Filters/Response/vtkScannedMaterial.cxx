@@ -36,7 +36,7 @@ constexpr int MostPlaces = 64;
 using palpate::ElasticMaterial;
 using TissueMap = std::map<double, ElasticMaterial>;
 
-/// One image, read at places.
+/// Reads an image at points.
 class ScanReader
 {
 public:
@@ -59,7 +59,7 @@ public:
     {
       const double low = extent[2 * k];
       const double high = extent[2 * k + 1];
-      // Half a voxel around belongs to the outermost ones.
+      // The outermost voxels extend by half a voxel.
       if (!(index[k] >= low - 0.5 && index[k] <= high + 0.5))
       {
         return false;
@@ -93,7 +93,7 @@ private:
   vtkDataArray* Values;
 };
 
-/// Between the rows of a map, log E and ν in proportion.
+/// Interpolates log E and ν linearly between the rows of a map.
 ElasticMaterial onScale(const TissueMap& map, double value)
 {
   const auto above = map.lower_bound(value);
@@ -113,7 +113,7 @@ ElasticMaterial onScale(const TissueMap& map, double value)
     a.poissonRatio + part * (b.poissonRatio - a.poissonRatio) };
 }
 
-/// What is most of a cell, the others mixed in one after the other.
+/// The most frequent material of a cell, with the others mixed in one after the other.
 ElasticMaterial mixTissues(std::vector<std::pair<double, ElasticMaterial>>& parts)
 {
   std::stable_sort(
@@ -131,7 +131,7 @@ ElasticMaterial mixTissues(std::vector<std::pair<double, ElasticMaterial>>& part
   return mixed;
 }
 
-/// Gathers the places of one cell.
+/// Collects the sample points of one cell.
 class CellTissue
 {
 public:

@@ -38,8 +38,8 @@ namespace
 {
 using Stage = palpate::FilterStage;
 
-/// Pass band of the smoothing on a lattice as fine as the scan. It takes away what comes of the
-/// voxels, waves of up to about ten spacings, and keeps what is longer.
+/// Pass band of the smoothing on a lattice as fine as the scan. It removes the traces of voxels,
+/// waves of up to about ten spacings, and keeps longer ones.
 constexpr double PassBand = 0.02;
 constexpr double MaximumVoxels = 4e9; // of the resampled scan: 16 GB
 constexpr float Clearance = 0.005f;   // see KeepClearOfVoxels
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageData> AsImage(palpate::SkinScan& scan)
   return image;
 }
 
-/** Lattice of about `resolution` over the same box; 0 = as it is. */
+/** Size of a lattice of about `resolution` over the same box; 0 = unchanged. */
 std::array<int, 3> ResampledSize(const palpate::SkinScan& scan, double resolution)
 {
   std::array<int, 3> size = scan.size;
@@ -92,8 +92,8 @@ std::array<int, 3> ResampledSize(const palpate::SkinScan& scan, double resolutio
 }
 
 /**
- * Voxels at the very contour value give triangles without area: move grey levels closer than a
- * small fraction of the step air-tissue away from it.
+ * Voxels at the very contour value give triangles without area: move grey levels away that are
+ * closer to it than a small fraction of the step from air to tissue.
  */
 void KeepClearOfVoxels(vtkImageData* image, float contour, float tissue)
 {
@@ -127,9 +127,9 @@ vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double contour, vtkAlg
 }
 
 /**
- * The window that PassBand is meant for: of waves of 8 spacings it leaves 3 %. VTK had no other
- * before March 2024 (9.4, and ParaView 5.13's 9.3); then Nuttall's became the default, which needs
- * more iterations for the same and leaves 54 %.
+ * Sets the window that PassBand is meant for: it leaves 3 % of waves of 8 spacings. VTK had no
+ * other before March 2024 (9.4, and ParaView 5.13's 9.3); then Nuttall's became the default, which
+ * needs more iterations for the same and leaves 54 %.
  */
 template <typename TFilter>
 auto UseHamming(TFilter* smooth, int) -> decltype(smooth->SetWindowFunctionToHamming())
@@ -158,8 +158,8 @@ bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stag
 
 /**
  * Windowed-sinc smoothing that leaves border points where they are. The filter's gain at frequency
- * zero is not quite 1: it scales all about the centre of the box, by some 0.2 %. Undo that; a
- * triangle, all border, shows by how much.
+ * zero is not quite 1: it scales all about the centre of the box, by some 0.2 %. Undo that; the
+ * factor is found from a triangle, which is all border.
  */
 bool Smooth(vtkPolyData* surface, int iterations, double passBand, Stage stage)
 {
@@ -322,7 +322,7 @@ int vtkSkinSurface::RequestData(
     return 0;
   }
 
-  // Shut the openings, fill what they led to.
+  // Close the openings, fill the cavities behind them.
   palpate::SkinScan scan = TakeScan(image, scalars, range[0]);
   if (this->ClosingRadius > 0.0 &&
     !scan.closeOpenings(this->ClosingRadius, Stage{ this, 0.0, 0.2 }))

@@ -32,7 +32,7 @@
 
 namespace
 {
-/// Of the progress, what building the kernel's copy of the body takes.
+/// Fraction of the progress for building the kernel's copy of the body.
 constexpr double BuildShare = 0.9;
 
 /// Why the response of a piece cannot be read, or is of another kind than those of other pieces; ""
@@ -135,7 +135,7 @@ vtkMultiProcessController* vtkToolContactProbe::GetController()
 
 int vtkToolContactProbe::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Anything: RequestData says what to make of what it cannot take, block by block or as a whole.
+  // Anything, whole or block by block: RequestData reports a wrong type and what to do about it.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }

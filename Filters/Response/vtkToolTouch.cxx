@@ -174,7 +174,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   }
   this->Body = nullptr;
   auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(body); // whose time does not change while the tip moves
+  copy->ShallowCopy(body); // whose modification time does not change while the tip moves
   std::string fault;
   if (!this->Touched->take(copy, this->ResponseName, fault))
   {
@@ -221,7 +221,7 @@ palpate::Touch vtkToolTouch::PressAlone(const double position[3])
     touch.tip = touch.nearest.point;
     depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
   }
-  // One tip: it has no history, so that nothing of friction is asked.
+  // A single tip has no history and so no friction.
   palpate::touchWithTips(*this->Contact, tipsAt({ touch }), this->Settings->GetKernel(), depth,
     [&touch](vtkIdType, const palpate::Contact& contact, const Vector3&)
     { touch.contact = contact; });
@@ -282,7 +282,7 @@ std::vector<palpate::Touch> vtkToolTouch::Probe()
     }
     else
     {
-      stored.normal = Vector3::Zero(); // that of the display is none of the contact
+      stored.normal = Vector3::Zero(); // the displayed normal is not that of the contact
     }
     touch.isAlone = touches.size() > 1 && !isCoupled;
     touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;

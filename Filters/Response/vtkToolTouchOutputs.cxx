@@ -26,7 +26,7 @@ namespace
 {
 constexpr double ToolShare = 0.25;
 constexpr double ArrowThickness = 0.012;
-constexpr double WidestTool = 0.25; // of its length, where its profile widens for ever
+constexpr double WidestTool = 0.25; // of its length, where its profile widens without end
 
 /// One number, or vector, of each touch.
 void addField(vtkPolyData* to, const char* name, const std::vector<palpate::Touch>& touches,
@@ -42,7 +42,7 @@ void addField(vtkPolyData* to, const char* name, const std::vector<palpate::Touc
   to->GetFieldData()->AddArray(array);
 }
 
-/// All in one, with their normals and point arrays.
+/// Appends all pieces, with their normals and point arrays.
 void appendTo(vtkPolyData* output, const std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
 {
   if (pieces.size() == 1)

@@ -30,25 +30,24 @@
 
 namespace
 {
-/// How deep the core lies, in spacings: room for the layer that reaches the surface.
+/// Depth of the core below the surface, in spacings, leaving room for the layer.
 constexpr double LayerDepth = 0.4;
 
-/// Edges of the surface that are kept, degrees.
+/// Sharper edges of the surface are kept, degrees.
 constexpr double SharpAngle = 45.0;
 
-/// How far outwards the surface is looked for, in distances of the closest point: √3 at a corner.
+/// How far outwards the surface is searched, in distances of the closest point: √3 at a corner.
 constexpr double LongestReach = 1.75;
-/// What the filter takes at its peak, measured on a filled box and on a ball.
+/// Peak memory of the filter, measured on a filled box and on a ball.
 constexpr double BytesPerGridPoint = 40.0;
 constexpr double BytesPerVoxel = 310.0;
-/// Far within what 32 bits count.
+/// Well within the range of 32 bits.
 constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0;
 
-/// Of the spacing. With none at all vtkStaticCellLocator misses faces in the walls between its
-/// bins.
+/// Relative to the spacing. With 0 vtkStaticCellLocator misses faces in the walls between its bins.
 constexpr double PickTolerance = 1e-6;
 
-/// Voxels along each side of a box; as numbers, since they may be beyond what the grid counts in.
+/// Voxels along each side of a box; as doubles, since they may exceed the grid's integers.
 Eigen::Array3d voxelsAlong(const vtkBoundingBox& box, double spacing)
 {
   Eigen::Array3d voxels;
@@ -138,7 +137,7 @@ int vtkVoxelBody::RequestData(
   }
   palpate::VoxelGrid grid = gridOver(box, voxels);
 
-  // How deep the nodes of the grid lie; negative outside.
+  // Depths of the grid's nodes; negative outside.
   vtkNew<vtkPoints> nodes;
   nodes->SetDataType(VTK_DOUBLE);
   nodes->SetNumberOfPoints(static_cast<vtkIdType>(grid.nodeTotal()));

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/** What makes a body of data that are none. */
+/** The filter that makes a body of other data. */
 std::string advice(vtkDataObject* data)
 {
   struct Advice

@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// Points at the same place as one, without arrays.
+/// Merges points at the same place; without arrays.
 vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
 {
   vtkNew<vtkPolyData> bare;

@@ -17,9 +17,9 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Wanted = 6;   ///< points a value is taken from
-constexpr int FirstSearch = 24;     ///< nearest points looked through for them, at first
-constexpr int WiderSearch = 8;      ///< times as many, where those do not do
+constexpr std::size_t Wanted = 6;   ///< points for a value
+constexpr int FirstSearch = 24;     ///< nearest points among which they are searched first
+constexpr int WiderSearch = 8;      ///< times as many, if those do not suffice
 constexpr std::size_t Enough = 3;   ///< points, for a plane
 constexpr double LargestTurn = 0.5; ///< cos 60°
 } // namespace

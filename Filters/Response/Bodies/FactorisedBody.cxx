@@ -20,8 +20,8 @@ namespace palpate
 {
 namespace
 {
-/// Of the memory that is available: what the factorisation may take, so that the solutions have
-/// room, and others.
+/// Fraction of the available memory for the factorisation, leaving room for the solutions and for
+/// other programs.
 constexpr double MemoryShare = 0.9;
 
 std::string refusal(vtkIdType unknowns, double memoryLimit, double memory)
@@ -79,14 +79,14 @@ std::string findGridArray(vtkAlgorithm* filter, vtkDataSetAttributes* data, vtkI
   if (!wanted || index >= wanted->GetNumberOfInformationObjects() ||
     !wanted->GetInformationObject(index)->Has(vtkAlgorithm::INPUT_PORT()))
   {
-    return {}; // never set: the constant property holds
+    return {}; // never set: the constant property is used
   }
   vtkInformation* which = wanted->GetInformationObject(index);
   const char* name =
     which->Has(vtkDataObject::FIELD_NAME()) ? which->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   if (name && !*name)
   {
-    return {}; // an empty name takes the setting back
+    return {}; // an empty name resets the array
   }
   array = name ? data->GetArray(name) : find(index);
   if (!array)

@@ -21,7 +21,7 @@ namespace
 {
 using Corner = std::array<double, 3>;
 
-/** Of bytes; two of them, from other starts, make a chance agreement as good as impossible. */
+/** Hash of bytes; two with different start values make a collision practically impossible. */
 std::uint64_t mix(std::uint64_t hash, const void* data, std::size_t size)
 {
   const auto* bytes = static_cast<const unsigned char*>(data);
@@ -99,7 +99,7 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      withoutGhosts->RemoveGhostCells(); // theirs are the walls of structured pieces
+      withoutGhosts->RemoveGhostCells(); // whose faces are the walls of structured pieces
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
       all.insert(all.end(), own[i].begin(), own[i].end());

@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-/// From which points of the solid, and with which weights, a point of the surface takes its values.
+/// The points of the solid, with their weights, from which a point of the surface takes its values.
 using PartsOf = std::function<std::vector<std::pair<vtkIdType, double>>(std::size_t)>;
 
 /// A point array of zeros in the place of one of that name.

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/** runs[w]: the places (j, k) of those rows of a ball that reach from -w to w along x. */
+/** runs[w]: the indices (j, k) of those rows of a ball that reach from -w to w along x. */
 struct Ball
 {
   std::array<int, 3> reach; // voxels
@@ -123,7 +123,7 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
   return true;
 }
 
-/** The voxels connected to `seed` through faces that are marked `below`; their marks go. */
+/** The voxels marked `below` and connected to `seed` through faces; clears their marks. */
 std::vector<vtkIdType> takeRegion(vtkIdType seed, std::vector<char>& below, const SkinScan& scan)
 {
   std::vector<vtkIdType> region;

@@ -27,9 +27,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double FactorisedShare = 0.17;    // of the work, as progress tells it
+constexpr double FactorisedShare = 0.17;    // fraction of the progress
 constexpr double FittedShare = 0.5;         // of a response on a finer surface
-constexpr double WiderThanHalfSpace = 1.42; // on a layer that gives way sideways √2
+constexpr double WiderThanHalfSpace = 1.42; // √2 on a thin layer that can expand sideways
 
 /// The points of the surface that are to be pressed: all, or where the grid's point array `Pressed`
 /// is not 0. Returns what is wrong with that, or "".
@@ -58,17 +58,17 @@ std::string findPressed(
 }
 } // namespace
 
-/// A body and its H, and what they were made of.
+/// A body and its H, and the input they were made from.
 struct SolvedBody::Kept
 {
   ElasticBody Body;
   RegularGreen Green{ Body };
-  std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not asked for
-  SurfaceMotion Motion;                       ///< without points: not asked for
+  std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not requested
+  SurfaceMotion Motion;                       ///< without points: not requested
   double Spacing = 0.0;                       ///< of sources, mm
   double Radius = 0.0;                        ///< mm; 0: nothing solved yet
   vtkSmartPointer<vtkUnstructuredGrid>
-    Grid; ///< its arrays, so that none can be freed and made anew
+    Grid; ///< holds its arrays, so that no new one can have the address of a freed one
   vtkMTimeType GridTime = 0;
   FactorRequest Factor;
 
@@ -116,7 +116,7 @@ std::string SolvedBody::solve(
   std::string fault;
   if (!isSame)
   {
-    this->Now = std::make_unique<Kept>(); // the factor before is given back first
+    this->Now = std::make_unique<Kept>(); // frees the former factor first
     fault = factoriseBody(grid, request.factor, FilterStage{ stage.filter, stage.from, middle },
       this->Now->Body, cost.memory, cost.ended);
     if (!fault.empty() || cost.ended)

@@ -28,7 +28,7 @@ namespace palpate
 {
 namespace
 {
-/** Cells that name points which are not there would crash the filters; "" if there are none. */
+/** Finds cells that name missing points, which would crash the filters; "" if there are none. */
 std::string cellFault(vtkDataSet* data)
 {
   std::vector<vtkCellArray*> arrays;
@@ -58,12 +58,12 @@ std::string cellFault(vtkDataSet* data)
   return "";
 }
 
-/** How many coordinates are not numbers, and where; "" if none. */
+/** How many coordinates are not finite, and where; "" if none. */
 std::string coordinateFault(vtkDataSet* data)
 {
   if (vtkImageData::SafeDownCast(data))
   {
-    return ""; // has no coordinates but origin and spacing
+    return ""; // an image has no coordinates but origin and spacing
   }
   vtkIdType count = 0;
   vtkIdType first = -1;
@@ -88,7 +88,7 @@ bool isStructured(vtkDataSet* data)
     vtkStructuredGrid::SafeDownCast(data);
 }
 
-/** Exactly coincident points become one. */
+/** Merges exactly coincident points. */
 vtkSmartPointer<vtkPolyData> mergedPoints(vtkPolyData* surface)
 {
   vtkNew<vtkStaticCleanPolyData> clean;
@@ -121,7 +121,7 @@ vtkSmartPointer<vtkPolyData> outerSurface(vtkDataSet* data, const int* wholeExte
   return surface->GetOutput();
 }
 
-/** Only triangles; a surface that has nothing else comes back itself. */
+/** Cuts a surface into triangles; one of triangles alone is returned itself. */
 vtkSmartPointer<vtkPolyData> cut(vtkPolyData* surface, std::vector<std::string>& notes)
 {
   const vtkIdType strips = surface->GetNumberOfStrips();
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkPolyData> cut(vtkPolyData* surface, std::vector<std::string>&
   return triangles->GetOutput();
 }
 
-/** Several surfaces as one, without ghost cells. */
+/** Appends surfaces, without ghost cells. */
 vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& pieces)
 {
   vtkNew<vtkAppendPolyData> all;
@@ -164,7 +164,7 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
   return mergedPoints(all->GetOutput());
 }
 
-/** Several volumes as one, without ghost cells: their surfaces would have walls at the seams. */
+/** Appends volumes, without ghost cells, since separate surfaces would have walls at the seams. */
 vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& pieces)
 {
   vtkNew<vtkAppendFilter> all;
@@ -184,7 +184,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   return all->GetOutput();
 }
 
-/** What to do with something that has points but no triangles. */
+/** The advice for data with points but no triangles. */
 std::string withoutTriangles(const std::vector<vtkDataSet*>& pieces)
 {
   vtkIdType points = 0;

@@ -49,7 +49,7 @@ std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh)
   std::ostringstream text;
   const vtkIdType points = grid->GetNumberOfPoints();
   const vtkIdType cells = grid->GetNumberOfCells();
-  // Three unknowns per point, counted in int.
+  // There are three unknowns per point, numbered by int.
   if (points > std::numeric_limits<int>::max() / 3 || cells > std::numeric_limits<int>::max())
   {
     text << points << " points are more than can be solved for";

@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 constexpr double SmallestShare = 0.05; ///< of the voxel's Jacobian that a hexahedron keeps
-constexpr int Drawings = 12;           ///< back, a quarter of the way each
+constexpr int Drawings = 12;           ///< times a node is moved back, a quarter of the way each
 constexpr double SmallestStep = 0.1;   ///< of the way to the surface
 
 using Index = std::array<int, 3>;
@@ -35,7 +35,7 @@ void forAllIndices(const Index& size, const Visit& visit)
   }
 }
 
-/// How many parts the corners of a cube with this state make up, joined along its edges.
+/// The number of parts that the corners of a cube with this state form when joined along its edges.
 int partsOf(const std::array<bool, 8>& state, bool wanted)
 {
   std::array<int, 8> part{};

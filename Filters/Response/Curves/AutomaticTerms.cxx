@@ -20,7 +20,7 @@ namespace palpate
 {
 namespace
 {
-/// A simpler body, and what it is called.
+/// A simpler body and its name.
 struct SimplerBody
 {
   BodyMaterial::Constants constants;
@@ -31,7 +31,7 @@ struct SimplerBody
 constexpr std::size_t ThicknessArray = 1;
 constexpr std::size_t SecondArray = 4;
 
-/// From the simplest up; none for a half-space.
+/// The simplest first; none for a half-space.
 std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMaterial& material)
 {
   std::vector<SimplerBody> simpler;
@@ -70,7 +70,7 @@ std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMate
   return simpler;
 }
 
-/// Takes terms out as long as the tolerance has something left.
+/// Removes terms as long as the tolerance is not used up.
 class TermChooser
 {
 public:
@@ -142,7 +142,7 @@ std::string chooseBody(const Ranks& ranks, vtkPolyData* body, const LawRequest& 
   }
   return {};
 }
-/// Whether finite strain is in the law, for which it may have to be made.
+/// Chooses whether finite strain is in the law, which may need its correction.
 std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrain,
   TermChooser& chooser, AutomaticTerms& chosen)
 {
@@ -212,7 +212,7 @@ void chooseCurvature(TermChooser& chooser, AutomaticTerms& chosen)
   }
 }
 
-/// Edges are felt wherever a body has some: a contact leaves over them at any depth.
+/// Edges are kept wherever a body has some, since a contact leaves over them at any depth.
 void chooseEdges(const Ranks& ranks, const PressedBody& pressed, bool hasPiece,
   TermChooser& chooser, AutomaticTerms& chosen)
 {

@@ -27,7 +27,7 @@ namespace palpate
 {
 namespace
 {
-/// The root of the area that each point of a triangle has, mm.
+/// Square root of the area per point, mm.
 double spacingOf(const TriangleSpans& surface)
 {
   const auto place = [&](std::int32_t point)
@@ -49,7 +49,8 @@ double spacingOf(const TriangleSpans& surface)
     0.5 * twice / static_cast<double>(std::count(isUsed.begin(), isUsed.end(), true)));
 }
 
-/// All pieces as one surface, joined at their seams, and which of its points are the own ones.
+/// All pieces as one surface, joined at their seams, and which of its points are of this rank's
+/// piece.
 struct WholeSurface
 {
   std::vector<double> points;
@@ -106,7 +107,7 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
   return whole;
 }
 
-/// What a shape was made of.
+/// The input of a shape.
 struct ShapeKey
 {
   std::array<std::size_t, 3> surface; ///< of the own piece
@@ -128,7 +129,7 @@ std::size_t hashOf(const std::vector<Value>& values)
   return std::hash<std::string_view>()(bytes);
 }
 
-/// The shapes asked for last, the latest first.
+/// The cache of shapes, the last used first.
 class KeptShapes
 {
 public:

@@ -50,7 +50,8 @@ void addLaw(vtkPolyData* body, const std::string& name, const CouplingTerms& ter
   body->GetFieldData()->AddArray(array);
 }
 
-/// The law of the layers, all of them at the middle of the Poisson's ratios; of a half-space none.
+/// The law of the layers, for the mean of the least and the largest Poisson's ratio; none for a
+/// half-space.
 CouplingLaw lawOf(const MaterialRange& range)
 {
   if (!range.hasLayers())
@@ -62,9 +63,10 @@ CouplingLaw lawOf(const MaterialRange& range)
     : CouplingLaw(LayerKernel(0.5 * (range.leastRatio + range.mostRatio), range.layers.base));
 }
 
-/// Attaches modes, less where they tell of more than the response itself gives way: that, and a
-/// third of what its local part does at the last sample, which the surface's share leaves (1 - 2/π
-/// of 1/(2E*a)). Then the compliances of all contacts are positive definite, whatever the depths.
+/// Attaches modes, scaled down where they would give way more than the response itself: at most its
+/// global compliance and a third of the local one at the last sample (1 - 2/π of 1/(2E*a), what the
+/// surface's law leaves). Then the compliance matrix of all contacts is positive definite, whatever
+/// the depths.
 void addModes(
   const ContactSpots& spots, const std::string& name, vtkDataArray* modes, vtkPolyData* body)
 {
@@ -96,7 +98,7 @@ void addModes(
     });
 }
 
-/// The modes of a body, or what is wrong with them.
+/// Finds the modes of a body; returns what is wrong with them, or "".
 std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
 {
   vtkAbstractArray* found = body->GetPointData()->GetAbstractArray(CouplingModesName);

@@ -52,7 +52,7 @@ MaterialArray arrayToProcess(
   const std::string name = which->Has(vtkDataObject::FIELD_NAME())
     ? which->Get(vtkDataObject::FIELD_NAME())
     : "active attribute";
-  return name.empty() ? MaterialArray{} // an empty name takes the setting back
+  return name.empty() ? MaterialArray{} // an empty name resets the array
                       : MaterialArray{ name, find(index) };
 }
 

@@ -22,11 +22,11 @@ namespace palpate
 {
 namespace
 {
-/// A vector that differs from unit length by float rounding alone is kept to the bit: normals that
-/// come back from a file are the ones that were written.
+/// A vector that differs from unit length by float rounding alone is kept to the bit, so that
+/// normals read from a file are those that were written.
 constexpr double UnitTolerance = 3e-7;
 
-/// Writes the unit vector along (x, y, z); anything else becomes zero with its status.
+/// Writes the unit vector along (x, y, z), or zero if there is none; returns the status.
 ResponseStatus storeUnit(double x, double y, double z, float* normal)
 {
   double length = std::sqrt(x * x + y * y + z * z);

@@ -44,8 +44,8 @@ bool isStrength(double value)
   return value >= 0.0 && std::isfinite(value);
 }
 
-/// Values of the points that must be finite and not negative; what is wrong with the first that is
-/// not, "" if none.
+/// Checks values of points that must be finite and not negative; what is wrong with the first that
+/// is not, or "".
 std::string checkValues(const std::string& name, const float* values, std::size_t points,
   std::size_t components, const char* quantity, const char* unit)
 {
@@ -62,7 +62,7 @@ std::string checkValues(const std::string& name, const float* values, std::size_
   return {};
 }
 
-/// How the tool sinks in, for what a contact meets that slides.
+/// Exponent and contact radius of the tool, for a contact that slides onto fresh material.
 void describeContact(const std::string& text, double range, RelaxationTerms& terms)
 {
   ToolSpecification specification;

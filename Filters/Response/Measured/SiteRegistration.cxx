@@ -23,12 +23,12 @@ namespace palpate
 namespace
 {
 constexpr double RigidTolerance = 1e-3;
-constexpr double InLine = 1e-3; // of the length of a row of points
+constexpr double InLine = 1e-3; // relative to the length of a line of points
 
 const std::vector<std::string_view> PairColumns = { "from_x_mm", "from_y_mm", "from_z_mm",
   "to_x_mm", "to_y_mm", "to_z_mm" };
 
-/// The numbers of a row, parted by blanks or commas; false if there is anything else.
+/// The numbers of a row, separated by blanks or commas; false if there is anything else.
 bool readNumbers(const CsvReader& csv, std::vector<double>& numbers)
 {
   for (std::size_t i = 0; i < csv.size(); ++i)

@@ -56,7 +56,7 @@ void addEstimate(vtkTable* table, const std::string& name, const std::string& un
     table, name + " to" + unit, sites, [&](const PlacedSite& s) { return value(s).upper; });
 }
 
-/// The most of a quantity over the curves of a site; NaN where none has it.
+/// The maximum of a quantity over the curves of a site; NaN where none has it.
 template <class Value>
 double most(const PlacedSite& site, const Value& value)
 {
@@ -147,7 +147,7 @@ void appendReadings(const PlacedSite& site, std::size_t index,
     }
   }
 }
-/// Of sites of which at least one relaxes.
+/// Adds the columns of relaxation, if at least one site relaxes.
 void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
 {
   std::size_t branches = 0;
@@ -178,7 +178,7 @@ void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
     table, "Remark", sites, [](const PlacedSite& s) { return s.measured.body.remark; });
 }
 
-/// Numbers with all their digits: a double is read back as it was.
+/// Numbers with all their digits, so that a double is read back unchanged.
 std::string text(vtkAbstractArray* column, vtkIdType row)
 {
   const vtkVariant value = column->GetVariantValue(row);

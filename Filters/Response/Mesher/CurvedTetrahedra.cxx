@@ -26,7 +26,7 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Edges of faces that only one tetrahedron has.
+/// Edges of the faces that belong to one tetrahedron only.
 std::vector<Edge> outerEdges(const TetrahedralMesh& mesh)
 {
   std::vector<std::array<std::int32_t, 3>> faces;
@@ -149,7 +149,8 @@ CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& r
     }
     made.cells.push_back(ids);
   }
-  // A straight edge can spoil a neighbour that leant on its bend: until nothing changes.
+  // Straightening an edge can spoil a neighbour that needed its curve: repeat until nothing
+  // changes.
   for (bool isChanged = true; isChanged;)
   {
     isChanged = false;

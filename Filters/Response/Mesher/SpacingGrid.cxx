@@ -58,7 +58,7 @@ void SpacingGrid::refine(const FineBall& ball, double growth)
   }
 }
 
-/// What places on the triangles, less than a step apart, say at the nodes around them.
+/// Sets the nodes around points of the triangles less than a step apart from the spacing there.
 void SpacingGrid::mark(const MeshedSurface& surface, double growth)
 {
   for (const auto& corners : surface.triangles)
@@ -94,7 +94,7 @@ void SpacingGrid::mark(const MeshedSurface& surface, double growth)
   }
 }
 
-/// Distances from what was marked: once forwards, once backwards (Borgefors 1986).
+/// Chamfer distances from the marked nodes: one sweep forwards, one backwards (Borgefors 1986).
 void SpacingGrid::sweep(double growth)
 {
   const auto total = static_cast<std::int64_t>(this->Values.size());
@@ -107,7 +107,7 @@ void SpacingGrid::sweep(double growth)
         static_cast<int>(flat / this->Size[0] % this->Size[1]),
         static_cast<int>(flat / this->Size[0] / this->Size[1]));
       double& value = this->Values[static_cast<std::size_t>(flat)];
-      for (int n = 0; n < 13; ++n) // the half of the 26 around that comes before
+      for (int n = 0; n < 13; ++n) // those of the 26 neighbours that come before
       {
         const Eigen::Array3i beside =
           at + direction * Eigen::Array3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);

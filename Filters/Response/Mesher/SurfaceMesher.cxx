@@ -49,20 +49,20 @@ using Complex =
   CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-// What the criteria bound are radii; the lengths of edges that come of it were measured on balls:
-// 0.95 to 1.05 of the spacing in the mean, on the surface and inside.
+// The criteria bound radii; the resulting lengths of edges were measured on balls: 0.95 to 1.05 of
+// the spacing in the mean, on the surface and inside.
 constexpr double FacetRadius = 0.72; ///< of the circle around a facet, in spacings
 constexpr double CellRadius = 0.80;  ///< of the ball around a cell, in spacings
 constexpr double FacetAngle = 25.0;  ///< least of a facet, degrees: at most 30 (CGAL)
 constexpr double RadiusEdge = 2.0;   ///< of a cell: its ball over its shortest edge
 constexpr double SliverAngle = 10.0; ///< least between two faces that is sought, degrees
-constexpr double OwnEdge = 3.0;      ///< spacings that an edge of the body goes on for
+constexpr double OwnEdge = 3.0;      ///< least length of an edge of the body, in spacings
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
-constexpr double RefinedShare = 0.9; ///< of the work; what is left are the slivers
+constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is removing slivers
 
-constexpr double RunAway = 5.0; ///< times what was expected: the deviation asks for it
+constexpr double RunAway = 5.0; ///< times the expected cells, which the deviation needs
 
 struct Stopped
 {
@@ -71,7 +71,7 @@ struct TooRough
 {
 };
 
-/// Looks the spacing up, and tells the observer from time to time.
+/// Looks up the spacing, and calls the observer from time to time.
 class SpacingField
 {
 public:
@@ -106,7 +106,7 @@ private:
   std::size_t Lookups = 0;
 };
 
-/// A field as the criteria take it: some multiple of the spacing.
+/// A field for the criteria: a multiple of the spacing.
 struct RadiusField
 {
   using FT = Kernel::FT;
@@ -122,7 +122,7 @@ struct RadiusField
   }
 };
 
-/// A domain whose first points lie on all of its parts: rays from the middle miss small ones.
+/// A domain whose first points lie on all of its parts, since rays from the centre miss small ones.
 class SeededDomain : public Domain
 {
 public:
@@ -155,8 +155,8 @@ private:
   std::vector<Point> Seeds;
 };
 
-/// Whether the sharp edges of a surface are a body's own: lines that go on for some spacings. A
-/// scan has many short ones, its noise, which are no edges to mesh along.
+/// Whether the sharp edges of a surface are those of the body, lines several spacings long, and not
+/// the many short ones that a scan's noise has.
 bool hasOwnEdges(const Surface& surface, const MeshedSurface& wanted)
 {
   const double least = std::cos(wanted.sharpAngle * CGAL_PI / 180.0);
@@ -197,7 +197,7 @@ bool hasOwnEdges(const Surface& surface, const MeshedSurface& wanted)
   return 2 * static_cast<std::size_t>(own) > lengths.size();
 }
 
-/// Middles of triangles spread over each part of the surface.
+/// Centres of triangles spread over each part of the surface.
 std::vector<Point> spreadSeeds(Surface& surface)
 {
   auto part = surface.add_property_map<Surface::Face_index, std::size_t>("f:part", 0).first;

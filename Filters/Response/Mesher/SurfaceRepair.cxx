@@ -8,7 +8,7 @@ namespace palpate
 std::string mendSurface(MeshedSurface&, std::size_t& mended)
 {
   mended = 0;
-  return {}; // the mesher says that it is missing
+  return {}; // the mesher reports that it is missing
 }
 
 std::string closeSurface(MeshedSurface&, ClosedUp&)
@@ -50,7 +50,7 @@ namespace meshes = CGAL::Polygon_mesh_processing;
 
 constexpr double WidestHole = 0.2;      ///< of the body's own box
 constexpr double LeastFragment = 0.001; ///< of all triangles
-constexpr double MostCrossing = 0.01;   ///< of the triangles: beyond, it is no slip of a scanner
+constexpr double MostCrossing = 0.01;   ///< of the triangles: more are not a defect of scanning
 
 void fromCgal(const CgalSurface& surface, MeshedSurface& to)
 {
@@ -87,11 +87,11 @@ Crossings crossingsOf(const CgalSurface& surface)
   return crossing;
 }
 
-/// How far a point where sheets touch moves towards the middle of its neighbours: each sheet leaves
-/// the place on its own side.
+/// Fraction by which a point where sheets touch moves towards the mean of its neighbours, each
+/// sheet to its own side.
 constexpr double Parted = 0.05;
 
-/// Moves apart what lies at the same place; how many points.
+/// Separates points at the same place; returns how many.
 std::size_t partTouching(CgalSurface& mesh)
 {
   std::map<CgalPoint, std::size_t> used;
@@ -138,7 +138,7 @@ std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
   try
   {
     meshes::repair_polygon_soup(points, corners);
-    // Parts sheets at edges of more than two triangles.
+    // Separates sheets at edges of more than two triangles.
     meshes::orient_polygon_soup(points, corners);
     meshes::polygon_soup_to_polygon_mesh(points, corners, mesh);
     meshes::stitch_borders(mesh);

@@ -24,7 +24,7 @@ namespace
 {
 constexpr double SameNormal = 1e-4; // per component, of unit normals that a file may have rounded
 
-/// A point of a border as the others see it.
+/// A point of a border, as sent to the others.
 struct BorderPoint
 {
   std::array<double, 3> at;
@@ -45,14 +45,14 @@ struct BorderPoint
   }
 };
 
-/// As its triangle runs along it.
+/// Directed as in its triangle.
 struct Edge
 {
   std::int32_t from;
   std::int32_t to;
 };
 
-/// The part of a piece that lies where others lie, too: only there can a seam be.
+/// The part of a piece within the boxes of others, as only there can be a seam.
 class Overlap
 {
 public:
@@ -145,7 +145,7 @@ Eigen::AlignedBox3d boxOf(vtkPolyData* body)
   return box;
 }
 
-/// Points at the same place, found by a grid whose cells are wider than the tolerance.
+/// Finds points at the same place by a grid whose cells are wider than the tolerance.
 class SamePlace
 {
 public:
@@ -289,7 +289,7 @@ std::vector<std::vector<std::int32_t>> findGroups(
   return groups;
 }
 
-/// For each such place its number as a seam point; -1 if it is of one rank alone.
+/// For each group its number as a seam point; -1 if it belongs to one rank alone.
 std::vector<std::int32_t> numberSeams(const std::vector<std::vector<std::int32_t>>& groups)
 {
   constexpr int unseen = -1;

@@ -53,7 +53,7 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, Chos
   return {};
 }
 
-/// What one rank has read, on all.
+/// Copies what one rank has read to all.
 void broadcast(const Ranks& ranks, bool isOwn, ChosenTip& chosen)
 {
   using Record = std::array<double, 10>;

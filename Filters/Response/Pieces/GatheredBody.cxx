@@ -19,8 +19,8 @@ namespace palpate
 {
 namespace
 {
-/// Which points of the parts become which points of the body; a seam point is that of the first
-/// part which has it.
+/// Maps the points of the parts to points of the body; a seam point is that of the first part which
+/// has it.
 class Numbering
 {
 public:

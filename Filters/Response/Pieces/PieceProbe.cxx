@@ -20,8 +20,8 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-// Longest edges: one from a triangle to its nearest corner, three that a contact crosses without
-// looking back, one for the ring there.
+// In longest edges: one from a triangle to its nearest corner, three that a contact crosses between
+// searches, one for the ring there.
 constexpr double FacetRings = 5.0;
 constexpr double SmoothRings = 10.0;
 constexpr double Growth = 1.5;
@@ -63,8 +63,7 @@ PieceProbe::PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::st
   this->LongestEdge = ranks.largest(piece.longestEdge());
 }
 
-/// As large as it takes where the nearest place is touched, and where a contact is followed that
-/// began there.
+/// Large enough if the nearest point is touched, and for following a contact that began there.
 std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentation) const
 {
   std::vector<std::array<double, 3>> own;
@@ -234,7 +233,7 @@ std::vector<double> PieceProbe::neededRadii(
   forLines(tips,
     [&](const vtkIdType* points, vtkIdType size)
     {
-      double held = 0.0; // how far the followed contact may be from the tip before
+      double held = 0.0; // how far the followed contact may be from the previous tip
       for (vtkIdType i = 0; i < size; ++i)
       {
         const auto now = static_cast<std::size_t>(points[i]);

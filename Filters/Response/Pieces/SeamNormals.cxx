@@ -14,7 +14,7 @@ namespace
 {
 using Sum = std::array<double, 3>;
 
-/// The normals of the triangles of one piece around a point, each as long as its angle there.
+/// The normals of the triangles of one piece around a point, weighted by their angles there.
 Sum angleWeightedSum(const BodyMesh& mesh, std::int32_t point)
 {
   Vector3 sum = Vector3::Zero();

@@ -41,7 +41,7 @@ vtkDataArray* timesOf(vtkPolyData* tips)
   return tips->GetPointData()->GetArray("Time");
 }
 
-/// The tips that are there at once, one of each polyline, -1 for one that is not, by time or place.
+/// The tips that press at the same time, one of each polyline (-1: absent), by time or index.
 std::map<double, Line> stepsOf(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -82,7 +82,7 @@ std::map<double, Line> groupsOf(vtkPolyData* tips, const std::vector<Line>& line
   return groups;
 }
 
-/// What is wrong with the times of polylines that are to be there at once.
+/// What is wrong with the times of polylines that press together.
 std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -115,7 +115,7 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
   return {};
 }
 
-/// The rows of those that press at once into the tuples of their tips; -1: none.
+/// Copies the rows of tips that press at once into their tuples; -1: absent.
 void storeStiffness(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness)
 {
   if (!stiffness)

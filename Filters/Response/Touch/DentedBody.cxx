@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// Of the displacement over the length of an edge: a smaller turn is not seen.
+/// Ratio of the displacement to the length of an edge below which a turn is invisible.
 constexpr double SeenTurn = 1e-3;
 
 using FacetCorners = std::array<Vector3, 3>;
@@ -53,7 +53,7 @@ Vector3 motionOf(vtkFloatArray* displacement, vtkIdType point)
   return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * point)).cast<double>();
 }
 
-/// What all dents make together: the only one's own, or a new array.
+/// The sum of all dents: the array of a single one, or a new array.
 vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
 {
   if (dents.size() == 1)

@@ -127,7 +127,7 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       ToolContact single(body, frictionless);
       TipPoses start(body, tips, indentation);
       TipOrder order;
-      // What is felt goes to its place in one piece, and from there, in the order of the tips, to
+      // A result is stored in one piece first, and copied from there, in the order of the tips, to
       // the many arrays of the visitor.
       struct Felt
       {

@@ -24,9 +24,9 @@ constexpr int PlacesPerSide = 25; // odd: the middle is one
 constexpr int Around = 8;
 constexpr double Surroundings = 2.0; // contact radii
 constexpr double Lean = 0.8;         // up, per towards: the best direction of the normal
-constexpr double Grazing = 0.5;      // normal to line of sight, cosine: less is seen badly
-constexpr int Flatness = 8;          // power: 10 % of disagreement weigh as much as the far corner
-constexpr double Least = 1e-3;       // where nothing is within validity the rest decides
+constexpr double Grazing = 0.5;      // cosine of normal and line of sight: less is hard to see
+constexpr int Flatness = 8;          // power: 10 % of disagreement weighs as much as the far corner
+constexpr double Least = 1e-3;       // where nothing is within validity the other factors decide
 
 struct Rectangle
 {
@@ -86,14 +86,14 @@ public:
     this->Nearest = sight.isNear ? std::max(this->Nearest, 1e-6 * this->Farthest) : this->Nearest;
   }
 
-  /// Of the body, as far as it is in the picture.
+  /// The part of the picture that the body fills.
   const Rectangle& seen() const { return this->Body; }
   bool isEmpty() const
   {
     return this->Body.isEmpty() || (this->View.isNear && !(this->Farthest > this->Nearest));
   }
 
-  /// What is seen at a place of the picture.
+  /// The visible place at a position in the picture.
   TouchedPlace look(TouchedBody& body, double x, double y) const
   {
     const Vector3 aside = x * this->Right + y * this->Up;
@@ -101,7 +101,7 @@ public:
     { return this->View.eye - depth * this->Towards + (this->View.isNear ? depth : 1.0) * aside; };
     return body.hit(point(this->Nearest), point(this->Farthest));
   }
-  /// What is seen behind a point beside the body, or on it.
+  /// The visible place along the line of sight through a point.
   TouchedPlace lookAt(TouchedBody& body, const Vector3& point) const
   {
     const Vector3 off = point - this->View.eye;
@@ -134,7 +134,7 @@ std::array<Vector3, 8> cornersOf(const double bounds[6])
   return corners;
 }
 
-/// The mean of the normals at a place and around it: as long as the ground is flat, 1 at most.
+/// The mean of the normals at a place and around it; its length, at most 1, measures flatness.
 Vector3 groundAt(
   TouchedBody& body, const Picture& picture, const TouchedPlace& place, double distance)
 {
@@ -156,7 +156,7 @@ Vector3 groundAt(
   return sum / (Around + 1);
 }
 
-/// How well a touch begins there; 0 for not at all.
+/// How suitable a place is for the start of a touch; 0: unsuitable.
 double judge(
   TouchedBody& body, vtkContactTool* tool, const Picture& picture, const TouchedPlace& place)
 {
@@ -185,7 +185,7 @@ double judge(
   return flatness * facing * within;
 }
 
-/// Places of the picture, -1 to 1, from the middle outward.
+/// Positions in the picture, -1 to 1, from the middle outward.
 std::vector<Eigen::Vector2d> placesOfPicture()
 {
   std::vector<Eigen::Vector2d> places;
@@ -203,7 +203,7 @@ std::vector<Eigen::Vector2d> placesOfPicture()
   return places;
 }
 
-/// The best of what is seen; cell -1 for nothing.
+/// The best visible place; cell -1 for none.
 TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
 {
   const Picture picture(sight, cornersOf(body.bounds()));
@@ -214,7 +214,7 @@ TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
     const double middle = 1.0 - 0.25 * share.squaredNorm();
     if (picture.isEmpty() || middle <= most)
     {
-      break; // no other is better: the rest is 1 at most
+      break; // no later one can be better, as no factor exceeds 1
     }
     const TouchedPlace place =
       picture.look(body, picture.seen().at(0, share.x()), picture.seen().at(1, share.y()));

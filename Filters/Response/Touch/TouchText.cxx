@@ -19,7 +19,7 @@ std::string millimetres(double length)
   return text.data();
 }
 
-/// To three digits, of which a zero at the end is shown: it is known.
+/// Three significant digits, including trailing zeros.
 std::string threeDigits(double value)
 {
   std::array<char, 32> text{};
@@ -57,7 +57,7 @@ std::string describeValidity(const Touch& touch)
   }
   return text;
 }
-/// Begins with a line's end.
+/// Begins with a newline.
 std::string describeTouch(const Touch& touch)
 {
   std::string text;

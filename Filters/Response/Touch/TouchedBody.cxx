@@ -105,7 +105,8 @@ TouchedPlace TouchedBody::hit(const Vector3& from, const Vector3& to)
   {
     return place;
   }
-  const double tolerance = 1e-6 * this->Body->GetLength(); // on an edge: either triangle, not none
+  const double tolerance =
+    1e-6 * this->Body->GetLength(); // on an edge a triangle is hit, not missed
   double share = 0.0;
   Vector3 point;
   Vector3 coordinates;
@@ -174,7 +175,7 @@ double TouchedBody::range(const TouchedPlace& place) const
 
 double TouchedBody::stiffness(const TouchedPlace& place, double depth) const
 {
-  // The kernel evaluates its own copy of a response: one of three points.
+  // The kernel evaluates a copy of the response, here of three points.
   const auto ids = cornersOf(this->Body, place.cell);
   const auto samples = static_cast<std::size_t>(this->Response.samples);
   const auto laws = static_cast<std::size_t>(this->Response.laws);
