@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// Which value does not pass `check`, and what it must be; or "".
+/// The first value that does not pass `check`, and what it must be; or "".
 template <class Check>
 std::string checkEach(
   const PointValues& given, const char* quantity, const char* must, Check&& check)
@@ -128,7 +128,7 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   return {};
 }
 
-/// What is wrong with the layers of a stack, or with what is said of one where there is none.
+/// What is wrong with the layers of a stack, or with values of one where there is none.
 std::string BodyMaterial::checkStackOf(const Values& values) const
 {
   if (!this->Given.isStack())

@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, which
-/// is what a base stiffens by, and 0 where there is none.
+/// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, as a
+/// base stiffens in proportion to it and it is 0 on a half-space.
 double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weights)
 {
   if (thickness[0] == thickness[1] && thickness[1] == thickness[2])
@@ -55,7 +55,7 @@ LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
   return stack;
 }
 
-/// A dent that is deeper than this many times the deflection is none that a force is told by.
+/// A dent deeper than this many times the deflection is not accepted for a force.
 constexpr double DeepestDent = 10.0;
 
 /// The deflection at which a tool on a half-space has a force; no more than `most`.
@@ -89,7 +89,7 @@ double smoothStep(double begin, double end, double x)
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Adds what a mode moves. Whether all of it is finite.
+/// Adds the displacement by a mode; returns whether all of it is finite.
 template <class Number>
 bool addMode(const Number* mode, double weight, std::size_t points, float* displacement)
 {

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int NodesBeforeFlat = 16; // of the sag alone, until a flat end is touched whole
+constexpr int NodesBeforeFlat = 16; // of the sag alone, until a flat end is in full contact
 
 /// (κ_t+κ₁)(κ_t+κ₂): the two sums.
 struct Sums
@@ -160,10 +160,10 @@ ContactNodes onCurvedBody(
 {
   ContactNodes curved;
   curved.reserve(flat.size() + NodesBeforeFlat);
-  // A flat end: its first node has its whole radius, and hardly a depth.
+  // A flat end: its first node has the full radius at almost no depth.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
   const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
-  curved.coversTouch = whole == 0.0; // where it is not convex its rim is touched first
+  curved.coversTouch = whole == 0.0; // unless the body is convex, the rim touches first
   if (isFlatEnd && whole == 0.0)
   {
     const Sums sums = sumsOf(0.0, curvature);
@@ -198,7 +198,7 @@ ContactNodes onCurvedBody(
       curved.size() == 0 || (depth > curved.depths.back() && force > curved.forces.back());
     if (isFlatEnd && (!(depth >= whole && depth > 0.0 && force > 0.0) || !isLater))
     {
-      continue; // not yet touched whole
+      continue; // not yet in full contact
     }
     if (!(depth > 0.0) || !isLater)
     {

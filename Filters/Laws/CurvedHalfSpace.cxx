@@ -12,14 +12,15 @@ namespace
 {
 constexpr int PieceCount = 128;
 constexpr int MostSteps = 30;
-constexpr double Converged = 1e-5; // of a depth: the step from there errs by its square
+constexpr double Converged =
+  1e-5; // relative to the depth: the error of the next step is its square
 
 double cubic(const std::array<double, 4>& c, double x)
 {
   return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
 }
 
-/// Through four values at x = -1, 0, 1, 2, or at places that much later.
+/// The cubic through four values at x = from, from + 1, from + 2, from + 3.
 std::array<double, 4> throughFour(const double* value, double from)
 {
   // Newton's forward differences in s = x - from.
@@ -43,7 +44,7 @@ double ellipse(double one, double other)
   return 1.0 + ratio * ratio / 48.0;
 }
 
-/// A power of the depth that leads to where the law begins.
+/// A power of the depth up to where the law begins.
 LocalState beforeRim(const LocalState& first, double fraction)
 {
   const double power = first.stiffness * first.depth / first.force;
@@ -59,7 +60,7 @@ CurvedHalfSpace::CurvedHalfSpace(const AxisymmetricTool& tool, double deepest)
   , FlatRadius(tool.smallestContactRadius())
 {
   std::vector<double> radius = { this->FlatRadius };
-  std::vector<double> share = { 0.0 }; // F/(a t²), that of touch is not known
+  std::vector<double> share = { 0.0 }; // F/(a t²), unknown at first contact
   for (int i = 1; i <= PieceCount; ++i)
   {
     const double t = this->Step * i;
@@ -134,8 +135,8 @@ CurvedHalfSpace::Contact CurvedHalfSpace::contactAt(double t, const SpotCurvatur
     body.slope, this->FlatRadius > 0.0 || std::min(body.one, body.other) > LeastSum * tool };
 }
 
-/// A flat end of radius b on a bump until it is touched whole, κ_m b² deep: as wide as Hertz has
-/// it, and where that is b already, straight on.
+/// A flat end of radius b on a bump until full contact, at a depth of κ_m b²: Hertz's contact,
+/// continued linearly once its radius is b.
 LocalState CurvedHalfSpace::sagAlone(double depth, const SpotCurvature& curvature) const
 {
   const double b = this->FlatRadius;
@@ -176,8 +177,8 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
   const double b = this->FlatRadius;
   const auto total = [softness](const LocalState& state)
   { return state.depth + softness * state.force; };
-  // A flat end feels the mean curvature alone from where it is touched whole. On a bump that is
-  // κ_m b² deep; elsewhere its rim is met first, and there is no law before.
+  // From full contact on a flat end depends on the mean curvature alone. On a bump that begins at a
+  // depth of κ_m b²; elsewhere the rim touches first, and there is no law before.
   const double mean = around.mean();
   const SpotCurvature curvature = b > 0.0 ? SpotCurvature{ mean, mean, 0.0 } : around;
   const double rim = b > 0.0 ? wholeFrom(b, around) : 0.0;
@@ -187,8 +188,8 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
     : b > 0.0 && mean > 0.0 ? this->sagAlone(mean * b * b, around)
                             : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
   const double whole = total(first);
-  // t² over the deflection: hardly changes, so the next lies straight on. The first as of two
-  // paraboloids.
+  // t² over the deflection hardly changes, so the next is extrapolated linearly. The first is that
+  // of two paraboloids.
   const double flat = std::min(std::sqrt(deflections.front()), end);
   const double radius = this->at(flat).radius;
   const double sum = flat * flat + curvature.mean() * radius * radius;

@@ -148,7 +148,7 @@ void fillEdges(
   const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans)
 {
   const EdgeFiller filler(surface, sampling, spans);
-  // Edges take from valid points alone: none needs another.
+  // Points on edges use valid points alone, so they do not depend on each other.
   shareWork(surface.points,
     [&filler](std::size_t i)
     {

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 constexpr double Storage = 1e-3;
-constexpr int Halvings = 24; // of the interval between two samples: beyond float
+constexpr int Halvings = 24; // of the interval between two samples: to the precision of float
 } // namespace
 
 double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,

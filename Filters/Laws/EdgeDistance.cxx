@@ -19,12 +19,12 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double IncompressibleRatio = 0.5; // edges are compared as there
-constexpr double BluntSharpness = 0.2;      // 60°: what is less reaches as much less far
-constexpr double Raised = 0.25;             // sine of the angle an edge may rise by
-constexpr double CellsAway = 4.0;           // the farthest edge that cells of a size tell of
-constexpr double Coarser = 3.0;             // the next cells
-constexpr double LargestCell = 0.25;        // of the body: larger ones tell nothing of its shape
+constexpr double IncompressibleRatio = 0.5; // at which edges are compared
+constexpr double BluntSharpness = 0.2; // that of 60°: less sharp edges reach less far in proportion
+constexpr double Raised = 0.25;      // sine of the largest angle of an edge above the tangent plane
+constexpr double CellsAway = 4.0;    // the farthest edge found with cells of a size
+constexpr double Coarser = 3.0;      // ratio of the next cells' size
+constexpr double LargestCell = 0.25; // of the body's width: larger ones do not resolve its shape
 
 double sharpnessOf(float turn)
 {
@@ -58,7 +58,7 @@ double widthOf(const TriangleSpans& surface)
   return length[1];
 }
 
-/// Carries sides outwards over the surface; a point hands on the one it is nearest to.
+/// Propagates sides outwards over the surface; each point passes on its nearest one.
 class SideSpread
 {
 public:
@@ -79,15 +79,15 @@ public:
     }
   }
 
-  /// `take(point, side, distance)` of the nearest of `sides` within `reach` (mm) of each point that
-  /// they do not rise above.
+  /// Calls `take(point, side, distance)` for the nearest of `sides` within `reach` (mm) of each
+  /// point that does not rise above its tangent plane.
   template <class Take>
   void from(const std::vector<SurfaceSide>& sides, double reach, const Take& take) const
   {
     using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
-    // `reached`: how far the front is; what is nearer has found its side.
+    // `reached`: distance of the front; nearer points have found their side.
     const auto offer = [&](std::int32_t point, std::int32_t side, float reached)
     {
       const auto i = static_cast<std::size_t>(point);
@@ -146,7 +146,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
   const LinkedSurface linked(surface);
   const SideSpread spread(linked);
   const double width = widthOf(surface);
-  double inner = 0.0; // mm: what is nearer was looked at more finely
+  double inner = 0.0; // mm: nearer edges were searched with finer cells
   double radius = contactRadius;
   for (bool isLast = false; !isLast;)
   {
@@ -166,7 +166,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
         found.isSharp = side.isSharp;
       }
     };
-    // Sharp edges and blunt ones apart: a blunt one that is nearer hides none.
+    // Sharp edges and blunt ones are searched separately, so that a nearer blunt one hides none.
     std::vector<SurfaceSide> sharp;
     std::vector<SurfaceSide> blunt;
     for (const SurfaceSide& side : edges.sides)
@@ -189,7 +189,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
 double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness)
 {
   const double psi = pointLoadSoftness(poissonsRatio);
-  // What keeps the force at the edge itself.
+  // The fraction of the force that remains at the edge itself.
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);
   return x / (x + sharpness * psi / Pi);

@@ -16,21 +16,21 @@ namespace palpate
 {
 namespace
 {
-constexpr double StackBound = 1.6; // of the layers' mean: holds for all of 30 random forces
-// Of what an edge takes, while it is felt: Hetényi's law is known to 3 %, how far a base holds it
-// to 10 %, and it is a product at a corner; of other angles edgeSharpness is up to 1.4 times too
-// large.
+constexpr double StackBound = 1.6; // times the layers' mean: bounds all of 30 random forces
+// Error relative to the loss of force by an edge that is taken into account: Hetényi's law is known
+// to 3 %, the effect of a base to 10 %, and a corner is a product of edges; for other angles
+// edgeSharpness is up to 1.4 times too large.
 constexpr double FeltEdge = 0.2;
 constexpr double FeltWedge = 0.4;
 constexpr double RightAngle = 0.5 * Pi;
 constexpr double SomeDegrees = 0.09; // 5°
-constexpr double BorderReach = 2.0;  // contact radii from which a border does not matter
+constexpr double BorderReach = 2.0;  // contact radii beyond which a border has no effect
 
-/// 2 |C_g E* R_b|, by finite elements on balls and in cavities: what a body of mean curvature κ
-/// yields less as a whole than a half-space, per a |κ|.
+/// 2 |C_g E* R_b|, by finite elements on balls and in cavities: how much less a body of mean
+/// curvature κ gives way globally than a half-space, per a |κ|.
 double wholeCompliance(double radius, double meanCurvature, double poissonsRatio)
 {
-  constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less where the volume gives way
+  constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less for a compressible body
   if (!(meanCurvature < 0.0))
   {
     return ball;
@@ -40,7 +40,7 @@ double wholeCompliance(double radius, double meanCurvature, double poissonsRatio
   return ball + 0.975 * n + 0.32 * n * n * logarithm;
 }
 
-/// What curvature does to a contact, as fractions of its force.
+/// Effects of curvature on a contact, relative to its force.
 struct CurvatureEffect
 {
   double perCurvature; ///< to first order, mm
@@ -139,10 +139,10 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   const double a = state.radius;
   struct Part
   {
-    double share;    // of the depth, times all of them
+    double share;    // fraction of the depth, not normalised
     double pressure; // over E*
     double ratio;
-    double thickness; // 0: endless
+    double thickness; // 0: infinite
   };
   std::array<Part, LayerStack::MostLayers + 1> parts;
   std::size_t count = 0;
@@ -150,7 +150,8 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   { return reducedModulus(layer.youngsModulus, layer.poissonsRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
   double above = 0.0; // the layer's depth below the surface
-  // Below the middle of an even pressure on a circle 1 - (z/√(a²+z²))³ of it is left; its integral.
+  // Below the centre of a uniform pressure on a circle the stress is 1 - (z/√(a²+z²))³ of it; this
+  // is its integral.
   const auto taken = [a](double z)
   {
     const double slant = std::hypot(a, z);
@@ -206,7 +207,8 @@ double ErrorRule::curvaturePart(
   const double toolDepth =
     state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
   const double toolCurvature = toolDepth / (a * a);
-  // A flat end touched whole feels the mean curvature alone; before that a hollow has no law.
+  // A flat end in full contact depends on the mean curvature alone; before that there is no law in
+  // a hollow.
   const double end = this->Tool.smallestContactRadius();
   const bool isWhole = end > 0.0 && a > 0.99 * end;
   const double ellipse = curvature.isFlat()   ? 0.0
@@ -214,7 +216,7 @@ double ErrorRule::curvaturePart(
     : state.depth < wholeFrom(end, curvature) ? 1.0
                                               : 0.0;
   const double leftOut = this->Scope.curvature ? 0.0 : effect.sag;
-  const double both = leftOut * effect.structural; // one on the other
+  const double both = leftOut * effect.structural; // their product
   return std::min(
     1.0, leftOut + ellipse + effect.structural + both + effect.perCurvature * curvature.error);
 }

@@ -77,7 +77,7 @@ const std::vector<TriangleCorners>& LinkedSurface::findCorners()
 
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius)
 {
-  // Sides of one facet, by where they lie: those of doubled points lie there twice.
+  // Sides of a single facet, by position: those of duplicate points occur twice.
   using Place = std::array<double, 3>;
   std::map<std::pair<Place, Place>, int> at;
   std::vector<SurfaceSide> border;

@@ -13,11 +13,12 @@ namespace palpate
 namespace
 {
 constexpr int NodeCount = 64;
-constexpr int LayerNodeCount = 32; // one by one at every point: 16 times the error, 2e-5
-// A hollow body is reached later: twice as deep at half the tool's curvature.
+constexpr int LayerNodeCount = 32; // solved one by one at every point: 16 times the error, 2e-5
+// In a hollow the contact is wider at equal depth: the tool's nodes reach twice as deep, for a sum
+// of half its curvature.
 constexpr double ForHollows = 2.1;
 constexpr double ForNegativeCompliance = 3.0;
-// The sag's contact radius is to pass the tool's on any layer.
+// The sag's contact radius must exceed the tool's on any layer.
 constexpr double ForSag = 2.0;
 
 std::vector<double> nodeDepths(double deepest, int count)

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// One thing that differs between points, spanned evenly.
+/// One parameter that differs between points, with evenly spaced nodes.
 struct Axis
 {
   double first = 0.0;
@@ -39,7 +39,7 @@ struct Axis
     return this->nodes < 2 ? this->first
                            : this->first + (this->last - this->first) * node / (this->nodes - 1);
   }
-  /// Of a place between the ends; beyond them the end's.
+  /// The weight of a node at a place; beyond the ends, that of the end.
   double weightOf(int node, double place) const
   {
     if (this->nodes < 2)
@@ -52,7 +52,7 @@ struct Axis
   }
 };
 
-/// What the laws of one tool are spread over.
+/// The grid of parameters over which the laws of one tool are spread.
 class TiltGrid
 {
 public:
@@ -60,8 +60,8 @@ public:
     : Bounds(bounds)
     , Radius(tool.tool().contactRadius(range))
   {
-    // Linear between nodes: an eighth of the spacing squared times the bend, which these keep to 1
-    // % of the force on layers and in series as tools feel them.
+    // The error of linear interpolation is an eighth of the squared spacing times the second
+    // derivative; these spacings keep it to 1 % of the force on layers and in series.
     constexpr double Thickness = 0.1;
     constexpr double Ratio = 0.05;
     constexpr double Yielding = 0.15;
@@ -96,7 +96,7 @@ public:
   }
 
   double thinnest() const { return this->Thinnest; }
-  /// A thinner layer than can be felt is all there is.
+  /// Whether all layers are too thin for a law.
   bool isTooThin() const
   {
     return this->Bounds.hasLayers() && this->Thinnest > this->Bounds.layers.thickest &&
@@ -122,7 +122,8 @@ public:
       {
         const std::array<int, 4> node = this->nodeOf(law);
         const double place = this->Axes[0].at(node[0]);
-        // A kernel belongs to a ratio, or to a stack; the same for all in series with it.
+        // A kernel belongs to a Poisson's ratio, or to a stack; all laws in series with it share
+        // it.
         made[law].thickness = place > 0.0 ? this->thicknessAt(place) : 0.0;
         const double yielding = this->Axes[3].at(node[3]);
         made[law].yielding = yielding / ((1.0 - yielding) * 2.0 * this->Radius);
@@ -171,7 +172,7 @@ private:
   double thicknessAt(double place) const { return this->Radius * (1.0 / place - 1.0); }
   double yieldingPlace(const ContactSpot& spot) const
   {
-    // What stiffens so much that the curve folds has no response, and so needs no factor.
+    // A compliance so negative that the curve folds has no response, and so needs no factor.
     constexpr double Stiffest = -0.4;
     const double yielding =
       std::max(Stiffest, spot.compliance * spot.reducedModulus * 2.0 * this->Radius);
@@ -219,7 +220,7 @@ private:
     return std::make_shared<const LayerKernel>(stack);
   }
 
-  /// Fewer nodes where they are closest, until there are no more than a table takes.
+  /// Removes nodes where they are closest, until a table can hold all laws.
   void limitLaws()
   {
     const std::array<Axis, 4> wanted = this->Axes;
@@ -235,14 +236,14 @@ private:
         densest = density > most ? axis : densest;
         most = std::max(most, density);
       }
-      --this->Axes[densest].nodes; // four of two nodes each are sixteen
+      --this->Axes[densest].nodes; // four axes of two nodes each are sixteen laws
     }
   }
 
-  /// The thinnest layer that answers to the range, upright and tilted most.
+  /// Finds the thinnest layer that has a law down to the range, upright and at the largest tilt.
   void findThinnest(const TiltedHalfSpace& tool, double range)
   {
-    // The least compressible: its contact is the widest.
+    // The least compressible material has the widest contact.
     const std::array<int, 4> first{ 0, this->Axes[1].nodes - 1, 0, 0 };
     double answered = this->Bounds.layers.thinnest;
     std::shared_ptr<const LayerKernel> kernel = this->kernelOf(answered, first);

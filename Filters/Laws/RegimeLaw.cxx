@@ -15,12 +15,12 @@ namespace palpate
 {
 namespace
 {
-// Of the logarithm of the size: the central difference errs by step²/6, about 2e-5.
+// Step of the logarithm of the size: the error of the central difference is step²/6, about 2e-5.
 constexpr double SizeStep = 0.01;
 constexpr int Samples = 8; // of laws that are never stored
 constexpr double ResponseAgreement = 0.02;
 
-/// The forces that a response with the body's curvature in its law has.
+/// The forces of a response whose law includes the body's curvature.
 std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMaterial& material,
   const ComparedResponse& stored, const std::vector<double>& depths)
 {
@@ -44,7 +44,7 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
         spot.curvature = stored.curvature(i);
         if (contact.isDirect(spot))
         {
-          // Down to the range, where it is decided whether the tool fits.
+          // Down to the range, as that decides whether the tool fits.
           const std::vector<double> both = { depths[i],
             std::max(depths[i], static_cast<double>(ranges[i])) };
           std::array<LocalState, 2> states;

@@ -16,9 +16,9 @@ namespace palpate
 namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
-constexpr std::size_t MostBlocks = 20;         // after each of which the caller is asked
-constexpr std::size_t PointsPerThread = 65536; // in a block: threads cost less than that
-constexpr double AtTouch = 1e-3;               // of the first sample's depth
+constexpr std::size_t MostBlocks = 20;         // after each of which the caller may stop
+constexpr std::size_t PointsPerThread = 65536; // in a block, so that starting threads costs little
+constexpr double AtTouch = 1e-3;               // fraction of the first sample's depth
 
 /// Whether the contact of a spot is that of every half-space.
 bool isBare(const ContactSpot& spot)

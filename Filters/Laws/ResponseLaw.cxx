@@ -15,7 +15,7 @@ namespace
 {
 constexpr int ErrorProbes = 200;
 // The local part of a series is kept in more samples than are stored: its own storage error is
-// (8/64)⁴ of theirs. A negative compliance drives the local part beyond the range.
+// (8/64)⁴ of theirs. With a negative compliance the local part exceeds the range.
 constexpr int LocalSamples = 64;
 constexpr double LocalDepths = 3.0;
 
@@ -246,7 +246,7 @@ double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a)
   {
     return this->totalDeflection(spot, this->Tool.depthAtContactRadius(a));
   }
-  // On a layer a is nearly straight over √δ: so between the samples.
+  // On a layer a is nearly linear in √δ, and interpolated so between the samples.
   const LayerCurves::Curve curve = this->Stored->sample(spot.place());
   double radius = this->Tool.smallestContactRadius();
   if (a <= radius)

@@ -16,12 +16,14 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Row = std::array<double, 12>;
 
-// 95 of 100, of errors that are known from a few neighbours; see SurfaceCurvatureTest.cxx.
+// Factors that bound 95 of 100 errors, estimated from a few neighbours; see
+// SurfaceCurvatureTest.cxx.
 constexpr double RoughOfOne = 2.5;     // of one point's form
-constexpr double RoughOfAverage = 1.3; // times 1/(1 + steps): neighbours err against each other
-constexpr double OfSpread = 0.1;       // the middle of an average is not quite the point
-constexpr double OfCurvature = 0.02;   // facets, and turned forms
-constexpr double FeltVariance = 0.1;   // contact radii² along each axis, by which sag is felt
+constexpr double RoughOfAverage = 1.3; // times 1/(1 + steps): errors of neighbours are opposite
+constexpr double OfSpread = 0.1;       // the centre of an average is not quite the point
+constexpr double OfCurvature = 0.02;   // for facets and the turning of forms
+constexpr double FeltVariance =
+  0.1; // contact radii² along each axis, over which a contact averages
 
 /// Triangles around each point, in rising order.
 class TrianglesOfPoints
@@ -84,7 +86,7 @@ void addEdge(const TangentFrame& frame, const Vector3d& edge, const Vector3d& tu
   {
     return;
   }
-  const double weight = edge.squaredNorm(); // what moves a normal tells less over a short edge
+  const double weight = edge.squaredNorm(); // an error of a normal matters more over a short edge
   const std::array<double, 3> row = { t * t / flat, 2.0 * t * u / flat, u * u / flat };
   std::size_t place = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -116,7 +118,7 @@ Fit solve(const Row& sums)
   products << sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5];
   const Vector3d right(sums[6], sums[7], sums[8]);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> spread(products);
-  constexpr double LeastSpread = 1e-3; // of all weights: three directions, none beside another
+  constexpr double LeastSpread = 1e-3; // relative to all weights: three distinct directions
   if (!(spread.eigenvalues()[0] > LeastSpread * sums[10]))
   {
     // t² + u² = 1: the curvatures sum up to the first and last product.
@@ -232,8 +234,8 @@ public:
   }
 
 private:
-  /// By how much the mean curvature of each differs from the mean of its neighbours': noise, and
-  /// what is too fine for the mesh, and no slope of it.
+  /// The difference of each mean curvature from the mean of its neighbours: noise and detail too
+  /// fine for the mesh, but no gradient of the curvature.
   void findRoughness(std::vector<Form>& forms) const
   {
     std::vector<double> rough(forms.size(), 0.0);

@@ -18,16 +18,16 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double Opposite = -0.3;       // cosine between two ways of which one goes on the other
-constexpr double SpacingsPerCell = 2.0; // at least, of the root of the area a point has
-constexpr double LongFacet = 4.0;       // squares of the contact radius: its area
-constexpr double MostOfTheTurn = 0.8;   // else it is a fillet's, or a bevel's
+constexpr double Opposite = -0.3; // cosine between two directions of which one continues the other
+constexpr double SpacingsPerCell = 2.0; // at least, in square roots of the area per point
+constexpr double LongFacet = 4.0;       // area in squared contact radii
+constexpr double MostOfTheTurn = 0.8;   // otherwise it is a fillet or a bevel
 constexpr double SmallPatch = 0.2;      // of a cell: too few facets to know its normal
 
-/// A cell's facets, or one long facet, as one.
+/// The facets of a cell, or one long facet.
 struct Patch
 {
-  Vector3d normal = Vector3d::Zero(); ///< of its area; unit in the end
+  Vector3d normal = Vector3d::Zero(); ///< weighted by area; unit in the end
   Vector3d centre = Vector3d::Zero();
   double area = 0.0;
   bool isAlone = false; ///< one long facet
@@ -70,7 +70,7 @@ private:
     this->Cell = std::max(this->Radius, SpacingsPerCell * spacing);
   }
 
-  /// Facets whose middle lies in one cell, and that do not look opposite ways, are one patch.
+  /// Facets whose centres lie in one cell, and whose normals are not opposite, form one patch.
   void makePatches()
   {
     struct Key
@@ -159,7 +159,7 @@ private:
       3.0;
   }
 
-  /// To the last patch.
+  /// Adds a facet to the last patch.
   void addFacet(std::size_t t)
   {
     Patch& patch = this->Patches.back();
@@ -186,7 +186,7 @@ private:
         .norm());
   }
 
-  /// Whether one way goes on the other, seen along the normal between: also over a sharp edge.
+  /// Whether one direction continues the other, seen along the mean normal, also over a sharp edge.
   static bool areOpposite(const Vector3d& normal, const Vector3d& one, const Vector3d& other)
   {
     const Vector3d flat = one - one.dot(normal) * normal;
@@ -200,8 +200,8 @@ private:
     return here.isAlone || here.area > SmallPatch * this->Cell * this->Cell;
   }
 
-  /// The rate, rad/mm, at which it turns on beyond `patch`, seen from `from`: the mean of the ways
-  /// that go on; from a long facet the least, since another edge may end it.
+  /// The rate, rad/mm, at which the surface turns beyond `patch`, seen from `from`: the mean of the
+  /// directions that continue; beyond a long facet the least, since another edge may end it.
   double rateBeyond(int from, int patch) const
   {
     const Patch& here = this->Patches[static_cast<std::size_t>(patch)];
@@ -224,7 +224,7 @@ private:
     return weights > 0.0 ? std::max(0.0, here.isAlone ? least : sum / weights) : 0.0;
   }
 
-  /// What the surface turns between two patches more than at the rate beside them.
+  /// The turn of the surface between two patches in excess of the rate beside them.
   double excess(int before, int after, int beforeFrom, int afterFrom) const
   {
     const double angle = this->turn(before, after);

@@ -17,10 +17,11 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostPoints = 400;
-constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 }; // of the share of the range
+constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75,
+  1.0 };                           // square roots of the fractions of the range
 constexpr int UnstoredSamples = 8; // of laws that are evaluated, not stored
 
-/// A model of the body, ready to tell forces.
+/// A model of the body, ready to compute forces.
 class ModelledForce
 {
 public:
@@ -53,7 +54,8 @@ private:
   PreparedLaw Prepared;
 };
 
-/// What `share` of the points do not pass, of `change(i)`, which is negative where there is none.
+/// The value of `change(i)` not exceeded at a fraction `share` of the points; negative changes are
+/// ignored.
 template <class Change>
 double largestOfMost(const PressedBody& body, const Change& change)
 {

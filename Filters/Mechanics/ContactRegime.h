@@ -8,10 +8,10 @@
 namespace palpate
 {
 /**
- * Regime index λ = 1 - δ_hs(F)/δ: the share of the deflection that is not the half-space
+ * Regime index λ = 1 - δ_hs(F)/δ: the fraction of the deflection in excess of the half-space
  * indentation of the same tool under the same force.
  *
- * 0 where deformation is local, near 1 where it is global, C F/δ in the series model, and negative
+ * 0 where deformation is local, near 1 where it is global (C F/δ in the series model), and negative
  * where a near base stiffens the body. It depends on the load: always state δ. `halfSpace` is the
  * tool's own law, E* (MPa) that of the body's surface, F (N) the force at δ (mm). NaN unless F and
  * δ are positive and finite.
@@ -22,7 +22,7 @@ PALPATE_EXPORT double regimeIndex(
 /// Whether the shape of the tool matters.
 enum class RegimeVerdict : unsigned char
 {
-  ShapeMatters, ///< a tool twice as large changes the force by more than the 10 % one can feel
+  ShapeMatters, ///< a tool twice as large changes the force by more than 10 %, which can be felt
   Mixed,
   PointForceSuffices ///< a tool four times as large changes the force by less than 5 %
 };

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Text from parts, each written as a stream writes it.
+/// Joins parts into a text, each formatted as by a stream.
 template <class... Parts>
 std::string joined(const Parts&... parts)
 {

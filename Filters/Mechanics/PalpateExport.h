@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the kernels' shared libraries export: everything else is hidden.
+ * Marks what the kernels' shared libraries export; everything else is hidden.
  *
  * The rule: a class or function out of line in a header that is installed is marked; headers that
- * are not installed (PRIVATE in palpate_add_kernel) mark nothing. Tests look inside by linking
- * palpateMechanicsInside and its like, the same objects as an archive.
+ * are not installed (PRIVATE in palpate_add_kernel) mark nothing. Tests reach internals by linking
+ * palpateMechanicsInside and the like, archives of the same objects.
  */
 #ifndef PalpateExport_h
 #define PalpateExport_h

@@ -9,7 +9,7 @@ namespace palpate
 /// Whether E is a usable Young's modulus: finite and positive (MPa).
 PALPATE_EXPORT bool isYoungsModulus(double youngsModulus);
 
-/// Whether nu is a Poisson's ratio the half-space laws hold for: 0 <= nu <= 0.5.
+/// Whether nu is a Poisson's ratio for which the half-space laws hold: 0 <= nu <= 0.5.
 PALPATE_EXPORT bool isPoissonsRatio(double poissonsRatio);
 
 /// E* = E / (1 - nu^2), in the unit of E (MPa here); the tool is rigid.

@@ -20,11 +20,10 @@ struct SeriesPoint
 /**
  * Local and global deformation in series: δ = δ_local(F; tool) + C F.
  *
- * The body as a whole yields by its structural compliance C (mm/N), whatever the tool
- * (St. Venant, Castigliano); the neighbourhood of the contact by the law of the tool on it.
- * Negative C (a near rigid base) is allowed until 1 + C dF/dδ_local = 0, where the curve folds.
- * Solved by Newton's method, monotone because F(δ_local) is convex. Cost: about five evaluations of
- * the local law.
+ * The global deformation follows the structural compliance C (mm/N), whatever the tool (St. Venant,
+ * Castigliano); the local one the law of the tool. Negative C (a near rigid base) is allowed until
+ * 1 + C dF/dδ_local = 0, where the curve folds. Solved by Newton's method, monotone because
+ * F(δ_local) is convex. Cost: about five evaluations of the local law.
  */
 PALPATE_EXPORT SeriesPoint seriesResponse(
   const IndentationLaw& local, double reducedModulus, double compliance, double deflection);

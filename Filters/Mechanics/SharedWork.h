@@ -13,16 +13,17 @@
 
 namespace palpate
 {
-/// Told the fraction that is done; returns false to stop.
+/// Gets the fraction done; returns false to stop.
 using WorkObserver = std::function<bool(double)>;
 
 /**
- * Calls work(i) once for each i < count, on threadCount() threads, each index by whichever is free:
- * for items that take long, unlike those of forRanges(). What an item makes must not depend on the
- * thread; each has its own copy of `work`, with what it keeps for itself.
+ * Calls work(i) once for each i < count, on threadCount() threads, each index on the next free
+ * thread: for items that take long, unlike those of forRanges(). An item's result must not depend
+ * on the thread; each thread has its own copy of `work`, with its own buffers.
  *
- * `observer` (empty: nobody) is asked by the calling thread alone, between its items and at the
- * end. False when it stopped the work; items that had begun are finished. `work` must not throw.
+ * `observer` (may be empty) is called on the calling thread alone, between its items and at the
+ * end. Returns false if it stopped the work; items that had begun are finished. `work` must not
+ * throw.
  */
 template <class Work>
 bool shareWork(std::size_t count, const Work& work, const WorkObserver& observer = {})

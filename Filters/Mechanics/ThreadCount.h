@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * How many threads the loops of the kernels take: for building bodies, finite elements, reduction.
- * The tick takes none. No result depends on it.
+/**
+ * @file The number of threads for loops of the kernels: building bodies, finite elements,
+ * reduction. The servo tick uses none. No result depends on it.
  *
- * One per core, or PALPATE_THREADS of the environment, which is read once; within a ThreadLimit as
- * many as that says, but no more than PALPATE_THREADS where it is set.
+ * One per core, or PALPATE_THREADS of the environment, which is read once; within a ThreadLimit its
+ * count, but no more than PALPATE_THREADS if that is set.
  */
 #ifndef palpate_ThreadCount_h
 #define palpate_ThreadCount_h
@@ -15,11 +15,11 @@
 
 namespace palpate
 {
-/// Of loops that the calling thread starts; at least 1.
+/// For loops that the calling thread starts; at least 1.
 PALPATE_EXPORT std::size_t threadCount() noexcept;
 
-/// While this lives, loops that the thread that made it starts take `count` threads. The innermost
-/// one holds; 0 changes nothing.
+/// While this lives, loops started by the same thread use `count` threads. The innermost limit
+/// counts; 0 changes nothing.
 class PALPATE_EXPORT ThreadLimit
 {
 public:

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Where the law of a layer is kept: at place k of x/(1 + x) = k / CouplingLaw::Places.
+/// A knot of a layer's law, at x/(1 + x) = k / CouplingLaw::Places.
 struct CouplingKnot
 {
   double share = 1.0; ///< g at x = r/h
@@ -18,15 +18,15 @@ struct CouplingKnot
 };
 
 /**
- * How far a body gives way at one place under a force at another, r away:
- *   C(r) = g / (πE* r), on a half-space g = 1 (Boussinesq),
- *   on a layer of thickness h, whose surface moves by W(kh) of a half-space's (LayerKernel),
- *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
- * On a rigid base g is negative beyond about one thickness, where the surface bulges, and soon 0.
+ * The compliance of a body at one place under a force at another at distance r: C(r) = g / (πE* r).
+ * On a half-space g = 1 (Boussinesq). On a layer of thickness h, whose surface moves by W(kh) times
+ * that of a half-space (LayerKernel), g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π)
+ * ∫_0^{π/2} M(x sin φ) dφ, x = r/h. On a rigid base g is negative beyond about one thickness, where
+ * the surface bulges, and decays to 0 soon after.
  *
- * Cubic polynomials between 79 knots, within 2e-6 of g; beyond x = 39 g stays. Also the contact
- * radius a of a stiffness, of any tool whose pressure ends smoothly: on a half-space K = 2E* a.
- * Immutable and safe to use from any number of threads.
+ * Cubic polynomials between 79 knots, within 2e-6 of g; beyond x = 39 g is constant. Also the
+ * contact radius a for a stiffness K, for any tool whose pressure vanishes at the rim: on a
+ * half-space K = 2E* a. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT CouplingLaw
 {
@@ -36,9 +36,9 @@ public:
 
   /// Of a half-space.
   CouplingLaw() = default;
-  /// Of a layer, or a stack of them, whose h and E* are those of the top layer. About 10 ms.
+  /// Of a layer, or of a stack; h and E* are those of the top layer. About 10 ms.
   explicit CouplingLaw(const LayerKernel& kernel);
-  /// KnotCount knots that another has told, or none.
+  /// KnotCount knots of another law, or none.
   explicit CouplingLaw(std::vector<CouplingKnot> knots)
     : Knots(std::move(knots))
   {
@@ -55,7 +55,8 @@ public:
   };
   Share at(double x) const noexcept;
 
-  /// Of a contact of this stiffness (N/mm), mm; `modulus` E*, MPa, and `thickness` h, mm, > 0.
+  /// Radius of a contact of this stiffness (N/mm), mm; `modulus` E*, MPa, and `thickness` h, mm, >
+  /// 0.
   double contactRadius(double stiffness, double modulus, double thickness) const noexcept;
 
 private:

@@ -12,12 +12,13 @@ namespace palpate
 constexpr int MostCouplingModes = 16;
 
 /**
- * How far a body gives way at one place of its surface under a force at another, both along their
+ * The compliance of a body at one place of its surface under a force at another, both along their
  * normals, less the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and positive semi-definite.
  *
  * From the fields of landmarks (RegularField) by Nyström's method, as GlobalModes, but of the
- * normal parts alone and of positive eigenvalues alone: those whose sum has an energy. With the
- * surface's own share 1/(πE*r) where places face as each other (BodyCoupling) it is the whole.
+ * normal parts and positive eigenvalues alone, so that the sum is an energy. Added to the
+ * half-space's 1/(πE*r) between places that face the same way (BodyCoupling), it is the whole
+ * compliance.
  */
 struct CouplingModes
 {
@@ -28,8 +29,9 @@ struct CouplingModes
   double neglected = 0.0;
 };
 
-/// The `count` largest of a factorised body, 1 to MostCouplingModes, from LandmarksPerMode times as
-/// many landmarks among the points whose compliance is valid. Costs one solution per landmark.
+/// The `count` largest modes of a factorised body, 1 to MostCouplingModes, from LandmarksPerMode
+/// times as many landmarks among the points with a valid compliance. Costs one solution per
+/// landmark.
 PALPATE_EXPORT CouplingModes couplingModes(const ElasticBody& body,
   const PatchCompliances& compliances, double radius, int count, const WorkObserver& observer);
 } // namespace palpate

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// One record of comma-separated values to be written, as CsvReader reads it: numbers come back to
-/// the same bits, a text is quoted where it must be.
+/// One record of comma-separated values for writing, as CsvReader reads it: numbers are read back
+/// to the same bits, texts are quoted if necessary.
 class CsvRow
 {
 public:

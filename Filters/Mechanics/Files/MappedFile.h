@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// A file as memory that may be read: what is touched of it is loaded, and shared with whoever else
-/// maps it. A file that is cut short meanwhile ends the program that reads on (SIGBUS): replace one
-/// by WholeFile.
+/// A file mapped into memory for reading: pages are loaded on access, and shared with other
+/// processes that map it. If the file is truncated meanwhile, reading on ends the program (SIGBUS):
+/// replace files by WholeFile.
 class PALPATE_EXPORT MappedFile
 {
 public:
@@ -20,8 +20,8 @@ public:
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  /// Returns "cannot open 'PATH': " or "cannot map 'PATH': " and the system's reason, or "". What
-  /// is empty or no file (a folder, a pipe) has no bytes.
+  /// Returns "cannot open 'PATH': " or "cannot map 'PATH': " and the system's reason, or "". An
+  /// empty file, a folder or a pipe has no bytes.
   std::string open(const std::string& path);
   void close() noexcept;
 

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// Whether all of the text is one number, and a finite one; else `value` may be anything.
+/// Whether all of the text is one finite number; otherwise `value` is undefined.
 template <class Number>
 bool readNumber(std::string_view text, Number& value)
 {
@@ -34,7 +34,7 @@ std::string shortestDecimals(Number value)
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
 }
 
-/// In three digits: enough for a sentence.
+/// Three significant digits, for sentences.
 inline std::string shortly(double value)
 {
   char buffer[32];
@@ -42,7 +42,7 @@ inline std::string shortly(double value)
   return buffer;
 }
 
-/// A fraction as "1.3 %": in two digits, or whole.
+/// A fraction as "1.3 %", to two digits or to a whole per cent.
 inline std::string inPercent(double fraction)
 {
   char buffer[32];

@@ -23,7 +23,7 @@ struct SurfacePlace
   std::array<double, 6> shape{};
 };
 
-/// The outer surface of a mesh: its points, triangles and what they were part of.
+/// The outer surface of a mesh: its points, triangles and the faces that they are part of.
 class PALPATE_EXPORT BodySurface
 {
 public:
@@ -81,7 +81,7 @@ public:
     return this->PointTriangles.data() + this->PointOffset[static_cast<std::size_t>(point) + 1];
   }
 
-  /// The place of a triangle with these barycentric coordinates, in its face's own shapes.
+  /// The place in a triangle with these barycentric coordinates, by the shapes of its face.
   SurfacePlace place(std::int32_t triangle, const Eigen::Vector3d& barycentric) const;
 
   /// Distance of neighbouring nodes at a point, mm: the side of a square of the mean area of the

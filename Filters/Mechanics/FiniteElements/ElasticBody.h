@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// What a linear elastic body is made of and what holds it; mm, N, MPa.
+/// Mesh, materials and fixed nodes of a linear elastic body; mm, N, MPa.
 struct ElasticBodyInput
 {
   VolumeMesh mesh;
@@ -20,22 +20,22 @@ struct ElasticBodyInput
 /**
  * A linear elastic body under small loads: mesh, surface, stiffness and its factor.
  *
- * To be called in this order: take(), assemble(), analyse(), factorise(); then it answers any
- * number of questions. One that has returned an error is not to be used further.
+ * Call take(), assemble(), analyse() and factorise() in this order; then any number of the others.
+ * After an error the body must not be used further.
  */
 class PALPATE_EXPORT ElasticBody
 {
 public:
-  /// Takes the input over: from then on memoryForecast() tells. Returns what is wrong (a floating
+  /// Takes the input, after which memoryForecast() is valid. Returns what is wrong (a floating
   /// part, E or ν out of range; elements and nodes by index), or "".
   std::string take(ElasticBodyInput input);
   MemoryForecast memoryForecast() const;
-  /// Sums the stiffness of what was taken. Returns what is wrong (inverted elements), or "".
+  /// Assembles the stiffness. Returns what is wrong (inverted elements), or "".
   std::string assemble();
   /// Both.
   std::string assemble(ElasticBodyInput input);
 
-  /// Chooses the order of elimination: from then on memoryEstimate() tells what factorise() takes.
+  /// Chooses the order of elimination, after which memoryEstimate() is that of factorise().
   std::string analyse(StiffnessFactor::Kind kind);
   double memoryEstimate() const; ///< bytes
   std::string factorise();
@@ -57,7 +57,7 @@ public:
     return this->unknown(node, 0) < 0 && this->unknown(node, 1) < 0 && this->unknown(node, 2) < 0;
   }
 
-  /// Whether all of it is of one material.
+  /// Whether the body has a single material.
   bool isUniform() const;
   const ElasticMaterial& material(std::int32_t element) const
   {

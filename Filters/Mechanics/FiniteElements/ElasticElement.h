@@ -5,9 +5,9 @@
  * Hexahedron: trilinear with the nine incompatible modes 1-ξ², 1-η², 1-ζ² condensed inside the
  * element (Wilson et al. 1973; the Jacobian at the centre as Taylor, Beresford and Wilson 1976, so
  * that it passes the patch test). It bends without shear locking, and does not lock as ν → 0.5.
- * Quadratic tetrahedron: four Gauss points, exact for straight edges; does not lock either.
- * Linear tetrahedron: constant strain. It locks: far too stiff as ν → 0.5 and in bending; it is
- * there for meshes that have nothing better.
+ * Quadratic tetrahedron: four Gauss points, exact for straight edges; does not lock either. Linear
+ * tetrahedron: constant strain. It locks, far too stiff as ν → 0.5 and in bending; supported for
+ * meshes that have nothing better.
  */
 #ifndef palpate_ElasticElement_h
 #define palpate_ElasticElement_h
@@ -24,7 +24,7 @@ struct ElasticMaterial
   double poissonRatio = 0.3;
 };
 
-/// Whether there is no border between them.
+/// Whether the materials are equal up to rounding.
 inline bool isAlike(const ElasticMaterial& a, const ElasticMaterial& b)
 {
   return a.youngsModulus == b.youngsModulus && a.poissonRatio == b.poissonRatio;
@@ -45,7 +45,7 @@ PALPATE_EXPORT ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeEle
 PALPATE_EXPORT bool elementStiffness(
   ElementKind kind, const ElementNodes& nodes, const ElasticMaterial& material, ElementMatrix& k);
 
-/// Gradients (3 × n) of an element's shapes, for a hexahedron of its three incompatible modes too.
+/// Gradients (3 × n) of an element's shapes, and of the three incompatible modes of a hexahedron.
 using ElementGradients = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
 
 /// Gradients in space at the element's own coordinates `xi` ([-1, 1]³, or the corner tetrahedron of
@@ -60,13 +60,13 @@ PALPATE_EXPORT ElementShapes elementShapes(ElementKind kind, const Eigen::Vector
 /// The corners at the ends of the edge whose middle is node 4 .. 9 of a quadratic tetrahedron.
 PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
 
-/// How far a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode) follow the
-/// motion of its nodes when nothing else drives them: forces f on the modes act on the nodes as the
-/// transpose of this times f. The element must not be inverted.
+/// The matrix by which a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode)
+/// follow the motion of its nodes without forces of their own: forces f on the modes act on the
+/// nodes as the transpose of this times f. The element must not be inverted.
 PALPATE_EXPORT Eigen::Matrix<double, 9, 24> modesOfNodes(
   const ElementNodes& nodes, const ElasticMaterial& material);
 
-/// A hexahedron's or a tetrahedron's volume by its smallest Jacobian, mm³; 0: inverted.
+/// The volume of a hexahedron or a tetrahedron from its smallest Jacobian, mm³; 0: inverted.
 PALPATE_EXPORT double leastVolume(ElementKind kind, const ElementNodes& nodes);
 
 /// The smallest Jacobian determinant over the integration points; not positive: inverted.

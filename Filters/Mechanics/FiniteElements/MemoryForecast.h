@@ -7,32 +7,32 @@
 namespace palpate
 {
 /**
- * What the finite elements of a body will take, bytes, told by its numbers of nodes before anything
- * is assembled; off by up to a factor of ForecastError.
+ * Memory of a body's finite elements, bytes, from its numbers of nodes before anything is
+ * assembled; accurate to a factor of ForecastError.
  *
- * Nested dissection leaves in a column of the factor as many entries, in proportion, as the body is
- * thick: with n nodes, b of them on the surface, 6 n/b, which is the side of a cube. That makes
- * c n · 6 n/b bytes, c n^(4/3) for a cube. Measured with CHOLMOD and METIS on blocks of hexahedra
- * and of tetrahedra, c is 490 to 940, and grows slowly with n: 611 for 10³ elements, 889 for 40³,
- * 942 for 60³, 661 for 60 × 60 × 6, 913 for 200 × 200 × 10, 615 for 6 × 6 × 300; least for small
- * bodies, many of whose nodes are held. The exact number is known after the symbolic analysis
- * (StiffnessFactor::memoryEstimate); this one is for bodies on which that would itself take hours.
+ * By nested dissection the entries in a column of the factor are proportional to the body's
+ * thickness: with n nodes, b of them on the surface, 6 n/b, the side of a cube. That makes c n · 6
+ * n/b bytes, c n^(4/3) for a cube. Measured with CHOLMOD and METIS on blocks of hexahedra and of
+ * tetrahedra, c is 490 to 940, and grows slowly with n: 611 for 10³ elements, 889 for 40³, 942 for
+ * 60³, 661 for 60 × 60 × 6, 913 for 200 × 200 × 10, 615 for 6 × 6 × 300; least for small bodies,
+ * many of whose nodes are held. The exact number is known after the symbolic analysis
+ * (StiffnessFactor::memoryEstimate), which itself takes hours on some bodies.
  */
 struct MemoryForecast
 {
-  double matrix = 0.0; ///< the stiffness, and the analysis of its pattern
+  double matrix = 0.0; ///< the stiffness, and its symbolic analysis
   double factor = 0.0; ///< its Cholesky factor
 
   static constexpr double ForecastError = 2.0;
 
-  /// Whether it is certain that it does not fit so many bytes.
+  /// Whether it certainly needs more than so many bytes.
   bool exceeds(double bytes) const
   {
     return this->matrix > ForecastError * bytes || this->factor > ForecastError * bytes;
   }
 };
 
-/// Of `nodes` nodes, of which `outerNodes` lie on the surface.
+/// The forecast for `nodes` nodes, of which `outerNodes` lie on the surface.
 PALPATE_EXPORT MemoryForecast forecastMemory(double nodes, double outerNodes);
 } // namespace palpate
 

@@ -3,16 +3,16 @@
  * The compliance a patch load would have on a half-space of the same elements.
  *
  * The energy of a patch on a body is that of the patch on a half-space (16/(3π²E*c) for a disc of
- * radius c, and large) plus what the body's shape and supports add, which is sought. Elements of
- * the size of the patch miss the large part by per cents, more than all of what is sought. So it is
- * taken from the same elements: those within `reach` of the point are cut out, flattened so that
- * their free surface is the plane z = 0 (what curvature adds stays in the body's energy), made of
- * one material, loaded by the same nodal forces, and given the exact displacement of the half-space
- * (Boussinesq 1885, summed over the load) wherever they were cut or the body ends. The missing
- * energy is then the same in both and cancels.
+ * radius c, and large) plus the effect of the body's shape and supports, which is wanted. Elements
+ * of the size of the patch have an error of some per cent in the large part, more than the whole
+ * effect. So the large part is computed with the same elements: those within `reach` of the point
+ * are cut out, flattened so that their free surface is the plane z = 0 (the effect of curvature
+ * stays in the body's energy), made of one material, loaded by the same nodal forces, and given the
+ * exact displacement of the half-space (Boussinesq 1885, summed over the load) wherever they were
+ * cut or the body ends. The missing energy is then the same in both and cancels.
  *
- * Linear elements miss some more beyond the cut, h² ∫ r⁻⁶ dV in proportion (the square of the
- * second derivative of the strain of 1/r). Two cuts, one within the other, tell the factor; the
+ * The error of linear elements beyond the cut is proportional to h² ∫ r⁻⁶ dV (the square of the
+ * second derivative of the strain of 1/r). Two cuts, one within the other, give the factor; the
  * elements of the body beyond, the integral.
  *
  * On regular grids most cut-outs are alike: equal ones (to 1e-7 of the spacing) are computed once.
@@ -30,8 +30,8 @@ namespace palpate
 using SelfTerms = std::array<std::array<double, 2>, 2>;
 SelfTerms patchSelfTerms(const LocalPatch& patch);
 
-/// How the nodes of the outer cut move under each load (3 × nodes, mm/N for E = 1 MPa, in the
-/// tangent frame: z into the body); NaN when an element is inverted by flattening.
+/// Displacements of the nodes of the outer cut under each load (3 × nodes, mm/N for E = 1 MPa, in
+/// the tangent frame: z into the body); NaN when an element is inverted by flattening.
 std::array<Eigen::Matrix3Xd, 2> patchMotions(const LocalPatch& patch);
 } // namespace palpate
 

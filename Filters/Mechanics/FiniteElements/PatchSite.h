@@ -17,7 +17,7 @@ double patchRadiusAt(const ElasticBody& body, std::int32_t point, double radius)
 /// The load of that patch, and that of the one of twice its radius.
 std::array<PatchLoad, 2> patchLoadsAt(const ElasticBody& body, std::int32_t point, double radius);
 
-/// The elements around the point, cut out as its self-term needs them; `loads` of patchLoadsAt().
+/// The elements around the point, cut out for its self-term; `loads` of patchLoadsAt().
 LocalPatch patchCutAt(const ElasticBody& body, std::int32_t point, double radius,
   const std::array<PatchLoad, 2>& loads);
 } // namespace palpate

@@ -18,9 +18,9 @@ constexpr unsigned char FixedZ = 4;
 using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /**
- * The stiffness matrix of a body, without the unknowns that are fixed.
+ * The stiffness matrix of a body, without fixed unknowns.
  *
- * `dof` (3 per node) leads from a node's direction to its unknown, -1 where it is fixed or the node
+ * `dof` (3 per node) maps a node's direction to its unknown, -1 where it is fixed or the node
  * belongs to no element; unknowns are numbered in the order of the nodes.
  */
 struct StiffnessMatrix
@@ -36,12 +36,12 @@ PALPATE_EXPORT std::string assembleStiffness(const VolumeMesh& mesh, const MeshT
   StiffnessMatrix& stiffness);
 
 /**
- * Looks for a part of the body that is free to move as a whole.
+ * Finds a part of the body that is free to move as a whole.
  *
- * A part is what hangs together by shared nodes. Its six rigid motions must be stopped by its fixed
- * directions; mechanisms inside a part (two halves that share an edge only) are not looked for, the
- * factorisation stumbles over them. Returns a sentence that names the part by its first element and
- * says how many motions are left, or "".
+ * A part is connected by shared nodes. Its fixed directions must prevent its six rigid motions;
+ * mechanisms inside a part (two halves that share an edge only) are not searched, as the
+ * factorisation fails on them. Returns a sentence that names the part by its first element and the
+ * number of free motions, or "".
  */
 PALPATE_EXPORT std::string findFloatingPart(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& fixed);

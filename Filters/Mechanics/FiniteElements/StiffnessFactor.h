@@ -7,12 +7,12 @@
  * in blocks of neighbours in that tree, which share most of their path.
  *
  * Supernodal: CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008), ordered by METIS, its supernodes
- * walked with BLAS. CHOLMOD's own forward solution of blocks of as many loads, which goes over all
- * of L each time, takes 2.9 times as long for one load and 6.6 times for the 900 of a face
+ * walked with BLAS. CHOLMOD's own forward solution of blocks of as many loads, which reads all of L
+ * each time, takes 2.9 times as long for one load and 6.6 times for the 900 of a face
  * (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's, ordered by minimum
  * degree; it needs no other library and is some hundred times slower on large bodies. Both give the
- * same within 1e-9. The same bits for any number of threads, of BLAS too where that is OpenBLAS: it
- * is held to one meanwhile, as several would sum in another order.
+ * same within 1e-9. The same bits for any number of threads, of BLAS too where that is OpenBLAS,
+ * which is limited to one meanwhile, as several would sum in another order.
  */
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h
@@ -27,10 +27,10 @@
 
 namespace palpate
 {
-/// The unknowns a load acts on, and with what force (N).
+/// The unknowns a load acts on, and the forces (N).
 using SparseLoad = std::vector<std::pair<int, double>>;
 
-/// A factorised stiffness matrix K, asked for bᵀK⁻¹b and K⁻¹b.
+/// A factorised stiffness matrix K, for bᵀK⁻¹b and K⁻¹b.
 class PALPATE_EXPORT StiffnessFactor
 {
 public:
@@ -51,22 +51,22 @@ public:
 
   /// Chooses the order of elimination. False: not enough memory.
   virtual bool analyse(const SymmetricSparse& lower) = 0;
-  /// Bytes the factorisation will take at its peak, known after analyse().
+  /// Peak memory of the factorisation, bytes, known after analyse().
   virtual double memoryEstimate() const = 0;
   /// Computes L of the analysed matrix. False: not positive definite, or not enough memory.
   virtual bool factorise(const SymmetricSparse& lower) = 0;
   /// x = K⁻¹ b.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& load) const = 0;
   /// The same for each column, from any number of threads at once; empty: not enough memory. A
-  /// column's bits depend on how many there are beside it, not on threads.
+  /// column's bits depend on the number of columns, not of threads.
   virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const = 0;
   /// The compliances of all loads, in their order; empty when the observer stopped it.
   virtual std::vector<double> compliances(
     const std::vector<SparseLoad>& loads, const WorkObserver& observer) const = 0;
 };
 
-/// The indices of the loads, ordered by their first unknown in the order of elimination;
-/// `position` leads from an unknown to its place there. Empty loads are left out.
+/// The indices of the loads, ordered by their first unknown in the order of elimination; `position`
+/// maps an unknown to its place there. Empty loads are left out.
 PALPATE_EXPORT std::vector<std::size_t> orderLoads(
   const std::vector<SparseLoad>& loads, const std::vector<int>& position);
 } // namespace palpate

@@ -9,9 +9,9 @@
 namespace palpate
 {
 /**
- * How much of the dent under a force at a point is seen at each point of the surface, 0 to 1: where
- * the surface hangs together with that point and faces the same way, fully within 50° of the normal
- * there and fading to nothing at 60°.
+ * The fraction of the dent under a force at a point that each point of the surface has, 0 to 1:
+ * that of the surface connected to that point and facing the same way, 1 within 50° of the normal
+ * there and fading to 0 at 60°.
  */
 std::vector<double> dentFades(const BodySurface& surface, std::int32_t point);
 

@@ -36,7 +36,7 @@ struct ElementFace
 };
 PALPATE_EXPORT const ElementFace& elementFace(ElementKind kind, int face);
 
-/// One element: its kind and its nodes, as many as the kind has.
+/// One element: its kind and as many nodes as the kind has.
 struct VolumeElement
 {
   ElementKind kind = ElementKind::Hexahedron;
@@ -56,10 +56,10 @@ struct VolumeMesh
 /// The mean of an element's nodes.
 PALPATE_EXPORT Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element);
 
-/// A number for each node, the same for nodes of elements that hang together, if only by a node.
+/// A number for each node, equal within a part of the mesh connected by shared nodes.
 PALPATE_EXPORT std::vector<std::int32_t> partOfNodes(const VolumeMesh& mesh);
 
-/// A side of the body: face `face` of element `element`.
+/// A face of the body's surface: face `face` of element `element`.
 struct BoundaryFace
 {
   std::int32_t element = 0;
@@ -67,7 +67,7 @@ struct BoundaryFace
 };
 
 /**
- * Which elements lie beside each other, and which sides are the body's own.
+ * The neighbours of elements, and the faces on the body's surface.
  *
  * Two elements are neighbours when a face of one has the corner nodes of a face of the other. A
  * face of more than two elements is a fault. Cost: one sort of all faces.

@@ -36,14 +36,14 @@ public:
   double energy(const Vector& u, double depth) const;
   /// Its gradient and tangent.
   void linearize(const Vector& u, double depth, Vector& gradient);
-  /// Tells that a step was made from where it was linearized.
+  /// Must be called with each step made from the last linearization.
   void follow(const Vector& step);
-  /// Forgets the pressures: u was not reached by steps.
+  /// Forgets the pressures, for u that was not reached by steps.
   void restart() { this->Pressures.clear(); }
-  /// All but the iterations. The force is the penalty's.
+  /// All values but the iterations. The force is that of the penalty.
   FinitePoint evaluate(const Vector& u, double depth) const;
-  /// At an equilibrium whose tangent `solver` holds: how it moves with the depth, and d/d(depth) of
-  /// the energy in the penalty, N.
+  /// At an equilibrium whose tangent `solver` holds: its derivative by the depth, and that of the
+  /// penalty's energy, N.
   struct Course
   {
     Vector motion;
@@ -84,7 +84,7 @@ private:
     Eigen::Vector2d gradientByDepth;
   };
 
-  /// What a step of Newton's method makes of an element's pressure, to first order.
+  /// The change of an element's pressure by a step of Newton's method, to first order.
   struct PressureStep
   {
     Eigen::Vector3d now;
@@ -111,15 +111,14 @@ private:
   std::vector<int> UnknownOf; ///< per node u_r, u_z; -1: held
   Eigen::Index Unknowns = 0;
   Matrix Tangent;
-  // The pressures of elements and contact as unknowns of their own, eliminated from each step: with
-  // those that a volume change or a gap would give at a point that is no equilibrium, the tangent
-  // would be far from what it becomes.
+  // The pressures of elements and contact are separate unknowns, eliminated from each step: with
+  // those that follow from a volume change or a gap out of equilibrium, the tangent would be far
+  // from that at the solution.
   std::vector<Eigen::Vector3d> Pressures; ///< empty: those of the displacements
   std::vector<double> ContactPressures;   ///< MPa, < 0
   std::vector<PressureStep> Steps;
   std::vector<Gap> Gaps;
-  std::vector<int>
-    ValueOf; ///< per element, row and column <= row: where in the tangent, -1: nowhere
+  std::vector<int> ValueOf; ///< per element, row and column <= row: index in the tangent, -1: none
 };
 } // namespace palpate
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// A line of three nodes on [-1, 1], of which the elements of a FiniteBody are made.
+/// The line of three nodes on [-1, 1], from which the elements of a FiniteBody are built.
 namespace palpate::QuadraticLine
 {
 /// Gauss's rule of three points.

@@ -7,10 +7,10 @@
 namespace palpate
 {
 /**
- * How far the laws of small strain are off, as a fraction of the force, where the body is
- * Neo-Hooke: the size of c - 1, c = F_finite/F_small, with what its estimate leaves over.
+ * The relative error of the force by the laws of small strain on a Neo-Hooke body: |c - 1|, c =
+ * F_finite/F_small, and the residual of its estimate.
  *
- * Half-space: c - 1 = K(ν) s, one number for every tool, s the mean pressure over E*, F/(πa²E*).
+ * Half-space: c - 1 = K(ν) s, the same K for every tool, s the mean pressure over E*, F/(πa²E*).
  * Layer on a rigid base: k(ν) s + b(ν) (δ/h)(a/h)/(1/2 + a/h). K, k and b were fitted to finite
  * elements (sphere, flat, cone to s = 0.55; sphere on layers of half to four radii to δ/h = 0.5).
  *

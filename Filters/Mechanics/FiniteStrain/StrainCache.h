@@ -9,10 +9,9 @@
 namespace palpate
 {
 /**
- * What was solved for before, by what it was solved for: text files in $PALPATE_CACHE, or
- * $XDG_CACHE_HOME/palpate, or ~/.cache/palpate, whose first line is the key. Written whole or not
- * at all; one that cannot be read or written, or is of another key, is as if there were none. With
- * PALPATE_CACHE empty nothing is kept.
+ * A cache of solutions by their problem: text files in $PALPATE_CACHE, or $XDG_CACHE_HOME/palpate,
+ * or ~/.cache/palpate, whose first line is the key. Written whole or not at all; a file that cannot
+ * be read or written, or has another key, is ignored. With PALPATE_CACHE empty nothing is kept.
  */
 std::vector<double> readStrainCache(const std::string& key, std::size_t count);
 void writeStrainCache(const std::string& key, const std::vector<double>& values);

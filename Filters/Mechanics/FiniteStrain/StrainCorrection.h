@@ -18,7 +18,7 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// The bodies a correction is to serve.
+/// The bodies for a correction.
 struct StrainBodies
 {
   double leastRatio = 0.45; ///< Poisson's
@@ -27,33 +27,33 @@ struct StrainBodies
   double thinnest = 0.0; ///< of layers, mm; 0: none
   double thickest = 0.0;
   LayerBase base = LayerBase::Bonded;
-  /// Where the layer is the first of a stack, that; its second is as thick as `second` says.
+  /// The stack, if the layer is the first of one; its second layer is as thick as `second`.
   LayerStack stack = {};
   ThicknessSpan second = { 0.0, 0.0 };
 };
 
 /**
- * What finite strain does to the force of one tool at the same depth: c = F_finite/F_small, to be
- * multiplied by the exact law of small strain. Its stiffness is c k_small + F_small dc/dδ.
+ * The effect of finite strain on the force of one tool at the same depth: c = F_finite/F_small, by
+ * which the exact law of small strain is multiplied. Its stiffness is c k_small + F_small dc/dδ.
  *
  * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius, δ =
  * 1.3 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to four
  * radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to 0.7
- * to 1.2 radii), is a table made once by the solver; deeper than that the error grows
- * (NeoHookeTables.h). All else is solved for at four Poisson's ratios (or the one there is), at
- * thicknesses of a ratio of 2 or less (of a stack, of its first two layers), and at eight depths:
- * to 0.7 of all layers on a rigid base, beyond which the error grows. 3 s to a minute a curve, on
- * all threads, the same bits for any number of them; kept by content in $PALPATE_CACHE, or
- * $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with PALPATE_CACHE empty it is not kept.
+ * to 1.2 radii), are tables made by the solver; deeper than that the error grows
+ * (NeoHookeTables.h). Everything else is solved for at four Poisson's ratios (or the single one),
+ * at thicknesses in a ratio of 2 or less (of a stack, of its first two layers), and at eight
+ * depths: to 0.7 of all layers on a rigid base, beyond which the error grows. 3 s to a minute a
+ * curve, on all threads, the same bits for any number of them; cached by content in $PALPATE_CACHE,
+ * or $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with PALPATE_CACHE empty it is not cached.
  *
- * In a stack all layers are of the one law, each with its own modulus and Poisson's ratio, and
- * bonded to each other; the rigid base may slip. Layers that slip on each other are refused: the
- * two sides of the gap move apart, which the solver's mesh does not.
+ * In a stack all layers have the same law, each with its own modulus and Poisson's ratio, and
+ * bonded to each other; the rigid base may slip. Layers that slide on each other are refused: the
+ * two sides of the interface move apart, which the solver's mesh cannot.
  *
- * Poisson's ratios above 0.495 get c of 0.495, and an error for it; a tool with a corner, solved
+ * Poisson's ratios above 0.495 get c of 0.495, and an error for it. A tool with a corner, solved
  * for with a fillet of a tenth of the contact radius and deeper with a rounder one
- * (FiniteOverSmall.h), an error of 1 % (half the fillet changes c by up to 0.5 %). Safe to use from
- * any number of threads.
+ * (FiniteOverSmall.h), gets an error of 1 % (half the fillet changes c by up to 0.5 %). Safe to use
+ * from any number of threads.
  */
 class PALPATE_EXPORT StrainCorrection
 {
@@ -67,7 +67,7 @@ public:
     return this->course(poissonsRatio, thickness, second).at(depth);
   }
 
-  /// The same on one body, of any depth: asked for many, cheaper.
+  /// The same on one body at many depths, which is cheaper.
   class Course
   {
   public:
@@ -77,7 +77,7 @@ public:
     friend class StrainCorrection;
     StrainTable::Course Table;
     bool HasTable = false;
-    double More = 0.0; ///< error, of a Poisson's ratio beyond the tables
+    double More = 0.0; ///< error by a Poisson's ratio beyond the tables
   };
   Course course(double poissonsRatio, double thickness, double second = 0.0) const;
 

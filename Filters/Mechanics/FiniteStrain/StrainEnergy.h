@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// How the stress of a soft body grows with strain.
+/// Models of the stress of a soft body over strain.
 enum class StrainModel
 {
   Linear,   ///< small strain
@@ -22,12 +22,12 @@ enum class StrainModel
 
 /**
  * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution;
- * with the volumetric K/2 (J-1)² it is the whole energy (which its elements project, see
- * FiniteStrainBody). μ = E/2(1+ν), K = E/3(1-2ν): at small strain all are Hooke's.
+ * with the volumetric K/2 (J-1)² (projected by the elements, see FiniteIndentation.h) it is the
+ * whole energy. μ = E/2(1+ν), K = E/3(1-2ν): at small strain all are Hooke's law.
  *
- * Written in the displacement gradient H = F-1, and so that neither the energy nor the stress of a
+ * Written in the displacement gradient H = F-1, so that neither the energy nor the stress of a
  * small strain is a difference of large numbers: far from a contact, where elements are huge, the
- * round-off of such a difference would be more than what is looked for.
+ * rounding error of such a difference would exceed the result.
  */
 class PALPATE_EXPORT StrainEnergy
 {
@@ -36,7 +36,7 @@ public:
   template <class Number>
   using Gradient = std::array<Number, 5>;
 
-  /// `parameter`: α of Ogden, b of Demiray. checkStrainEnergy says which are allowed.
+  /// `parameter`: α of Ogden, b of Demiray. For allowed values see checkStrainEnergy.
   StrainEnergy(StrainModel model, double shearModulus, double parameter = 0.0)
     : Model(model)
     , ShearModulus(shearModulus)
@@ -59,7 +59,7 @@ private:
   double Parameter;
 };
 
-/// "" or which parameter of the model is out of its range: α not 0 and |α| ≤ 50, 0 < b ≤ 50.
+/// Which parameter of the model is out of its range, or "": α not 0 and |α| ≤ 50, 0 < b ≤ 50.
 PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
 } // namespace palpate
 

@@ -24,16 +24,16 @@ struct StrainProblem
   StrainReach reach;
 };
 
-/// Of the contact radius: the fillets that corners are solved for with.
+/// Radius of the fillets of corners, relative to the contact radius.
 constexpr double SolvedFillet = 0.1;
 
 /**
- * c = F_finite/F_small of the solver, on one mesh, at the nodes of a table, as StrainTable takes
- * them; 0 where it found no equilibrium. From the cache (StrainCache.h) where it has them.
+ * c = F_finite/F_small of the solver, on one mesh, at the nodes of a table, as for StrainTable; 0
+ * where it found no equilibrium. From the cache (StrainCache.h) if it has them.
  *
  * Row by row on threadCount() threads, 50 to 100 MB each, with the same bits for any number of
- * them. `goOn(fraction)` is asked on the calling thread, some ten times a second, and ends it by
- * false; then there are no factors.
+ * them. `goOn(fraction)` is called on the calling thread, some ten times a second; returning false
+ * ends it without factors.
  */
 std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable::Axes& axes,
   const std::function<bool(double)>& goOn);

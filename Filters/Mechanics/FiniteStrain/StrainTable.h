@@ -18,12 +18,12 @@ struct StrainFactor
   double error = 0.0;
 };
 
-/// How deep a table goes where the layers are H thick in all, 1/δ_max = 1/endless + 1/(fraction H):
-/// as smooth in H as c.
+/// The depth of a table for layers of total thickness H, 1/δ_max = 1/endless + 1/(fraction H),
+/// which is as smooth in H as c.
 struct StrainReach
 {
-  double endless;        ///< where they have no end, mm; may be infinite
-  double fraction = 0.0; ///< of H; 0: their thickness does not count
+  double endless;        ///< on infinitely thick layers, mm; may be infinite
+  double fraction = 0.0; ///< of H; 0: independent of the thickness
   double below = 0.0;    ///< of H, the part below the two layers that vary, mm
 
   double at(double thickness, double second) const noexcept
@@ -36,17 +36,17 @@ struct StrainReach
 /**
  * c of one tool over Poisson's ratio, thickness of the layer (of a stack, of its first two) and
  * depth: cubic polynomials through four nodes (or as many as there are) over ν, ln h and
- * √(δ/δ_max), where c is smooth: on a sphere c - 1 is nearly in proportion to √δ. At δ = 0, which
- * is a node of its own, c is 1, or, of a tool without a length (cone), what it is at every depth.
+ * √(δ/δ_max), where c is smooth: on a sphere c - 1 is nearly in proportion to √δ. At δ = 0, an
+ * additional node, c is 1 or, for a tool without a length (cone), the same as at every depth.
  *
- * Beyond the last root the factor goes on straight for a quarter of it, then stays. Rows may end
- * early, where no equilibrium was found: there it stays at once. The error grows by the distance
- * from the end.
+ * Beyond the last root the factor is extrapolated linearly for a quarter of it, and constant from
+ * there. Rows may end early, where no equilibrium was found: there it is constant at once. The
+ * error grows with the distance from the end.
  */
 class PALPATE_EXPORT StrainTable
 {
 public:
-  /// What lies where; thicknesses empty for a half-space. All ascend.
+  /// The nodes; thicknesses are empty for a half-space. All ascend.
   struct Axes
   {
     std::vector<double> ratios;       ///< Poisson's
@@ -55,8 +55,8 @@ public:
     std::vector<double> seconds = {}; ///< of a stack's second layer, mm; empty: it has none
   };
 
-  /// `factors`: by ratio, then thickness, then second, then root; 0 where unknown, then unknown to
-  /// the row's end. `constant`: c does not depend on depth. `error`: of the nodes themselves.
+  /// `factors`: by ratio, then thickness, then second, then root; 0 where unknown, then 0 to the
+  /// row's end. `constant`: c does not depend on depth. `error`: of the nodes themselves.
   StrainTable(
     Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error);
 

@@ -13,18 +13,17 @@ namespace palpate
 {
 /**
  * A tool's outline in the half plane (r, z), z = 0 at its tip and growing into the tool, as
- * circular arcs that go over into each other without a corner: what a distance needs that Newton's
- * method can follow. Where the tool has a corner (the apex of a cone, the rim of a flat) the
- * outline has a fillet, which is part of the answer: it costs a flat end 8 % of its force at a
- * tenth of its radius.
+ * circular arcs joined without corners, so that the distance is smooth enough for Newton's method.
+ * Where the tool has a corner (the apex of a cone, the rim of a flat) the outline has a fillet,
+ * which changes the result: one of a tenth of its radius costs a flat end 8 % of its force.
  *
  * Points of the profile are joined by biarcs, exact for circles and straight lines.
  */
 class PALPATE_EXPORT ToolOutline
 {
 public:
-  /// Of `tool` out to the radius `reach`, from where it goes on straight (both mm, > 0). A corner
-  /// gets a fillet of radius `fillet`, or less where what is beside it is shorter.
+  /// The outline of `tool` out to the radius `reach`, and straight from there (both mm, > 0). A
+  /// corner gets a fillet of radius `fillet`, or less where the sides beside it are shorter.
   ToolOutline(const AxisymmetricTool& tool, double reach, double fillet);
 
   /// A signed distance, > 0 outside the tool, with its derivatives by (r, z).
@@ -39,11 +38,12 @@ public:
   /// z of the outline at r; +inf beyond its wall.
   double height(double r) const;
 
-  /// Radii where fillets lie (from, to), for a mesh to be fine there, mm; none where no corner is.
+  /// Ranges of radii (from, to) of the fillets, where a mesh must be fine, mm; none without
+  /// corners.
   const std::vector<std::pair<double, double>>& fillets() const { return this->Fillets; }
 
 private:
-  /// Goes from a point in a direction, its left side into the tool, and turns left by `curvature`.
+  /// An arc from a point in a direction, the tool on its left, turning left by `curvature`.
   struct Arc
   {
     Eigen::Vector2d from;
@@ -59,7 +59,7 @@ private:
 
   /// A smooth part of the profile.
   class Part;
-  /// Each goes on from the end of what there is, `last`, and says where its own end is.
+  /// Each continues from the end of the outline so far, `last`, and returns its own end.
   Node addCorner(const Part& part, double fillet, const Node& last, bool isApex);
   Node addPart(const Part& part, const Node& last);
   Node addWall(const Part& part, double fillet, const Node& last);

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// What a site of a body may be.
+/// The models of a site.
 enum class BodyModel
 {
   HalfSpace,        ///< E*
@@ -22,7 +22,7 @@ enum class BodyModel
   Layer             ///< E*, and h over a rigid base
 };
 
-/// A body as it was found.
+/// The parameters of a body.
 struct BodyParameters
 {
   BodyModel model = BodyModel::HalfSpace;
@@ -31,13 +31,13 @@ struct BodyParameters
   double thickness = 0.0;      ///< h, mm; 0 where there is no layer
 };
 
-/// Loading of one tool: readings of ascending depth, counted from anywhere.
+/// Loading of one tool: readings of ascending depth, from any origin.
 struct IndentationCurve
 {
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  double readings = 1.0;          ///< each is the mean of so many
+  double readings = 1.0;          ///< each is the mean of so many readings
 };
 
 /// The response of a body to a tool; `kernel` is needed for a layer only.
@@ -49,12 +49,12 @@ PALPATE_EXPORT IndentationPoint localContact(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double deflection);
 
-/// A body fitted to curves, and how sharply.
+/// A body fitted to curves, and its accuracy.
 struct PALPATE_EXPORT BodyFit
 {
   BodyParameters body;
   std::vector<double> contactOffset; ///< depth of first contact of each curve, mm
-  double sumOfSquares = 0.0;         ///< of force, each reading for itself, N²
+  double sumOfSquares = 0.0;         ///< of residuals of force over all single readings, N²
   int degreesOfFreedom = 0;
   bool converged = false;
   /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the offsets; +inf where the
@@ -63,11 +63,11 @@ struct PALPATE_EXPORT BodyFit
   /// S, a row each for ln E* and for C_g or ln h: S Sᵀ is their covariance per square newton of
   /// noise. Empty where the curves do not determine them.
   Eigen::MatrixXd spreadPerNoise;
-  /// The smallest sine of the angle between what one parameter does to the forces and what the
-  /// others can do: 0 where two cannot be told apart.
+  /// The smallest sine of the angle between the effect of one parameter on the forces and those of
+  /// the others: 0 where two cannot be separated.
   double separation = 0.0;
 
-  /// Reduced to one reading, N.
+  /// The residual per reading, N.
   double residual() const;
 };
 

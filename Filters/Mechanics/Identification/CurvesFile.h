@@ -21,10 +21,9 @@ namespace palpate
  *   site,x_mm,y_mm,z_mm,deflection_mm,force_N,time_s,phase
  *   A,10,0,50,0.02,0.0013,0.1,loading
  *
- * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out; columns may stand in
- * any order, among others that are passed over (CsvReader), as are other comments. The rows of a
- * site share its position; they are in the order in which they were taken, and time does not
- * decrease.
+ * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out; columns may be in
+ * any order; other columns (CsvReader) and other comments are ignored. The rows of a site share its
+ * position; they are in the order in which they were taken, and time does not decrease.
  *
  * Returns an error "file:line: what is wrong", or "". After an error `curves` is unchanged.
  */

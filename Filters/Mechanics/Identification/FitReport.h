@@ -6,15 +6,16 @@
 
 namespace palpate
 {
-/// Half a 95 % interval over a standard error per newton of noise, N, for a body whose noise,
-/// misfit and largest force are in: Student's t where the noise is taken from the data, or is less
-/// than what the model leaves.
+/// Ratio of half a 95 % interval to a standard error per newton of noise, N, for a body with noise,
+/// misfit and largest force set: Student's t where the noise is estimated from the data, or is less
+/// than the residual.
 double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody& found);
 
-/// The body of a fit, with intervals of this width. The place of the next error of the fit.
+/// Stores the body of a fit, with intervals of this width. Returns the index of the fit's next
+/// error.
 Eigen::Index reportBody(const BodyFit& fit, double width, bool findContact, IdentifiedBody& found);
 
-/// That readings of a tool end so deep (mm) below its first contact with the body that was found.
+/// Stores the end of a tool's readings, at this depth (mm) below its first contact with the body.
 void reportEnd(const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double depth, IdentifiedBody& found);
 } // namespace palpate

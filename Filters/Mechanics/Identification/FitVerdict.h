@@ -9,16 +9,16 @@
 
 namespace palpate
 {
-/// What the fits of bodies are judged by.
+/// Limits for judging the fits of bodies.
 namespace FitLimits
 {
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
-constexpr double LeastNoise = 0.003;      // of the largest force: no law is truer, nor instrument
-constexpr int LargestPassCount = 6;       // of fit and choice of readings in turns
-constexpr double Inseparable = 1e-4;      // sine of an angle that rounding and a kink can give
+constexpr double LeastNoise = 0.003; // of the largest force: no law or instrument is more accurate
+constexpr int LargestPassCount = 6;  // of alternating fit and choice of readings
+constexpr double Inseparable = 1e-4; // sine of an angle that rounding and a kink can cause
 } // namespace FitLimits
 
-/// What a Jacobian says of the packed parameters, per unit residual.
+/// Errors of the packed parameters by a Jacobian, per unit residual.
 struct JacobianVerdict
 {
   Eigen::VectorXd error;  ///< standard errors
@@ -27,13 +27,13 @@ struct JacobianVerdict
 };
 JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
 
-/// Whether a fit leaves no more than noise: an F test at three standard deviations.
+/// Whether the residual of a fit is within the noise: an F test at three standard deviations.
 bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
 
-/// Whether the contact of a tool is as wide at every depth.
+/// Whether the contact of a tool has the same radius at every depth.
 bool isFlat(const AxisymmetricTool& tool);
 
-/// Why nothing can come of what flat punches alone have felt.
+/// Why curves of flat punches alone cannot be identified.
 extern const char* const FlatAlone;
 } // namespace palpate
 

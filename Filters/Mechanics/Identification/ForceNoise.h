@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Standard deviation of the readings of force, N, and how well it is known: as if from so many
-/// independent readings.
+/// Standard deviation of the readings of force, N, and the number of independent readings to which
+/// its accuracy corresponds.
 struct ForceNoise
 {
   double deviation = 0.0;
@@ -18,13 +18,13 @@ struct ForceNoise
 };
 
 /**
- * What is left of each run of four neighbouring readings after their parabola, taken together by
- * its median: the kink at first contact and single outliers do not count. Depths ascend; readings
- * of several loads at one depth compare with each other, so that what does not repeat is noise.
+ * Estimated as the median of the residuals of parabolas through each run of four neighbouring
+ * readings, so that the kink at first contact and single outliers do not count. Depths ascend;
+ * readings of several loads at one depth are compared with each other, so that what is not
+ * repeatable counts as noise.
  *
- * A median of absolute deviations knows a deviation as well as 0.37 n free readings (Rousseeuw and
- * Croux 1993); overlapping runs share readings, so a quarter of n is counted. Fewer than four
- * readings: NaN.
+ * A median of absolute deviations is as accurate as 0.37 n independent readings (Rousseeuw and
+ * Croux 1993); overlapping runs share readings, so n/4 is used. Fewer than four readings: NaN.
  */
 PALPATE_EXPORT ForceNoise estimateForceNoise(
   const std::vector<double>& deflection, const std::vector<double>& force);

@@ -23,8 +23,8 @@ enum class CurvePhase
 /**
  * The readings of one tool at one site, in the order they were taken; possibly several loads.
  *
- * Deflection (mm) and force (N) are > 0 into the body. Where the deflection is counted from is the
- * instrument's affair: the contact point is found later (BodyIdentification.h).
+ * Deflection (mm) and force (N) are > 0 into the body. The origin of the deflection is that of the
+ * instrument; the contact point is found later (BodyIdentification.h).
  */
 struct MeasuredCurve
 {
@@ -36,13 +36,13 @@ struct MeasuredCurve
   std::vector<CurvePhase> phase; ///< empty: not recorded
 };
 
-/// The curves of one tool, as a file holds them.
+/// The curves of one tool, as in a file.
 struct MeasuredCurves
 {
   std::string file;
   ToolSpecification tool;
   std::string toolText;  ///< as the file writes it
-  std::string synthetic; ///< how they were made, of computed curves; empty: measured
+  std::string synthetic; ///< how computed curves were made; empty: measured
   std::vector<MeasuredCurve> curves;
 };
 } // namespace palpate

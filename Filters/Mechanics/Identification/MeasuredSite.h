@@ -22,19 +22,19 @@ struct SiteCurve
   PreparedCurve prepared;
 };
 
-/// All that was measured at one place, and what came of it.
+/// All curves measured at one place, and the result.
 struct MeasuredSite
 {
   std::string name;
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
   std::vector<SiteCurve> curves;
-  /// Why the site is of no use; empty if it is.
+  /// Why the site cannot be used; empty if it can.
   std::string refusal;
   IdentifiedBody body;
 };
 
-/// Puts together what several files, each of one tool, say of the same sites, in the order in which
-/// they come. An error names the site that two files put at different places.
+/// Collects the curves of the same sites from several files, each of one tool, in the order of
+/// their appearance. An error names the site that two files put at different places.
 PALPATE_EXPORT std::string collectSites(
   const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
 

@@ -12,10 +12,9 @@
 namespace palpate
 {
 /**
- * How a body that is being fitted, and where each of its curves first touches it, stand among the
- * parameters, all of order one: ln E*, then C_g over a reference or ln h, then the offsets over a
- * reference depth. Residuals are over the largest force. What residuals have in common, whatever
- * they compare.
+ * The packing of a fitted body, and of the depths of first contact of its curves, into parameters
+ * of order one: ln E*, then C_g over a reference or ln h, then the offsets over a reference depth.
+ * Residuals are relative to the largest force. The common base of all residuals.
  */
 class PackedBody
 {
@@ -24,7 +23,7 @@ public:
   using InputType = Eigen::VectorXd;
   using ValueType = Eigen::VectorXd;
   using JacobianType = Eigen::MatrixXd;
-  /// As Eigen's optimisers ask for it.
+  /// Required by Eigen's optimisers.
   enum
   {
     InputsAtCompileTime = Eigen::Dynamic,
@@ -33,11 +32,11 @@ public:
 
   Eigen::Index values() const { return this->Count; }
   Eigen::Index materialCount() const { return this->Model == BodyModel::HalfSpace ? 1 : 2; }
-  /// Of material and offsets.
+  /// Number of parameters of material and offsets.
   Eigen::Index bodyInputs() const { return this->materialCount() + this->Offsets; }
   double force() const { return this->Force; }
   double depth() const { return this->Depth; }
-  /// C_g that yields the whole depth under the whole force.
+  /// The C_g of the whole depth under the whole force.
   double compliance() const { return this->Depth / this->Force; }
 
   BodyParameters body(const Eigen::VectorXd& p) const;
@@ -48,14 +47,14 @@ public:
       : 0.0;
   }
 
-  /// What the Jacobian of residuals at their least tells of the fit: separation, spread, and errors
-  /// of body and offsets; those of further parameters are left as they are packed.
+  /// Finds separation, spread, and errors of body and offsets from the Jacobian at the minimum;
+  /// errors of further parameters stay packed.
   void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
   /// The standard error of ln E* per newton of noise, from that Jacobian.
   double modulusError(const Eigen::MatrixXd& jacobian) const;
 
 protected:
-  /// Of so many curves.
+  /// For so many curves.
   PackedBody(BodyModel model, bool findContact, std::size_t curves)
     : Model(model)
     , Offsets(findContact ? static_cast<Eigen::Index>(curves) : 0)
@@ -65,15 +64,15 @@ protected:
   /// Into the first of the parameters.
   void packBody(
     const BodyParameters& body, const std::vector<double>& offsets, Eigen::VectorXd& p) const;
-  /// Whether a step led to a body at all.
+  /// Whether a step led to a valid body.
   static bool isUsable(const BodyParameters& body);
-  /// Of what ln h or C_g are packed by.
+  /// The scale by which ln h or C_g is packed.
   double secondScale() const
   {
     return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
   }
 
-  /// A residual where there is no answer: a step the method takes back.
+  /// The residual where there is no force, so that the method rejects the step.
   static constexpr double Astray = 1e3;
 
   BodyModel Model;

@@ -12,26 +12,26 @@
 
 namespace palpate
 {
-/// A body that relaxes, fitted to histories. `errorPerNoise` goes on after the offsets: of the ln
-/// p_i, then of the ln τ_i, if they were fitted.
+/// A body that relaxes, fitted to histories. `errorPerNoise` continues after the offsets with ln
+/// p_i, then ln τ_i, if they were fitted.
 struct PALPATE_EXPORT RelaxationFit : BodyFit
 {
   PronySeries series; ///< of ascending times
-  double score = 0.0; ///< what noise leaves of it, and 1 % of what parameters take, per σ²
+  double score = 0.0; ///< sum of squares per σ², with a charge for each parameter (1 %)
 };
 
 /**
  * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, the depths of
- * first contact, and strengths and times of up to four branches; as many as take more away from
- * what is left than noise would give (`noise`, N; a likelihood ratio at 1 %), and stay apart. It
- * starts from the elastic fit of the loads and a spectrum (RelaxationStart.h). With `given`, a
- * series of at least one branch, this is not fitted.
+ * first contact, and strengths and times of up to four branches; as many as reduce the residual by
+ * more than noise would (`noise`, N; a likelihood ratio at 1 %) and remain distinct. It starts from
+ * the elastic fit of the loads and a spectrum (RelaxationStart.h). If `given` has at least one
+ * branch, the series is not fitted.
  */
 PALPATE_EXPORT RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel, double noise,
   const PronySeries& given);
 
-/// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
+/// The standard error of ln E* per newton of noise if C_g (0 here) were unknown as well.
 PALPATE_EXPORT double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
   const RelaxationFit& halfSpace, bool findContact, bool isSeriesGiven);
 

@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// A body that relaxes, and where each history first touches it.
+/// A body that relaxes, and the depth of first contact of each history.
 struct RelaxingBody
 {
   BodyParameters body; ///< slow
@@ -23,7 +23,7 @@ struct RelaxingBody
   std::vector<double> contactOffset; ///< mm
 };
 
-/// What is fitted: the model, how many branches (0: as the series is given), how finely.
+/// What is fitted: the model, the number of branches (0: the given series), the number of elements.
 struct RelaxationProblem
 {
   BodyModel model = BodyModel::HalfSpace;
@@ -48,7 +48,7 @@ public:
   RelaxationResiduals(const std::vector<PressHistory>& histories, const RelaxationProblem& problem);
 
   Eigen::Index inputs() const { return this->firstStrength() + 2 * this->branches(); }
-  /// Where the ln p_i begin.
+  /// Index of the first ln p_i.
   Eigen::Index firstStrength() const { return this->bodyInputs(); }
 
   Eigen::VectorXd pack(const RelaxingBody& body) const;
@@ -74,8 +74,8 @@ private:
   RelaxationProblem Problem;
 };
 
-/// The slow curve of a body at the depths of a foundation; then what it grows by per unit of ln E*,
-/// and, if the model has it, of C_g or ln h.
+/// The slow curve of a body at the depths of a foundation; then its derivatives by ln E* and, if
+/// the model has it, by C_g or ln h.
 std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   const RelaxingFoundation& foundation);

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Shares of the slow response and of branches at given times, in units of the force of a body.
+/// Strengths of the slow response and of branches at given times, in units of a body's force.
 struct RelaxationSpectrum
 {
   double slow = 0.0;
@@ -21,16 +21,16 @@ struct RelaxationSpectrum
 };
 
 /**
- * What of relaxation is in the forces of histories, if body and offsets are about right:
+ * Estimates the relaxation in the forces of histories, for an approximate body and offsets:
  * non-negative least squares over the slow response and branches at three times per decade of the
- * window, quasi-linear, from the readings above a tenth of the largest force. A start for a fit.
+ * window, quasi-linear, from the readings above a tenth of the largest force. The start of a fit.
  */
 RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window);
 
-/// The body whose slow response is `about` times the slow share, and which relaxes as the spectrum
-/// says.
+/// The body whose slow response is that of `about` times the slow strength, with the relaxation of
+/// the spectrum.
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum);
 } // namespace palpate
 

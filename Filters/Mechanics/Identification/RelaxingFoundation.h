@@ -15,10 +15,10 @@
 namespace palpate
 {
 /**
- * What force a relaxing body gives over a history of presses, holds and releases, by
- * RelaxationElements: as many as it takes for readings to be judged by it, where a tick has few.
- * The slow curve is told by its forces at the gaps of the elements, which lie at D (j/n)², and at
- * its end D; several curves share the work.
+ * The force of a relaxing body over a history of presses, holds and releases, by
+ * RelaxationElements: more of them than in a servo tick, accurate enough to compare with readings.
+ * The slow curve is given by its forces at the gaps of the elements, D (j/n)², and at its end D;
+ * several curves share the work.
  *
  * Against Ting's integrals, of the largest force: 1e-4 of a sphere, 2e-4 of a cone with 99 elements
  * on unloading, exact on loading but for the steps in time. Cost: 0.2 µs per point, element and
@@ -27,7 +27,7 @@ namespace palpate
 class PALPATE_EXPORT RelaxingFoundation
 {
 public:
-  /// A curve at the depths of depths(): force and, unless empty, dF/dδ, which sharpens it.
+  /// A curve at the depths of depths(): force and, unless empty, dF/dδ for higher accuracy.
   struct SlowCurve
   {
     Eigen::VectorXd force;
@@ -41,7 +41,7 @@ public:
   const Eigen::VectorXd& depths() const noexcept { return this->Depths; }
 
   /// The forces of each curve (column) at each point of a history, N. `offset`: the deflection of
-  /// first contact, mm. A history that begins within contact was pressed there at its first speed.
+  /// first contact, mm. A history that begins in contact is continued backwards at its first speed.
   Eigen::MatrixXd follow(const PressHistory& history, double offset, const PronySeries& series,
     const std::vector<SlowCurve>& curves) const;
 

@@ -11,24 +11,24 @@
 namespace palpate
 {
 /**
- * Which body one site is that relaxes: its slow response, as BodyIdentification finds an elastic
- * one, and strengths and times of its relaxation (PronySeries), from all that tools did there,
- * loading, holding and unloading alike. The body relaxes as a whole, a compliance in series as
- * well.
+ * Identifies a relaxing body at one site: its slow response, as BodyIdentification finds an elastic
+ * one, and strengths and times of its relaxation (PronySeries), from loading, holding and unloading
+ * alike. The whole body relaxes, including a compliance in series.
  *
- * Of the three models each is fitted with as many branches as its readings ask for; the answer is
- * the one that leaves least, when each parameter is charged with what noise would give it (1 %).
- * With options().relaxation the series is taken as known, and the speed of the test is taken into
+ * Each of the three models is fitted with as many branches as its readings need; the result is that
+ * of least residual, with a charge for each parameter of what noise would give (1 %). With
+ * options().relaxation the series is taken as known, and the speed of the test is taken into
  * account.
  *
- * Confidence intervals as there; of strengths and times symmetric in the logarithm. A test tells
+ * Confidence intervals as there; of strengths and times symmetric in the logarithm. A test resolves
  * times from a fifteenth of its fastest press to its longest hold (`shortestTime`, `longestTime`);
- * `remark` says in words what it does not tell. Slow response and strength trade off: unless a hold
- * shows where the force comes to rest, E* is refused as too uncertain, or has a wide interval.
+ * `remark` says in words what it does not resolve. Slow response and strength are correlated:
+ * unless a hold shows where the force comes to rest, E* is refused as too uncertain, or has a wide
+ * interval.
  *
- * Readings deeper than small strain allows are not compared, but what was pressed there is
- * remembered; a site whose longest hold lies there is refused. Cost: a tenth of a second, a second
- * for a layer. From any number of threads.
+ * Readings deeper than small strain allows are not compared, but remain in the history; a site
+ * whose longest hold lies there is refused. Cost: a tenth of a second, a second for a layer.
+ * Thread-safe.
  */
 PALPATE_EXPORT IdentifiedBody identifyRelaxing(
   const BodyIdentification& identification, std::vector<PressHistory> histories);

@@ -8,18 +8,17 @@
 
 namespace palpate
 {
-/// The local depth (without a compliance in series), mm, up to which a linear law is trusted: where
+/// The local depth (without a compliance in series), mm, up to which a linear law is valid: where
 /// the contact radius reaches `strain` times the tip radius and, on a layer, half of `strain` times
-/// its thickness. +inf if at every depth.
+/// its thickness. +inf if it is valid at every depth.
 double smallStrainDepth(const AxisymmetricTool& tool, const BodyParameters& body,
   const std::shared_ptr<const LayerKernel>& kernel, double strain);
 
 /**
- * The readings of a curve that a linear law may explain, if the body is as it is taken to be: those
- * up to smallStrainDepth.
+ * The readings of a curve within a linear law for the assumed body: those up to smallStrainDepth.
  *
- * Tools that exceed the strain from first touch on, as a cone does, keep all their readings: they
- * have none that is better.
+ * Tools that exceed the strain from first contact on, as a cone does, keep all their readings, as
+ * none is better.
  */
 IndentationCurve readingsWithin(const IndentationCurve& curve, const BodyParameters& body,
   double contactOffset, const std::shared_ptr<const LayerKernel>& kernel, double strain);

@@ -15,11 +15,11 @@ namespace palpate
 /**
  * A tool pressed into an elastic layer of thickness h on a rigid base, bonded or slipping.
  *
- * The exact linear solution (LayerKernel.h) for any axisymmetric tool: with y₁ the solution for
- * a flat punch and Γ the resolvent,
- *   δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt.
- * E* = E/(1-ν²) with the ν of the kernel. Answers while a <= LayerKernel::LargestRatio h; deeper
- * gives NaN. Small strain: δ << h besides the tool's own limit (depthAtStrain).
+ * The exact linear solution (LayerKernel.h) for any axisymmetric tool: with y₁ the solution for a
+ * flat punch and Γ the resolvent, δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a), F = 2E* ∫_0^a y₁ (δ - g) dt,
+ * dF/dδ = 2E* ∫_0^a y₁ dt. E* = E/(1-ν²) with the ν of the kernel. Valid for a <=
+ * LayerKernel::LargestRatio h; deeper gives NaN. Small strain: δ << h besides the tool's own limit
+ * (depthAtStrain).
  *
  * Cost: 10 to 30 µs per evaluation of a smooth tool. Immutable and safe to use from any number of
  * threads.
@@ -38,8 +38,7 @@ public:
   /// from the largest on, NaN where a exceeds LargestRatio h.
   double depthAtContactRadius(double a) const;
 
-  /// The deepest δ it answers, mm; +inf if the contact radius of the tool stays within LargestRatio
-  /// h.
+  /// The largest valid δ, mm; +inf if the contact radius of the tool stays within LargestRatio h.
   double deepest() const noexcept { return this->Deepest; }
 
   const AxisymmetricTool& tool() const noexcept { return this->Tool; }
@@ -48,7 +47,7 @@ public:
   double thickness() const noexcept { return this->Thickness; }
 
 private:
-  /// What the solution at one contact radius says of the tool.
+  /// The solution for the tool at one contact radius.
   struct Contact
   {
     double depth;   ///< δ(a), mm
@@ -63,7 +62,7 @@ private:
   double Thickness;
   ProfileQuadrature Quadrature;
   double SmallestRadius;
-  double LargestRadius; ///< that can be answered
+  double LargestRadius; ///< of the valid range
   double LargestDepth;  ///< δ at which it is reached
   double Deepest;
 };

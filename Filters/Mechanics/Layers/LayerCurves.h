@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// What differs between the points of a layered body.
+/// The parameters that differ between the points of a layered body.
 struct LayerPlace
 {
   double thickness = 0.0;     ///< of the layer, or the first of a stack, mm
@@ -30,7 +30,7 @@ public:
   /// of the layer, or of the first of a stack.
   using Curve = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-  /// Whether a place is answered down to the last depth: the contact radius must stay within
+  /// Whether a place has a curve down to the last depth: the contact radius must stay within
   /// LayerKernel::LargestRatio thicknesses.
   virtual bool answers(const LayerPlace& place) const noexcept = 0;
   /// NaN unless answers(place).

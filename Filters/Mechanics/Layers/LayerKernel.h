@@ -36,10 +36,10 @@ enum class LayerBase
  *   y(x) + (1/πh) ∫_0^a y(t) [M((t+x)/h) + M((t-x)/h)] dt = δ - g(x),  y(a) = 0 under a smooth rim,
  *   M(s) = ∫_0^∞ (W-1) cos ωs dω,   F = 2E* ∫_0^a y dt.
  *
- * It is solved by Nyström's method at 48 Gauss nodes for two right-hand sides that depend on a/h
- * alone, tabulated over a/h when the kernel is built: about 20 ms. 0 <= ν <= 0.5,
- * a/h <= LargestRatio; the table agrees with the direct solution to 1e-10. A stack of layers has
- * another W and V, and the same equation. Immutable and safe to use from any number of threads.
+ * It is solved by Nyström's method at 48 Gauss nodes for two right-hand sides; the solutions depend
+ * on a/h alone and are tabulated when the kernel is built: about 20 ms. 0 <= ν <= 0.5, a/h <=
+ * LargestRatio; the table agrees with the direct solution to 1e-10. A stack of layers has another W
+ * and V, and the same equation. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {
@@ -61,7 +61,7 @@ public:
 
   double poissonsRatio() const noexcept { return this->PoissonsRatio; }
   LayerBase base() const noexcept { return this->Base; }
-  /// Of the stack it was made for; null for a single layer.
+  /// The stack it was made for; null for a single layer.
   const LayerStack* stack() const noexcept { return this->Stack.get(); }
 
   /// M(s), 0 <= s <= 4 LargestRatio.
@@ -71,7 +71,7 @@ public:
 
   /// The solution for a/h = ratio, 0 <= ratio <= LargestRatio, from the table.
   Solution at(double ratio) const;
-  /// The same, solved anew.
+  /// The same, solved directly.
   Solution solve(double ratio) const;
   /// u with u(x) + ∫_0^1 K(x, t) u(t) dt = right(x), all on the nodes, for a/h = ratio; K(x, t) =
   /// (a/πh) [M((x+t) a/h) + M((x-t) a/h)].

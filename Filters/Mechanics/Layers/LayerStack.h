@@ -16,7 +16,7 @@ struct StackLayer
   double thickness = 1.0;     ///< mm
   double youngsModulus = 0.1; ///< MPa
   double poissonsRatio = 0.45;
-  bool slips = false; ///< without friction on the layer above; of the top one without meaning
+  bool slips = false; ///< without friction on the layer above; ignored for the top one
 
   bool operator==(const StackLayer& other) const
   {
@@ -26,13 +26,13 @@ struct StackLayer
 };
 
 /**
- * Elastic layers on each other, from the top, on a rigid base or on a half-space. Their contact is
- * that of LayerKernel with another transform W, found layer by layer from below:
+ * Elastic layers from the top down, on a rigid base or on a half-space. Their contact is that of
+ * LayerKernel with another transform W, found layer by layer from below:
  *
  * In each layer the displacements û_r = A J₁, û_z = B J₀ are sums of fields that decay with the
  * depth, A = (a+bZ) e^(-Z), B = (a+κ₀b+bZ) e^(-Z), Z = kz, and of their mirror images from below,
  * which gives a symmetric stiffness K of four rows between the displacements and the tractions of
- * its two faces. S = K₁₁ - K₁₂ (K₂₂ + S_below)⁻¹ K₁₂ᵀ is that of the top of a layer on what lies
+ * its two faces. S = K₁₁ - K₁₂ (K₂₂ + S_below)⁻¹ K₁₂ᵀ is that of the top of a layer including all
  * below; W = ½ E*₁ (S⁻¹)_zz. No exponential grows. A stack of equal layers is one layer, to 1e-12.
  */
 struct LayerStack
@@ -40,7 +40,7 @@ struct LayerStack
   std::vector<StackLayer> layers;
   LayerBase base = LayerBase::Bonded; ///< of a rigid base
   bool hasHalfSpace = false;          ///< instead of the rigid base
-  StackLayer halfSpace;               ///< its thickness has no meaning
+  StackLayer halfSpace;               ///< its thickness is ignored
 
   static constexpr std::size_t MostLayers = 4;
 
@@ -52,8 +52,8 @@ struct LayerStack
   }
 };
 
-/// "" or what is wrong with a stack, naming layer and number: 1 to MostLayers layers, thickness and
-/// modulus positive and finite, 0 <= ν <= 0.5.
+/// What is wrong with a stack, naming layer and number, or "": 1 to MostLayers layers, thickness
+/// and modulus positive and finite, 0 <= ν <= 0.5.
 PALPATE_EXPORT std::string checkStack(const LayerStack& stack);
 
 /// W - 1 and V - V(∞) of a stack at ω = k h, h the thickness of its top layer, E* that layer's; see

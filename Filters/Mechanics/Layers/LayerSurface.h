@@ -14,7 +14,7 @@ namespace palpate
 class LayerContact;
 
 /**
- * Where the surface of an elastic layer goes under one tool at one depth, for display.
+ * The displacement of an elastic layer's surface under one tool at one depth, for display.
  *
  * With y of LayerKernel.h, and its continuation outside the contact
  *   w(x) = (1/πh) ∫_0^a y(t) [M((t+x)/h) + M((t-x)/h)] dt,

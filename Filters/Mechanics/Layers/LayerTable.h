@@ -29,7 +29,7 @@ namespace palpate
 class PALPATE_EXPORT LayerTable final : public LayerCurves
 {
 public:
-  /// Up to this many values of Poisson's ratio are tabulated each for itself.
+  /// Up to this many values of Poisson's ratio are tabulated separately.
   static constexpr int DistinctRatios = 32;
 
   /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed) and

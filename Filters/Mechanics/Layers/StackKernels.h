@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// From the thinnest to the thickest that a layer is, mm; equal where it is alike everywhere.
+/// The thinnest and the thickest that a layer is, mm; equal if it is constant.
 struct ThicknessSpan
 {
   double thinnest;
@@ -26,18 +26,18 @@ struct ThicknessSpan
  * The kernels of a stack whose first two layers vary in thickness: at Chebyshev points of ln h, 6
  * to 16 of them by the width of the span, one where it has none.
  *
- * What is smooth in the thicknesses is interpolated between them: forces of stacks with moduli of 1
- * to 50 to 1 and thicknesses of 1 to 20 agree to 1e-3 with a kernel of their own
+ * Smooth functions of the thicknesses are interpolated between them: forces of stacks with moduli
+ * of 1 to 50 to 1 and thicknesses of 1 to 20 agree to 1e-3 with a kernel of their own
  * (StackTableTest.cxx). About 50 ms a kernel, on all threads. Serves any tool.
  */
 class PALPATE_EXPORT StackKernels
 {
 public:
   /// `stack` without fault (LayerStack.h); the thicknesses of its first two layers come from the
-  /// spans. Of a single layer `second` has no meaning.
+  /// spans. `second` is ignored for a single layer.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
 
-  /// One stack of them.
+  /// A stack at one node.
   struct Node
   {
     double thickness; ///< of the first layer, mm
@@ -45,7 +45,7 @@ public:
   };
   const std::vector<Node>& nodes() const noexcept { return this->Nodes; }
 
-  /// What each node contributes at these thicknesses (mm, within the spans); the factors sum to 1.
+  /// The weight of each node at these thicknesses (mm, within the spans); the weights sum to 1.
   Eigen::VectorXd factorsAt(double first, double second) const;
 
   const LayerStack& stack() const noexcept { return this->Stack; }
@@ -67,7 +67,7 @@ private:
 
   LayerStack Stack;
   std::array<Axis, 2> Axes;
-  std::vector<Node> Nodes; ///< those of one thickness of the first layer after each other
+  std::vector<Node> Nodes; ///< grouped by the thickness of the first layer
 };
 } // namespace palpate
 

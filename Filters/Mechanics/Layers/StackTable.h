@@ -20,7 +20,7 @@ namespace palpate
  *
  * About 1 ms a node and 8 depths to build, then 1 to 2 µs a place. Where the first layer is so thin
  * that the contact radius exceeds LayerKernel::LargestRatio of it, to within a tenth of that
- * thickness, a place is not answered.
+ * thickness, a place has no curve.
  */
 class PALPATE_EXPORT StackTable final : public LayerCurves
 {
@@ -35,7 +35,7 @@ public:
 private:
   void leaveOutTheThinnest(const AxisymmetricTool& tool);
 
-  std::shared_ptr<const StackKernels> Kernels; ///< null: no place is answered
+  std::shared_ptr<const StackKernels> Kernels; ///< null: no place has a curve
   Eigen::MatrixXd Logarithms;                  ///< of F, dF/dδ and a by depth; one column per node
 };
 } // namespace palpate

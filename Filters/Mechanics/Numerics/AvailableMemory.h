@@ -11,7 +11,7 @@ namespace palpate
 constexpr double Mebibyte = 1024.0 * 1024.0;
 
 /// Bytes that programs can still take on this machine without swapping: `MemAvailable` of Linux
-/// (proc(5)). Where the file does not say, half of the machine's memory.
+/// (proc(5)). If the file lacks it, half of the machine's memory.
 PALPATE_EXPORT double availableMemory(const std::string& file = "/proc/meminfo");
 } // namespace palpate
 

@@ -26,7 +26,7 @@ public:
 
   const Values& points() const noexcept { return this->Points; }
 
-  /// What each sample contributes to the interpolant at t; the factors sum to 1.
+  /// The weight of each sample in the interpolant at t; the weights sum to 1.
   Values factorsAt(double t) const
   {
     const Values distance = t - this->Points;

@@ -9,7 +9,7 @@
 namespace palpate
 {
 /// The non-decreasing sequence closest to `values` in the least-squares sense, by pooling adjacent
-/// violators (Ayer et al. 1955). With `weights` > 0, one each, of the squares; without, all alike.
+/// violators (Ayer et al. 1955). `weights` > 0 are those of the squares; without, all are equal.
 /// O(n).
 PALPATE_EXPORT std::vector<double> isotonicRegression(
   const std::vector<double>& values, const std::vector<double>& weights = {});

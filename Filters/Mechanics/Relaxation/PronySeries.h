@@ -12,8 +12,8 @@ namespace palpate
 {
 /**
  * How a material relaxes (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i), Poisson's ratio
- * constant. p_i is relative to the slow modulus E_∞: a share g_i of the instantaneous modulus, as
- * literature has it, is p_i = g_i/(1 - Σ g).
+ * constant. p_i is relative to the slow modulus E_∞: a fraction g_i of the instantaneous modulus,
+ * as in the literature, is p_i = g_i/(1 - Σ g).
  */
 struct PronySeries
 {
@@ -42,20 +42,20 @@ struct PronySeries
   }
 };
 
-/// What is wrong with it, naming the branch and the number; "" if nothing is. No branch at all is
-/// in order.
+/// What is wrong with it, naming the branch and the number; "" if nothing is. A series without
+/// branches is valid.
 PALPATE_EXPORT std::string faultOfRelaxation(const PronySeries& series);
 
 /// ψ(t), t >= 0 in s.
 PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 
-/// Force over slow force at the end of a press at constant speed that took so long, of a slow curve
-/// f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1; -t/τ_i), M Kummer's function ₁F₁. A modulus
-/// measured in such a press is the slow one times this.
+/// Ratio of the force to the slow force at the end of a press at constant speed of this duration,
+/// for a slow curve f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1; -t/τ_i), M Kummer's function
+/// ₁F₁. A modulus measured in such a press is the slow one times this.
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
 /// Reads "0.5:0.1,0.3:2", strength:seconds of each branch; "" is none. Returns what is wrong, or
-/// ""; then `series` has changed.
+/// ""; sets `series` only then.
 PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);
 /// The same written, so that it reads back to the same bits.
 PALPATE_EXPORT std::string textOf(const PronySeries& series);

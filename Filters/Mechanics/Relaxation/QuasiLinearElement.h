@@ -9,21 +9,21 @@
 namespace palpate
 {
 /**
- * RelaxationElements as one, in the force of the curve itself: y = f(δ) instead of a depth
- * (quasi-linear, Fung). Right for a flat-ended tool and on loading, within 10 to 12 % of the
- * largest force else; for curves that are not convex, or where few operations matter more.
+ * RelaxationElements reduced to one, in the force of the curve itself: y = f(δ) instead of a depth
+ * (quasi-linear, Fung). Exact for a flat-ended tool and on loading, otherwise within 10 to 12 % of
+ * the largest force; for curves that are not convex, or where speed matters more.
  */
 class QuasiLinearElement
 {
 public:
   void reset() noexcept { *this = {}; }
-  /// As if the force had been this for long.
+  /// Equilibrium at this force.
   void rest(double force) noexcept
   {
     this->reset();
     this->Slow = force;
   }
-  /// To another curve, which is so many times as stiff.
+  /// Changes to another curve, `factor` times as stiff.
   void scale(double factor) noexcept
   {
     this->Slow *= factor;
@@ -32,7 +32,7 @@ public:
       strain *= factor;
     }
   }
-  /// A step of time to a slow force f(δ), N; 0 where nothing is touched. The force.
+  /// A step of time to a slow force f(δ), N; 0 without contact. Returns the force.
   double press(double slow, const RelaxationStep& step) noexcept
   {
     double free = step.stiffening * this->Slow;
@@ -51,8 +51,8 @@ public:
     this->Force = (1.0 + step.stiffening) * (now - free);
     return this->Force;
   }
-  /// Instead of press(): a step by an increment that may be of either sign, without a limit. What
-  /// memory adds.
+  /// Instead of press(): a step by an increment of either sign, without separation. Returns the
+  /// force of memory.
   double follow(double increment, const RelaxationStep& step) noexcept
   {
     double sum = 0.0;
@@ -62,11 +62,11 @@ public:
       sum += step.strength[i] * this->Strain[i];
     }
     this->Slow += increment;
-    this->Force = 1.0; // pulls too
+    this->Force = 1.0; // can be negative
     return sum;
   }
 
-  /// What follow() would give.
+  /// The result of follow(), without the step.
   double foresee(double increment, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;

@@ -15,19 +15,18 @@
 namespace palpate
 {
 /**
- * A foundation that relaxes: elements side by side, each of which begins at its own gap g_j below
- * the surface, carries
- *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
- * u its own depth, δ - g_j as long as it touches, and pulls at nothing: untouched it creeps back
- * with q = 0. The force of a slow curve f is F = Σ w_j q_j, with w_j the steps of the slope of the
- * chords of f between the gaps: exact, as the gaps get close, for every body and tool whose contact
- * areas are nested (Lee and Radok 1960; Ting 1966), whatever is done: presses, holds, releases, new
- * touches of a dent that has not yet come back. What an element does depends on depth and time
- * alone, not on f: elements are shared by curves that are blended.
+ * A foundation that relaxes: parallel elements, each of which begins at its own gap g_j below the
+ * surface and carries q = u + Σ p_i s_i, ds_i/dt = du/dt - s_i/τ_i, u its own depth, δ - g_j while
+ * it touches. It does not pull: out of contact it creeps back with q = 0. The force of a slow curve
+ * f is F = Σ w_j q_j, with w_j the steps of the slope of the chords of f between the gaps: exact in
+ * the limit of close gaps for every body and tool whose contact areas are nested (Lee and Radok
+ * 1960; Ting 1966), and any history: presses, holds, releases, new contacts in a dent that has not
+ * recovered. The state of an element depends on depth and time alone, not on f, so that blended
+ * curves share the elements.
  *
- * A step is exact for a depth that moves evenly in it. Elements are stepped in blocks of four,
- * those that were never touched not at all: some 40 ns for 17 elements and two branches. Nothing
- * allocates or throws.
+ * A step is exact for a depth that moves at constant speed. Elements are stepped in blocks of four,
+ * except those never touched: some 40 ns for 17 elements and two branches. Nothing allocates or
+ * throws.
  */
 class RelaxationElements
 {
@@ -46,7 +45,7 @@ public:
   /// A number per element, in whole blocks.
   using Values = std::array<double, (LargestCount + BlockSize - 1) / BlockSize * BlockSize>;
 
-  /// Where elements begin, mm, ascending; those that are not there never.
+  /// Where elements begin, mm, ascending; infinite for missing ones.
   class Gaps
   {
   public:
@@ -64,7 +63,7 @@ public:
   /// All at rest, untouched.
   void reset() noexcept { *this = {}; }
 
-  /// As if the depth had been this for long.
+  /// Equilibrium at this depth.
   void rest(double depth, const Gaps& gaps) noexcept
   {
     this->reset();
@@ -76,14 +75,14 @@ public:
     this->Touched = this->Awake;
   }
 
-  /// Time passes, first part: where each element would be if nothing touched it. To be followed by
+  /// First part of a time step: the depth of each element without contact. Must be followed by
   /// press().
   void relax(const RelaxationStep& step) noexcept
   {
     withBranches(step.count, [&](auto branches) { this->relaxAll<branches>(step); });
   }
 
-  /// Second part: the tool is at this depth, mm; -∞ where it touches nothing.
+  /// Second part: the tool is at this depth, mm; -∞ without contact.
   void press(double depth, const Gaps& gaps, const RelaxationStep& step) noexcept
   {
     while (this->Awake < gaps.count() && depth > gaps[this->Awake])
@@ -99,7 +98,7 @@ public:
     }
   }
 
-  /// Σ w_j q_j that press() would give at another depth, between relax() and it.
+  /// The Σ w_j q_j of press() at another depth; to be called between relax() and press().
   double forceAt(double depth, const Gaps& gaps, const Values& weights,
     const RelaxationStep& step) const noexcept
   {
@@ -112,9 +111,9 @@ public:
     return (1.0 + step.stiffening) * sum;
   }
 
-  /// How many may carry something; the others are as they were made.
+  /// Number of elements that may carry a force; the others are in their initial state.
   std::size_t awake() const noexcept { return this->Awake; }
-  /// Whether anything is touched: the first element is, when any is.
+  /// Whether any element is in contact; if so, the first is.
   bool isTouched() const noexcept { return this->Touched > 0; }
 
   /// Σ w_j q_j.
@@ -122,18 +121,18 @@ public:
   {
     return (head(weights, this->Awake) * head(this->Force, this->Awake)).sum();
   }
-  /// Of it, what memory adds: Σ w_j (q_j - (δ - g_j)⁺).
+  /// The part of it by memory: Σ w_j (q_j - (δ - g_j)⁺).
   double memoryOf(const Values& weights, double depth, const Gaps& gaps) const noexcept
   {
     const auto slow = (depth - head(gaps.depths(), this->Awake)).max(0.0);
     return (head(weights, this->Awake) * (head(this->Force, this->Awake) - slow)).sum();
   }
-  /// Σ w_j over those that are touched, N/mm.
+  /// Σ w_j over elements in contact, N/mm.
   double touchedStiffness(const Values& weights) const noexcept
   {
     return head(weights, this->Touched).sum();
   }
-  /// What the branches hold: Σ w_j Σ p_i s_i²/2, N mm.
+  /// The energy of the branches: Σ w_j Σ p_i s_i²/2, N mm.
   double storedEnergy(const Values& weights, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
@@ -143,15 +142,15 @@ public:
     }
     return sum;
   }
-  /// The same by the strength of one branch: Σ w_j s_i²/2.
+  /// Its derivative by the strength of one branch: Σ w_j s_i²/2.
   double energyByStrength(const Values& weights, std::size_t branch) const noexcept
   {
     const auto strain = head(this->Strain[branch], this->Awake);
     return 0.5 * (head(weights, this->Awake) * strain.square()).sum();
   }
 
-  /// How storedEnergy() grows with a share of new material under the tool, see exchange(), over
-  /// that share; N mm.
+  /// The derivative of storedEnergy() by the fraction of new material under the tool, see
+  /// exchange(); N mm.
   double growthByExchange(
     const Values& weights, const RelaxationStep& step, double share) const noexcept
   {
@@ -168,8 +167,8 @@ public:
     return sum;
   }
 
-  /// A share of the material, 0 to 1, is replaced by such as was never touched: under the tool it
-  /// is as good as pressed at once, beside it at rest.
+  /// Replaces a fraction of the material, 0 to 1, by material never touched: under the tool it
+  /// counts as pressed instantly, beside it as at rest.
   void exchange(double share, std::size_t branches) noexcept
   {
     for (std::size_t i = 0; i < branches; ++i)
@@ -214,7 +213,7 @@ private:
         return use(std::integral_constant<std::size_t, PronySeries::LargestCount>());
     }
   }
-  // In whole blocks: of elements that sleep depth, strains and free depth are 0, and stay so, since
+  // In whole blocks: depth, strains and free depth of elements not awake are 0, and stay so, since
   // the tool does not reach their gaps.
   template <std::size_t Branches>
   void relaxAll(const RelaxationStep& step) noexcept
@@ -251,7 +250,7 @@ private:
 
   void fallAsleep() noexcept
   {
-    constexpr double little = 1e-12; // mm: of no force that could be felt
+    constexpr double little = 1e-12; // mm: of negligible force
     for (; this->Awake > 0 && !(this->Force[this->Awake - 1] > 0.0); --this->Awake)
     {
       const std::size_t last = this->Awake - 1;
@@ -274,11 +273,11 @@ private:
     }
   }
 
-  std::size_t Awake = 0;   ///< elements that were touched, and have not come back yet
-  std::size_t Touched = 0; ///< those that are: the first ones, since contact areas are nested
+  std::size_t Awake = 0;   ///< elements that were touched, and have not recovered
+  std::size_t Touched = 0; ///< those in contact: the first ones, since contact areas are nested
   Values Depth{};          ///< u_j
   Values Force{};          ///< q_j
-  Values Free{};           ///< u_j if nothing touched it
+  Values Free{};           ///< u_j without contact
   std::array<Values, PronySeries::LargestCount> Strain{}; ///< s_i of each
 };
 } // namespace palpate

@@ -10,19 +10,20 @@
 
 namespace palpate
 {
-/// What a stretch of time does to the branches of a material whose depth moves evenly in it.
+/// The change of a material's branches in a time step during which the depth moves at constant
+/// speed.
 struct RelaxationStep
 {
   using Branches = std::array<double, PronySeries::LargestCount>;
 
   std::size_t count = 0;
   Branches decay{};        ///< e_i = e^(-T/τ_i)
-  Branches gain{};         ///< (τ_i/T)(1 - e_i): of an increment, what is left of it at the end
+  Branches gain{};         ///< (τ_i/T)(1 - e_i): fraction of an increment that remains at the end
   Branches strength{};     ///< p_i
-  double stiffening = 0.0; ///< Σ p_i gain_i: an increment feels 1 + this times as stiff
+  double stiffening = 0.0; ///< Σ p_i gain_i: an increment is 1 + this times as stiff
 
   RelaxationStep() = default;
-  /// `seconds` >= 0; at 0 all of an increment is left.
+  /// `seconds` >= 0; at 0 all of an increment remains.
   RelaxationStep(const PronySeries& series, double seconds) noexcept
     : count(series.count)
     , strength(series.strength)
@@ -35,16 +36,16 @@ struct RelaxationStep
     }
     this->sum();
   }
-  /// The same of other strengths.
+  /// Changes the strengths.
   void setStrength(const Branches& strengths) noexcept
   {
     this->strength = strengths;
     this->sum();
   }
 
-  /// A servo loop of this period feels a spring of slow stiffness K as passive as an elastic one of
-  /// K times this (Colgate and Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i), which is 2
-  /// gain_i/(1 + e_i).
+  /// In a servo loop of this period a relaxing spring of slow stiffness K is passive if an elastic
+  /// one of K times this is (Colgate and Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i), which
+  /// is 2 gain_i/(1 + e_i).
   double sampledStiffening() const noexcept
   {
     double sum = 1.0;
@@ -62,7 +63,7 @@ struct RelaxationStep
     {
       return (1.0 - std::exp(-x)) / x;
     }
-    // In fours, which do not wait for each other; x^11/12! is 5e-16.
+    // In groups of four, which are independent; x^11/12! is 5e-16.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x * (1.0 / 2)) + x2 * (1.0 / 6 - x * (1.0 / 24));
@@ -72,7 +73,7 @@ struct RelaxationStep
   }
 
 private:
-  /// Below it Taylor's polynomial is right to the last digit.
+  /// Below it Taylor's polynomial is exact to rounding.
   static constexpr double Little = 0.25;
 
   void sum() noexcept

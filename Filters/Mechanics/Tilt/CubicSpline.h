@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// A cubic over [0, 1] that begins at 0, from its rise to the end and the slopes at both ends
-/// (Hermite).
+/// The cubic over [0, 1] with value 0 at the start, from its value at the end and the slopes at
+/// both ends (Hermite).
 class CubicCell
 {
 public:
@@ -41,8 +41,8 @@ struct SplinePoint
   double bend;
 };
 
-/// The cubic spline through samples at ascending places, four or more: with the slopes given at its
-/// ends, or where none is given, one cubic over the last two cells. Beyond its ends straight.
+/// The cubic spline through samples at ascending places, four or more: with given slopes at its
+/// ends, or otherwise one cubic over the last two cells. Linear beyond its ends.
 class CubicSpline
 {
 public:

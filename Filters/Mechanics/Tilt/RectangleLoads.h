@@ -7,12 +7,12 @@
 namespace palpate
 {
 /**
- * How the surface of a half-space, E* = 1, goes down under pressures that are constant on each of
- * n x n equal rectangles: Love's closed form of one (1929), summed over all by a convolution of
- * twice as many in Fourier space, the rest of them empty.
+ * The normal displacement of a half-space, E* = 1, under constant pressures on n x n equal
+ * rectangles: Love's closed form for one (1929), summed by a convolution in Fourier space,
+ * zero-padded to twice the size.
  *
- * Not for several threads at once: it keeps the room it works in. Cost: 0.2 ms of 64 x 64, of which
- * Eigen's transform, row by row, takes 2.5 times as much; some 10 000 make a tool's table.
+ * Not thread-safe: it has its own buffers. Cost: 0.2 ms of 64 x 64, of which Eigen's transform, row
+ * by row, takes 2.5 times as much; some 10 000 make a tool's table.
  */
 class RectangleLoads
 {
@@ -20,7 +20,8 @@ public:
   /// n a power of two, >= 4; sides of a rectangle, mm.
   RectangleLoads(int n, double width, double height);
 
-  /// Of pressures (MPa) at i + n j the depths (mm) of the centres; i counts along the width.
+  /// The depths (mm) of the centres under pressures (MPa), both at i + n j; i counts along the
+  /// width.
   void displace(const std::vector<double>& pressures, std::vector<double>& depths);
 
 private:
@@ -38,7 +39,7 @@ private:
   std::size_t Count;
   std::vector<double> Cosines; ///< of 2π k/2n
   std::vector<double> Sines;
-  std::vector<std::size_t> Order; ///< where transform() leaves number k
+  std::vector<std::size_t> Order; ///< index of number k after transform()
   Rows Along;                     ///< along the width, two rows of rectangles as one complex row
   Rows Across;                    ///< across it, of each wave number along it
   std::vector<double> Kernel;

@@ -12,8 +12,8 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A body that a tool is pressed into, but for its modulus, which scales all: a half-space or a
-/// layer, and what gives way in series with it.
+/// A body without its modulus, which only scales the result: a half-space or a layer, and a
+/// compliance in series with it.
 struct TiltBody
 {
   double thickness = 0.0; ///< of the layer, or of a stack's first, mm; 0 for a half-space
@@ -33,7 +33,7 @@ struct TiltWork
   double work = 0.0;      ///< ∫F dD, mm³
 };
 
-/// A tool pressed D > 0 deep (mm) into a body; NaN where its law does not answer. The work is
+/// A tool pressed D > 0 deep (mm) into a body; NaN where its law does not hold. The work is
 /// integrated to 1e-6 between the kinks of the tool's profile.
 PALPATE_EXPORT TiltWork pressedInto(
   const AxisymmetricTool& tool, const TiltBody& body, double depth);

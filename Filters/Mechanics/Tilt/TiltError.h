@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// A tilted contact on a layer, in numbers without a unit.
+/// A tilted contact on a layer, in dimensionless numbers.
 struct TiltedLayer
 {
   double radius = 0.0;  ///< contact radius of the tool upright, as deep in a half-space, over the
@@ -16,13 +16,12 @@ struct TiltedLayer
 };
 
 /**
- * How far the force of a tilted tool on a bonded layer may be off, as a fraction of it, because an
- * equivalent profile of revolution stands for it (TiltedTool.h). A contact that is longer than
- * wide, or on a rim, feels the base otherwise. With T the stretch, where it is more than 1, ρ the
- * radius times √T and g = ρ³/(ρ³ + 0.22), pointed tools   0.36 (1 - T^-1.2) g,   flat ends   0.18
- * s²/(1 + s²) g, s the rim's drop, an envelope of what boundary elements on layers, ν = 0.45, show
- * (Data/Reference/tilt/tilt_layer_nu0.45.csv). 0 on a half-space, for what tilts as a sphere, and
- * upright.
+ * The relative error of the force of a tilted tool on a bonded layer by its equivalent profile of
+ * revolution (TiltedTool.h), as the base acts differently on a contact that is longer than wide, or
+ * on a rim. With T the stretch, where it is more than 1, ρ the radius times √T and g = ρ³/(ρ³ +
+ * 0.22), pointed tools 0.36 (1 - T^-1.2) g, flat ends 0.18 s²/(1 + s²) g, s the rim's drop, an
+ * envelope of the results of boundary elements on layers, ν = 0.45
+ * (Data/Reference/tilt/tilt_layer_nu0.45.csv). 0 on a half-space, for spherical ends, and upright.
  */
 PALPATE_EXPORT double tiltError(const TiltedLayer& contact) noexcept;
 } // namespace palpate

@@ -16,20 +16,20 @@ class AxisymmetricTool;
 /// x = dh/dθ = r cos θ + f sin θ beside it. In closed form but for a profile given as a function.
 PALPATE_EXPORT DeepestPoint deepestPoint(const AxisymmetricTool& tool, double angle);
 
-/// The largest tilt (rad) that there is a law for: 4 degrees before the steepest part of the flank
-/// lies on the body, of a cone 90 degrees less its half angle; 80 degrees where the flank grows
-/// ever steeper, or there is none.
+/// The largest tilt (rad) that has a law: 4 degrees before the steepest part of the flank lies on
+/// the body, of a cone 90 degrees less its half angle; 80 degrees where the flank grows ever
+/// steeper, or there is none.
 PALPATE_EXPORT double largestTilt(const AxisymmetricTool& tool);
 
-/// What is wrong with tilting a tool so far (rad), naming both angles; "" if nothing is.
+/// Why a tool cannot be tilted so far (rad), naming both angles; "" if it can.
 PALPATE_EXPORT std::string checkTilt(const AxisymmetricTool& tool, double angle);
 
-/// κ of a tool: 3 of one whose deepest point goes over to a rim as soon as it is tilted, 0 of one
-/// whose deepest point moves away little by little. See TiltTerms::dropScale.
+/// κ of a tool: 3 if its deepest point jumps to a rim at any tilt, 0 if it moves continuously. See
+/// TiltTerms::dropScale.
 PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
 
 /// The deepest point of one tool over its tilt as a TiltTable stores it: h and dh/dθ at even angles
-/// up to the largest, cubic between, and a little way beyond straight.
+/// up to the largest, cubic between, and linear slightly beyond.
 class PALPATE_EXPORT ToolDrop
 {
 public:

@@ -14,8 +14,8 @@ namespace palpate
 /// The deepest point of a tilted tool, from its tip.
 struct DeepestPoint
 {
-  double drop = 0.0;   ///< h, how much deeper than the tip it lies, mm, >= 0
-  double offset = 0.0; ///< x = dh/dθ, how far beside it, mm, >= 0
+  double drop = 0.0;   ///< h, its depth below the tip, mm, >= 0
+  double offset = 0.0; ///< x = dh/dθ, its lateral distance from the tip, mm, >= 0
 };
 
 /// τ and its derivatives, by the depth D at one tilt and by the tilt θ at one depth.
@@ -32,8 +32,8 @@ struct TiltTerms
 {
   double range = 0.0;   ///< D_m, mm, > 0
   double largest = 0.0; ///< tilt, rad, > 0 and less than a right angle
-  /// κ >= 0. A tool whose end is flat (κ = 3) goes over its rim: what counts is how deep it is
-  /// beside its drop.
+  /// κ >= 0. A tool with a flat end (κ = 3) touches with its rim: its force depends on the ratio of
+  /// depth and drop.
   double dropScale = 0.0;
   int depths = 0; ///< nodes x_i = i/(depths - 1), 2 or more
   int angles = 0; ///< nodes y_j = j/(angles - 1), 2 or more
@@ -46,36 +46,34 @@ struct TiltTerms
   bool areFelt() const noexcept { return this->laws > 0; }
 };
 
-/// What is wrong with them, naming it and the number; "" for what can be felt.
+/// What is wrong with them, with the number, or "".
 PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
 
 /**
- * What tilting a tool makes of its force. With W_0(D) the work of pressing it D deep upright, the
- * tool tilted by θ, its deepest point D deep, has taken
- *   W(D, θ) = W_0(D) τ(D, θ),  D = δ + h(θ),
- * δ the depth of its tip, on the axis, and h the drop of its deepest point. All follows from that
- * one energy, so that nothing is gained on closed paths:
- *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ,
- * F along the body's normal, M about the tip, trying to set the tool upright. τ(D, 0) = 1.
+ * The effect of tilting a tool on its force. With W_0(D) the work of pressing it D deep upright,
+ * that of the tool tilted by θ, its deepest point D deep, is W(D, θ) = W_0(D) τ(D, θ), D = δ +
+ * h(θ), δ the depth of its tip, on the axis, and h the drop of its deepest point. Force and torque
+ * follow from this one energy, so that closed paths gain no energy: F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,
+ * M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ, F along the body's normal, M about the tip, towards the
+ * upright position. τ(D, 0) = 1.
  *
- * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1, or
- * of a tool with a flat end, whose force falls fast as soon as it is tilted, that of a flat end on
- * a half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Where D_m is exceeded η stays
- * as it is there, beyond θ_m the tilt counts as θ_m. h is the cubic Hermite interpolant of drops
- * and offsets.
+ * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1 or,
+ * for a tool with a flat end, whose force falls fast with the tilt, that of a flat end on a
+ * half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Beyond D_m η is constant,
+ * beyond θ_m the tilt counts as θ_m. h is the cubic Hermite interpolant of drops and offsets.
  *
  * Bodies whose points differ in more than their modulus have several laws, and each point its
- * weights, sum 1. Immutable, allocates and throws nothing after it was made.
+ * weights, of sum 1. Immutable; allocates and throws nothing after construction.
  */
 class PALPATE_EXPORT TiltTable
 {
 public:
   TiltTable() = default;
   /// `drops`: h and dh/dθ at each θ_k. `nodes`: of each law, each x, each y: η and its derivatives
-  /// by x, by y, by both. Numbers that faultOf finds nothing wrong with.
+  /// by x, by y, by both. Numbers without fault by faultOf.
   TiltTable(const TiltTerms& terms, const double* drops, const double* nodes);
 
-  /// What is wrong, naming it and the number; "" for what can be felt.
+  /// What is wrong, with the number, or "".
   static std::string faultOf(const TiltTerms& terms, const double* drops, const double* nodes);
   static std::size_t dropCount(const TiltTerms& terms) noexcept
   {
@@ -91,7 +89,7 @@ public:
   const std::vector<double>& drops() const noexcept { return this->Drops; }
   const std::vector<double>& nodes() const noexcept { return this->Nodes; }
 
-  /// Whether a tilt is further than the largest, by more than it may be rounded.
+  /// Whether a tilt exceeds the largest by more than rounding.
   bool isBeyond(double angle) const noexcept
   {
     constexpr double rounding = 1e-9;

@@ -18,29 +18,30 @@ namespace palpate
  * One tool on a half-space at any tilt up to a largest one, and so, by its equivalent profiles
  * (TiltedTool.h), on layers.
  *
- * Kept is τ = W(D, θ)/W(D, 0), whose derivatives have force and contact in them; boundary elements
- * have the work smoother than the force. Of spheres τ is 1, of flat ends closed (TiltedFlat.h), of
- * cones, which have no length, a function of the angle; all others are solved for (TiltedContact.h)
- * at some thirteen depths and angles, of blunted cones where the tip does not touch alone. Splined
- * over θ and over ln D is τ^-1.2, of a sampled profile, whose facets lie on the body one after the
- * other, ln τ, of a tool with a flat end τ over that of the flat end. Against
- * boundary elements between all nodes: 1e-3, flat ends 3e-3 (TiltNodesTest.cxx).
+ * It stores τ = W(D, θ)/W(D, 0), whose derivatives give force and contact radius, as the work of
+ * boundary elements is smoother than their force. τ is 1 for spheres, has a closed form for flat
+ * ends (TiltedFlat.h), and is a function of the angle alone for cones, which have no length; other
+ * tools are solved for (TiltedContact.h) at some thirteen depths and angles, blunted cones only
+ * where more than the tip touches. The splines over θ and ln D are those of τ^-1.2; for a sampled
+ * profile, whose facets lie on the body one after the other, of ln τ; for a tool with a flat end,
+ * of τ over that of the flat end. Against boundary elements between all nodes: 1e-3, flat ends 3e-3
+ * (TiltNodesTest.cxx).
  *
- * Cost: 1 to 4 s of a tool that is solved for, on all threads, else nothing to speak of; of
- * equivalent() 0.1 ms. Same bits whatever the threads.
+ * Cost: 1 to 4 s for a tool that is solved for, on all threads, otherwise negligible; 0.1 ms for
+ * equivalent(). The same bits for any number of threads.
  */
 class PALPATE_EXPORT TiltedHalfSpace
 {
 public:
   /// From `depth`/256 to `depth` (mm, within the tool's own limit), up to a tilt (rad) that
-  /// checkTilt finds nothing wrong with. `tool` must outlive this.
+  /// checkTilt allows. `tool` must outlive this.
   TiltedHalfSpace(const AxisymmetricTool& tool, double depth, double largest);
 
-  /// What a half-space takes the tilted tool for, pressed D of its deepest point. May be the tool
-  /// itself. Up to a little more than the largest tilt.
+  /// The equivalent profile of the tilted tool over the depth of its deepest point. May be the tool
+  /// itself. Valid slightly beyond the largest tilt.
   std::shared_ptr<const AxisymmetricTool> equivalent(double angle) const;
 
-  /// The half-space itself, without the detour over a profile.
+  /// On the half-space itself, without an equivalent profile.
   TiltWork pressed(double depth, double angle) const;
 
   const AxisymmetricTool& tool() const { return this->Tool; }
@@ -53,7 +54,7 @@ private:
   {
     Sphere,
     Flat,
-    ScaleFree, ///< one depth tells all
+    ScaleFree, ///< one depth suffices
     Solved
   };
   struct Row
@@ -82,7 +83,7 @@ private:
   Kind Is = Kind::Solved;
   bool IsFaceted = false; ///< so that ln τ is splined, not τ^-1.2
   std::vector<Row> Rows;
-  std::vector<Upright> Uprights; ///< from the deepest on
+  std::vector<Upright> Uprights; ///< the deepest first
 };
 } // namespace palpate
 

@@ -6,8 +6,8 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A rectangle of the body's surface, mm; x across the tilt's axis, from the tip towards the side
-/// that goes down; symmetric in y.
+/// A rectangle of the body's surface, mm; x across the axis of tilt, from the tip towards the
+/// lowered side; symmetric in y.
 struct SurfaceBox
 {
   double left;
@@ -22,9 +22,9 @@ public:
   /// `tool` must outlive it.
   TiltedSurface(const AxisymmetricTool& tool, double angle);
 
-  /// How high the tool is over the plane at (x, y), mm; +inf where more than `limit`.
+  /// Height of the tool over the plane at (x, y), mm; +inf where more than `limit`.
   double heightAt(double x, double y, double limit) const;
-  /// Around all places where it is less than `limit` high.
+  /// The box around all places where the height is less than `limit`.
   SurfaceBox below(double limit) const;
 
 private:

@@ -11,13 +11,12 @@
 namespace palpate
 {
 /**
- * The tool of revolution that a half-space cannot tell from a tilted one: at each depth D of the
- * deepest point it has the same force, and so the same dF/dD = 2E* a. Its contact radius a(D) is
- * what it is made from; g is the inverse. On layers it stands for the tilted tool with the error of
- * tiltError.
+ * The tool of revolution equivalent to a tilted one on a half-space: at each depth D of the deepest
+ * point it has the same force, and so the same dF/dD = 2E* a. It is defined by its contact radius
+ * a(D); g is the inverse. On layers it replaces the tilted tool with the error of tiltError.
  *
- * ln a is a cubic of ln D between the samples, beyond them a power of D, but behind a wall
- * constant. Its specification() cannot be read back.
+ * ln a is a cubic of ln D between the samples, beyond them a power of D, but constant beyond a
+ * wall. Its specification() cannot be parsed.
  */
 class PALPATE_EXPORT TiltedTool final : public AxisymmetricTool
 {
@@ -51,7 +50,7 @@ protected:
   double reducedSlope(double x) const override;
 
 private:
-  /// ln a over a cell's share t, and its slope by t.
+  /// ln a over the fraction t of a cell, and its derivative by t.
   struct Logarithm
   {
     double value;

@@ -20,7 +20,7 @@ struct SurfaceDisplacement
 };
 
 /**
- * A rigid, frictionless tool of revolution, and what it feels pressed into an elastic half-space.
+ * A rigid, frictionless tool of revolution, and its contact with an elastic half-space.
  *
  * The tool has the profile z = f(r), f(0) = 0, and is pressed δ deep. By the method of
  * dimensionality reduction (Galin; Sneddon 1965; Popov and Hess 2015) with
@@ -43,13 +43,13 @@ public:
   /// f(r), mm: height of the tool's surface above its tip. +inf beyond its outer wall.
   virtual double profile(double r) const = 0;
 
-  /// Leading exponent m of F ∝ δ^m at small depth. Of a sampled profile, whose tip is one straight
+  /// Leading exponent m of F ∝ δ^m at small depth. For a sampled profile, whose tip is a straight
   /// segment, the exponent half way to its wall.
   virtual double forceExponent() const = 0;
 
   /// Depth (mm) from which the strain measure a/R exceeds `ratio`; a/R is the contact radius over
   /// the tip radius. Tools without a tip radius use δ/a, which equals a/R for a paraboloid. 0 when
-  /// it does at first touch, +inf when it never does.
+  /// it does at first contact, +inf when it never does.
   virtual double depthAtStrain(double ratio) const = 0;
 
   /// Depth (mm) at which the contact radius reaches a: g(a), or 0 (+inf) when the contact radius is
@@ -58,7 +58,7 @@ public:
 
   /// g(x), mm, for smallestContactRadius <= x < largestContactRadius; 0 below.
   virtual double reducedProfile(double x) const = 0;
-  /// Contact radius at first touch: that of the flat end, or 0. mm.
+  /// Contact radius at first contact: that of the flat end, or 0. mm.
   virtual double smallestContactRadius() const { return 0.0; }
   /// Contact radius that no depth exceeds: that of the outer wall, or +inf. mm.
   virtual double largestContactRadius() const = 0;
@@ -67,7 +67,7 @@ public:
 
   /// The depth beyond which the tool would touch the body outside the circle of contact, and where.
   virtual DepthLimit depthLimit() const { return {}; }
-  /// Why the law does not answer at a deflection, naming both and the radius; empty if it does.
+  /// Why the law does not hold at a deflection, naming both and the radius; empty if it does.
   std::string checkDepth(double deflection) const;
 
   IndentationPoint evaluate(double deflection, double reducedModulus) const final;
@@ -82,7 +82,7 @@ public:
   SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonsRatio) const;
 
 protected:
-  // What a shape provides, called with δ > 0 and finite; `a` is contactRadius(δ).
+  // The functions of a shape, called with δ > 0 and finite; `a` is contactRadius(δ).
   virtual double radiusAt(double deflection) const = 0;
   virtual double forcePerModulus(double a, double deflection) const = 0;
   // The rest has defaults, by quadrature of g and g'.
@@ -96,7 +96,7 @@ protected:
   /// g'(x), for the general path; 0 <= x < the largest contact radius.
   virtual double reducedSlope(double x) const = 0;
 
-  /// What a wall carries beyond the smooth contact: δ - g(a), 0 under a smooth rim.
+  /// The step at a wall beyond the smooth contact: δ - g(a), 0 under a smooth rim.
   double rimStep(double a, double deflection) const;
 
 private:

@@ -26,13 +26,13 @@ struct DepthLimit
  * never negative while g does not decrease anywhere. Where g decreases (a shoulder, a groove, a
  * second ring), the gap closes at some r and δ: that pair is returned.
  *
- * A gap may be negative by a thousandth of the depth. Raising the profile by ε where it is cut
- * makes the law exact, and by comparison the force lies between F(δ) and F(δ+ε): the tolerance
- * costs at most two thousandths of it. Without it every concave corner of a sampled profile, behind
- * which g dips by as little as the square of the spacing, would end the law.
+ * A gap may be negative by a thousandth of the depth. Raising the profile by ε where the gap is
+ * negative makes the law exact, so the true force lies between F(δ) and F(δ+ε): the tolerance
+ * causes an error of at most two thousandths. Without it every concave corner of a sampled profile,
+ * beyond which g dips by as little as the square of the spacing, would end the law.
  *
  * `kinks`: radii, ascending, at which g is not analytic. g is sampled between them, at 500 points
- * or more; the depth found is good to about 1e-3.
+ * or more; the depth found is accurate to about 1e-3.
  */
 PALPATE_EXPORT DepthLimit findDepthLimit(const std::function<double(double)>& profile,
   const std::function<double(double)>& reducedProfile, const std::vector<double>& kinks,

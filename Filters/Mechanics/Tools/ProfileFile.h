@@ -12,8 +12,8 @@ namespace palpate
 /**
  * Reads a tool's profile from text: a line r_mm,f_mm per point, the distance from the axis and the
  * height above the tip, from the tip (0,0) outward; the first line may be a header (CsvReader).
- * Returns what is wrong, naming the file and the line, and then leaves the points as they were;
- * empty if nothing is.
+ * Returns what is wrong, naming the file and the line, and leaves the points unchanged then; empty
+ * if nothing is.
  */
 std::string readProfile(const std::string& file, std::vector<ProfilePoint>& points);
 } // namespace palpate

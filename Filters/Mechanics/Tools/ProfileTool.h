@@ -31,18 +31,18 @@ struct ProfilePoint
  * Next to an edge r_i the pressure is infinite: +inf at a convex, -inf at a concave one.
  *
  * No tip radius: the strain is measured by δ/a. Cost: proportional to the number of points, for
- * force and radius about 30 ns each, for pressure and displacements 2 µs each; once for a profile
- * that is not convex its square, 0.1 s for a thousand points.
+ * force and radius about 30 ns each, for pressure and displacements 2 µs each; on construction of a
+ * profile that is not convex, to its square, 0.1 s for a thousand points.
  */
 class PALPATE_EXPORT ProfileTool final : public AxisymmetricTool
 {
 public:
   /// What is wrong with the points, naming the first wrong one; empty if nothing is.
   static std::string check(const std::vector<ProfilePoint>& points);
-  /// The same of the last point, given that nothing is wrong with those before.
+  /// The same for the last point, if nothing is wrong with those before.
   static std::string checkLast(const std::vector<ProfilePoint>& points);
 
-  /// Points check() finds no fault with: two or more, the first (0, 0), r increasing, f >= 0.
+  /// Points that pass check(): two or more, the first (0, 0), r increasing, f >= 0.
   explicit ProfileTool(std::vector<ProfilePoint> points);
 
   std::string specification() const override;
@@ -71,8 +71,7 @@ private:
     SlopeStep unit;
     double change;
   };
-  /// A place higher in g than all before: x = √(r²+t²), r the radius of the step behind which it
-  /// is.
+  /// A running maximum of g: x = √(r²+t²), r the radius of the step before it.
   struct Rise
   {
     std::size_t step;

@@ -7,9 +7,9 @@
 namespace palpate
 {
 /**
- * The profile f = max(r-b, 0), whose slope steps from 0 to 1 at radius b >= 0: the unit from which
- * truncated cones and piecewise linear profiles are summed. At equal contact radius the reduced
- * profile, pressure, displacement and load of a sum of profiles are the sums of theirs.
+ * The profile f = max(r-b, 0), whose slope steps from 0 to 1 at radius b >= 0: the building block
+ * of truncated cones and piecewise linear profiles. At equal contact radius the reduced profile,
+ * pressure, displacement and load of a sum of profiles are the sums of theirs.
  *
  *   g(x) = x A, A = arccos(b/x), x > b;  ∫_0^a g dx = (a²A - b q)/2, q = √(a²-b²)
  * (Popov and Hess 2015). b = 0 is the cone. Results per unit reduced modulus.

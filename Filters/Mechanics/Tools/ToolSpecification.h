@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// The shapes parseTool and makeTool know, in the order of vtkContactTool's Shape.
+/// The shapes of parseTool and makeTool, in the order of vtkContactTool's Shape.
 enum class ToolShape
 {
   Flat,
@@ -29,7 +29,7 @@ enum class ToolShape
   Profile
 };
 
-/// A tool in writing: a shape and what it needs of the parameters (mm, degrees).
+/// A tool's specification: a shape and its parameters (mm, degrees).
 struct ToolSpecification
 {
   ToolShape Shape = ToolShape::Sphere;
@@ -51,23 +51,21 @@ PALPATE_EXPORT std::string checkTool(const ToolSpecification& specification);
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
 
 /**
- * Reads a tool:
- *   flat:R  sphere:R  paraboloid:R  cone:DEGREES  truncated:R,DEGREES  blunted:R,DEGREES
- *   rounded:R,EDGE  power:EXPONENT,COEFFICIENT  profile:FILE.csv  profile:r1,f1;r2,f2;…
- * in mm and degrees from the axis. The second form of a profile, told by its ';', is the one
- * specification() writes: a stored response explains itself on another machine. Files: see
- * ProfileFile.h. Returns false, says in `error` what is wrong, and leaves the specification as it
- * was.
+ * Reads a tool: flat:R sphere:R paraboloid:R cone:DEGREES truncated:R,DEGREES blunted:R,DEGREES
+ * rounded:R,EDGE power:EXPONENT,COEFFICIENT profile:FILE.csv profile:r1,f1;r2,f2;… in mm and
+ * degrees from the axis. The second form of a profile, recognised by its ';', is the one that
+ * specification() writes, so that a stored response needs no file. Files: see ProfileFile.h. On
+ * failure returns false, sets `error`, and leaves the specification unchanged.
  */
 PALPATE_EXPORT bool parseTool(
   const std::string& text, ToolSpecification& specification, std::string& error);
 
-/// What a tool says of itself, read back; nothing of one that has no writing.
+/// A tool's specification() parsed; nothing if it cannot be.
 PALPATE_EXPORT std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool);
 
 /// The same tool with all lengths times `factor` > 0: its force law is F(δ) → factor² F(δ/factor).
 /// A cone, and a power law of exponent 1, have no length: there tan α grows by the factor. Null if
-/// the tool has no writing, or factor times it is none.
+/// the tool's specification cannot be parsed, or the scaled one is invalid.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
   const AxisymmetricTool& tool, double factor);
 
