@@ -9,11 +9,11 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Most = 1024; // more is a slip of the pen
+constexpr std::size_t Most = 1024; // more is a typing error
 
 thread_local std::size_t Limit = 0; // 0: there is none
 
-/// PALPATE_THREADS; 0 where it is not set, or no number above 0.
+/// PALPATE_THREADS; 0 if it is not set, or not a positive number.
 std::size_t wishOfEnvironment() noexcept
 {
   const char* text = std::getenv("PALPATE_THREADS");

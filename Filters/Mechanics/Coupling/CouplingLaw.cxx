@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// Of ∫_0^{π/2} M(x sin φ) dφ by the midpoint rule, which for this periodic function errs by
-/// e^(-8/x) to the power of so many: nothing at x = 40.
+/// Angles of the midpoint rule for ∫_0^{π/2} M(x sin φ) dφ, whose error for this periodic function
+/// is e^(-8/x) to the power of their number: negligible at x = 40.
 constexpr int Angles = 512;
 
 /// g at x of either sign: M is even.
@@ -35,7 +35,8 @@ double slopeOf(const LayerKernel& kernel, double x)
   return (8.0 * difference(step) - difference(2.0 * step)) / (12.0 * step);
 }
 
-/// K/(2E*h) of a flat end of radius a on the layer: of any tool that touches with this a.
+/// K/(2E*h) of a flat end of radius a on the layer, which is that of any tool with this contact
+/// radius.
 double stiffnessOf(const LayerKernel& kernel, double ratio)
 {
   return ratio * (LayerKernel::weights() * kernel.at(ratio).flat).sum();

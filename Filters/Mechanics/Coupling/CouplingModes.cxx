@@ -39,7 +39,7 @@ std::vector<std::int32_t> landmarksOf(
     : spreadPoints(surface, valid, *std::max_element(valid.begin(), valid.end(), softer), wanted);
 }
 
-/// Root mean square of what modes miss between different landmarks, relative to what there is.
+/// Root mean square of the modes' error between different landmarks, relative to the exact values.
 double missedBetween(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& modes)
 {
   Eigen::MatrixXd whole = exact;

@@ -21,14 +21,15 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr mode_t UsualMode = 0666; // less what the user's umask takes away
+constexpr mode_t UsualMode = 0666; // before the user's umask
 
 std::string errorText(const std::string& path, int reason)
 {
   return "cannot write '" + path + "': " + std::strerror(reason);
 }
 
-/// Where the links of a file lead; "" for what exists and is no file, or has no name any more.
+/// The path of a file with links resolved; "" for something that exists but is not a file, or has
+/// no name any more.
 std::string targetOf(const std::string& path)
 {
   std::error_code failed;
@@ -41,7 +42,7 @@ std::string targetOf(const std::string& path)
   return fs::is_regular_file(status) && !failed ? target.string() : std::string();
 }
 
-/// Up to and with the last end of a line.
+/// The part up to and including the last line break.
 struct WholeLines
 {
   std::size_t count = 0;
@@ -112,7 +113,7 @@ std::string WholeFile::open()
   {
     return problem;
   }
-  // What is written to directly may be open for writing only.
+  // A target written to directly may allow writing only.
   const int access = this->isFile() ? O_RDWR | O_CREAT : O_WRONLY;
   this->File = ::open(this->Unfinished.c_str(), access | O_TRUNC | O_CLOEXEC, UsualMode);
   return this->File >= 0 ? std::string() : this->error(errno);

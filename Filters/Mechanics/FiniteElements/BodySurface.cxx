@@ -21,8 +21,8 @@ const std::vector<Corners>& splitOf(int nodes)
   return nodes == 3 ? triangle : nodes == 4 ? quadrilateral : quadratic;
 }
 
-/// Where the nodes of a face lie in its own coordinates: (ξ, η) of the square [-1, 1]² or of the
-/// triangle (0,0), (1,0), (0,1).
+/// The nodes of a face in its own coordinates: (ξ, η) of the square [-1, 1]² or of the triangle
+/// (0,0), (1,0), (0,1).
 Eigen::Vector2d faceCoordinates(int nodes, int i)
 {
   constexpr std::array<std::array<double, 2>, 4> square = { { { -1, -1 }, { 1, -1 }, { 1, 1 },

@@ -34,7 +34,7 @@ class GradientSum
 public:
   using Matrix = Eigen::Matrix<double, 3 * Count, 3 * Count>;
 
-  /// Adds a point of the quadrature: the gradients (3 × Count), its weight times the Jacobian.
+  /// Adds a quadrature point: the gradients (3 × Count) and its weight times the Jacobian.
   void add(const Eigen::Matrix<double, 3, Count>& gradients, double weight)
   {
     const Eigen::Map<const Eigen::Matrix<double, 3 * Count, 1>> g(gradients.data());
@@ -321,7 +321,7 @@ double smallestJacobian(ElementKind kind, const ElementNodes& nodes)
 {
   double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&smallest](double determinant)
-  { smallest = determinant > smallest ? smallest : determinant; }; // a NaN is kept
+  { smallest = determinant > smallest ? smallest : determinant; }; // keeps a NaN
   switch (kind)
   {
     case ElementKind::Hexahedron:

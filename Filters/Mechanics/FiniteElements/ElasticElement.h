@@ -24,7 +24,7 @@ struct ElasticMaterial
   double poissonRatio = 0.3;
 };
 
-/// Whether the materials are equal up to rounding.
+/// Whether two materials are equal.
 inline bool isAlike(const ElasticMaterial& a, const ElasticMaterial& b)
 {
   return a.youngsModulus == b.youngsModulus && a.poissonRatio == b.poissonRatio;

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Moduli that differ by less are of one material, whose stress has no step at its nodes.
+/// Moduli within this ratio count as one material, whose stress is continuous at nodes.
 constexpr double SameModulus = 1.25;
 
 /// xx, yy, zz, yz, xz, xy; of an element's nodes or one of its points.
@@ -61,7 +61,7 @@ Quadrature quadratureOf(ElementKind kind)
 
 using Gradient = Eigen::Matrix3d; ///< of a displacement in space
 
-/// An element, whatever displacement it is under.
+/// An element, for any displacement.
 class ElementStress
 {
 public:
@@ -131,8 +131,8 @@ private:
   Eigen::Matrix<double, 9, 24> Modes;
 };
 
-/// Where elements of about one modulus meet at a node: stress goes through there, and is no more
-/// than that elsewhere. Of each element's nodes the number of such a place.
+/// Groups the elements of about one modulus at each node, as stress is continuous within a group.
+/// Of each element's nodes the number of the group.
 class SharedNodes
 {
 public:

@@ -22,7 +22,7 @@ std::size_t modeTotal(int count)
   return static_cast<std::size_t>(std::clamp(count, 0, MostGlobalModes));
 }
 
-/// The softest or most held valid point, then the farthest valid point from all before.
+/// The valid point of largest |C_g|, then always the farthest valid point from all before.
 std::vector<std::int32_t> spreadLandmarks(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -134,7 +134,7 @@ std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
     }
     if (away[farthest] == 0.0)
     {
-      break; // the others lie where there is one already
+      break; // the others coincide with earlier ones
     }
     chosen.push_back(points[farthest]);
   }

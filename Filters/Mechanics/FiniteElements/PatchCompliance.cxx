@@ -22,7 +22,7 @@ constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;
 
 /// Calls work(i) for i < count on threadCount() threads, in blocks between which the observer is
-/// asked.
+/// called.
 template <class Work>
 bool forAll(std::size_t count, const WorkObserver& observer, double from, double to, Work&& work)
 {
@@ -39,13 +39,14 @@ bool forAll(std::size_t count, const WorkObserver& observer, double from, double
   return true;
 }
 
-/// Middles and sizes of a body's elements, for the energy missed beyond a cut.
+/// Centres and sizes of a body's elements, for the energy missed beyond a cut.
 class MissedEnergy
 {
 public:
   explicit MissedEnergy(const VolumeMesh& mesh);
 
-  /// What to add of (outer - inner) to the self-term of the outer cut; 0 for quadratic elements.
+  /// The fraction of (outer - inner) to add to the self-term of the outer cut; 0 for quadratic
+  /// elements.
   double fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const;
 
 private:
@@ -97,7 +98,7 @@ double MissedEnergy::fraction(const Eigen::Vector3d& point, const LocalPatch& pa
   return between > 1e-9 * outer ? std::max(all - outer, 0.0) / between : 0.0;
 }
 
-/// One point on its way: its two loads, its cut-out by the key.
+/// Intermediate data of one point: its two loads, and the key of its cut-out.
 struct Site
 {
   PatchStatus status = PatchStatus::Valid;
@@ -166,7 +167,7 @@ SparseLoad sparseLoad(
 
 using TermsByKey = std::map<PatchKey, SelfTerms>;
 
-/// The self-terms of all cut-outs, each of the different ones once.
+/// Computes the self-terms of all cut-outs, equal ones once.
 bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& points, double radius,
   std::vector<Site>& sites, const WorkObserver& observer, TermsByKey& terms)
 {
@@ -187,7 +188,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
     return false;
   }
   std::vector<std::pair<std::size_t, SelfTerms*>>
-    jobs; // the first site of each kind stands for all
+    jobs; // the first site of each kind represents all
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     if (sites[i].status == PatchStatus::Valid)

@@ -40,13 +40,13 @@ std::vector<std::int32_t> elementsAround(
 
 using Place = std::array<long long, 3>;
 
-/// Places as whole numbers of grains, to sort and compare by.
+/// Positions as whole numbers of grains, for sorting and comparing.
 Place wholePlace(const Eigen::Vector3d& x, double grain)
 {
   return { std::llround(x[0] / grain), std::llround(x[1] / grain), std::llround(x[2] / grain) };
 }
 
-/// The given things in the order of their places.
+/// Sorts by position.
 template <class PlaceOf>
 void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
 {
@@ -63,8 +63,8 @@ void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
   }
 }
 
-/// The boundary faces connected to a point without a triangle that turns by more than 30°, among
-/// those of the given elements.
+/// The boundary faces of the given elements connected to a point without a triangle that turns by
+/// more than 30°.
 std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySurface& surface,
   std::int32_t point, const std::unordered_set<std::int32_t>& elements)
 {
@@ -109,7 +109,7 @@ std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySur
   return faces;
 }
 
-/// Depth of the surface under the tangent plane as a quadratic of the place in the plane.
+/// Depth of the surface below the tangent plane as a quadratic function in the plane.
 struct QuadraticSheet
 {
   Eigen::Matrix<double, 5, 1> coefficient = Eigen::Matrix<double, 5, 1>::Zero();
@@ -157,8 +157,8 @@ void flatten(VolumeMesh& mesh, const std::vector<unsigned char>& onTop, double s
   }
 }
 
-/// What the nodes are to a cut that has the elements `kept`: given a motion on every face across
-/// which it ends, but for those on top.
+/// The role of the nodes in a cut with the elements `kept`: prescribed on all faces at which it
+/// ends, except the top.
 std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topology,
   const std::unordered_set<std::int32_t>& topFaces, const std::unordered_set<std::int32_t>& kept,
   std::size_t nodeTotal)
@@ -340,7 +340,7 @@ PatchKey patchKey(const LocalPatch& patch)
   }
   for (const VolumeElement& element : patch.mesh.elements)
   {
-    // Which nodes, not in which order: an element may be numbered from another corner.
+    // The set of nodes, not their order, as an element may be numbered from another corner.
     auto nodes = element.nodes;
     const int count = nodeCount(element.kind);
     std::sort(nodes.begin(), nodes.begin() + count);

@@ -98,7 +98,7 @@ const DiscRule& DiscRule::standard()
 
 Eigen::Matrix3d tangentFrame(const Eigen::Vector3d& outwardNormal)
 {
-  // Rounding is not to decide which axis is the farthest from the normal.
+  // So that rounding does not decide which axis is the farthest from the normal.
   const Eigen::Vector3d inward =
     (outwardNormal.array().abs() < 1e-12).select(0.0, -outwardNormal).matrix();
   Eigen::Index smallest = 0;
@@ -128,7 +128,8 @@ PatchLoad makePatchLoad(
   const DiscRule& rule = DiscRule::standard();
   for (std::size_t q = 0; q < DiscRule::Count; ++q)
   {
-    // The triangle it lies in; on a common edge the one it lies deepest in, within rounding.
+    // The triangle that contains it; on a common edge the one with the largest least coordinate,
+    // within rounding.
     double deepest = -1e-9;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::int32_t in = -1;

@@ -19,7 +19,7 @@ std::size_t nodeOf(const VolumeElement& element, int i)
   return static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
 }
 
-/// The motion of the half-space under the two loads (3 rows per node), at nodes with a mark.
+/// The motion of the half-space under the two loads (3 rows per node), at marked nodes.
 TwoColumns halfSpaceMotion(const LocalPatch& patch)
 {
   TwoColumns motion = TwoColumns::Zero(3 * patch.mesh.nodes.cols(), 2);
@@ -46,7 +46,7 @@ TwoColumns halfSpaceMotion(const LocalPatch& patch)
   return motion;
 }
 
-/// The free nodes of a cut in an order of elimination that fills in little (minimum degree).
+/// The free nodes of a cut in an order of elimination with little fill-in (minimum degree).
 std::vector<std::int32_t> orderNodes(const LocalPatch& patch, const std::vector<CutNode>& marks)
 {
   std::vector<std::int32_t> free;

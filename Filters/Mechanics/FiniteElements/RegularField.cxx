@@ -9,10 +9,10 @@ namespace palpate
 {
 namespace
 {
-/// The weights of the two patches: what is left behaves as the force of a point to order c⁴.
+/// The weights of the two patches, whose combination equals a point force to order c⁴.
 constexpr std::array<double, 2> PatchWeights = { 4.0 / 3.0, -1.0 / 3.0 };
 
-/// The dent on the elements around the point, at the points of the surface: x, y, z by point.
+/// The dent by the elements around the point, at points of the surface: x, y, z by point.
 std::vector<std::pair<std::int32_t, Eigen::Vector3d>> dentOfElements(
   const ElasticBody& body, std::int32_t point, const LocalPatch& patch)
 {

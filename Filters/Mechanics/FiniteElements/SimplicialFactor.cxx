@@ -14,7 +14,7 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(BlockSize), 
 
 double SimplicialFactor::Cholesky::predictedNonZeros() const
 {
-  // Where the columns begin is an int, which may wrap around; how long each is does not.
+  // The starts of columns are ints, which may overflow; their lengths do not.
   const int* starts = this->m_matrix.outerIndexPtr();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < this->m_matrix.outerSize(); ++i)

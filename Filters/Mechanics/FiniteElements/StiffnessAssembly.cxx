@@ -53,7 +53,7 @@ void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
 }
 
-/// The pattern of the lower triangle, with zeros. False: more entries than an int counts.
+/// The pattern of the lower triangle, with zeros. False: more entries than an int can number.
 bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<int>& dof,
   int unknowns, SymmetricSparse& lower)
 {
@@ -131,7 +131,7 @@ void addElement(const VolumeElement& element, const ElementMatrix& k, const std:
   }
 }
 
-/// One part of the body: its first element and what its fixed directions say of its rigid motions.
+/// One part of the body: its first element and the constraints of its rigid motions.
 struct Part
 {
   std::int32_t firstElement = -1;
@@ -225,7 +225,7 @@ std::string findFloatingPart(
       continue;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(part.stopped);
-    // A motion stopped by nodes within 1e-5 of the part's size of its axis is as good as free.
+    // A motion prevented only by nodes within 1e-5 of the part's size of its axis counts as free.
     const double floor = std::max(1e-10 * spectrum.eigenvalues()[5], 1e-10);
     const auto left = (spectrum.eigenvalues().array() < floor).count();
     if (left > 0)

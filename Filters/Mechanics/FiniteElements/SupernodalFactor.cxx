@@ -20,7 +20,7 @@ std::unique_ptr<StiffnessFactor> makeSupernodalFactor()
 #include <algorithm>
 #include <mutex>
 
-// Of BLAS: B := L⁻¹ B and C := α A B + β C.
+// BLAS: B := L⁻¹ B and C := α A B + β C.
 extern "C"
 {
   void dtrsm_(const char* side, const char* upper, const char* transposed, const char* unit,
@@ -30,7 +30,7 @@ extern "C"
     const int* k, const double* alpha, const double* a, const int* lda, const double* b,
     const int* ldb, const double* beta, double* c, const int* ldc);
 
-  // Of OpenBLAS, where that is the BLAS; otherwise null.
+  // OpenBLAS's, if that is the BLAS; otherwise null.
   __attribute__((weak)) int openblas_get_num_threads();
   __attribute__((weak)) void openblas_set_num_threads(int count);
 }
@@ -42,9 +42,9 @@ namespace
 /// Right-hand sides per block. Measured on a body of 95 thousand unknowns: see the benchmark.
 constexpr std::size_t SupernodalBlock = 64;
 
-/// While one lives, OpenBLAS runs in the thread that calls it: several would sum in another order,
-/// and where there are blocks, they are what is shared among threads. It is a setting of the whole
-/// process; the last one puts it back.
+/// While one lives, OpenBLAS uses only the calling thread: several would sum in another order, and
+/// the blocks are already distributed to threads. The setting is that of the whole process; the
+/// last object restores it.
 class SingleThreadedBlas
 {
 public:
@@ -162,7 +162,7 @@ public:
   }
 
 private:
-  /// Of the block of supernode s in X: columns(s) × count, by columns.
+  /// Start of the block of supernode s in X: columns(s) × count, by columns.
   std::size_t start(int s, std::size_t count) const
   {
     return static_cast<std::size_t>(this->Offset[static_cast<std::size_t>(s)]) * count;
@@ -271,7 +271,7 @@ public:
   {
     cholmod_free_factor(&this->Factor, &this->Common);
     // METIS draws from the C library's rand(), which it seeds each time: two orderings at once
-    // would take each other's numbers, and sums would be rounded another way from run to run.
+    // would mix their numbers, and rounding would differ from run to run.
     static std::mutex ordering;
     const std::lock_guard<std::mutex> lock(ordering);
     cholmod_sparse matrix = view(lower);

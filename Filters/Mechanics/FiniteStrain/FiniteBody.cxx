@@ -16,8 +16,8 @@ namespace
 {
 using Dual = SecondOrder<5>;
 
-/// Shape functions of the nine nodes at a Gauss point of an element and what a displacement
-/// gradient needs: H = B u.
+/// Shape functions of the nine nodes at a Gauss point of an element, and B of the displacement
+/// gradient H = B u.
 struct ElementPoint
 {
   Eigen::Matrix<double, 5, 18> b = Eigen::Matrix<double, 5, 18>::Zero();
@@ -251,7 +251,7 @@ void FiniteBody::linearize(const Vector& u, double depth, Vector& gradient)
   }
 }
 
-/// The penalty of a point inside the tool.
+/// Adds the penalty of a point inside the tool.
 void FiniteBody::addContact(std::size_t p, Vector& gradient)
 {
   const SurfacePoint& point = this->Surface[p];
@@ -322,7 +322,7 @@ FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
     if (gap.value < 0.0)
     {
       found.force += this->Penalty * point.weight * gap.value * gap.byDepth;
-      // What the penalty holds itself, and what the body would hold more without it.
+      // The penalty's own energy, and the energy that the body would have in addition without it.
       found.energy += this->Penalty * point.weight * gap.value * gap.value;
       found.contactRadius = radius;
     }

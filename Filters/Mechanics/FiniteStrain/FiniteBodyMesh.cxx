@@ -15,13 +15,13 @@ namespace palpate
 namespace
 {
 constexpr double Growth = 1.6;
-constexpr double FarAway = 1000.0;      // contact radii to where a half-space is held
+constexpr double FarAway = 1000.0;      // contact radii to where a half-space is fixed
 constexpr double PenaltyFactor = 300.0; // of E* per contact radius
 constexpr double ElementsPerFillet = 5.0;
 constexpr double CentralHole = 0.02; // of a ball's radius: where elements would have no width
 
-/// (r, z) of what lies `along` the surface from the axis and `below` it; z = 0 is where the axis
-/// meets it.
+/// (r, z) of the point at distance `along` the surface from the axis and depth `below` it; z = 0 is
+/// the surface on the axis.
 Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
 {
   if (bodyRadius == 0.0)
@@ -34,7 +34,7 @@ Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
     -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
-/// Where the mesh of a half-space ends: below stiffer layers it gives way the more for its size.
+/// The end of a half-space's mesh: farther below stiffer layers.
 double farEnd(const FiniteProblem& problem, double above)
 {
   double stiffest = 1.0;
@@ -45,7 +45,7 @@ double farEnd(const FiniteProblem& problem, double above)
   return above + FarAway * stiffest * problem.contactRadius;
 }
 
-/// `above`: thickness of the layers that end. Into a ball almost to its centre.
+/// `above`: thickness of the finite layers. In a ball almost to its centre.
 double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const bool isWholeBall = isHalfSpace && problem.bodyRadius > 0.0;
@@ -54,7 +54,7 @@ double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
                      : above;
 }
 
-/// Along a ball as far as the plane that mirrors it, along a cavity to its other end.
+/// On a ball up to the plane of symmetry, on a cavity to its other end.
 double meshWidth(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const double curved = problem.bodyRadius;
@@ -146,7 +146,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       this->Elements.push_back(element);
     }
   }
-  // The tool, which goes on without an end, is not to meet the other side of a cavity.
+  // The tool, which has no end, must not touch the other side of a cavity.
   const double touchable = curved != 0.0 ? Pi / 3.0 * std::abs(curved) : width;
   for (std::size_t i = 0; i + 1 < rs.size() && rs[i + 1] <= touchable; ++i)
   {

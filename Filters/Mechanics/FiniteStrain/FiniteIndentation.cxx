@@ -16,13 +16,13 @@ namespace
 using Eigen::VectorXd;
 
 constexpr int MostIterations = 14;
-constexpr int MostHalvings = 4;        // of a step of Newton's method: then it has gone astray
+constexpr int MostHalvings = 4;        // of a step of Newton's method, which then has failed
 constexpr int MostCuts = 7;            // of a step in depth
 constexpr double LargestGrowth = 1.3;  // of the depth in a step: the contact grows with it
 constexpr double FirstFraction = 0.05; // of the first depth, from the undeformed body
-constexpr double Converged = 1e-12;    // of the energy: what an iteration can still gain
+constexpr double Converged = 1e-12;    // relative to the energy: the gain of a further iteration
 
-/// Newton's method on the potential of a body and a tool at one depth after the other.
+/// Newton's method on the potential of a body and a tool at successive depths.
 class Press
 {
 public:
@@ -34,7 +34,7 @@ public:
     this->Solver.analyzePattern(this->Body.pattern());
   }
 
-  /// Goes from the depth before to this one; false where it finds no equilibrium.
+  /// Goes from the last depth to this one; false if it finds no equilibrium.
   bool to(double depth, FinitePoint& point)
   {
     int iterations = 0;
@@ -56,12 +56,12 @@ public:
       }
       else
       {
-        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // and so from now on
+        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // also for later steps
       }
     }
     point = this->Body.evaluate(this->Now, depth);
-    // The potential of a rigid contact is that of the penalty plus what that has stored, to first
-    // order; the force is its slope.
+    // To first order the potential of a rigid contact is that with the penalty plus the penalty's
+    // energy; the force is its derivative.
     point.force += this->Course.penaltySlope;
     point.iterations = iterations;
     return true;
@@ -87,7 +87,7 @@ private:
       }
       const VectorXd step = -this->Solver.solve(this->Gradient);
       const double slope = this->Gradient.dot(step);
-      if (!(slope < 0.0)) // no way down: the tangent is not definite, or nothing is left
+      if (!(slope < 0.0)) // not a descent: the tangent is not definite, or the residual is rounding
       {
         return std::abs(slope) <= Converged * energy;
       }

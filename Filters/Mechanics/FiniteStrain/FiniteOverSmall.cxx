@@ -9,18 +9,18 @@ namespace palpate
 {
 namespace
 {
-constexpr double ForSmallStrain = 0.3; // of the time
+constexpr double ForSmallStrain = 0.3; // fraction of the time
 constexpr double ReachOfOutline = 3.0; // contact radii
-/// How a rim goes on: as many times as round, on elements as many times as long.
+/// The continuation of a rim: factor of its fillet, and factor of its elements' length.
 struct Round
 {
   double fillet;
   double edge;
 };
 constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
-/// Of a rim's radius: deeper the surface creases next to it and c falls by up to 1.5 % too much.
+/// In radii of a rim's fillet: deeper, the surface creases next to it and c is up to 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-constexpr double TimeLeft = 0.3; // of the time left: what a rounder rim has to go on with
+constexpr double TimeLeft = 0.3; // fraction of the remaining time for continuing with a rounder rim
 
 /// c with one fillet, as deep as there is an equilibrium.
 std::vector<double> factorsWith(
@@ -41,7 +41,7 @@ std::vector<double> factorsWith(
   std::vector<double> factors;
   for (std::size_t k = 0; k < small.points.size(); ++k)
   {
-    // An apex's fillet does not touch at once.
+    // The fillet of an apex has no contact at first.
     const double force = small.points[k].force;
     factors.push_back(force > 0.0 ? finite.points[k].force / force : 0.0);
   }
@@ -65,8 +65,8 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   {
     const double roundness = round.fillet * fillet;
     const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
-    // The last depth that is known is solved again: there both rims are compared. The first one
-    // leads there, as it did before.
+    // The last known depth is solved again to compare both rims; the first depth leads there, as
+    // before.
     const std::size_t again = std::min<std::size_t>(factors.size(), 2);
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// The size wanted at x: a range's own within it, more with the distance from it.
+/// The size at x: that of a range within it, growing with the distance from it.
 double sizeAt(double x, const std::vector<FineRange>& fine, double growth)
 {
   double size = HUGE_VAL;
@@ -35,12 +35,12 @@ std::vector<double> gradedDivision(
     double x = start;
     while (x < stop)
     {
-      // As if each element began where it is finest: towards a range it shrinks in time.
+      // Sized at the finer end, so that elements shrink in time towards a range.
       const double size = sizeAt(x, fine, growth);
       x += std::min(size, std::max(sizeAt(x + size, fine, growth), size / growth));
       inner.push_back(x);
     }
-    // What the last one is too long is taken off all of them.
+    // The excess of the last element is distributed over all.
     const std::size_t count = inner.size();
     const bool dropsLast =
       count > 1 && stop - inner[count - 2] < 0.5 * (inner[count - 1] - inner[count - 2]);

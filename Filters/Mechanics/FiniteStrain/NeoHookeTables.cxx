@@ -18,20 +18,22 @@ constexpr std::size_t Ratios = 7;
 constexpr std::size_t Roots = 8;
 using HalfSpaceTable = double[Ratios][Roots];
 
-// Made by Testing/Studies/finite_strain/tables.cxx.
+// Written by Testing/Studies/finite_strain/tables.cxx.
 #include "Mechanics/FiniteStrain/NeoHookeTables.inc"
 
 constexpr double SphereDeepest = 1.0; // radii
 constexpr double FlatDeepest = 1.3;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
-// Of the thinnest: beyond the table's end c stays, with its error.
+// Largest depth relative to the thinnest layer: beyond the table's end c is constant, with its
+// error.
 constexpr double LayerAnswers = 0.7;
-constexpr double Beyond = 1.8; // of the deepest: so far a table answers, with a growing error
+constexpr double Beyond =
+  1.8; // times the deepest, up to which a table is used, with a growing error
 constexpr double BeyondLayers = 2.25;
 constexpr double TableError = 0.003; // of mesh, far field and interpolation
-// Of a sharp flat: its rim follows the body, the table's is rounded.
+// For a sharp flat, since the rim of the table's is rounded.
 constexpr double FlatError = 0.015;
-constexpr double FlatLayerError = 0.022; // as much as another code's sharp flat differs
+constexpr double FlatLayerError = 0.022; // the difference from another code's sharp flat
 constexpr double ConeError = 0.005;
 
 std::vector<double> ratios()
@@ -54,7 +56,7 @@ std::vector<double> flattened(const HalfSpaceTable& table)
   return values;
 }
 
-/// Of layers as thick as `heights`, in radii.
+/// For layers of thicknesses `heights`, in radii.
 template <std::size_t Heights>
 std::unique_ptr<StrainTable> layerTable(const double (&heights)[Heights],
   const HalfSpaceTable (&tables)[Heights], double radius, const StrainReach& reach, double error)
@@ -82,7 +84,7 @@ bool isTool(const AxisymmetricTool& tool, ToolShape shape, ToolSpecification& fo
   return parseTool(tool.specification(), found, fault) && found.Shape == shape;
 }
 
-/// Straight between the angles, in cot α, which the pressure is in proportion to.
+/// Linear between the angles in cot α, to which the pressure is proportional.
 std::vector<double> coneFactors(double halfAngle)
 {
   const auto slope = [](double degrees)

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// A quadratic through values at ν = 0.3, 0.45 and 0.495; straight on below.
+/// A quadratic through values at ν = 0.3, 0.45 and 0.495; linear below.
 double overRatio(const std::array<double, 3>& value, double ratio)
 {
   constexpr std::array<double, 3> node = { 0.3, 0.45, 0.495 };
@@ -28,12 +28,12 @@ double overRatio(const std::array<double, 3>& value, double ratio)
 double smallStrainError(
   double pressure, double poissonsRatio, double depthOverThickness, double radiusOverThickness)
 {
-  // Of how far the volume may change; 0 at ν = ½.
+  // A measure of compressibility; 0 at ν = ½.
   const double n = (1.0 - 2.0 * poissonsRatio) / (1.0 - poissonsRatio);
   if (!(depthOverThickness > 0.0))
   {
-    // What is left over: 0.009 at s = 0.3, 0.033 at 0.55, as of second order. Where the volume
-    // gives way more than at ν = 0.3, the slope is that of the sphere's table at ν = 0.
+    // The residual: 0.009 at s = 0.3, 0.033 at 0.55, of second order. At ν below 0.3 the slope is
+    // that of the sphere's table at ν = 0.
     constexpr double atLeast = 4.0 / 7.0;
     const double slope = -0.148 + 0.61 * n + 0.8 * std::max(0.0, n - atLeast);
     return std::abs(slope) * pressure +

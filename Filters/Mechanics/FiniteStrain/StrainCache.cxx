@@ -29,7 +29,7 @@ std::string digest(std::string_view text)
   return buffer;
 }
 
-/// "" where nothing is to be kept.
+/// "" if nothing is cached.
 std::filesystem::path folder()
 {
   const auto variable = [](const char* name) { return std::getenv(name); };
@@ -94,6 +94,6 @@ void writeStrainCache(const std::string& key, const std::vector<double>& values)
   {
     file.write(shortestDecimals(value) + "\n");
   }
-  file.finish(); // without it the next one solves again
+  file.finish(); // without the file the next run solves again
 }
 } // namespace palpate

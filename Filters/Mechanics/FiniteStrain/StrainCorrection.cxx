@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-// c is straight over √δ near 0; the mesh knows nothing of contacts of a few elements.
+// c is linear in √δ near 0; the mesh cannot resolve contacts of a few elements.
 const std::vector<double> SolvedRoots = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
 constexpr double LargestRatio = 0.495;       // of those that are solved for
 constexpr int RatioNodes = 4;                // unless there is but one value
@@ -48,7 +48,7 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
-/// Deep enough for the thickest, and nowhere deeper than a fraction of what is there.
+/// Deep enough for the thickest, and nowhere deeper than a fraction of the thickness.
 StrainReach reachOf(double deepest, const StrainBodies& bodies)
 {
   const LayerStack& stack = bodies.stack;
@@ -66,7 +66,7 @@ StrainReach reachOf(double deepest, const StrainBodies& bodies)
   return reach;
 }
 
-/// Neo-Hooke's table of layers; null where it does not go.
+/// Neo-Hooke's table of layers; null outside its range.
 std::unique_ptr<StrainTable> layersTable(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest)
 {
@@ -75,7 +75,7 @@ std::unique_ptr<StrainTable> layersTable(
     : nullptr;
 }
 
-/// The layers as they are solved for: the top one is 1 MPa stiff, since c knows no unit.
+/// The layers for the solver, the top one of 1 MPa, since c is dimensionless.
 LayerStack solvedStack(const StrainBodies& bodies)
 {
   LayerStack stack = bodies.stack;
@@ -95,7 +95,7 @@ LayerStack solvedStack(const StrainBodies& bodies)
   return stack;
 }
 
-/// Of c besides: that of the layers whose ratio is not solved for.
+/// Additional error of c for layers whose Poisson's ratio is not solved for.
 double ratioError(const LayerStack& stack)
 {
   const auto isBeyond = [](const StackLayer& layer) { return layer.poissonsRatio > LargestRatio; };
@@ -123,7 +123,7 @@ std::string checkBonds(const LayerStack& stack)
     : "";
 }
 
-/// Of c besides: that of a corner, which is solved for with a fillet.
+/// Additional error of c for a corner, which is solved for with a fillet.
 double cornerError(const AxisymmetricTool& tool, double deepest)
 {
   const double radius = tool.contactRadius(deepest);

@@ -36,8 +36,8 @@ Number beyondLinear(const Number& x)
   return compose(x, value, grown, 1.0 + grown);
 }
 
-/// (3 + 2j)(1+j)^(-2/3) - 3: what of Ī₁-3 the volume alone makes; its derivative is exactly
-/// (2/3) j (1+j)^(-5/3).
+/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 by the volume alone; its derivative is exactly (2/3)
+/// j (1+j)^(-5/3).
 template <class Number>
 Number volumetricPart(const Number& j)
 {
@@ -94,13 +94,13 @@ template <class Number>
 Number isochoricStretch(const StrainEnergy::Gradient<Number>& h, const Number& j)
 {
   const auto& [a, b, c, d, e] = h;
-  // I₁-3 - 2(J-1): the linear parts of both cancel in writing.
+  // I₁-3 - 2(J-1), in which the linear parts cancel analytically.
   const Number plane = a * d - b * c;
   const Number s = a * a + b * b + c * c + d * d + e * e - 2.0 * (plane + e * (a + d) + e * plane);
   return s * exponential(-2.0 / 3.0 * logOnePlus(j)) + volumetricPart(j);
 }
 
-/// Σ λ̄^α - 3, in logarithmic strains, whose linear parts cancel since the three add up to nothing.
+/// Σ λ̄^α - 3, in logarithmic strains, whose linear parts cancel since the sum of the three is 0.
 template <class Number>
 Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double alpha)
 {

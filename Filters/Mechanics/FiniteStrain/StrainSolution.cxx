@@ -22,7 +22,7 @@ namespace palpate
 {
 namespace
 {
-constexpr auto Between = std::chrono::milliseconds(100); // two questions whether to go on
+constexpr auto Between = std::chrono::milliseconds(100); // between calls of goOn
 
 /// One row of a table.
 struct StrainRow
@@ -54,7 +54,7 @@ StrainRow rowOf(const StrainProblem& problem, const StrainTable::Axes& axes, std
   return row;
 }
 
-/// How wide the contact becomes, at small strain.
+/// The largest contact radius, at small strain.
 double contactRadiusOf(const AxisymmetricTool& tool, const StrainRow& row)
 {
   const double flat = tool.contactRadius(row.deepest);
@@ -65,7 +65,7 @@ double contactRadiusOf(const AxisymmetricTool& tool, const StrainRow& row)
   const LayerContact contact(
     tool, std::make_shared<const LayerKernel>(row.stack), row.stack.layers.front().thickness);
   const double found = contact.contactRadius(row.deepest);
-  return found > 0.0 && std::isfinite(found) ? found : flat; // too thin to be answered
+  return found > 0.0 && std::isfinite(found) ? found : flat; // too thin for a law
 }
 
 std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law)
@@ -96,7 +96,7 @@ std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law
   return layers;
 }
 
-/// c at the roots, as far as there is an equilibrium, then 0.
+/// c at the roots up to the last equilibrium, then 0.
 std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row,
   const std::vector<double>& roots, const std::function<bool(double)>& goOn)
 {

@@ -11,8 +11,8 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostNodes = 4;
-// Of the last root: so far c goes on straight beyond it, that a curve which ends with the table
-// keeps its slope there, whatever nodes around the end it is read from.
+// Fraction of the last root over which c is extrapolated linearly, so that a curve which ends with
+// the table keeps its slope there, whichever nodes around the end are read.
 constexpr double Straight = 0.25;
 
 /// Lagrange's polynomials on the nodes around a place.
@@ -24,7 +24,7 @@ struct Weights
   std::array<double, MostNodes> slope{};
 };
 
-/// `node(i)` ascend; `x` is held within them.
+/// `node(i)` ascend; `x` is clamped to them.
 template <class Node>
 Weights weightsAt(std::size_t nodes, const Node& node, double x)
 {
@@ -102,7 +102,7 @@ StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, 
                      : weightsAt(
                          asked, [&](std::size_t i) { return std::log(nodes[i]); }, std::log(value));
   };
-  // A thickest row that ends early is not asked for what lies between the thinner ones.
+  // A thickest row that ends early is not used between thinner ones.
   const std::size_t all = axes.thicknesses.size();
   const bool isBetween = this->ThickestEnds && all > 2 && thickness <= axes.thicknesses[all - 2];
   const Weights ratio = weightsAt(
@@ -123,7 +123,7 @@ StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, 
     const double weight = ratio.value[i] * height.value[j] * lower.value[l];
     if (weight == 0.0)
     {
-      continue; // where that row ends does not matter
+      continue; // the end of that row does not matter
     }
     const std::size_t row =
       ((ratio.begin + i) * heights + height.begin + j) * lowers + lower.begin + l;
@@ -143,7 +143,7 @@ StrainFactor StrainTable::Course::at(double depth) const
   const std::vector<double>& roots = this->Table->Given.roots;
   const double known = this->Known;
   const double root = std::sqrt(std::max(depth, 0.0) / this->Deepest);
-  // One node more than roots: that of no depth.
+  // One node more than roots: that at depth 0.
   const Weights place = weightsAt(
     roots.size() + 1, [&](std::size_t i) { return i == 0 ? 0.0 : roots[i - 1]; }, root);
   StrainFactor found{ 0.0, 0.0, this->Table->Error };
@@ -162,7 +162,8 @@ StrainFactor StrainTable::Course::at(double depth) const
   found.slope = moves ? slope * 0.5 * root / depth : 0.0;
   if (beyond && !this->Table->Constant)
   {
-    // What c has done so far it may do again as far beyond; and its slope may change by half.
+    // Beyond the end c may change as much as up to it over the same distance, and its slope by
+    // half.
     const double asBefore =
       std::max(std::abs(found.factor - 1.0), this->Table->Error) * (root / known - 1.0);
     const double bent = std::abs(slope) * (0.5 * straight + (further - straight));

@@ -15,9 +15,9 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: 1e-6 of its size off
-constexpr double SteepestSlope = 6.0; // from there on straight: no contact is steeper
-constexpr double CornerAngle = 0.02;  // radians; less is no corner but a sampled curve
+constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: an error of 1e-6 of its size
+constexpr double SteepestSlope = 6.0; // straight from there on: no contact is steeper
+constexpr double CornerAngle = 0.02;  // radians; less is a sampled curve, not a corner
 constexpr double LargestCut = 0.35;   // of a part, by the fillet at either end of it
 constexpr double TangentStep = 1e-6;  // of a part's length: differences of profiles of six digits
 
@@ -26,7 +26,7 @@ double cross(const Vector2d& a, const Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Turned a quarter left: into the tool.
+/// Rotated by 90° to the left: into the tool.
 Vector2d leftOf(const Vector2d& direction)
 {
   return { -direction.y(), direction.x() };
@@ -56,7 +56,7 @@ public:
 
   double from() const { return this->From; }
   double length() const { return this->To - this->From; }
-  /// Where it is too steep to be followed further, as the sides of a sphere; or where it ends.
+  /// Where it becomes too steep, as the sides of a sphere, or ends.
   double end() const { return this->End; }
   bool isSteep() const { return this->End < this->To; }
 
@@ -68,7 +68,7 @@ public:
 private:
   bool isSteepAt(double r) const { return this->slopeAt(r) > SteepestSlope; }
 
-  /// By differences within the part: of second order, at its ends one-sided.
+  /// By second-order differences within the part, one-sided at its ends.
   double slopeAt(double r) const
   {
     const double step = TangentStep * (this->To - this->From);
@@ -160,7 +160,7 @@ ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
   }
   for (int i = 1; i <= PiecesPerSmooth; ++i)
   {
-    // Closer towards the axis, where a power law bends most.
+    // Denser towards the axis, where a power law is curved most.
     const double t = static_cast<double>(i) / PiecesPerSmooth;
     goTo(start + (part.end() - start) * t * t);
   }
@@ -179,7 +179,7 @@ ToolOutline::Node ToolOutline::addWall(const Part& part, double fillet, const No
   return up;
 }
 
-/// Cuts the last arcs back to where the fillet begins.
+/// Shortens the last arcs to the start of the fillet.
 void ToolOutline::addFillet(const Node& before, const Node& after)
 {
   while (!this->Arcs.empty())

@@ -50,7 +50,7 @@ double scanOffset(const IndentationCurve& curve)
   return best;
 }
 
-/// E* that gives the deepest reading of the first curve its force, the rest of the body as it is.
+/// E* that matches the deepest reading of the first curve, with the other parameters given.
 double matchModulus(BodyParameters body, const IndentationCurve& curve, double offset,
   const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -62,7 +62,7 @@ double matchModulus(BodyParameters body, const IndentationCurve& curve, double o
   return force / bodyResponse(body, *curve.tool, kernel, local).force;
 }
 
-/// Where to start: from a nearly local to a nearly global body, from a thick to a thin layer.
+/// Start values: from a nearly local to a nearly global body, from a thick to a thin layer.
 std::vector<BodyParameters> startingBodies(BodyModel model, const IndentationCurve& curve,
   double offset, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -153,7 +153,7 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
     offsets.push_back(findContact ? scanOffset(curve) : 0.0);
     few.push_back(thin(curve));
   }
-  // Every start is followed on few readings, the best end of them on all.
+  // Every start is fitted to few readings, the best result to all.
   FitResiduals coarse(few, model, findContact, kernel);
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();

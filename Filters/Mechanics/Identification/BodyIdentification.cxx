@@ -39,8 +39,8 @@ void sortByDepth(IndentationCurve& curve)
   curve = std::move(sorted);
 }
 
-/// Means of neighbours: the curve hardly bends within one of 200 groups. The deepest readings that
-/// do not fill a group are left out.
+/// Averages neighbours: within one of 200 groups the curve is nearly linear. The deepest readings
+/// that do not fill a group are left out.
 void group(IndentationCurve& curve)
 {
   const std::size_t size = (curve.force.size() + LargestGroupCount - 1) / LargestGroupCount;
@@ -122,7 +122,7 @@ BodyIdentification::BodyIdentification(const IdentificationOptions& options)
 {
 }
 
-/// Whether the fit says what its body is.
+/// Whether the fit determines its body.
 std::string BodyIdentification::checkDetermined(
   const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const
 {
@@ -195,7 +195,7 @@ std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curv
   return {};
 }
 
-/// Identifies from these readings as they are; returns why not, or "".
+/// Identifies from these readings unchanged; returns why not, or "".
 std::string BodyIdentification::judge(
   const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const
 {
@@ -249,7 +249,7 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
     group(curve);
   }
 
-  // Which readings lie within small strain depends on the body that is sought.
+  // Which readings lie within small strain depends on the body to be found.
   Judgement judgement;
   std::vector<IndentationCurve> used = curves;
   result.refusal = this->judge(used, noise, judgement);

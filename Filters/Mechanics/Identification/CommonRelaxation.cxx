@@ -13,7 +13,7 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double OneTime = 2.0;     // ratio of times below which they are one
+constexpr double OneTime = 2.0;     // ratio of times below which they are merged
 constexpr int PointsPerDecade = 10; // at which ψ is compared
 constexpr double Beyond = 5.0;      // times the shortest and longest τ, likewise
 

@@ -12,7 +12,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double TurnShare = 0.1;    // of the range of deflection: a smaller step back is noise
+constexpr double TurnShare =
+  0.1; // fraction of the range of deflection: a smaller step back is noise
 constexpr double RestShare = 0.01;   // of the range: within it of the turning point, it rests
 constexpr double NearlyShare = 0.03; // likewise: within it a hold may have begun
 constexpr double SpeedRatio = 1.5;   // below, two loads have the same speed
@@ -81,8 +82,8 @@ std::vector<Segment> foundSegments(const std::vector<double>& deflection, double
     }
     const bool rises = rise > 0.0;
     Segment segment{ rises ? CurvePhase::Loading : CurvePhase::Unloading, turns[i - 1], turns[i] };
-    // A branch leaves its first turning point with the last reading at rest there, and has reached
-    // its second with the first one.
+    // A branch begins with the last reading at rest at its first turning point, and ends with the
+    // first one at rest at its second.
     const auto rests = [&](std::size_t reading, std::size_t turn)
     { return std::abs(deflection[reading] - deflection[turn]) <= RestShare * range; };
     if (i > 1)
@@ -149,7 +150,7 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Share of the force that is lost between two readings, between which the depth rests.
+/// Fraction of the force lost between two readings during which the depth rests.
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;
@@ -175,7 +176,7 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The largest loss of the holds that end a loading, and where all segments turn.
+/// Finds the largest loss of the holds that end a loading, and the turning points of all segments.
 void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
   PreparedCurve& prepared)
 {
@@ -188,7 +189,8 @@ void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments
     {
       continue;
     }
-    // Recorded as one, or what lies between the branches, and what noise of the depth left in this.
+    // Either recorded as a hold, or the readings between the branches, including those misplaced by
+    // noise of the depth.
     const bool isNext = s + 1 < segments.size();
     const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
     const std::size_t end = isHeld ? segments[s + 1].last

@@ -45,7 +45,7 @@ std::string readTool(std::string_view text, MeasuredCurves& curves)
   return parseTool(curves.toolText, curves.tool, error) ? std::string() : "tool: " + error;
 }
 
-/// The newest record of `csv`, for the curve of its site; `index`: site -> curve.
+/// Adds the last record of `csv` to the curve of its site; `index`: site -> curve.
 void readReading(
   CsvReader& csv, std::map<std::string, std::size_t>& index, std::vector<MeasuredCurve>& curves)
 {
@@ -93,7 +93,7 @@ void readReading(
   curve.force.push_back(force);
 }
 
-/// Reads on from the names of the columns; `read` may know the tool already.
+/// Reads from the names of the columns on; `read` may have the tool already.
 std::string readReadings(
   CsvReader& csv, const std::string& name, MeasuredCurves read, MeasuredCurves& curves)
 {

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 constexpr double DeviationPerMedian = 1.482602218505602; // 1/Φ⁻¹(3/4), of normal noise
-constexpr double TieShare = 1e-9; // of the range of depths: closer readings are at one depth
+constexpr double TieShare = 1e-9; // of the range of depths: closer readings count as at one depth
 
 /// The combination of four readings that vanishes for a parabola, scaled to the noise of one.
 double residual(const double* x, const double* y, double tie)

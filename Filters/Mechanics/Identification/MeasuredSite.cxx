@@ -50,7 +50,7 @@ bool hasTimes(const SiteCurve& curve)
   return time.size() > 1 && time.back() > time.front();
 }
 
-/// The body as one that relaxes; why not, where its curves do not say when they were taken.
+/// Identifies a body that relaxes; sets why not, if its curves have no times.
 void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<PressHistory> histories;
@@ -62,7 +62,7 @@ void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
   site.refusal = site.body.refusal;
 }
 
-/// Loops, holds and speeds as they tell that the site relaxes; "" if none does.
+/// Which loops, holds and speeds show that the site relaxes; "" if none does.
 std::string flowOf(const MeasuredSite& site, const ElasticityLimits& limits)
 {
   for (const SiteCurve& curve : site.curves)
@@ -83,7 +83,7 @@ void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<IndentationCurve> loadings;
-  bool isJudged = true; // whether every refusal is one of a body that relaxes
+  bool isJudged = true; // whether every refusal is due to relaxation
   bool areTimed = true;
   for (SiteCurve& curve : site.curves)
   {

@@ -10,12 +10,13 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ManyReadings = 600; // as they are up to here
+constexpr std::size_t ManyReadings = 600; // up to here readings are not averaged
 constexpr double DepthShare = 0.005;      // of the range, within which readings are averaged
 constexpr double TimeShare = 0.03;        // of the time since the last turn, likewise
-constexpr double StepShare = 0.02;        // of the range: farther points get others between them
-constexpr double RampShare = 1.0 / 15.0;  // of a press: what is faster is not told
-constexpr double LittleShare = 0.02;      // of the depth: a smaller step back is noise
+constexpr double StepShare =
+  0.02; // fraction of the range: points farther apart get others between them
+constexpr double RampShare = 1.0 / 15.0; // fraction of a press: faster times are not resolved
+constexpr double LittleShare = 0.02;     // of the depth: a smaller step back is noise
 
 /// The loads of a curve, by depth.
 IndentationCurve loadingOf(const AxisymmetricTool& tool, const PreparedCurve& prepared)
@@ -66,7 +67,7 @@ std::vector<std::size_t> groupsOf(
   return starts;
 }
 
-/// The least time between two that are compared, s.
+/// The least time between two compared readings, s.
 double closestReadings(const PressHistory& history)
 {
   double closest = std::numeric_limits<double>::infinity();
@@ -123,7 +124,7 @@ PressHistory makeHistory(
     };
     const double time = mean(curve.time);
     const double deflection = mean(curve.deflection);
-    if (g > 0) // on the way
+    if (g > 0) // a point of the path
     {
       const double lastTime = history.time.back();
       const double last = history.deflection.back();
@@ -160,7 +161,7 @@ TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vecto
         continue;
       }
       std::size_t end = i;                                       // of this press
-      double deepest = -std::numeric_limits<double>::infinity(); // of what is compared
+      double deepest = -std::numeric_limits<double>::infinity(); // of the compared readings
       for (; end < history.size() && deflection[end] - offsets[c] > little; ++end)
       {
         deepest = history.readings[end] > 0.0 ? std::max(deepest, deflection[end]) : deepest;

@@ -31,8 +31,8 @@ struct PressHistory
   std::size_t size() const noexcept { return this->time.size(); }
 };
 
-/// From a curve with times. If there are more than 600, neighbours in time are averaged over at
-/// most 0.5 % of the depth and 3 % of the time since the last turn.
+/// From a curve with times. If there are more than 600, neighbours in time are averaged over about
+/// 0.5 % of the depth and 3 % of the time since the last turn.
 PALPATE_EXPORT PressHistory makeHistory(
   const AxisymmetricTool& tool, const MeasuredCurve& curve, const PreparedCurve& prepared);
 

@@ -27,16 +27,16 @@ constexpr double Doubt =
 constexpr double LeastTimeRatio = 1.5; // of neighbours: closer ones are one
 constexpr std::size_t CoarseBlocks = 1;
 
-/// How far a minimum is followed: to steps that are so small, relative, or so many.
+/// When a fit ends: at a relative step so small, or after so many evaluations.
 struct Ending
 {
   double tolerance;
   int evaluations;
 };
-constexpr Ending Coarse{ 1e-4, 30 }; // too many branches creep forever
-constexpr Ending Fine{ 1e-7, 200 };  // far below what noise leaves open
+constexpr Ending Coarse{ 1e-4, 30 }; // with too many branches steps never end
+constexpr Ending Fine{ 1e-7, 200 };  // far below the uncertainty by noise
 
-/// Where fits begin: the elastic body of the loads, and one that is nearly local.
+/// Start values of fits: the elastic body of the loads, and one that is nearly local.
 std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histories,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -62,7 +62,7 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
     return starts;
   }
   const BodyFit fit = fitBody(loads, model, findContact, kernel);
-  if (!(fit.body.compliance < 0.0)) // that of a load which was pressed faster and faster
+  if (!(fit.body.compliance < 0.0)) // negative for a load of increasing speed
   {
     add(fit);
   }
@@ -119,7 +119,7 @@ bool areApart(const PronySeries& series)
   return true;
 }
 
-/// Whether the readings tell all its branches, to a factor of twenty.
+/// Whether the readings determine all its branches, to a factor of twenty.
 bool isDetermined(const RelaxationFit& fit, double noise)
 {
   const auto branches = static_cast<Index>(fit.series.count);
@@ -127,7 +127,7 @@ bool isDetermined(const RelaxationFit& fit, double noise)
     fit.errorPerNoise.tail(2 * branches).maxCoeff() * noise * Normal95 < std::log(20.0);
 }
 
-/// Follows a start to its end; a sum of squares of +inf where there is none.
+/// Fits from one start; sum of squares +inf on failure.
 RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const RelaxationProblem& problem,
   const RelaxingBody& start, Ending ending)
 {
@@ -222,7 +222,7 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
   best.score = score(best);
   if (given.count == 0)
   {
-    // How many branches: each that is added has to be worth it.
+    // The number of branches: each added one must reduce the score.
     const RelaxationSpectrum spectrum = spectrumAt(about);
     std::optional<RelaxationFit> chosen;
     for (std::size_t k = 1; k <= std::min(spectrum.time.size(), PronySeries::LargestCount); ++k)

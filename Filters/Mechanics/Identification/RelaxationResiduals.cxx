@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double LogStep = 1e-6;     // of ln p and ln τ: what differences leave is 1e-6
+constexpr double LogStep = 1e-6;     // of ln p and ln τ: the error of differences is 1e-6
 constexpr double OffsetStep = 1e-5;  // of the depth
 constexpr double LargestLog = 25.0;  // of p and 1/p
 constexpr double LargestTime = 40.0; // ln of it in s, and of its inverse
@@ -46,7 +46,7 @@ std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body
     curve.force = VectorXd::Zero(count);
   }
   curves[0].stiffness = VectorXd::Zero(count);
-  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness; // at 0 it is not asked for
+  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness; // the one at 0 is not used
   for (Index j = 1; j < count; ++j)
   {
     const Sensitivity at = law.at(depths[j]);
@@ -139,7 +139,7 @@ int RelaxationResiduals::evaluate(const VectorXd& p, VectorXd* residuals, Matrix
   return 0;
 }
 
-/// The rows of one history, from `row` on.
+/// Fills the rows of one history, from `row` on.
 void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index, Index row,
   VectorXd* residuals, MatrixXd* jacobian) const
 {
@@ -161,7 +161,7 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index,
   const auto weight = [&](std::size_t i) { return std::sqrt(history.readings[i]) / this->Force; };
   const auto setResidual = [&](Index at, std::size_t i, double force)
   { (*residuals)[at] = std::isfinite(force) ? weight(i) * (force - history.force[i]) : Astray; };
-  if (!(depth > 0.0)) // touches nothing
+  if (!(depth > 0.0)) // no contact
   {
     if (residuals)
     {

@@ -43,7 +43,7 @@ RelaxationSpectrum RelaxationSpectrum::merged(std::size_t count) const
   RelaxationSpectrum left = *this;
   while (left.time.size() > count)
   {
-    // Ward's rule: the pair whose merging moves least.
+    // Ward's rule: the pair whose merging changes least.
     std::size_t best = 0;
     double least = 0.0;
     for (std::size_t i = 0; i + 1 < left.time.size(); ++i)
@@ -74,7 +74,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window)
 {
-  if (!(window.shortest > 0.0)) // nothing is touched
+  if (!(window.shortest > 0.0)) // no contact
   {
     return {};
   }
@@ -136,7 +136,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     }
   }
   spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
-  if (spectrum.time.empty()) // for the fit to find that there is none
+  if (spectrum.time.empty()) // so that the fit finds that there is none
   {
     spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
     spectrum.strength.push_back(SomeShare * spectrum.slow);
@@ -147,7 +147,8 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
 {
   about.body.reducedModulus *= spectrum.slow;
-  about.body.compliance /= spectrum.slow; // so that their product, the shape of the curve, stays
+  about.body.compliance /=
+    spectrum.slow; // so that the product with E*, the shape of the curve, is unchanged
   about.series = {};
   for (std::size_t i = 0; i < spectrum.time.size(); ++i)
   {

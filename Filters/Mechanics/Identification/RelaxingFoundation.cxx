@@ -61,7 +61,7 @@ double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
     return 0.0;
   }
   auto j = static_cast<Index>(
-    static_cast<double>(last) * std::sqrt(depth / this->Depths[last])); // may miss by a rounding
+    static_cast<double>(last) * std::sqrt(depth / this->Depths[last])); // may be off by rounding
   j = std::clamp<Index>(j, 0, last - 1);
   const double width = this->Depths[j + 1] - this->Depths[j];
   const double t = std::clamp((depth - this->Depths[j]) / width, 0.0, 1.0);
@@ -85,7 +85,7 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
   std::vector<double> left(curves.size(), 0.0);
   Eigen::MatrixXd forces(static_cast<Index>(history.size()), static_cast<Index>(curves.size()));
   RelaxationStep step(series, 0.0);
-  double lasts = 0.0; // s, of that step
+  double lasts = 0.0; // duration of that step, s
   double before = 0.0;
   if (history.size() > 1 && history.deflection[0] > offset) // it began before the first reading
   {

@@ -19,14 +19,14 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double WideInterval = 0.2; // of E*, relative: worth a word
+constexpr double WideInterval = 0.2; // of E*, relative: worth a remark
 
 std::string seconds(double time)
 {
   return shortly(time) + " s";
 }
 
-/// One site, between its histories and its body.
+/// Identifies one site.
 class Identifier
 {
 public:
@@ -43,7 +43,7 @@ public:
     IdentifiedBody result;
     result.refusal = this->All.empty() ? "there is no loading" : "";
     result.refusal = result.refusal.empty() ? this->judge() : result.refusal;
-    // Which readings lie within small strain depends on the body that is sought.
+    // Which readings lie within small strain depends on the body to be found.
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
     {
@@ -201,7 +201,7 @@ private:
       [](const PressHistory& history) { return isFlat(*history.tool); });
   }
 
-  /// Leaves out what is too deep for a linear law; whether that has changed.
+  /// Leaves out readings too deep for a linear law; returns whether the choice has changed.
   bool selectReadings()
   {
     bool changed = false;
@@ -273,7 +273,7 @@ private:
     }
   }
 
-  /// What the test does not tell.
+  /// What the test does not resolve.
   std::string remarkOn(const IdentifiedBody& result, double modulusError) const
   {
     const PronySeries& series = result.relaxation;

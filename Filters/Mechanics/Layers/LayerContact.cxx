@@ -63,7 +63,7 @@ LayerContact::Contact LayerContact::contactAt(double a) const
     profile };
 }
 
-/// The contact radius for δ > 0; NaN where it exceeds what is answered.
+/// The contact radius for δ > 0; NaN beyond the valid range.
 double LayerContact::solveRadius(double deflection, Contact& contact) const
 {
   if (deflection >= this->LargestDepth)
@@ -71,7 +71,7 @@ double LayerContact::solveRadius(double deflection, Contact& contact) const
     contact = this->contactAt(std::nextafter(this->LargestRadius, 0.0));
     return deflection <= this->Deepest ? this->LargestRadius : NotANumber;
   }
-  // Secant steps on log δ over log a, where every tool is nearly straight, kept in a bracket.
+  // Secant steps on log δ over log a, which is nearly linear for every tool, kept in a bracket.
   double below = this->SmallestRadius;
   double above = this->LargestRadius;
   const auto inside = [&](double a) {

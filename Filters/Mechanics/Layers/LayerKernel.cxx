@@ -20,7 +20,7 @@ namespace
 {
 constexpr double LargestOmega = 20.0; // e^(-2ω) has fallen below 1e-17
 constexpr int OmegaPanels = 20;
-constexpr double LeastOmega = 1.0 / 4096; // of a stack: deep layers are felt at small ω
+constexpr double LeastOmega = 1.0 / 4096; // of a stack: deep layers matter at small ω
 
 // Ranges of a/h, narrow enough that a polynomial of degree 15 through Chebyshev points follows the
 // solution to 1e-10 even where a layer is nearly incompressible.
@@ -154,8 +154,8 @@ LayerKernel::LayerKernel(const LayerStack& stack)
 template <class SampledTransform>
 void LayerKernel::tabulate(const SampledTransform& transform)
 {
-  // M and L are analytic within |Im s| < 2: pieces of length 1. They fall as 1/s² and 1/s only, and
-  // are asked for as far as LayerSurface reaches.
+  // M and L are analytic within |Im s| < 2: pieces of length 1. They fall only as 1/s² and 1/s, and
+  // are needed as far as LayerSurface reaches.
   const double end = 4.0 * LargestRatio;
   this->Normal = { end, static_cast<int>(end), [&](double s) { return transform.cosine(s); } };
   this->Radial = { end, static_cast<int>(end), [&](double s) { return transform.sine(s); } };

@@ -13,8 +13,8 @@ namespace palpate
 {
 namespace
 {
-// Two fields of a thin layer differ by little at small k: doubles would keep no digit below
-// kh = 1e-3, these keep seven.
+// The two fields of a thin layer differ little at small k: below kh = 1e-3 doubles would lose all
+// digits, these keep seven.
 using Real = long double;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 using Matrix4 = Eigen::Matrix<Real, 4, 4>;
@@ -49,7 +49,7 @@ Fields fieldsAt(Real z, double nu)
   return fields;
 }
 
-/// Between displacements of top and bottom and the tractions on them from outside, over k.
+/// The stiffness between displacements of top and bottom and the tractions on them, over k.
 Matrix4 stiffness(const StackLayer& layer, Real k)
 {
   const Real depth = k * static_cast<Real>(layer.thickness);

@@ -6,7 +6,7 @@ namespace palpate
 namespace
 {
 // One kink separates two curved parts; many are the corners of a sampled profile, between which g
-// is nearly straight.
+// is nearly linear.
 int nodesPerPanel(std::size_t kinks)
 {
   return kinks <= 4 ? 48 : 8;

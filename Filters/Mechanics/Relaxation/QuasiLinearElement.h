@@ -62,7 +62,7 @@ public:
       sum += step.strength[i] * this->Strain[i];
     }
     this->Slow += increment;
-    this->Force = 1.0; // can be negative
+    this->Force = 1.0; // counts as contact, as it may pull
     return sum;
   }
 

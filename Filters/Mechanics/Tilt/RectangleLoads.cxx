@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-/// Four of it, at the corners, make Love's displacement.
+/// Love's displacement is the sum of this term at four corners.
 double cornerTerm(double x, double y)
 {
   return (x == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x))) +
@@ -43,7 +43,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
     rows.imaginary.assign(whole * wide, 0.0);
   };
 
-  // Corners at the half-integer places from -1/2 to n + 1/2.
+  // Corners at half-integer positions from -1/2 to n + 1/2.
   const std::size_t corners = this->Count + 2;
   std::vector<double> terms(corners * corners);
   for (std::size_t j = 0; j < corners; ++j)
@@ -76,7 +76,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
   room(this->Along, this->Count / 2);
 }
 
-/// Along the rows' numbers: from their order to that of Order.
+/// Fourier transform of each column; the result is in the order of Order.
 void RectangleLoads::transform(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;
@@ -109,7 +109,7 @@ void RectangleLoads::transform(Rows& rows) const
   }
 }
 
-/// And back, times 2n.
+/// Inverse transform, times 2n.
 void RectangleLoads::transformBack(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;

@@ -18,7 +18,7 @@ namespace
 {
 constexpr double Degree = Pi / 180.0;
 constexpr double Margin = 4.0 * Degree;        // before a flank lies on the body
-constexpr double LargestOfAll = 80.0 * Degree; // the body's surface is a plane no longer
+constexpr double LargestOfAll = 80.0 * Degree; // beyond, the body's surface is not a plane
 constexpr double WidthsAway = 1e6;             // of a tip, where a flank is as steep as it gets
 
 /// A place on the profile.
@@ -35,7 +35,7 @@ DeepestPoint seenTilted(const Place& place, double angle)
   return { std::max(0.0, place.r * sine - place.f * cosine), place.r * cosine + place.f * sine };
 }
 
-/// The sampled point that is deepest: the profile is straight between them.
+/// The deepest sampled point, as the profile is straight between points.
 Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
 {
   const double sine = std::sin(angle);
@@ -46,7 +46,7 @@ Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
   return { deepest.r, deepest.f };
 }
 
-/// Of a profile that is known as a function only: the best of samples, then by golden section.
+/// For a profile given as a function: the best of samples, refined by golden section.
 Place deepestOf(const AxisymmetricTool& tool, double angle)
 {
   const double sine = std::sin(angle);
@@ -119,7 +119,8 @@ Place deepestPlace(const AxisymmetricTool& tool, double angle)
   return { r, tool.profile(r) };
 }
 
-/// Where the steepest part of the flank lies on the body, rad; a right angle where it never does.
+/// The tilt at which the steepest part of the flank lies on the body, rad; a right angle if it
+/// never does.
 double flankAngle(const AxisymmetricTool& tool)
 {
   const std::optional<ToolSpecification> known = knownSpecification(tool);
@@ -173,7 +174,7 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
       " degrees only and lies on the body as soon as it is tilted; no tilt of ", angle / Degree,
       " degrees can be felt with it");
   }
-  constexpr double Rounding = 1e-9; // of angles that went through degrees
+  constexpr double Rounding = 1e-9; // of angles converted from degrees
   return angle <= largest + Rounding
     ? ""
     : joined("a tilt of ", angle / Degree, " degrees is too much for this tool: ",
@@ -185,10 +186,11 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
 double dropScaleOf(const AxisymmetricTool& tool)
 {
   const double angle = std::min(0.5, largestTilt(tool));
-  // A rim is as far away at first as later; a paraboloid's deepest point moves in proportion.
+  // The distance of a rim is the same at any tilt; that of a paraboloid's deepest point is
+  // proportional to the tilt.
   constexpr double First = 0.02;
   constexpr double Half = 0.5;
-  constexpr double OfARim = 3.0; // a flat end touches wholly from D = 3 h on
+  constexpr double OfARim = 3.0; // a flat end is in full contact from D = 3 h on
   return deepestPoint(tool, First * angle).offset > Half * deepestPoint(tool, angle).offset &&
       deepestPoint(tool, angle).offset > 0.0
     ? OfARim
@@ -200,7 +202,7 @@ ToolDrop::ToolDrop(const AxisymmetricTool& tool, double largest)
 {
   for (int k = 0; k < Angles; ++k)
   {
-    // Not at 0 itself: a rim is the deepest point as soon as there is a tilt.
+    // Not at 0 itself, as a rim is the deepest point at any tilt above 0.
     constexpr double Hardly = 1e-9;
     const double angle = std::max(Hardly, static_cast<double>(k) / (Angles - 1)) * largest;
     const DeepestPoint deepest = deepestPoint(tool, angle);

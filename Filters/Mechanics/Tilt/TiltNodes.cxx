@@ -21,16 +21,16 @@ namespace
 constexpr int Depths = 9;
 constexpr int Angles = 13;
 constexpr double Aside = 0.01;      // of y, for differences
-constexpr double AlmostNone = 0.25; // of the first x, which stands for 0
-// So much deeper a half-space is solved for: its spline is no good at its end, and a layer has the
-// contact of a half-space pressed deeper.
+constexpr double AlmostNone = 0.25; // fraction of the first x, in place of 0
+// Factors by which a half-space is solved deeper: its spline is inaccurate at the end, and a layer
+// has the contact of a half-space pressed deeper.
 constexpr double OnHalfSpace = 1.6;
 constexpr double OnLayers = 4.0;
 
 /// η and its derivatives by x, y and both.
 using Node = std::array<double, 4>;
 
-/// Of two works, and its derivative by the depth.
+/// The ratio of two works, and its derivative by the depth.
 struct Ratio
 {
   double value = 1.0;
@@ -43,7 +43,7 @@ Ratio over(const TiltWork& one, const TiltWork& other)
   return { value, (one.force - value * other.force) / other.work };
 }
 
-/// One tool's nodes.
+/// The nodes of one tool.
 class NodesOfTool
 {
 public:
@@ -67,7 +67,7 @@ public:
       });
   }
 
-  /// Those of all bodies at one place.
+  /// The nodes of all bodies at one depth and angle.
   std::vector<Node> at(int depth, int angle) const
   {
     std::vector<Node> nodes = angle > 0
@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  /// x of a node; nothing is pressed at 0, which is found straight on from beside it.
+  /// x of a node; the one at 0, where there is no contact, is extrapolated from beside it.
   static double placeAt(int depth)
   {
     return (depth > 0 ? static_cast<double>(depth) : AlmostNone) / (Depths - 1);
@@ -118,15 +118,15 @@ private:
     return nodes;
   }
 
-  /// By differences over y, and F = dW/dD over x.
+  /// By differences in y, and in x by F = dW/dD.
   std::vector<Node> tilted(int node, double y) const
   {
     const double depth = this->depthAt(node);
     const double depthByX = 2.0 * this->Range * placeAt(node);
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
     std::array<Ratio, 3> rim{};    // ρ
-    std::array<Ratio, 3> missed{}; // what the profile's work misses of a half-space's
-    // Here, and on both sides; at the largest tilt twice on the one.
+    std::array<Ratio, 3> missed{}; // ratio of the half-space's work to the profile's
+    // At y, and on both sides; at the largest tilt twice on one side.
     const bool isLast = y + Aside > 1.0;
     const std::array<double, 3> steps = { 0.0, isLast ? 2.0 : -1.0, 1.0 };
     const std::array<double, 3> slope = { isLast ? 3.0 : 0.0, 1.0, isLast ? -4.0 : -1.0 };
@@ -209,7 +209,7 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
   return tool.checkDepth(range);
 }
 
-/// The largest tiltError at the depths of the nodes, tilted most and half as much.
+/// The largest tiltError at the depths of the nodes, at the largest tilt and half of it.
 double largestError(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const std::vector<TiltBody>& bodies)
 {

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Place in a row of evenly spaced nodes of [0, 1].
+/// Position among evenly spaced nodes of [0, 1].
 struct Cell
 {
   std::size_t lower;

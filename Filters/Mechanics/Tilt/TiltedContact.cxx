@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int CoarsePixels = 32; // that find where the contact is
+constexpr int CoarsePixels = 32; // for locating the contact
 constexpr int MostIterations = 400;
 constexpr double Tolerance = 1e-5; // of the gap under the pressure, over the depth
 
@@ -48,7 +48,7 @@ std::vector<double> heightsOn(const TiltedSurface& surface, const Grid& grid, do
   return heights;
 }
 
-/// Pressures >= 0 under which the surface goes down as far as the tool reaches.
+/// Pressures >= 0 under which the surface follows the tool.
 std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& heights, double depth)
 {
   RectangleLoads loads(grid.pixels, grid.width(), grid.height());
@@ -122,7 +122,7 @@ std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& hei
   return pressure;
 }
 
-/// Around the pixels that carry something, and two more on each side.
+/// The box around the loaded pixels, and two more on each side.
 SurfaceBox aroundContact(const Grid& grid, const std::vector<double>& pressures)
 {
   const std::size_t n = grid.row();

@@ -24,15 +24,15 @@ namespace
 constexpr double Shallowest = 256.0; // times shallower than the deepest
 constexpr int RowCells = 13;         // two to a factor of e in the depth, or so
 constexpr int AngleCells = 11;
-constexpr double Power = -1.2; // of T, nearly straight over sin² θ
+constexpr double Power = -1.2; // of T, nearly linear in sin² θ
 constexpr int SamplesPerRow = 4;
 constexpr std::size_t OfRows =
   SamplesPerRow * RowCells + 2;          // samples of the rows' depths, and one less deep
 constexpr std::size_t MostSamples = 200; // down to 1e-7 of the least depth, for small tilts
 constexpr double Smallest = 1e-9;        // a contact radius over the depth, whatever the solver
 
-/// A contact only grows: where radii do not, by the solver's error, they are the mean over the
-/// depth of those that disagree, which leaves the force as it is.
+/// Contact radii must grow: where they do not, by the solver's error, they are replaced by their
+/// mean over the depth, which keeps the force.
 void makeMonotone(std::vector<TiltedTool::Sample>& samples)
 {
   std::vector<double> radii;
@@ -43,7 +43,7 @@ void makeMonotone(std::vector<TiltedTool::Sample>& samples)
     depths.push_back(sample.depth);
   }
   radii = isotonicRegression(radii, depths);
-  constexpr double Growth = 1e-9; // so that a radius has one depth
+  constexpr double Growth = 1e-9; // so that each radius has one depth
   for (std::size_t i = 0, same = 0; i < samples.size(); ++i)
   {
     same = i > 0 && radii[i] == radii[i - 1] ? same + 1 : 0;
@@ -63,7 +63,7 @@ void setExponents(std::vector<TiltedTool::Sample>& samples)
   }
 }
 
-/// Whether only the spherical tip of a blunted cone touches, whatever the tilt then: T = 1.
+/// Whether only the spherical tip of a blunted cone touches; then T = 1 at any tilt.
 bool touchesWithTipOnly(const std::optional<ToolSpecification>& tool, double radius, double angle)
 {
   return tool && tool->Shape == ToolShape::BluntedCone && radius < tool->Radius &&
@@ -135,7 +135,7 @@ void TiltedHalfSpace::solveRows(double depth)
     std::vector<double> works;
     for (std::size_t column = 0; column < columns; ++column)
     {
-      // By the same grid upright, so that most of its error goes.
+      // Relative to the same grid upright, which cancels most of its error.
       const TiltedForce& tilted = solved[row * columns + column];
       const double tau = tilted.work > 0.0 ? tilted.work / solved[row * columns].work : 1.0;
       works.push_back(this->DropScale > 0.0
@@ -150,7 +150,7 @@ void TiltedHalfSpace::solveRows(double depth)
     }
     else if (this->rimRatio(at, angles[1]) < 1.0)
     {
-      // Tilted hardly at all, the tool is as deep as its tip is: W(D, θ) = W(D - h, 0).
+      // At a very small tilt the depth of the tip counts: W(D, θ) = W(D - h, 0).
       const TiltWork upright = pressedInto(this->Tool, {}, at);
       slope = this->Drop.at(0.0).offset * (2.0 / at - upright.force / upright.work);
     }
@@ -177,9 +177,9 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle
 std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) const
 {
   constexpr double Least = 1e-4;
-  constexpr double Whole = 3.0; // all of the end touches
+  constexpr double Whole = 3.0; // full contact of the end
   constexpr int Lower = 60;     // from the least q to 1
-  constexpr int Upper = 40;     // from there, ever denser, to where all touches
+  constexpr int Upper = 40;     // from there, ever denser, to full contact
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;
   std::vector<TiltedTool::Sample> samples;
@@ -216,7 +216,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
       false);
   }
   const CubicSpline stored = this->over(angle);
-  // Of a flat end until its rim alone touches; else what the first row tells.
+  // For a flat end until only its rim touches; otherwise from the first row.
   const double drop = this->DropScale > 0.0 ? this->Drop.at(angle).drop : 0.0;
   constexpr double OnRim = 0.02; // D/h, from where the force is a power of the depth, nearly
   const double begin = drop > 0.0 ? std::min(first.depth, OnRim * drop) : first.depth;
@@ -237,7 +237,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
   auto tool = std::make_shared<const TiltedTool>(name, samples, false);
   if (drop > 0.0)
   {
-    // About where all of the end touches.
+    // Around full contact of the end.
     tool = std::make_shared<const TiltedTool>(name, std::move(samples), false,
       std::vector<double>{ tool->contactRadius(this->DropScale * drop) });
   }

@@ -16,12 +16,12 @@ TiltedSurface::TiltedSurface(const AxisymmetricTool& tool, double angle)
   , Cosine(std::cos(angle))
   , Drop(deepestPoint(tool, angle).drop)
 {
-  // x = r cos θ + f sin θ and -h = f cos θ - r sin θ, turned back.
+  // x = r cos θ + f sin θ and -h = f cos θ - r sin θ, rotated back.
   const DeepestPoint deepest = deepestPoint(tool, angle);
   this->Deepest = deepest.offset * this->Cosine + deepest.drop * this->Sine;
 }
 
-/// How far a point is above the profile along the tool's axis; < 0 outside the tool.
+/// Height of a point above the profile along the tool's axis; < 0 outside the tool.
 double TiltedSurface::insideAt(double x, double y, double z) const
 {
   return x * this->Sine + z * this->Cosine -
@@ -36,7 +36,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
     const double height = this->Tool.profile(std::hypot(x, y));
     return height < limit ? height : Infinity;
   }
-  // Upwards until inside: a convex tool's flank may end above, so that no higher point need be in.
+  // Steps upwards until inside: the flank of a convex tool may end above, so that a higher point
+  // may be outside again.
   constexpr int Steps = 16;
   double low = bottom;
   double lowValue = this->insideAt(x, y, low);
@@ -82,8 +83,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
 
 SurfaceBox TiltedSurface::below(double limit) const
 {
-  // The radii whose lowest point is low enough, going away from the deepest one in finer and finer
-  // steps towards it.
+  // The radii whose lowest point is low enough, searched away from the deepest one, in steps that
+  // are finer near it.
   const double wall = this->Tool.largestContactRadius();
   const auto isLow = [&](double r)
   { return this->Tool.profile(r) * this->Cosine - r * this->Sine + this->Drop < limit; };

@@ -28,7 +28,7 @@ TiltedTool::TiltedTool(
   , HasWall(hasWall)
   , Kinks(std::move(kinks))
 {
-  // Slopes that no cubic overshoots with (Fritsch and Carlson 1980).
+  // Slopes with which cubics do not overshoot (Fritsch and Carlson 1980).
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
   {
     Sample& lower = this->Samples[i];
@@ -61,7 +61,7 @@ TiltedTool::Logarithm TiltedTool::radiusIn(std::size_t cell, double t) const
   return { std::log(lower.radius) + logarithm.value(t), logarithm.slope(t) };
 }
 
-/// ∫ a dD from the cell's begin.
+/// ∫ a dD from the start of the cell.
 double TiltedTool::workInside(std::size_t cell, double deflection) const
 {
   const double begin = this->Samples[cell].depth;
@@ -186,7 +186,7 @@ double TiltedTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // D/a grows with D where the contact grows slower than the depth.
+  // D/a grows with D if the contact grows more slowly than the depth.
   constexpr double Away = 1e6;
   double low = this->Samples.front().depth / Away;
   double high = this->Samples.back().depth * Away;

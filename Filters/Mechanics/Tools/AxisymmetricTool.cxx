@@ -68,7 +68,7 @@ double AxisymmetricTool::pressure(double r, double deflection, double reducedMod
   {
     return 0.0;
   }
-  if (this->isStillFlat(a)) // a has rounded to the flat's radius, and g(a) with it
+  if (this->isStillFlat(a)) // a was rounded to the flat's radius, and so g(a)
   {
     return reducedModulus * deflection / (Pi * std::sqrt((a - r) * (a + r)));
   }

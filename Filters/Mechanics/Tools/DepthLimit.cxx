@@ -21,9 +21,9 @@ struct Sample
   double g;
 };
 
-/// g between the kinks; before the first evenly. Behind a kink r points crowd, where g may start
-/// like a square root; then they keep their distance in proportion to x, for g changes over lengths
-/// of r there, however far the next kink is.
+/// Samples of g between the kinks; even before the first. After a kink r they are denser, as g may
+/// start like a square root; then their distance is proportional to x, as g changes over lengths of
+/// r there, however far the next kink is.
 std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
   const std::vector<double>& kinks, double outer)
 {
@@ -56,7 +56,7 @@ std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedPr
   return samples;
 }
 
-/// Radii where the gap may close: behind each maximum of g, to the end of the dip and as far again.
+/// Radii where the gap may close: after each maximum of g, to the end of the dip and twice as far.
 std::vector<double> candidates(const std::vector<Sample>& samples)
 {
   std::vector<double> radii;

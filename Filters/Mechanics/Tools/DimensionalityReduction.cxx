@@ -38,7 +38,7 @@ void forEachPiece(double lower, double upper, const Radii& kinks, Piece&& piece)
 }
 
 /// ∫_p^q f dv, f a power at p: v - p = (m-p) u⁴ in the first half turns square roots into
-/// polynomials, and any power above -3/4 into one that Gauss points follow.
+/// polynomials, and any power above -3/4 into one that Gauss's rule resolves.
 template <class Integrand>
 double fromBranchPoint(double p, double q, Integrand&& f)
 {
@@ -60,7 +60,7 @@ double betweenBranchPoints(double s, double p, double q, Integrand&& f)
   const double width = p - s;
   const double half = 0.5 * (q - p);
   const double end = 2.0 * std::asinh(std::sqrt(half / width));
-  const int panels = static_cast<int>(std::ceil(end / 12.0)); // 32 points follow cosh that far
+  const int panels = static_cast<int>(std::ceil(end / 12.0)); // 32 points resolve cosh that far
   double sum =
     GaussLegendre::standard().integrate(p + half, q, [&](double x) { return f(x, x - p); });
   for (int i = 0; i < panels; ++i)

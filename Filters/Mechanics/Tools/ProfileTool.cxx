@@ -97,8 +97,8 @@ ProfileTool::ProfileTool(std::vector<ProfilePoint> points)
   }
 }
 
-/// Where g exceeds all it was before. Between rises of a convex profile g is increasing; of another
-/// it is sampled.
+/// Finds the running maxima of g. Between rises of a convex profile g is increasing; for others it
+/// is sampled.
 void ProfileTool::findRises()
 {
   double level = 0.0;
@@ -302,7 +302,7 @@ double ProfileTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // δ/a = g(a)/a at the first rise above the ratio, then back to where it passes.
+  // δ/a = g(a)/a at the first rise above the ratio, then back to where it crosses.
   double low = 0.0;
   for (const Rise& rise : this->Rises)
   {
