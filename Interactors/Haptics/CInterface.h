@@ -25,13 +25,13 @@ struct palpate_contact
 
 namespace palpate::c
 {
-/// Cut to the size there is.
+/// Copies a reason to `error`, cut to its size.
 void report(const std::string& reason, char* error, std::size_t size);
 /// Reports a fault by its name in C; returns whether there is one.
 bool isRefused(const SettingFault& fault, char* error, std::size_t size);
 
-/// Reports members of `reserved` of the struct `name` that are not zero: from a later header, or
-/// not begun with the function that sets them. Returns whether there are any.
+/// Reports nonzero members of `reserved` of the struct `name`, set by a later header or not
+/// initialised. Returns whether there are any.
 template <std::size_t N>
 bool isFromLater(const double (&reserved)[N], const char* name, char* error, std::size_t size)
 {

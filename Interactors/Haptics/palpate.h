@@ -2,25 +2,25 @@
 /*
  * Palpate from C: load a body, step, reset.
  *
- * For a servo loop that somebody else owns. palpate_step neither allocates, locks, logs nor throws;
- * the other functions may and belong outside the loop, but for those that say so. Positions and
- * forces are the device's: metres and newtons in its own frame; what comes back in a palpate_tick
- * is the body's: mm and N in its frame. A body may be shared by any number of contacts and threads;
- * a contact serves one thread and must not outlive its body.
+ * For a servo loop of your own. palpate_step neither allocates, locks, logs nor throws; the other
+ * functions may, and belong outside the loop unless they say otherwise. Positions and forces are
+ * the device's: metres and newtons in its own frame; those in a palpate_tick are the body's: mm and
+ * N in its frame. A body may be shared by any number of contacts and threads; a contact serves one
+ * thread and must not outlive its body.
  *
- * First come contacts for a loop that has a mapping and a safety of its own; then, from
- * palpate_mapping on, contacts that bring theirs.
+ * First come contacts for a loop with its own mapping and safety; then, from palpate_mapping on,
+ * contacts that include both.
  *
- * How this interface may grow, so that a program goes on with any later library of the same soname:
- * - Functions, enumerators and macros are only added. What is there keeps its name, its arguments
- * and its meaning.
- * - A struct keeps its size and its members their place. A new member takes from `reserved`, and
- *   zero means what was before it. Every struct that goes in begins with its palpate_..._default or
- *   palpate_..._of, which sets `reserved` to zero; where a reason can be given, a library refuses
- *   what it does not know: reserved that is not zero. Every struct that comes out has zero there.
- * - Each such addition raises PALPATE_API_VERSION by one; palpate.symbols tells which function came
- *   with which. Anything else is another soname, with the second number of Palpate's version before
- *   1.0, with the first from then on; PALPATE_API_VERSION goes on counting.
+ * How this interface may change, so that a program works with any later library of the same soname:
+ * - Functions, enumerators and macros are only added. Existing ones keep name, arguments and
+ *   meaning.
+ * - A struct keeps its size and its members their place. A new member takes space from `reserved`,
+ *   and zero means the behaviour before it. Initialise every input struct with its
+ *   palpate_..._default or palpate_..._of, which sets `reserved` to zero; where a reason can be
+ *   given, a library refuses a `reserved` that is not zero. Every output struct has zero there.
+ * - Each such addition raises PALPATE_API_VERSION by one; palpate.symbols lists which function came
+ *   with which. Any other change is another soname, with the second number of Palpate's version
+ *   before 1.0, with the first from then on; PALPATE_API_VERSION continues.
  */
 #ifndef PALPATE_H
 #define PALPATE_H
@@ -28,13 +28,13 @@
 /* NOLINTBEGIN(modernize-*): this is C */
 #include <stddef.h>
 
-/* Of this header. Later versions compare greater: major, minor, patch. */
+/* The version of this header. Later versions compare greater: major, minor, patch. */
 #define PALPATE_VERSION_MAJOR 0
 #define PALPATE_VERSION_MINOR 1
 #define PALPATE_VERSION_PATCH 0
 #define PALPATE_VERSION_STRING "0.1.0"
 
-/* Of this header's interface: 1, 2, 3 ... */
+/* The version of this header's interface: 1, 2, 3 ... */
 #define PALPATE_API_VERSION 4
 
 #ifdef __GNUC__
@@ -48,14 +48,14 @@ extern "C"
 {
 #endif
 
-  /* Of the library that is loaded: "0.1.0"; and its PALPATE_API_VERSION. A program may rely on all
-   * that stands in its header if the library's number is no less than the header's. */
+  /* The version of the loaded library, "0.1.0", and its PALPATE_API_VERSION. A program may use all
+   * of its header if the library's number is no less than the header's. */
   PALPATE_API const char* palpate_version(void);
   PALPATE_API int palpate_api_version(void);
 
   /* A body with the responses of one tool. */
   typedef struct palpate_body palpate_body;
-  /* One tip on a body, and the history of its touch. */
+  /* One tip on a body, and the history of its contact. */
   typedef struct palpate_contact palpate_contact;
 
   /* What the contact is doing; values of palpate_tick.state. */
@@ -93,8 +93,8 @@ extern "C"
     PALPATE_SHAPE_DERIVED = 2
   };
 
-  /* How a contact feels. Begin with palpate_settings_default. What the forms, surfaces and models
-   * are stands in ContactSettings.h and vtkToolContactProbe.h. */
+  /* The settings of a contact. Begin with palpate_settings_default. For forms, surfaces and models
+   * see ContactSettings.h and vtkToolContactProbe.h. */
   typedef struct palpate_settings
   {
     int force_form;      /* enum palpate_force_form */
@@ -105,8 +105,9 @@ extern "C"
     /* Of the stuck contact, N/mm, finite and > 0. A loop of period T at a device of damping b is
      * stable only up to 2b/T. Not used by PALPATE_SHAPE_DERIVED. */
     double tangential_stiffness;
-    /* PALPATE_ELASTO_PLASTIC only: share of the sliding limit below which nothing creeps, 0 to 1;
-     * and share at which half of a further displacement creeps, > 0 and no less than the former. */
+    /* PALPATE_ELASTO_PLASTIC only: fraction of the sliding limit below which nothing creeps, 0 to
+     * 1; and fraction at which half of a further displacement is creep, > 0 and no less than the
+     * former. */
     double friction_breakaway;
     double friction_stick_radius;
     /* Of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
@@ -114,7 +115,7 @@ extern "C"
     double reserved[8]; /* zero */
   } palpate_settings;
 
-  /* What one step saw and did. */
+  /* The input and result of one step. */
   typedef struct palpate_tick
   {
     double device_force[3];  /* on the hand, N, frame of the device: what to send */
@@ -145,8 +146,9 @@ extern "C"
   /* The default settings: those of palpate_contact_new. */
   PALPATE_API void palpate_settings_default(palpate_settings* settings);
 
-  /* The same with other settings (null: the default). Null also if one of them is out of its range;
-   * the reason, naming it, its range and its value, goes to error as in palpate_body_load. */
+  /* The same with other settings (null: the default). Null, too, if one of them is out of its
+   * range; the reason, naming it, its range and its value, goes to error as in palpate_body_load.
+   */
   PALPATE_API palpate_contact* palpate_contact_new_with(const palpate_body* body,
     double maximum_force, const palpate_settings* settings, char* error, size_t error_size);
   PALPATE_API void palpate_contact_free(palpate_contact* contact);
@@ -155,8 +157,8 @@ extern "C"
   PALPATE_API void palpate_step(
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
 
-  /* The same of a tool along an axis: from the tip to the hand, of any length, in the frame of the
-   * device. Zero: not told, as in palpate_step, where the tool stands along the body's normal. One
+  /* The same with the tool's axis: from the tip to the hand, of any length, in the frame of the
+   * device. Zero: not known, as in palpate_step, where the tool is along the body's normal. One
    * that is not finite gives zero force. (since 4) */
   PALPATE_API void palpate_step_pose(palpate_contact* contact, const double position[3],
     const double axis[3], double time, palpate_tick* tick);
@@ -172,7 +174,7 @@ extern "C"
     double translation[3]; /* mm */
     double scale;          /* > 0 */
     /* Not 0: the device has two axes, x and y, and moves in the plane through translation along
-     * them; of a force only what lies in the plane arrives. */
+     * them; only the part of a force in the plane reaches the hand. */
     int planar;
     double reserved[4];
   } palpate_mapping;
@@ -180,13 +182,13 @@ extern "C"
   /* Device axes are the body's, and 1 m is 1000 mm: the mapping of palpate_contact_new. */
   PALPATE_API void palpate_mapping_default(palpate_mapping* mapping);
 
-  /* Gives a mapping, keeping its rotation, the translation and the least scale that put the body,
-   * with margin (mm) free around it, into a workspace of these half extents (m). Returns 1, or 0
-   * with the reason in error and the mapping as it was. */
+  /* Sets translation and scale of a mapping, keeping its rotation: the least scale that puts the
+   * body, with a free margin (mm) around it, into a workspace of these half extents (m). Returns 1,
+   * or 0 with the reason in error and the mapping unchanged. */
   PALPATE_API int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
     const double workspace[3], double margin, char* error, size_t error_size);
 
-  /* What the maker of a device states. */
+  /* A device's specification by its maker. */
   typedef struct palpate_device
   {
     double maximum_force;      /* N */
@@ -206,13 +208,14 @@ extern "C"
   /* 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
   PALPATE_API void palpate_device_default(palpate_device* device);
 
-  /* What a force must keep to before it is sent. Begin with palpate_safety_of. In this order: */
+  /* The links that a force passes before it is sent, in this order. Begin with palpate_safety_of.
+   */
   typedef struct palpate_safety
   {
     int gate;          /* not 0: no force until the tip has been outside once */
     double entry_ramp; /* s, in which the force of the first touch rises from zero; 0: at once */
-    /* Of all forces, > 0 to 1: the same for all tools that are compared, so that their ratios
-     * survive what the device cannot do. */
+    /* Factor of all forces, > 0 to 1: the same for all tools that are compared, so that their
+     * ratios survive the device's limits. */
     double force_factor;
     int cap_stiffness; /* not 0: no stiffer than maximum_stiffness */
     double maximum_stiffness;
@@ -228,11 +231,10 @@ extern "C"
     double reserved[4];
   } palpate_safety;
 
-  /* All links, with what a device (null: the default) allows. */
+  /* All links, with the limits of a device (null: the default). */
   PALPATE_API void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
 
-  /* What changed something of the force between palpate_full_tick's ideal_force and what is sent.
-   */
+  /* The links that changed the force between palpate_full_tick's ideal_force and what is sent. */
   enum palpate_safety_link
   {
     PALPATE_NOT_FINITE = 1,
@@ -249,8 +251,8 @@ extern "C"
 
   /* A contact with mapping (null: the default), safety and settings (null: the default). While a
    * button of clutch_buttons is down the tip stays and the hand moves freely; 0: no clutch. Keeps
-   * its body alive: that may be freed before. Null with the reason in error if a number is out of
-   * its range or memory is short. */
+   * its body alive, so that the caller may free it earlier. Null with the reason in error if a
+   * number is out of its range or memory is short. */
   PALPATE_API palpate_contact* palpate_contact_new_safe(const palpate_body* body,
     const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
     unsigned int clutch_buttons, char* error, size_t error_size);
@@ -259,12 +261,12 @@ extern "C"
   typedef struct palpate_sample
   {
     double position[3];   /* m */
-    double velocity[3];   /* m/s; zero if the device does not tell */
+    double velocity[3];   /* m/s; zero if the device does not measure it */
     unsigned int buttons; /* bit i: button i is down */
     int valid;            /* 0: there is nothing to report; the force is then zero */
     int fresh;            /* 0: nothing new since the last reading, which is repeated */
     /* since version 4. w, x, y, z of the unit quaternion that turns the tool's own frame, whose z
-     * is the shaft from tip to hand, into the device's; zeros: not told. And rad/s, or zeros. */
+     * is the shaft from tip to hand, into the device's; zeros: not known. And rad/s, or zeros. */
     double orientation[4];
     double angular_velocity[3];
     double reserved[1];
@@ -280,14 +282,15 @@ extern "C"
     double velocity[3];      /* of the hand, mm/s, frame of the body, as the forces: */
     double ideal_force[3];   /* N, before the safety */
     double applied_force[3]; /* N, tick.device_force */
-    double force_factor;     /* of the second over the first, by PALPATE_FIT */
-    double scene_share;      /* of the ideal force: of the newest scene; 1 but while switching */
-    unsigned int scene;      /* how many scenes came before that */
-    unsigned int acted;      /* sum of enum palpate_safety_link */
-    int valid;               /* the sample was valid and finite */
-    int clutched;            /* the tip stays while the hand moves */
-    /* since version 2. s: for so long device_force may be held if no tick follows; a device that
-     * lets go then gives no more than was put in. May be infinite. */
+    double force_factor;     /* ratio of the second to the first, by PALPATE_FIT */
+    double
+      scene_share; /* fraction of the newest scene in the ideal force; 1 except while changing */
+    unsigned int scene; /* how many scenes came before that */
+    unsigned int acted; /* sum of enum palpate_safety_link */
+    int valid;          /* the sample was valid and finite */
+    int clutched;       /* the tip stays while the hand moves */
+    /* since version 2. s: how long device_force may be held if no tick follows; a device that lets
+     * go then returns no more energy than was put in. May be infinite. */
     double hold_time;
     double
       device_torque[3]; /* since version 4. N m, on the hand about the tip, frame of the device */
@@ -295,14 +298,15 @@ extern "C"
     double reserved[1];
   } palpate_full_tick;
 
-  /* One tick of any contact with all a device tells, in the loop as palpate_step; time increases.
-   * palpate_step is this with a valid, fresh sample without velocity and buttons. */
+  /* One tick of any contact with the whole sample of a device, in the loop as palpate_step; time
+   * increases. palpate_step is this with a valid, fresh sample without velocity and buttons. */
   PALPATE_API void palpate_step_sample(
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
-  /* In the loop, when the force is sent and before it waits for the next tick: asks for the memory
-   * which the next step reads if the hand moves on as it did. Changes nothing, takes 50 ns to some
-   * microseconds, may be left out; a step on new ground of a large body is then a third slower. */
+  /* In the loop, after the force is sent and before the wait for the next tick: prefetches the
+   * memory that the next step reads if the hand continues its motion. Changes nothing, takes 50 ns
+   * to some microseconds, may be left out; a step on a new part of a large body is then a third
+   * slower. */
   PALPATE_API void palpate_foresee(const palpate_contact* contact);
 
   /* In the loop: no force from the next step on, until start. */
@@ -316,15 +320,14 @@ extern "C"
    * palpate_safety.force_factor. Null with the reason in error. */
   PALPATE_API palpate_scene* palpate_scene_new(const palpate_body* body,
     const palpate_settings* settings, double force_factor, char* error, size_t error_size);
-  /* Of a scene that was not given to a contact, or of all that palpate_take_retired returned. */
+  /* Frees a scene that was not given to a contact, or all that palpate_take_retired returned. */
   PALPATE_API void palpate_scene_free(palpate_scene* scene);
 
-  /* In the loop: gives a scene (null: nothing happens) to the contact, whose force goes over to it
-   * within 50 ms, without a step. One that comes meanwhile waits; of several the newest is taken.
-   */
+  /* In the loop: gives a scene (null: nothing happens) to the contact, whose force changes to it
+   * within 50 ms, without a jump. A scene given meanwhile waits; of several the newest is used. */
   PALPATE_API void palpate_change(palpate_contact* contact, palpate_scene* scene);
-  /* In the loop: the scenes the contact no longer needs, or null. To be freed outside the loop, all
-   * at once by palpate_scene_free; those not taken are freed with the contact. */
+  /* In the loop: the scenes that the contact no longer needs, or null. Free them outside the loop,
+   * all at once by palpate_scene_free; those not taken are freed with the contact. */
   PALPATE_API palpate_scene* palpate_take_retired(palpate_contact* contact);
 
 #ifdef __cplusplus

@@ -20,12 +20,12 @@ namespace palpate
  * local socket (BridgeSocket). So any vendor's SDK becomes a device; device/bridge_device.c is such
  * a program.
  *
- * No threads: read takes what has come, at most ReadsPerTick datagrams, and uses the newest state;
- * write sends. Each is a system call or a few and never waits. Only datagrams of the program's own
- * address are used. Without a new state for longer than the specification's sampleTimeOut (by the
- * time that is passed to read), or when the program has started anew, it counts as lost: read is
- * not valid, write sends no force and returns false. It is greeted four times a second then, and
- * used again when it describes itself as before and a sound state has come.
+ * No threads: read receives the datagrams that have arrived, at most ReadsPerTick, and uses the
+ * newest state; write sends. Each takes a few system calls and never waits. Only datagrams from the
+ * program's own address are used. Without a new state for longer than the specification's
+ * sampleTimeOut (by the time passed to read), or when the program has restarted, it counts as lost:
+ * read is not valid, write sends no force and returns false. It is then greeted four times a
+ * second, and used again when it describes itself as before and a valid state has arrived.
  *
  * Destroying it sends "amplifiers off, zero force". read and write belong to one thread; status and
  * the counters may be called from another.
@@ -45,8 +45,8 @@ public:
   const DescriptionReport& description() const noexcept { return this->Description; }
 
   DeviceSample read(double time) noexcept override;
-  /// Shortened to the maximum force of the specification; one that is not finite is sent as zero.
-  /// Likewise the torque, which a device that outputs none is not sent.
+  /// Limited to the maximum force of the specification; one that is not finite is sent as zero.
+  /// Likewise the torque, which is not sent to a device without torque.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -56,7 +56,7 @@ public:
 
   std::string status() const override;
   DeviceErrors errors() const noexcept override;
-  /// Datagrams from other senders. They are not looked at.
+  /// Number of datagrams from other senders, which are ignored.
   std::uint64_t foreign() const noexcept { return this->Foreign; }
 
 private:
@@ -78,7 +78,7 @@ private:
 
   std::unique_ptr<BridgeSocket> Socket;
   std::string Address;
-  std::string Remark; ///< what of the description was not believed
+  std::string Remark; ///< which parts of the description were not credible
   DeviceSpecification Limits;
   DescriptionReport Description;
   std::uint32_t Watchdog = 0; ///< µs
@@ -94,7 +94,7 @@ private:
   std::uint32_t ForceSequence = 0;
 
   std::atomic<Stage> Now{ Stage::Greeting };
-  std::atomic<bool> Stranger{ false }; ///< what answers describes itself otherwise
+  std::atomic<bool> Stranger{ false }; ///< the program that answers describes itself differently
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };

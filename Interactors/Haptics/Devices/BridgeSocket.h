@@ -16,12 +16,12 @@
 namespace palpate
 {
 /**
- * The host's end of a local datagram socket to one device's program, which is never waited for.
+ * The host's end of a local datagram socket to one device's program; never waits for it.
  *
  * Addresses: "unix:/PATH", where the program has bound a Unix datagram socket by this very path;
- * "udp:PORT", where it has bound 127.0.0.1:PORT. Nothing leaves this machine, nothing from outside
- * comes in. The socket has a name of its own, to which the program answers, and is connected to
- * none, so that a program that ends and returns is reached again.
+ * "udp:PORT", where it has bound 127.0.0.1:PORT. No traffic leaves or enters this machine. The
+ * socket has its own address, to which the program answers, and is not connected, so that a
+ * restarted program is reached again.
  */
 class PALPATE_EXPORT BridgeSocket
 {
@@ -32,16 +32,17 @@ public:
   BridgeSocket(const BridgeSocket&) = delete;
   BridgeSocket& operator=(const BridgeSocket&) = delete;
 
-  /// Returns at once. False: nobody is there, or it has no room.
+  /// Returns at once. False: there is no receiver, or its buffer is full.
   bool send(const std::uint8_t* bytes, std::size_t size) noexcept;
 
   enum class Arrival : std::uint8_t
   {
     None,
     Datagram,
-    Foreign ///< of another sender; its bytes are not to be used
+    Foreign ///< of another sender; its bytes must not be used
   };
-  /// Returns at once. `size`: in, the room; out, the datagram's own length, which may be larger.
+  /// Returns at once. `size`: in, that of the buffer; out, that of the datagram, which may be
+  /// larger.
   Arrival receive(std::uint8_t* bytes, std::size_t& size) noexcept;
 
   /// Waits up to so many milliseconds for a datagram. Not for the tick.

@@ -11,10 +11,9 @@ class ResponseField;
 struct ContactBody;
 
 /**
- * One force factor for all tools that are to be compared, so that a device can render the strongest
- * and the stiffest of them and the ratios between them survive:
- *   min(1, F_max/F_peak, K_max/K_peak),
- * the peaks over all tools, all points and all depths up to one.
+ * One force factor for all tools that are compared, so that a device can render the strongest and
+ * the stiffest of them and their ratios are kept: min(1, F_max/F_peak, K_max/K_peak), the peaks
+ * over all tools, all points and all depths up to one.
  *
  * Without it the limits of the device make the tools alike. The three tools of Mahvash and Hayward
  * (2002), 1 mm deep in rubber, differ by 52 % (11.4, 11.0, 5.45 N); with the stiffness capped at
@@ -26,19 +25,19 @@ public:
   /// `scale` is that of the WorkspaceMapping: a stiffness K of the body is felt as scale K.
   explicit DeviceFit(const DeviceSpecification& device, double scale = 1.0) noexcept;
 
-  /// A tool that reaches this force (N) and this stiffness (N/mm, of the body).
+  /// Includes a tool with this force (N) and this stiffness (N/mm, of the body).
   void include(double force, double stiffness) noexcept;
-  /// A tool by its response: at all points that have one, at the samples and halfway between them
-  /// up to `depth` (mm, > 0), and at that. Below the first sample, where a law may begin infinitely
-  /// stiff, the first sample counts. In parallel; not for the tick.
+  /// Includes a tool by its response: at all points that have one, at the samples and halfway
+  /// between them up to `depth` (mm, > 0), and at `depth`. Below the first sample, where a law may
+  /// begin infinitely stiff, the first sample counts. In parallel; not for the tick.
   void include(const ResponseField& response, double depth);
-  /// A tool on a body: of one that relaxes its instantaneous response, 1 + Σ p_i times the slow
-  /// one.
+  /// Includes a tool on a body; if that relaxes, its instantaneous response, 1 + Σ p_i times the
+  /// slow one.
   void include(const ContactBody& body, double depth);
 
   double peakForce() const noexcept { return this->PeakForce; }         ///< N
   double peakStiffness() const noexcept { return this->PeakStiffness; } ///< N/mm
-  /// Of what has been included; 1 if nothing has. 0 if a peak is not finite.
+  /// The factor for all that was included; 1 if nothing was. 0 if a peak is not finite.
   double factor() const noexcept;
 
 private:

@@ -34,15 +34,15 @@ struct ListedDevice
 struct PALPATE_EXPORT DeviceList
 {
   std::vector<ListedDevice> devices; ///< by path
-  /// In words why devices may be missing ("built without hidapi"); empty: they are not.
+  /// Why devices may be missing, in words ("built without hidapi"); empty: none are.
   std::string complaint;
 
-  /// One line per device, as `palpate --list-devices` prints it, or one that says that there is
+  /// One line per device, as printed by `palpate --list-devices`, or one that says that there is
   /// none.
   std::string describe() const;
 };
 
-/// Lists what is plugged in, without opening any of it.
+/// Lists the devices that are plugged in, without opening them.
 PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
 /// Opens the device at `path` ("/dev/hidraw0") by its kind: a HidDevice or a SpaceMouseDevice (in
@@ -50,10 +50,10 @@ PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 PALPATE_EXPORT std::unique_ptr<HapticDevice> openHidDevice(
   const std::string& path, std::string& error, HidBus& bus = systemHidBus());
 
-/// Whether Palpate drives such a device, and as what.
+/// Whether Palpate drives such a device, and its kind.
 PALPATE_EXPORT bool isKnown(const HidEntry& entry, DeviceKind& kind) noexcept;
-/// What the bus lists for this path: of several usages the one that Palpate drives. Nothing but the
-/// path if it is not listed.
+/// The entry of the bus for this path; of several usages the one that Palpate drives. Only the path
+/// if it is not listed.
 PALPATE_EXPORT HidEntry entryAt(HidBus& bus, const std::string& path);
 } // namespace palpate
 

@@ -20,7 +20,7 @@ struct Wrench
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 
   bool isFinite() const noexcept { return this->force.allFinite() && this->torque.allFinite(); }
-  /// Each shortened to no more than it may be, N and N m; finite.
+  /// Each limited to its maximum, N and N m; finite.
   Wrench within(double maximumForce, double maximumTorque) const noexcept
   {
     return { shortened(this->force, maximumForce), shortened(this->torque, maximumTorque) };
@@ -34,30 +34,30 @@ private:
   }
 };
 
-/// What a maker states about a device. SI units, the device's frame.
+/// A device's specification by its maker. SI units, the device's frame.
 struct DeviceSpecification
 {
   double maximumForce = 10.0; ///< N
-  /// N/m, that a sampled spring may have at the given rate so that nobody's hand, or none, keeps it
-  /// from coming to rest: b/T of the device's own damping b and the period T, b/(T + 2t) where its
-  /// readings and forces are t late together. 2b/T is where it gives energy, and up to there it
-  /// rings (Testing/Studies/stability).
+  /// N/m: the largest stiffness of a sampled spring at the given rate that comes to rest with any
+  /// hand or none: b/T of the device's own damping b and the period T, b/(T + 2t) if its readings
+  /// and forces are together t late. Beyond 2b/T it generates energy, and up to there it rings
+  /// (Testing/Studies/stability).
   double maximumStiffness = 1500.0;
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
   double maximumDamping = 10.0; ///< N s/m, that a sampled damper may have at the given rate
   Eigen::Vector3d workspace = Eigen::Vector3d::Constant(0.1); ///< half extents about 0, m
   double rate = 1000.0;                                       ///< Hz
   /// Without a new reading for longer than this (s) the device counts as lost; infinite for one
-  /// that is silent at rest.
+  /// that sends nothing at rest.
   double sampleTimeOut = 0.02;
-  /// s: readings and forces are late by no more than this together; 0: no more than a tick.
+  /// s: the largest sum of the delays of readings and forces; 0: no more than a tick.
   double delay = 0.0;
   bool outputsForce = true;
 
   bool outputsTorque = false;
   double maximumTorque = 0.0; ///< N m, about the tip; 0: it outputs none
-  /// N m/rad: what maximumStiffness is, of turning: b_θ/T, or b_θ/(T + 2t), of the device's own
-  /// damping b_θ (N m s/rad) of turns.
+  /// N m/rad: like maximumStiffness, for rotation: b_θ/T, or b_θ/(T + 2t), of the device's own
+  /// rotational damping b_θ (N m s/rad).
   double maximumTorsionalStiffness = 0.5;
   double maximumTorqueRate = std::numeric_limits<double>::infinity(); ///< N m/s
 };
@@ -66,25 +66,26 @@ struct DeviceSpecification
 struct DeviceSample
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s; zero if the device does not tell
-  std::uint32_t buttons = 0;                          ///< bit i: button i is down
-  /// False when the device had nothing to report yet, is gone, or failed: the force is then zero.
+  Eigen::Vector3d velocity =
+    Eigen::Vector3d::Zero(); ///< m/s; zero if the device does not measure it
+  std::uint32_t buttons = 0; ///< bit i: button i is down
+  /// False if the device has nothing to report yet, is gone, or has failed: the force is then zero.
   bool valid = false;
-  /// False when nothing new has come since the last reading, which is repeated.
+  /// False if there is nothing new since the last reading, which is repeated.
   bool fresh = true;
 
   ToolOrientation orientation = orientationNotTold(); ///< unit, or not told
-  /// rad/s; zero if the device does not tell
+  /// rad/s; zero if the device does not measure it
   Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero();
 };
 
-/// What went wrong on the way to and from a device, since it was opened.
+/// Errors of communication with a device, since it was opened.
 struct DeviceErrors
 {
   std::uint64_t malformed = 0; ///< reports of wrong size, version, check sum or content
-  std::uint64_t stale = 0;     ///< reports older than, or the same as, one that had come before
+  std::uint64_t stale = 0;     ///< reports older than, or equal to, an earlier one
   std::uint64_t lost = 0;      ///< reports that never came, by their numbers
-  std::uint64_t unsent = 0;    ///< forces that could not be handed over
+  std::uint64_t unsent = 0;    ///< forces that could not be sent
   std::uint64_t disconnections = 0;
 };
 
@@ -99,15 +100,15 @@ class PALPATE_EXPORT HapticDevice
 {
 public:
   virtual ~HapticDevice() = default;
-  /// Does not change while a servo loop runs.
+  /// Constant while a servo loop runs.
   virtual const DeviceSpecification& specification() const noexcept = 0;
   virtual DeviceSample read(double time) noexcept = 0;
-  /// Force on the hand, N. Returns false when the device did not take it.
+  /// Force on the hand, N. Returns false if the device did not accept it.
   virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
-  /// Force and torque. A device that outputs no torque takes the force alone.
+  /// Force and torque. A device without torque uses the force alone.
   virtual bool writeWrench(const Wrench& wrench) noexcept { return this->write(wrench.force); }
-  /// Of the forces from now on: how long (s) each is to be held if none follows. A device that
-  /// cannot let go by itself does nothing.
+  /// Sets how long (s) each force from now on is held if none follows. No effect on a device that
+  /// cannot let go by itself.
   virtual void holdFor(double seconds) noexcept { static_cast<void>(seconds); }
 
   /// In words, for a person: "connected", "unplugged, waiting for it to return".

@@ -12,28 +12,27 @@
 namespace palpate
 {
 /**
- * Plays a trajectory again as a device: a hand that goes the same way, whatever it feels.
+ * Replays a trajectory as a device: a hand that repeats the same path, whatever the force.
  *
- * The times of the file are those of the loop. At the time of a row the sample is what was recorded
- * (of rows of one time the last), with all its bits: position, velocity, buttons, valid, fresh.
- * Between two rows the position, and the velocity, are linear in time, at any rate of the loop;
- * next to a row that is not valid they stay. Before the first row the hand rests there, after the
- * last one likewise (isAtEnd says so).
+ * The times of the file are those of the loop. At the time of a row the sample is the recorded one
+ * to the bit (of rows of equal time the last): position, velocity, buttons, valid, fresh. Between
+ * two rows position and velocity are linear in time, at any rate of the loop; next to a row that is
+ * not valid they are constant. Before the first row and after the last one (isAtEnd) the hand rests
+ * there.
  *
- * An axis is played as the least turn that gives it, which is the axis to rounding; between two
- * rows that tell one the shaft turns evenly.
+ * An axis is replayed as the smallest rotation that yields it, exact to rounding; between two rows
+ * with an axis the shaft turns at constant speed.
  *
- * Frames: a file tells the tip (body frame, mm); a recording (RecordingDevice) tells the device's
- * position as well, and that is what is played, so that the mapping of the loop may be another than
- * then. Without it the tip is taken back through `mapping`, which the loop must use too, to the
- * position whose image is the tip to the bit: there always is one, and it is found, if the tip was
- * recorded through a mapping without rotation; with one the last bit may differ. Rows without a tip
- * are samples that are not valid.
+ * Frames: a file has the tip (body frame, mm); a recording (RecordingDevice) has the device's
+ * position as well, which is then replayed, so that the loop may have another mapping than the
+ * recording. Without it the tip is mapped back through `mapping`, which the loop must use too, to a
+ * position whose image is the tip to the bit; with a rotation in the mapping the last bit may
+ * differ. Rows without a tip are samples that are not valid.
  */
 class PALPATE_EXPORT ReplayDevice final : public HapticDevice
 {
 public:
-  /// The rows' times do not decrease (readTrajectory). Without rows no sample is valid.
+  /// The rows' times must not decrease (readTrajectory). Without rows no sample is valid.
   ReplayDevice(const Trajectory& trajectory, const WorkspaceMapping& mapping,
     const DeviceSpecification& specification = {});
 

@@ -11,22 +11,22 @@
 namespace palpate
 {
 /**
- * Which way a tool is held by a hand that is steered from another thread: what SteeredTarget is for
- * a place.
+ * The axis of a tool in a hand that is steered from another thread; the counterpart of
+ * SteeredTarget for orientations.
  *
- * The shaft turns towards what it was told by the shortest way, the angle that is left going as
- * e^(-Δt/τ), and no further about itself than that takes. It is not told until it is told for the
- * first time, and begins there; the zero vector ends that. turnTo is for one thread, moveOn for the
- * servo thread; neither waits.
+ * The shaft turns towards the last turnTo by the shortest way, without spin, the remaining angle
+ * decaying as e^(-Δt/τ). The axis is unknown until the first turnTo, and begins there; the zero
+ * vector makes it unknown again. turnTo is for one thread, moveOn for the servo thread; neither
+ * waits.
  */
 class PALPATE_EXPORT SteeredAxis
 {
 public:
   static constexpr double TimeConstant = 0.03; ///< s, of SteeredTarget
 
-  /// Of any length, in the frame of the device; what is not finite changes nothing.
+  /// Of any length, in the frame of the device; without effect if not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
-  /// Moves on to `time` (s; an earlier one than before, or the first, moves nothing).
+  /// Advances to `time` (s; no motion at the first call, or if time goes back).
   void moveOn(double time) noexcept;
   const ToolOrientation& orientation() const noexcept { return this->Orientation; }
 

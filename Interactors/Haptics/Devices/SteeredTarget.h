@@ -10,11 +10,11 @@
 namespace palpate
 {
 /**
- * Where a hand that is steered from another thread, as by a mouse, means to be.
+ * The target of a hand that is steered from another thread, as by a mouse.
  *
- * What it is told comes at display rate in steps; its aim approaches that as
- * x ← told + (x - told) e^(-Δt/τ), so that it neither jumps nor rings at servo rate. steerTo is for
- * one thread, moveOn for the servo thread; neither waits.
+ * It is set in steps at display rate; the position approaches that as x ← set + (x - set)
+ * e^(-Δt/τ), without jumps or ringing at servo rate. steerTo is for one thread, moveOn for the
+ * servo thread; neither waits.
  */
 class PALPATE_EXPORT SteeredTarget
 {
@@ -24,8 +24,8 @@ public:
   explicit SteeredTarget(const Eigen::Vector3d& start);
 
   void steerTo(const Eigen::Vector3d& target) noexcept { this->Told.write(target); }
-  /// Moves on to `time` (s; an earlier one than before, or the first, moves nothing). False, and
-  /// not moved, while what was told is not finite.
+  /// Advances to `time` (s; no motion at the first call, or if time goes back). False, without
+  /// motion, while the target set is not finite.
   bool moveOn(double time) noexcept;
   /// m
   const Eigen::Vector3d& position() const noexcept { return this->Position; }

@@ -11,21 +11,21 @@
 
 namespace palpate
 {
-/// A place and the time to be there.
+/// A position and its time.
 struct WayPoint
 {
   double time = 0.0;                                  ///< s, not decreasing along a path
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
-  /// Of the tool, from tip to hand, of any length; zero: not told.
+  /// Axis of the tool, from tip to hand, of any length; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
 /**
  * A path in time: linear between its way points, at rest before the first and after the last. Two
- * way points of the same time are a jump: from that time on the later one holds.
+ * way points of the same time are a jump: from that time on the later one counts.
  *
- * An axis turns evenly from one way point to the next; where one of the two tells none, it is not
- * told.
+ * An axis turns at constant speed from one way point to the next; if one of the two has none, it is
+ * unknown.
  *
  * Looking up costs O(log n) and allocates nothing.
  */
@@ -35,7 +35,7 @@ public:
   /// A stretch of uniform motion.
   struct Ramp
   {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< at the time asked for, m
+    Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< at the given time, m
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
     double end = 0.0;                                   ///< when it ends, s; may be infinite
   };
@@ -51,9 +51,9 @@ public:
 
   /// The position; zero on an empty path.
   Eigen::Vector3d at(double time) const noexcept;
-  /// The axis of the tool, unit; zero where it is not told.
+  /// The axis of the tool, unit; zero where it is unknown.
   Eigen::Vector3d axisAt(double time) const noexcept;
-  /// How the path goes on from `time`. An empty path rests at zero.
+  /// The motion of the path from `time` on. An empty path rests at zero.
   Ramp rampAt(double time) const noexcept;
 
   /// The first way point that is not finite or earlier than the one before, in words; or "".

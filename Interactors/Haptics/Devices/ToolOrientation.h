@@ -10,8 +10,8 @@
 namespace palpate
 {
 /**
- * How a tool is turned: from the tool's own frame, whose +z is the shaft from the tip to the hand,
- * into the frame of the device. A unit quaternion; all zero: not told.
+ * The rotation of a tool: from its own frame, whose +z is the shaft from the tip to the hand, into
+ * the frame of the device. A unit quaternion; all zero: not told, that is, unknown.
  */
 using ToolOrientation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
@@ -20,7 +20,7 @@ inline ToolOrientation orientationNotTold() noexcept
   return { 0.0, 0.0, 0.0, 0.0 };
 }
 
-/// Whether it is not zero, of whatever length, NaN included.
+/// Whether it is not zero; of any length, and true for NaN.
 inline bool isTold(const ToolOrientation& orientation) noexcept
 {
   return !orientation.coeffs().isZero(0.0);
@@ -40,7 +40,8 @@ inline Eigen::Vector3d shaftOf(const ToolOrientation& orientation) noexcept
   return unit * Eigen::Vector3d::UnitZ();
 }
 
-/// The least turn that puts the shaft along `axis`, of any length; zero or not finite: not told.
+/// The smallest rotation that puts the shaft along `axis`, of any length; zero or not finite: not
+/// told.
 inline ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
 {
   const double length = axis.norm();
@@ -51,7 +52,7 @@ inline ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
   return ToolOrientation::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis / length);
 }
 
-/// A turn by the rotation vector: along the axis, as long as the angle, rad.
+/// The rotation by a rotation vector: along the axis, as long as the angle, rad.
 inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
 {
   const double angle = rotation.norm();
@@ -62,8 +63,8 @@ inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
   return { std::cos(half), vector.x(), vector.y(), vector.z() };
 }
 
-/// The least turn that puts one axis along another, of any length but zero, as a rotation vector,
-/// rad; of opposite ones about some axis across them.
+/// The smallest rotation that puts one axis along another, of any length but zero, as a rotation
+/// vector, rad; for opposite ones about some axis across them.
 inline Eigen::Vector3d leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
 {
   const Eigen::Vector3d across = from.cross(to);
@@ -78,7 +79,8 @@ inline Eigen::Vector3d leastTurn(const Eigen::Vector3d& from, const Eigen::Vecto
                       : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// The shortest turn between two that are told, as a rotation vector in the device's frame, rad.
+/// The smallest rotation between two known orientations, as a rotation vector in the device's
+/// frame, rad.
 inline Eigen::Vector3d turnBetween(const ToolOrientation& from, const ToolOrientation& to) noexcept
 {
   const ToolOrientation turn = to * from.conjugate();

@@ -14,17 +14,17 @@ struct TrajectoryRow
 {
   double time = 0.0;                             ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< body frame, mm
-  /// Of the tool, from tip to hand, body frame, unit; zero: not known.
+  /// Axis of the tool, from tip to hand, body frame, unit; zero: not known.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
-  /// Of a file only point, deflection, normal force and its memory, friction, torque and state.
+  /// From a file only point, deflection, normal force and its memory, friction, torque and state.
   Contact contact;
   double idealForce = 0.0; ///< magnitude of the total, before any limit of the device, N
 
   /// The device, in its own frame; m, m/s, N.
   DeviceSample sample;
   Eigen::Vector3d sentForce = Eigen::Vector3d::Zero();
-  bool isTaken = false; ///< by the device: the force
+  bool isTaken = false; ///< whether the device accepted the force
 
   /// A tick without a valid sample has no tip: it is (0, 0, 0), in state Invalid.
   bool hasTip() const noexcept
@@ -33,15 +33,15 @@ struct TrajectoryRow
   }
 };
 
-/// What a trajectory file holds. Times are finite and do not decrease.
+/// The content of a trajectory file. Times are finite and do not decrease.
 struct Trajectory
 {
   std::vector<TrajectoryRow> rows;
-  bool hasContact = false; ///< rows tell of the contact
-  bool hasDevice = false;  ///< rows tell of the device
-  bool hasAxis = false;    ///< rows tell of the tool's axis
-  bool hasTorque = false;  ///< rows tell of the contact, and of its torque
-  bool hasMemory = false;  ///< rows tell of the contact, and what of its force is memory
+  bool hasContact = false; ///< rows have the contact
+  bool hasDevice = false;  ///< rows have the device
+  bool hasAxis = false;    ///< rows have the tool's axis
+  bool hasTorque = false;  ///< rows have the contact, with its torque
+  bool hasMemory = false;  ///< rows have the contact, with the memory part of its force
 };
 } // namespace palpate
 

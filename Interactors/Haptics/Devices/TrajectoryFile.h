@@ -14,16 +14,16 @@ namespace palpate
 {
 /**
  * Writes one line per tick as CSV: time, tip, contact point, deflection, normal force, friction,
- * ideal force (magnitude of the total, before any limit of the device), contact state, and where
- * any tick has one memory_force_N, what of the normal force is memory (Contact::memory), axis_x...,
+ * ideal force (magnitude of the total, before any limit of the device), contact state, and, if any
+ * tick has them, memory_force_N, the memory part of the normal force (Contact::memory), axis_x...,
  * the tool's axis from tip to hand (zero: not known), and torque_x_Nmm..., on the tool about its
  * tip. Body frame; s, mm, N. Numbers are the shortest decimals that read back to the same bits; a
  * column without a value (no contact) is 0. A tick that had no valid sample, or one that is not
  * finite, has a tip of 0 and state 5. Returns an error that names the file and the reason, or "".
  *
- * An old file stands until the new one is whole (WholeFile). What cannot be had again is not thrown
- * away: where the disk is full the rows that had room are kept in PATH.part, a file like any other,
- * and the error says how many.
+ * An old file is kept until the new one is complete (WholeFile). If the disk is full, the rows
+ * written so far are kept in PATH.part, a readable file, as they cannot be recorded again; the
+ * error says how many.
  */
 PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks);
 
@@ -37,15 +37,15 @@ PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::v
 PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const Trajectory& trajectory);
 
 /**
- * Reads what writeTrajectory has written to the same bits, and files of others (CsvReader):
- * columns may stand in any order, among others. Required are time_s and the three of tip_*_mm; of
- * the contact's ten all or none, to which memory_force_N and the three of torque may come; of the
- * device's thirteen and of the axis's three all or none.
+ * Reads files of writeTrajectory to the same bits, and others (CsvReader): columns may be in any
+ * order, among others. Required are time_s and the three of tip_*_mm; all or none of the contact's
+ * ten, which memory_force_N and the three of torque may follow; all or none of the device's
+ * thirteen and of the axis's three.
  *
- * Errors, as "file:line: what is wrong", and "" for none: a column that is missing or there twice,
- * a line with too few or too many fields, a number that is not finite or none at all, a state,
- * button or flag that does not exist, an axis whose length is neither 1, to 1e-3, nor 0, time that
- * decreases, no lines. After an error `trajectory` is unchanged.
+ * Errors, as "file:line: what is wrong", and "" for none: a missing or duplicate column, a line
+ * with too few or too many fields, a field that is not a finite number, a state, button or flag
+ * that does not exist, an axis whose length is neither 1, to 1e-3, nor 0, time that decreases, no
+ * lines. After an error `trajectory` is unchanged.
  */
 PALPATE_EXPORT std::string readTrajectory(const std::string& path, Trajectory& trajectory);
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <string_view>
 
-/// The columns of a trajectory file: their names, and how a row becomes numbers and back.
+/// The columns of a trajectory file: their names, and the conversion of rows to numbers and back.
 namespace palpate::TrajectoryTable
 {
 constexpr std::size_t ContactBegin = 4; ///< before it: time and tip
 constexpr std::size_t DeviceBegin = 14;
-constexpr std::size_t MemoryBegin = 27; ///< of the contact, where the body relaxes
+constexpr std::size_t MemoryBegin = 27; ///< of the contact, if the body relaxes
 constexpr std::size_t AxisBegin = 28;
 constexpr std::size_t TorqueBegin = 31; ///< of the contact
 constexpr std::size_t ColumnCount = 34;

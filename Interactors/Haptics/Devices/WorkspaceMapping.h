@@ -16,15 +16,14 @@ constexpr double MillimetresPerMetre = 1000.0;
  * units change. x_body = R (1000 scale x_device) + t; forces keep their magnitude, so a stiffness K
  * of the body is felt as `scale` K.
  *
- * An axis turns with R, a torque with det R Rᵀ, since it changes its sign in a mirror. Turns are
- * the same on both sides, so a torque is divided by what ways are multiplied with, M_device (N m) =
- * det R Rᵀ M_body (N mm) / (1000 scale): as for forces, the work at the device (J) is that in the
- * body (N mm) over 1000 scale, F · v and M · ω alike, and a scene that gives no work gives none to
- * the hand.
+ * An axis is rotated by R, a torque by det R Rᵀ, as reflection reverses its sign. Angles are equal
+ * on both sides, so a torque is divided by the factor of lengths, M_device (N m) = det R Rᵀ M_body
+ * (N mm) / (1000 scale): as for forces, the work at the device (J) is that in the body (N mm) over
+ * 1000 scale, for F · v and M · ω alike, and a passive scene is passive for the hand.
  *
- * A planar device (two axes) moves along its own x and y: z is not looked at, and of a force only
- * what lies in the plane arrives. The plane in the body is the one through `translation` that the
- * first two columns of the rotation span. Of a torque what turns about z arrives.
+ * A planar device (two axes) moves along its own x and y: z is ignored, and only the part of a
+ * force in the plane reaches the hand. The plane in the body is that through `translation` spanned
+ * by the first two columns of the rotation. Of a torque only the part about z reaches the hand.
  */
 class PALPATE_EXPORT WorkspaceMapping
 {
@@ -34,24 +33,24 @@ public:
   /// determinant -1 for a device of left-handed axes), `scale` positive, `translation` in mm.
   WorkspaceMapping(
     const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, double scale);
-  /// Of a planar device: through `origin` (mm), its x along `right` and its y along `up`, unit
-  /// vectors in the body at right angles.
+  /// For a planar device: through `origin` (mm), its x along `right` and its y along `up`,
+  /// orthogonal unit vectors in the body.
   static WorkspaceMapping inPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& right,
     const Eigen::Vector3d& up, double scale);
 
   /// The same for a planar device.
   WorkspaceMapping planar() const noexcept;
-  /// The same axes, with the least scale that puts a body's box (mm, corner to corner), with
-  /// `margin` (mm, >= 0) free around it, into a workspace of these half extents (m), centre on
-  /// centre. Of a planar device only x and y of the workspace count, and the plane cuts the box in
-  /// its middle. What is no box or no workspace gives a scale with a fault.
+  /// The same axes, with the least scale that puts a body's box (mm, corner to corner), with a free
+  /// `margin` (mm, >= 0) around it, into a workspace of these half extents (m), centre on centre.
+  /// Of a planar device only x and y of the workspace count, and the plane cuts the box at its
+  /// centre. An invalid box or workspace gives a scale with a fault.
   WorkspaceMapping fitted(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper,
     const Eigen::Vector3d& workspace, double margin) const noexcept;
 
   /// The first of Rotation, Translation and Scale that is not finite or out of its range;
   /// orthonormal to RotationTolerance.
   SettingFault fault() const;
-  static constexpr double RotationTolerance = 1e-6; ///< of RᵀR; numbers typed in with 7 digits
+  static constexpr double RotationTolerance = 1e-6; ///< of RᵀR, for numbers with 7 digits
 
   Eigen::Vector3d toBody(const Eigen::Vector3d& devicePosition) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& bodyPosition) const noexcept;
@@ -59,18 +58,18 @@ public:
   Eigen::Vector3d velocityToBody(const Eigen::Vector3d& deviceVelocity) const noexcept;
   Eigen::Vector3d forceToDevice(const Eigen::Vector3d& bodyForce) const noexcept;
   Eigen::Vector3d forceToBody(const Eigen::Vector3d& deviceForce) const noexcept;
-  /// Unit to unit.
+  /// Unit vector to unit vector.
   Eigen::Vector3d axisToBody(const Eigen::Vector3d& deviceAxis) const noexcept;
   Eigen::Vector3d axisToDevice(const Eigen::Vector3d& bodyAxis) const noexcept;
   /// N mm to N m, and back.
   Eigen::Vector3d torqueToDevice(const Eigen::Vector3d& bodyTorque) const noexcept;
   Eigen::Vector3d torqueToBody(const Eigen::Vector3d& deviceTorque) const noexcept;
-  /// Of a position, velocity or force in the frame of the device what the device has: for a planar
-  /// one without z.
+  /// The components of a position, velocity or force (frame of the device) that the device has:
+  /// without z if it is planar.
   Eigen::Vector3d inReach(const Eigen::Vector3d& deviceVector) const noexcept;
   /// mm to m.
   double lengthToDevice(double bodyLength) const noexcept;
-  /// N/mm to N/m: what a hand feels of a stiffness of the body.
+  /// N/mm to N/m: a stiffness of the body as the hand feels it.
   double stiffnessToDevice(double bodyStiffness) const noexcept;
 
   const Eigen::Matrix3d& rotation() const noexcept { return this->Rotation; }

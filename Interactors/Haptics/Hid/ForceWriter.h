@@ -15,19 +15,18 @@
 namespace palpate
 {
 /**
- * Sends forces to a HID device from a thread of its own, so that a slow device delays nobody.
+ * Sends forces to a HID device from its own thread, so that a slow device does not delay the tick.
  *
- * send and holdFor, from the tick: send leaves the force and returns at once: no lock, no
- * allocation, no wait. Only the newest force is sent; one that was overtaken while the device took
- * its time is counted as unsent. The other functions belong to other threads. Destroying it sends
- * "no force, amplifiers off", and waits at most a second, even if the driver hangs: the device's
- * own watchdog is there for that.
+ * send and holdFor are for the tick: send stores the force and returns at once, without lock,
+ * allocation or wait. Only the newest force is sent; one replaced while the device was busy counts
+ * as unsent. The other functions are for other threads. Destroying it sends "no force, amplifiers
+ * off", and waits at most a second, even if the driver hangs, when the device's own watchdog acts.
  */
 class PALPATE_EXPORT ForceWriter
 {
 public:
-  /// Each force report asks the device to go to zero when none has followed for `watchdog` µs, or
-  /// what holdFor says since.
+  /// Each force report asks the device to go to zero if none follows for `watchdog` µs, or for the
+  /// time set by holdFor.
   explicit ForceWriter(std::uint32_t watchdog);
   ~ForceWriter();
   ForceWriter(const ForceWriter&) = delete;
@@ -36,21 +35,21 @@ public:
   /// Amplifiers off, for good; also when destroyed.
   void stop();
 
-  /// Where to send from now on; null: nowhere.
+  /// The port for sending from now on; null: none.
   void use(std::shared_ptr<HidPort> port);
 
-  /// N, finite; `stateSequence` is that of the newest state the force rests on. False if the device
-  /// did not take the last one.
+  /// N, finite; `stateSequence` is that of the newest state the force is based on. False if the
+  /// device did not accept the last one.
   bool send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept
   {
     return this->send(Wrench{ force, Eigen::Vector3d::Zero() }, stateSequence);
   }
   bool send(const Wrench& wrench, std::uint32_t stateSequence) noexcept;
 
-  /// Of the forces sent from now on, by the thread that sends them.
+  /// Sets the watchdog of the forces sent from now on; for the thread that calls send.
   void holdFor(std::uint32_t watchdog) noexcept;
 
-  /// Whether the last force was taken; true before the first.
+  /// Whether the last force was accepted; true before the first.
   bool taken() const noexcept;
   std::uint64_t unsent() const noexcept;
 

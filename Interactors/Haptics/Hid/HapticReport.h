@@ -14,11 +14,11 @@ namespace palpate
 {
 /**
  * The reports between a host and a self-built device, 64 bytes each, over raw HID or datagrams.
- * PROTOCOL.md has them byte by byte; palpate_hid.h is the device's side in C.
+ * PROTOCOL.md describes them byte by byte; palpate_hid.h is the device's side in C.
  *
- * pack always makes a whole, valid report; parse takes whatever came and says what is wrong with
- * it, leaving its result alone then. What a report does not name is sent as zero and not looked at.
- * Nothing here allocates, locks or throws, but for specificationOf.
+ * pack always makes a valid report; parse accepts any bytes, says what is wrong with them, and
+ * leaves its result unchanged then. Unused bytes are sent as zero and ignored. Nothing here
+ * allocates, locks or throws, except specificationOf.
  */
 constexpr std::size_t HapticReportSize = 64;
 using HapticReportBytes = std::array<std::uint8_t, HapticReportSize>;
@@ -38,7 +38,7 @@ enum class ReportKind : std::uint8_t
 struct StateReport
 {
   bool amplifiersOn = false;
-  bool fault = false; ///< the device cannot be trusted: no force is sent
+  bool fault = false; ///< the device reports a fault: no force is sent
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;                             ///< the device's clock, µs
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m; finite
@@ -55,13 +55,13 @@ struct ForceReport
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;                          ///< the host's clock, µs
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; finite
-  /// The device goes to zero force when no force report has come for so long, µs.
+  /// The device goes to zero force without a force report for this time, µs.
   std::uint32_t watchdog = 20000;
   std::uint32_t stateSequence = 0;                  ///< of the newest state seen
   Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip; finite
 };
 
-/// Device → host: what its maker states, as it came. specificationOf makes it credible.
+/// Device → host: the maker's specification as received. specificationOf makes it credible.
 struct DescriptionReport
 {
   bool outputsForce = true;
@@ -74,9 +74,9 @@ struct DescriptionReport
   double rate = 0.0;                                   ///< Hz
   double sampleTimeOut = 0.0;                          ///< s
   std::array<char, 17> name{};                         ///< at most 16 bytes of UTF-8, and a zero
-  std::uint32_t nonce = 0; ///< of the hello it answers; 0 in HID's feature report
+  std::uint32_t nonce = 0; ///< that of the hello it answers; 0 in HID's feature report
 
-  bool outputsTorque = false;             ///< its name has at most 3 bytes then, and it states:
+  bool outputsTorque = false;             ///< if so, its name has at most 3 bytes, and it states:
   double maximumTorque = 0.0;             ///< N m
   double maximumTorsionalStiffness = 0.0; ///< N m/rad
   double maximumTorqueRate = 0.0;         ///< N m/s, may be infinite
@@ -88,21 +88,21 @@ struct HelloReport
   std::uint32_t nonce = 0;
 };
 
-/// A time (s) to hold a force for as its report tells it, µs: within the device's time-out, which
-/// NaN counts as.
+/// The watchdog of a force report, µs, for a hold time (s): at most the device's time-out, which
+/// NaN means.
 PALPATE_EXPORT std::uint32_t watchdogOf(
   double seconds, const DeviceSpecification& specification) noexcept;
 
-/// Why a report is none, in the order in which it is looked at.
+/// Why a report is invalid, in the order of the checks.
 enum class ReportDefect : std::uint8_t
 {
   None,
   Size,     ///< not 64 bytes
   Mark,     ///< the first byte is not 'P'
-  Version,  ///< another than 1
-  CheckSum, ///< damaged on the way
+  Version,  ///< not 1
+  CheckSum, ///< damaged in transit
   Kind,     ///< not of the kind expected
-  Content   ///< a position, velocity, force or torque that is not finite, a turn that is none
+  Content   ///< a position, velocity, force or torque that is not finite, or an invalid rotation
 };
 /// "wrong check sum" and the like.
 PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
@@ -121,22 +121,23 @@ PALPATE_EXPORT ReportDefect parse(
 PALPATE_EXPORT ReportDefect parse(
   const std::uint8_t* bytes, std::size_t size, HelloReport& report) noexcept;
 
-/// Size, mark, version and check sum alone; the kind of a sound report is byte 1.
+/// Checks size, mark, version and check sum alone; the kind of a valid report is byte 1.
 PALPATE_EXPORT ReportDefect checkReport(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /// CRC-32 of IEEE 802.3 (reflected, polynomial 0xEDB88320), as zlib's crc32.
 PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /**
- * What a device describes itself as, with a careful value in place of each that is missing or not
- * credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force rate, 0 < damping ≤
- * 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1 s; of a device that
- * outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad, 0 < torque rate).
- * With `replaced`, each such value is named there in words. Not for the tick: words allocate.
+ * The specification of a device by its description, with a conservative value in place of each that
+ * is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force
+ * rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1
+ * s; of a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad, 0 <
+ * torque rate). `replaced`, if given, names each such value in words. Not for the tick: it
+ * allocates.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(
   const DescriptionReport& description, std::string* replaced = nullptr);
-/// Of a device that says nothing about itself: weak and slow enough for any.
+/// For a device without a description: weak and slow enough for any.
 PALPATE_EXPORT DeviceSpecification carefulSpecification() noexcept;
 } // namespace palpate
 

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A HID device as the system lists it. What it does not tell is empty or 0.
+/// A HID device in the system's list. Unknown fields are empty or 0.
 struct HidEntry
 {
   std::string path; ///< "/dev/hidraw3"
@@ -25,33 +25,32 @@ struct HidEntry
   std::string serial;
 };
 
-/// A HID device that is open. read is one thread's, the rest one other's, unless they use two
-/// ports.
+/// An open HID device. read is for one thread, the rest for one other, unless they use two ports.
 class PALPATE_EXPORT HidPort
 {
 public:
   virtual ~HidPort() = default;
-  /// Waits up to so many milliseconds for a report. Its bytes, cut to `size`; 0: none came; −1: the
-  /// device is gone.
+  /// Waits up to so many milliseconds for a report. Returns its length, cut to `size`; 0: none; −1:
+  /// the device is gone.
   virtual int read(std::uint8_t* bytes, std::size_t size, int milliseconds) noexcept = 0;
-  /// Sends an unnumbered output report. May take as long as the device likes.
+  /// Sends an unnumbered output report. May block as long as the device does.
   virtual bool write(const std::uint8_t* bytes, std::size_t size) noexcept = 0;
-  /// Asks for the unnumbered feature report. How many bytes came; −1: it has none.
+  /// Requests the unnumbered feature report. Returns its length; −1: it has none.
   virtual int feature(std::uint8_t* bytes, std::size_t size) noexcept = 0;
 };
 
-/// Where HID devices are found and opened: the system's, by hidapi, or one made up for a test.
-/// Any thread may call it, none of them a servo thread.
+/// Lists and opens HID devices: the system's, by hidapi, or simulated ones for a test. For any
+/// thread but a servo thread.
 class PALPATE_EXPORT HidBus
 {
 public:
   virtual ~HidBus() = default;
   virtual std::vector<HidEntry> entries() = 0;
-  /// Null and why, in words, if it cannot be opened.
+  /// Null, and why in words, if it cannot be opened.
   virtual std::unique_ptr<HidPort> open(const std::string& path, std::string& error) = 0;
-  /// In words what stands against opening it; empty: nothing known.
+  /// Why it cannot be opened, in words; empty: nothing known.
   virtual std::string obstacle(const std::string& path) = 0;
-  /// In words why there are no entries at all to be had; empty: there are.
+  /// Why there can be no entries, in words; empty: there can be.
   virtual std::string complaint() const { return {}; }
 };
 

@@ -18,20 +18,20 @@ namespace palpate
 /**
  * A device that speaks the 64-byte force reports over raw HID (PROTOCOL.md).
  *
- * A reader and a writer thread stand between the tick and the driver: read returns the newest state
- * that has come, write leaves the force for the writer; neither waits, whatever the driver does.
- * Reports that are damaged, of another version, old or repeated are counted and not used.
+ * A reader and a writer thread decouple the tick from the driver: read returns the newest state
+ * received, write leaves the force to the writer; neither waits, whatever the driver does. Reports
+ * that are damaged, of another version, old or repeated are counted and not used.
  *
- * The specification is what the device describes itself as in its feature report, where that is
- * credible; otherwise careful values (specificationOf). No force is sent before a sound state has
- * come, so that a stranger on the same vendor page is left alone.
+ * The specification is that of the device's feature report, where that is credible; otherwise
+ * conservative values (specificationOf). No force is sent before a valid state has arrived, so that
+ * another device on the same vendor page is left alone.
  *
  * Unplugged, or reporting a fault: read is not valid from the next call on, write sends no force
  * and returns false. It connects again when the device returns, if it describes itself as before;
  * samples are valid again with its first state. status says all of this. Destroying it sends
  * "amplifiers off" and ends within about two seconds even if the driver hangs.
  *
- * The two threads ask for SCHED_FIFO, and do without.
+ * The two threads request SCHED_FIFO, but do not need it.
  */
 class PALPATE_EXPORT HidDevice final : public HapticDevice
 {
@@ -42,12 +42,12 @@ public:
   ~HidDevice() override;
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// As it came from the device; all zero if it has none.
+  /// As received from the device; all zero if it has none.
   const DescriptionReport& description() const noexcept { return this->Description; }
 
   DeviceSample read(double time) noexcept override;
-  /// Shortened to the maximum force of the specification; one that is not finite is sent as zero.
-  /// Likewise the torque, which a device that outputs none is not sent.
+  /// Limited to the maximum force of the specification; one that is not finite is sent as zero.
+  /// Likewise the torque, which is not sent to a device without torque.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -65,7 +65,7 @@ private:
 
   DeviceSpecification Limits;
   DescriptionReport Description;
-  std::string Remark; ///< what of the description was not believed
+  std::string Remark; ///< which parts of the description were not credible
   std::shared_ptr<Link> Connection;
   std::unique_ptr<HidReader> Reader;
   std::uint64_t Seen = 0;          ///< number of the last state read

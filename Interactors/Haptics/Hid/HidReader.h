@@ -13,22 +13,23 @@
 
 namespace palpate
 {
-/// Who is told what a HidReader meets, in its thread.
+/// Is notified by a HidReader, in its thread.
 class PALPATE_EXPORT HidListener
 {
 public:
   virtual ~HidListener() = default;
-  /// A device has returned and is open on `port`. In words why it is not to be used; empty: it is.
+  /// A device has returned and is open on `port`. Returns why it must not be used, in words; empty:
+  /// it may.
   virtual std::string returned(HidPort& port, const HidEntry& entry) = 0;
   virtual void received(const std::uint8_t* report, std::size_t size) noexcept = 0;
   virtual void lost() noexcept = 0;
 };
 
 /**
- * Reads a HID device in a thread of its own, and waits for it to return when it has been unplugged.
+ * Reads a HID device in its own thread, and waits for its return after it has been unplugged.
  *
- * The device that returns may have another path: it is known by vendor, product and serial number
- * (without one, by vendor and product; the old path is preferred). Looked for four times a second.
+ * The device may return with another path: it is recognised by vendor, product and serial number
+ * (without one, by vendor and product; the old path is preferred). Searched four times a second.
  * Destroying it waits at most a second, even if the driver hangs.
  */
 class PALPATE_EXPORT HidReader
@@ -43,7 +44,7 @@ public:
 
   bool connected() const noexcept;
   std::uint64_t disconnections() const noexcept;
-  /// In words: "connected", "unplugged, waiting for it to return", and why it is not used again.
+  /// In words: "connected", "unplugged, waiting for it to return", or why it is not used again.
   std::string status() const;
 
 private:

@@ -9,12 +9,12 @@
 namespace palpate
 {
 /**
- * Follows the numbers of the reports of one sender, and says which are news.
+ * Follows the sequence numbers of one sender's reports, and tells which are new.
  *
  * Numbers are compared modulo 2³², so that they may wrap around. Old and repeated ones are stale,
- * gaps are counted as lost. A number further ahead than any gap can be (2¹⁶ reports), or a stale
- * one, may be that of a sender that has started anew: it is believed once Confirmations reports
- * have come that follow one another, until then they are stale. Bounded, allocates nothing.
+ * gaps are counted as lost. A number farther ahead than any gap (2¹⁶ reports), or a stale one, may
+ * be that of a restarted sender: it is accepted after Confirmations consecutive reports, which are
+ * stale until then. Bounded, allocates nothing.
  */
 class PALPATE_EXPORT ReportSequence
 {
@@ -26,11 +26,11 @@ public:
   {
     New,
     Stale,    ///< not to be used
-    Restarted ///< to be used: the sender has started anew
+    Restarted ///< to be used: the sender has restarted
   };
   Verdict judge(std::uint32_t number) noexcept;
 
-  /// For another sender, or the same after a new connection: the next number is the first.
+  /// For another sender, or after a new connection: the next number is the first.
   void restart() noexcept;
 
   std::uint32_t newest() const noexcept { return this->Newest; }
@@ -42,8 +42,8 @@ private:
 
   bool Started = false;
   std::uint32_t Newest = 0;
-  std::uint32_t Doubtful = 0; ///< the last number that was not believed
-  std::uint32_t Run = 0;      ///< how many of them have followed one another
+  std::uint32_t Doubtful = 0; ///< the last number that was not accepted
+  std::uint32_t Run = 0;      ///< how many of them were consecutive
   std::uint64_t StaleReports = 0;
   std::uint64_t LostReports = 0;
 };

@@ -26,21 +26,21 @@ struct SpaceMouseSettings
 {
   double fullSpeed = 0.05; ///< m/s at full deflection, in rate mode
   double halfExtent =
-    0.05; ///< m: the tip stays within, and is there at full deflection in position mode
-  double deadZone = 0.05;   ///< of full deflection, where the cap counts as at rest
+    0.05; ///< m: limit of the tip, which it reaches at full deflection in position mode
+  double deadZone = 0.05;   ///< fraction of full deflection within which the cap counts as at rest
   double filterTime = 0.02; ///< s, of the low-pass between reports, which come at 60 to 125 Hz
-  /// A cap that is pushed reports all the time; without a report for so long (s) the tip stands
-  /// still. At rest the device is silent.
+  /// A pushed cap reports all the time; without a report for this time (s) the tip stands still. At
+  /// rest the device sends nothing.
   double longestSilence = 0.25;
 };
 
 /**
  * A 3Dconnexion SpaceMouse: input only. Classic and wireless layouts; see SpaceMouseReport.h.
  *
- * The device's frame: x right, y up, z towards the user. A reader thread stands between the tick
- * and the driver. Silence is no fault: sampleTimeOut is infinite, and every reading counts as
- * fresh. Unplugged, read is not valid from the next call on; when it returns, the tip goes on from
- * where it stood.
+ * The device's frame: x right, y up, z towards the user. A reader thread decouples the tick from
+ * the driver. Silence is not a fault: sampleTimeOut is infinite, and every reading counts as fresh.
+ * Unplugged, read is not valid from the next call on; when it returns, the tip continues from where
+ * it stood.
  */
 class PALPATE_EXPORT SpaceMouseDevice final : public HapticDevice
 {
@@ -52,7 +52,7 @@ public:
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
   DeviceSample read(double time) noexcept override;
-  /// Takes any force, and feels none.
+  /// Accepts any force, without effect.
   bool write(const Eigen::Vector3d&) noexcept override { return true; }
 
   std::string status() const override { return this->Reader->status(); }

@@ -25,7 +25,7 @@ struct SpaceMouseState
 };
 
 /**
- * Takes one report over into the state. Numbers are signed 16 bit, little-endian.
+ * Reads one report into the state. Numbers are signed 16 bit, little-endian.
  *
  * | first byte | bytes | layout |
  * |---|---|---|
@@ -34,8 +34,8 @@ struct SpaceMouseState
  * | 1 | 13 or more | all six in one (wireless and newer) |
  * | 3 | 2 or more | a bit per button, as many bytes as there are |
  *
- * False: the report has another length; nothing is taken. Reports with other numbers (battery,
- * display, …) are not ours and change nothing.
+ * False: the report has another length, and nothing is changed. Reports with other numbers
+ * (battery, display, …) are ignored.
  */
 PALPATE_EXPORT bool takeSpaceMouseReport(
   const std::uint8_t* report, std::size_t size, SpaceMouseState& state) noexcept;

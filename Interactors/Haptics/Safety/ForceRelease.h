@@ -10,21 +10,21 @@
 namespace palpate
 {
 /**
- * For programs: lets one that dies of an exception let go of the hand first.
+ * For programs: ends the force on the hand before an exception ends the program.
  *
  * An exception that nobody catches, or that leaves a function which must not throw (such as read
  * and write of a HapticDevice), ends the process by std::terminate, without destructors: the last
- * force would stay until the device's own watchdog ends it. After this call every running ServoLoop
- * first writes zero force, for which the dying thread waits up to 0.1 s; then std::terminate does
- * what it did before.
+ * force would remain until the device's own watchdog ends it. After this call every running
+ * ServoLoop first writes zero force, for which the terminating thread waits up to 0.1 s; then
+ * std::terminate proceeds as before.
  *
  * A library does not call this, because it changes what the whole process does. Signals, such as
- * SIGSEGV or SIGKILL, are not caught: what is left then is the device's watchdog.
+ * SIGSEGV or SIGKILL, are not caught: then only the device's watchdog acts.
  */
 PALPATE_EXPORT void releaseForceOnTerminate() noexcept;
 
-/// What a servo thread has on its stack for as long as its device may exert a force: one for each
-/// of its devices, of which the last made ends first.
+/// Lives on a servo thread's stack while its device may exert a force: one for each of its devices,
+/// destroyed in reverse order.
 class PALPATE_EXPORT ForceHold
 {
 public:
@@ -33,7 +33,7 @@ public:
   ForceHold(const ForceHold&) = delete;
   ForceHold& operator=(const ForceHold&) = delete;
 
-  /// The process is about to die: write zero force and come to an end.
+  /// The process is terminating: write zero force and end.
   static bool mustRelease() noexcept { return Releasing.load(std::memory_order_relaxed); }
 
 private:
@@ -41,7 +41,7 @@ private:
   static void releaseAll() noexcept;
 
   static std::atomic<bool> Releasing;
-  static thread_local ForceHold* Newest; ///< of this servo thread
+  static thread_local ForceHold* Newest; ///< the last one of this servo thread
 
   HapticDevice& Device;
   ForceHold* Before;

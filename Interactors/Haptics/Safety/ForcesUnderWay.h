@@ -12,11 +12,11 @@
 namespace palpate
 {
 /**
- * A force with a torque, or a way with a turn, as one vector of six: torques are divided by a
- * length ℓ, turns multiplied with it, so that all is in N, or in m, and the product of a force and
- * a way is their work.
+ * A force with a torque, or a displacement with a rotation, as one vector of six: torques are
+ * divided by a length ℓ, rotations multiplied by it, so that all is in N, or in m, and the product
+ * of both is the work.
  *
- * With no angular part every result is that of the linear part alone, to the bit.
+ * Without angular part every result is that of the linear part alone, to the bit.
  */
 struct SpatialVector
 {
@@ -33,7 +33,7 @@ struct SpatialVector
     return this->linear.squaredNorm() + this->angular.squaredNorm();
   }
   double norm() const noexcept { return std::sqrt(this->squaredNorm()); }
-  /// Whose squares neither overflow nor vanish.
+  /// Norm without overflow or underflow of the squares.
   double stableNorm() const noexcept
   {
     const double straight = this->linear.stableNorm();
@@ -64,8 +64,8 @@ inline SpatialVector operator/(const SpatialVector& vector, double divisor) noex
 }
 
 /**
- * The forces that were sent last, any of which may be the one that acts now, where a device's
- * readings and forces are late by up to so many ticks together. None is kept where nothing is late.
+ * The forces sent last, any of which may be acting now if a device's readings and forces are late
+ * by up to a number of ticks. None is kept without delay.
  */
 class ForcesUnderWay
 {
@@ -89,7 +89,8 @@ public:
     this->Forces[this->Newest] = force;
   }
 
-  /// The most that the hand may have got on a way (m) that took so many ticks, J: may be negative.
+  /// The most energy that the hand may have got over a displacement (m) in so many ticks, J: may be
+  /// negative.
   double mostGiven(const SpatialVector& moved, std::size_t ticks) const noexcept
   {
     double most = this->at(0).dot(moved);
@@ -102,18 +103,18 @@ public:
 
   /**
    * The largest force f such that Σ max(|F_i|, f)² over the coming late() + 1 holds is within
-   * `square`, |F_i| the largest that may still act i holds from now; 0 if there is none.
+   * `square`, |F_i| the largest force that may still act i holds from now; 0 if there is none.
    */
   double largestWithin(double square) const noexcept
   {
-    // largest[i]: of those sent within the last late() - i ticks; the last hold has the new one
-    // alone.
+    // largest[i]: the largest of the forces sent within the last late() - i ticks; in the last hold
+    // only the new one acts.
     std::array<double, Most + 1> largest{};
     for (std::size_t i = this->Late; i-- > 0;)
     {
       largest[i] = std::max(largest[i + 1], this->at(this->Late - 1 - i).norm());
     }
-    // Down from the strongest: what is left is shared by the holds that have less.
+    // From the strongest down: the rest is shared by the holds with weaker forces.
     double left = square;
     for (std::size_t i = 0; i <= this->Late; ++i)
     {
@@ -128,7 +129,7 @@ public:
   }
 
 private:
-  /// The force that was sent `age` ticks before the last one.
+  /// The force sent `age` ticks before the last one.
   const SpatialVector& at(std::size_t age) const noexcept
   {
     return this->Forces[(this->Newest + this->Forces.size() - age) % this->Forces.size()];

@@ -12,124 +12,124 @@
 namespace palpate
 {
 /**
- * Keeps the device from giving the hand more energy than it has taken: a passivity observer and
- * controller in the time domain (Hannaford and Ryu 2002), on the force that is really sent.
+ * Prevents the device from returning more energy to the hand than it has received: a passivity
+ * observer and controller in the time domain (Hannaford and Ryu 2002), on the force actually sent.
  *
- * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly
- * F_k · (x_k+1 - x_k), whatever the hand did in between. Of a spring K the hold makes a generator:
- * pressing finds the force of a moment ago, too small, releasing one too large; every hold leaks
- * K |x_k+1 - x_k|²/2, a press and release at speed v F_max v T. No chain can take this back before
- * it has happened. It is what the damping b of the device itself must cover: in a hold of length
- * dt it takes at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the
- * period T is 2b/T (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts
- *   E_k+1 = E_k - F_k · d + b |d|²/dt,  d = x_k+1 - x_k,
- * and a force is let through up to |F_k| = √(2 K_max E_k). Then, for any next d,
- *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
- * no motion, however sudden, gets more out than went in but for what the device's own damping takes
- * in the same holds. Nothing is predicted, no velocity is estimated, nothing chatters at rest. A
- * device states b/T for its K_max: then half of its damping is counted on, and the other half lets
- * it come to rest.
+ * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly F_k · (x_k+1 -
+ * x_k), whatever the hand did in between. The hold makes a spring K a generator: the held force is
+ * too small while pressing, and too large while releasing; every hold leaks K |x_k+1 - x_k|²/2, a
+ * press and release at speed v F_max v T. No chain can prevent this before it has happened; the
+ * damping b of the device itself must cover it: in a hold of length dt it dissipates at least b
+ * |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the period T is 2b/T
+ * (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts E_k+1 = E_k - F_k · d + b
+ * |d|²/dt, d = x_k+1 - x_k, and allows a force up to |F_k| = √(2 K_max E_k). Then, for any
+ * next d, E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0: no motion, however
+ * sudden, extracts more energy than was put in, except what the device's own damping dissipates in
+ * the same holds. There is no prediction, no estimate of velocity, no chatter at rest. A device
+ * states b/T for its K_max: then half of its damping is credited, and the other half brings it to
+ * rest.
  *
- * It does nothing on a passive scene: for F = -∇U with U >= 0 and no second derivative above K_max,
- *   U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k,
- * the force is never above the bound, whatever the motion. What it sends points where the scene's
- * force points and is never larger; a spring that is too stiff is felt as one that is not. A scene
- * that takes all the credit would go on for ever as a spring of K_max does on a device without a
- * hand. So where the force asked for is above the bound, a share of the damping, the ratio of the
- * two but no less than SmallestShare, is all that b and K_max count for in what was said, until
- * there is no force: the rest makes the motion die down.
+ * It does not act on a passive scene: for F = -∇U with U >= 0 and no second derivative above K_max,
+ * U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k, the force is
+ * never above the bound, whatever the motion. The force sent has the direction of the scene's force
+ * and is never larger; a spring that is too stiff is felt as one that is not. A scene that uses all
+ * of the credit would oscillate for ever, as a spring of K_max does on a device without a hand. So
+ * while the force requested exceeds the bound, b and K_max above are multiplied by a fraction, the
+ * ratio of bound and request but no less than SmallestShare, until there is no force: the rest of
+ * the damping makes the motion decay.
  *
- * Where readings are missing the force is taken away at once, and how far the hand went in the last
- * hold is not known. Then what it may have got is counted, and nothing that it may have put in: F ·
- * d to where it is found again or, if more, F times the way that it makes along F when it goes on
- * as fast as before and accelerates as a hand can (HandAcceleration); but no more than F²/(2
- * K_max), which no motion whatever can get out of one hold.
+ * When readings are missing the force is removed at once, and the motion of the hand in the last
+ * hold is unknown. Then the energy that it may have got is counted, and none that it may have put
+ * in: F · d to where it is found again or, if more, F times the displacement along F at its last
+ * speed and the acceleration of a hand (HandAcceleration); but no more than F²/(2 K_max), the most
+ * that any motion can extract from one hold.
  *
- * A hold longer than T can make E negative, by its own lag at most: then there is no force until
- * the motion has paid. What friction and damping took from the hand, and the credit of long motion,
- * would let a later instability feed on it: so E is kept below what the scene can hold now,
- * max(|F| depth, F²/(2 K_max)), nothing where there is no force. Where the force is changed on
- * purpose (a ramp, another body), grant() counts what the new force holds as put in.
+ * A hold longer than T can make E negative, at most by its own leak: then there is no force until
+ * the motion has made up for it. A later instability could feed on the energy that friction and
+ * damping took from the hand, and on the credit of long motion: so E is limited to what the scene
+ * can store now, max(|F| depth, F²/(2 K_max)), and to 0 without force. Where the force is changed
+ * on purpose (a ramp, another body), grant() counts the energy of the new force as put in.
  *
- * **Delay.** It cannot see by itself that a device tells its place, or takes its force, late. Told
- * a bound of both together, n ticks, it counts of each way the most that any of the forces under
- * way may have given on it, max_j F_k-j · d, j = 0..n, and lets a force through up to where the n +
- * 1 holds in which it may act, with those sent before it, can take no more than E: Σ |F|²/(2
- * K_max), or, if that lets more through, as long as the hand goes on as fast as now and accelerates
- * as a hand can. Without a delay that is what stands above, to the bit. A spring is let through
- * whole up to some K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
+ * **Delay.** It cannot detect that a device reports its position, or applies its force, late. Given
+ * a bound n of both together, in ticks, it counts for each displacement the most that any of the
+ * forces under way may have given, max_j F_k-j · d, j = 0..n, and allows a force such that the n +
+ * 1 holds in which it may act, with the forces sent before it, extract no more than E: Σ |F|²/(2
+ * K_max), or, if that allows more, for a hand at its present speed and the acceleration of a hand.
+ * Without delay this is the rule above, to the bit. A spring passes unchanged up to about K_max/(2n
+ * + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
  *
- * **Torque.** Told the largest torsional stiffness K_θ it counts the work of force and torque in
- * one account, F · d + M · φ, φ the turn in the hold, and credits b_θ = K_θ T/2 of turns as b of
- * ways. With torques over, and turns times, ℓ = √(K_θ/K_max) all of the above is said of vectors of
- * six (SpatialVector), and so is the proof: force and torque are let through, with one factor, up
- * to F²/(2 K_max) + M²/(2 K_θ) <= E. M · φ is the work where the hold turns about one axis,
- * otherwise to second order in φ. A turn that is not told counts as the one that gives most, M²/(2
- * K_θ). Without torque all is as before, to the bit.
+ * **Torque.** Given the largest torsional stiffness K_θ, it counts the work of force and torque in
+ * one account, F · d + M · φ, φ the rotation in the hold, and credits b_θ = K_θ T/2 for rotations
+ * as b for displacements. With torques over, and rotations times, ℓ = √(K_θ/K_max) all of the
+ * above, including the proof, holds for vectors of six (SpatialVector): force and torque pass, with
+ * one factor, up to F²/(2 K_max) + M²/(2 K_θ) <= E. M · φ is the exact work if the hold turns about
+ * one axis, otherwise to second order in φ. An unknown rotation counts as the one that gives most,
+ * M²/(2 K_θ). Without torque all is as above, to the bit.
  */
 class PALPATE_EXPORT PassivityControl
 {
 public:
-  /// Rounding must not cut the force of a passive scene: so much, J, once, is not asked back.
+  /// J: a debt that is forgiven once, so that rounding does not cut the force of a passive scene.
   static constexpr double Slack = 1e-9;
-  /// Of the device's damping, while the control acts, that at least is left to the scene.
+  /// The least fraction of the device's damping that is credited to the scene while the control
+  /// acts.
   static constexpr double SmallestShare = 0.5;
-  /// While nothing is known of the hand it accelerates along a force F by no more than
-  /// HandAcceleration + F/LightestHandle, m/s²: 2 g by itself, and what F makes of a handle of so
-  /// many kg that is let go.
+  /// While the hand is unknown it accelerates along a force F by at most HandAcceleration +
+  /// F/LightestHandle, m/s²: 2 g by itself, and the acceleration by F of a released handle of this
+  /// mass, kg.
   static constexpr double HandAcceleration = 20.0;
   static constexpr double LightestHandle = 0.05;
-  /// The same of turns, rad/s² and kg m².
+  /// The same for rotations, rad/s² and kg m².
   static constexpr double HandTurning = 1000.0;
   static constexpr double LightestInertia = 1e-5;
 
-  /// K_max in N/m, infinite: all passes, negative or NaN: nothing; T, and the bound of the delay,
-  /// 0 for none, in s: at most ForcesUnderWay::Most periods are counted. K_θ in N m/rad: infinite,
-  /// torques pass and are not counted; 0, negative or NaN: there are none.
+  /// K_max in N/m; infinite: all passes, negative or NaN: nothing. T, and the bound of the delay, 0
+  /// for none, in s: at most ForcesUnderWay::Most periods count. K_θ in N m/rad; infinite: torques
+  /// pass uncounted; 0, negative or NaN: there are none.
   PassivityControl(double maximumStiffness, double period, double delay = 0.0,
     double maximumTorsionalStiffness = 0.0) noexcept;
 
   /// Counts the hold that ends at a new reading (m). Time in s must not decrease.
   void observe(double time, const Eigen::Vector3d& position,
     const ToolOrientation& orientation = orientationNotTold()) noexcept;
-  /// The scene can hold no more than `force` (N) over `depth` (m; infinite: unknown) gives, nor,
-  /// where that is less, than springs of K_max and K_θ with it and `torque` (N m).
+  /// Limits E to what the scene can store: the larger of `force` (N) times `depth` (m; infinite:
+  /// unknown) and the energy of springs of K_max and K_θ under it and `torque` (N m).
   void bound(double force, double depth, double torque = 0.0) noexcept;
-  /// Counts what these can hold as put in by the hand.
+  /// Counts the energy that these can store as put in by the hand.
   void grant(double force, double depth, double torque = 0.0) noexcept;
-  /// What of the force may be sent now.
+  /// The part of the force that may be sent now.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;
   Wrench limit(const Wrench& wrench) noexcept;
-  /// What has left the chain in this tick.
+  /// The force that has left the chain in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept;
   void sent(double time, const Wrench& wrench) noexcept;
-  /// There is no reading, and no force from now on until the next.
+  /// There is no reading, and no force until the next one.
   void interrupt(double time) noexcept;
   void reset() noexcept;
 
-  /// s: for so long the force that was sent last may be held, whatever becomes of the host, without
-  /// giving a hand more than E; infinite for none. A hand as where readings are missing.
+  /// s: how long the last force may be held, whatever happens to the host, without returning more
+  /// than E to a hand; infinite without force. The hand is assumed to move as when readings are
+  /// missing.
   double holdTime() const noexcept;
 
-  /// What of E the force that was sent last cannot need, J, so that it may go to the account of
-  /// another device which the same scene holds; none while readings are missing, and where a device
-  /// is late.
+  /// The part of E, J, that the last force cannot need, and that may go to the account of another
+  /// device in the same scene; 0 while readings are missing, and for a device with delay.
   double spare() const noexcept;
-  /// E is more by so much, or less by no more than spare(). Where what one is given another gives,
-  /// all together get no more than they have put in.
+  /// Increases E, or decreases it by no more than spare(). If what one account gets another gives,
+  /// all hands together get no more than they have put in.
   void transfer(double energy) noexcept { this->Energy += energy; }
 
   /// E, J.
   double energy() const noexcept { return this->Energy; }
-  /// Whether nothing has been observed since the beginning or reset().
+  /// Whether nothing has been observed since construction or reset().
   bool isNew() const noexcept { return !this->HasPosition; }
 
 private:
   SpatialVector scaled(const Wrench& wrench) const noexcept;
-  /// The way and turn of a hold that ends there.
+  /// The displacement and rotation of a hold that ends there.
   SpatialVector movedTo(
     const Eigen::Vector3d& position, const ToolOrientation& orientation) const noexcept;
-  /// What an unknown turn may have given, J.
+  /// The energy that an unknown rotation may have given, J.
   double givenByTurn() const noexcept;
   double storable(double force, double depth, double torque) const noexcept;
   double givenInGap(const SpatialVector& moved) const noexcept;
@@ -137,7 +137,7 @@ private:
   double handleAlong(const SpatialVector& direction) const noexcept;
   double wayOfHand(const SpatialVector& direction, double time) const noexcept;
   double allowedUnderWay(const SpatialVector& force, double size, double energy) const noexcept;
-  /// What of a force of this size may be sent, N.
+  /// The largest force, of this size or less, that may be sent, N.
   double allowed(const SpatialVector& force, double size) noexcept;
   void send(double time, const SpatialVector& force) noexcept;
 
@@ -155,12 +155,12 @@ private:
   double ReadTime = 0.0;                              ///< and its time
   SpatialVector Force;                                ///< sent last
   double SentTime = 0.0;
-  SpatialVector Impulse;      ///< of what was sent since ReadTime, N s
+  SpatialVector Impulse;      ///< of the forces sent since ReadTime, N s
   SpatialVector Velocity;     ///< between the last two readings, m/s
   bool IsInterrupted = false; ///< since ReadTime
-  SpatialVector Taken;        ///< the force that was, N
-  double Held = 0.0;          ///< and how long it had been held, s
-  ForcesUnderWay UnderWay;    ///< last: large, and mostly not looked at
+  SpatialVector Taken;        ///< the force before, N
+  double Held = 0.0;          ///< how long it had been held, s
+  ForcesUnderWay UnderWay;    ///< last, as it is large and rarely read
 };
 } // namespace palpate
 

@@ -15,30 +15,31 @@
 
 namespace palpate
 {
-/// One tick of a servo loop, as SafetyChain needs it. Device frame, SI units.
+/// The input of SafetyChain in one tick. Device frame, SI units.
 struct SafetyInput
 {
   double time = 0.0; ///< s
   bool valid = false;
   bool fresh = true;                                    ///< as in DeviceSample
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< m
-  bool outside = false;                                 ///< the tip touches nothing now
-  Eigen::Vector3d idealForce = Eigen::Vector3d::Zero(); ///< what the scene gives, N
+  bool outside = false;                                 ///< the tip is not in contact
+  Eigen::Vector3d idealForce = Eigen::Vector3d::Zero(); ///< the scene's force, N
   /// The same with the stiffness cap applied (CappedResponse up to bodyStiffnessLimit); the same
-  /// force where there is nothing to cap.
+  /// force if there is nothing to cap.
   Eigen::Vector3d cappedForce = Eigen::Vector3d::Zero();
-  /// m: over no longer way can the force of now give back what the hand has put in: the deflection
-  /// and, with friction, how far its spring can be stretched. Infinite where it is not known.
+  /// m: the longest displacement over which the present force can return what the hand has put in:
+  /// the deflection and, with friction, the largest pre-sliding displacement. Infinite if unknown.
   double depth = std::numeric_limits<double>::infinity();
   ToolOrientation orientation = orientationNotTold(); ///< as in DeviceSample
-  /// About the tip, N m: what the scene gives, and the same with the stiffness cap applied.
+  /// About the tip, N m: the scene's torque, and the same with the stiffness cap applied.
   Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d cappedTorque = Eigen::Vector3d::Zero();
-  /// The force is being changed on purpose, not by the hand: a body, tool or material is exchanged.
+  /// The force is changing on purpose, not by the hand: a body, tool or material is being
+  /// exchanged.
   bool changing = false;
 };
 
-/// A link that changed something in a tick.
+/// The links, by which a tick tells which ones changed something.
 enum class SafetyLink : std::uint16_t
 {
   NotFinite = 1 << 0, ///< a force or a time that is not finite
@@ -49,20 +50,20 @@ enum class SafetyLink : std::uint16_t
   Magnitude = 1 << 5,
   Passivity = 1 << 6,
   Watchdog = 1 << 7,
-  NoSample = 1 << 8, ///< the device has nothing to report, or no place
+  NoSample = 1 << 8, ///< the device has nothing to report, or no position
   Stopped = 1 << 9
 };
 
-/// What is sent, and why it is not the ideal force.
+/// The force that is sent, and why it is not the ideal one.
 struct SafeForce
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
   Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip
   double forceFactor = 1.0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
-  /// s: the device is to let go by itself when nothing more has been sent for so long.
+  /// s: time without a further force after which the device must let go by itself.
   double holdTime = 0.0;
-  bool isGap = false; ///< no force, but what was touched goes on when readings do
+  bool isGap = false; ///< no force, but the contact continues with the next reading
 
   bool has(SafetyLink link) const noexcept
   {
@@ -71,30 +72,30 @@ struct SafeForce
 };
 
 /**
- * From the force a tool should feel to the one that is sent to a device, in fixed order:
+ * From the ideal force on a tool to the one sent to a device, in fixed order:
  *
  * finite check → gate (EntryGate) → fit to device (one force factor) → stiffness cap → slew limit
  * (ForceRateLimit) → magnitude clamp (ForceLimit) → passivity control (PassivityControl) → watchdog
- * (SampleWatchdog) → nothing at all while stopped or without a sample.
+ * (SampleWatchdog) → no force while stopped or without a sample.
  *
- * What ends the force - the first and the last links - ends it in the very same tick, exactly, and
- * counts as a loss: the gate closes, and slew limit and passivity control begin anew. A clock that
- * goes back is a loss too; where no link that is on needs the time, it is not looked at.
+ * The links that end the force - the first and the last - end it in the same tick, and count as a
+ * loss: the gate closes, and slew limit and passivity control are reset. A clock that goes back is
+ * a loss, too; it is not checked if no active link needs the time.
  *
- * A force is told for a time: for so long as it can give back no more than the hand has put in, by
- * the passivity control, at least LeastHold periods, which a loop may be late, at most the sample
- * time-out. A device that lets go after it survives a host that hangs.
+ * Each force has a hold time, during which it can return no more than the hand has put in, by the
+ * passivity control: at least LeastHold periods, by which a loop may be late, at most the sample
+ * time-out. A device that lets go after it is safe if the host hangs.
  *
- * Readings that are missing for no longer than the device's time-out are a gap instead, under
- * passivity control: there is no force without one, as ever, but the gate stays as it is, the slew
- * limit goes on from nothing, and the control counts on, so that a hand which meanwhile went deeper
- * gets no more than it had put in before.
+ * Under passivity control, readings missing for no longer than the device's time-out are a gap
+ * instead: there is no force meanwhile, but the gate is unchanged, the slew limit continues from
+ * zero, and the control keeps counting, so that a hand which went deeper meanwhile gets no more
+ * than it had put in before.
  *
- * Of a device that outputs torque (SafetySettings::maximumTorque above 0) the torque goes the same
- * way: by the same gate and factor, with a stiffness cap, slew limit and clamp of its own, and in
- * one account with the force under passivity control; it is zero in every tick in which the force
- * is ended, and where the device does not tell how the tool is turned. Without, no torque is sent,
- * and the force is what it always was, to the bit.
+ * Of a device that outputs torque (SafetySettings::maximumTorque above 0) the torque passes the
+ * same links: the same gate and factor, its own stiffness cap, slew limit and clamp, and one
+ * account with the force under passivity control; it is zero in every tick in which the force is
+ * ended, and if the device's orientation is unknown. Otherwise no torque is sent, and the force is
+ * unchanged, to the bit.
  *
  * All members belong to the servo thread; none allocates, locks or throws.
  */
@@ -110,30 +111,31 @@ public:
   void stop() noexcept;
   void start() noexcept { this->IsStopped = false; }
   bool isStopped() const noexcept { return this->IsStopped; }
-  /// Whether apply() will send nothing for a valid sample at that time, whatever the scene gives:
-  /// it is stopped, the device has been silent, or the time is none.
+  /// Whether apply() will send nothing for a valid sample at that time, whatever the scene: it is
+  /// stopped, the device has been silent, or the time is invalid.
   bool isEnded(double time) const noexcept
   {
     return this->IsStopped ||
       (this->UsesTime && (!std::isfinite(time) || this->Watchdog.wouldBeLost(time)));
   }
-  /// Begins anew; what is stopped stays stopped.
+  /// Resets the links; a stopped chain stays stopped.
   void reset() noexcept;
 
-  /// 0 to 1; beyond that 1, and 0 for NaN. At once: to change it gradually is the
-  /// caller's, in ticks marked as changing where it grows.
+  /// 0 to 1; beyond that 1, and 0 for NaN. Takes effect at once: the caller changes it gradually,
+  /// in ticks marked as changing if it grows.
   void setForceFactor(double factor) noexcept;
   const SafetySettings& settings() const noexcept { return this->Settings; }
-  /// Up to which stiffness (N/mm) in the frame of the body the device renders, at this scale of the
-  /// mapping (WorkspaceMapping) and the force factor of now; infinite where nothing is capped.
+  /// The largest stiffness (N/mm, frame of the body) that the device renders, at this scale of the
+  /// mapping (WorkspaceMapping) and the present force factor; infinite without cap.
   double bodyStiffnessLimit(double scale) const noexcept;
   /// Likewise N mm/rad, for torques.
   double bodyTorsionalLimit(double scale) const noexcept;
   /// Whether torque is sent at all.
   bool hasTorque() const noexcept { return this->Settings.maximumTorque > 0.0; }
-  /// What the hand has put in and not got back, J (PassivityControl); 0 where that is off.
+  /// The energy that the hand has put in and not got back, J (PassivityControl); 0 if that is off.
   double energy() const noexcept { return this->Passivity.energy(); }
-  /// What of it may go to another chain on the same body, and what goes (PassivityControl).
+  /// The part of it that may go to another chain on the same body, and its transfer
+  /// (PassivityControl).
   double spareEnergy() const noexcept
   {
     return this->Settings.controlPassivity ? this->Passivity.spare() : 0.0;
@@ -144,7 +146,7 @@ private:
   /// Which links end the force now.
   std::uint16_t losses(const SafetyInput& input) noexcept;
   Wrench shape(const SafetyInput& input, SafeForce& result) noexcept;
-  /// What of the scene's torque comes to the clamp's end; `share` is that of gate and fit.
+  /// The scene's torque after the clamp; `share` is the factor of gate and fit.
   Eigen::Vector3d shapeTorque(
     const SafetyInput& input, double share, Eigen::Vector3d& wanted, SafeForce& result) noexcept;
   Wrench controlPassivity(

@@ -12,26 +12,26 @@
 namespace palpate
 {
 /**
- * A share of a force that moves between 0 and 1 without a step: straight in time, the whole way in
- * 50 ms.
+ * A factor of a force that moves between 0 and 1 without a jump: linear in time, 50 ms for the
+ * whole range.
  *
- * Straight, because of all ways that take 50 ms it has the least greatest rate (a smooth step has
- * 1.5 times that); so a force of share s(t) F changes per tick of length T by no more than its
- * motion makes F change and |F| T / 50 ms. A late tick counts for no more than MaximumStep, so that
- * a stall makes the ramp longer and not the step larger.
+ * Linear, as of all ramps of 50 ms it has the least maximum rate (a smooth step has 1.5 times
+ * that); so a force s(t) F changes per tick of length T by no more than the change of F and |F| T /
+ * 50 ms. A late tick counts for at most MaximumStep, so that a stall makes the ramp longer and not
+ * the step larger.
  */
 class ForceRamp
 {
 public:
   static constexpr double Duration = 0.05;   ///< s
-  static constexpr double MaximumStep = 0.1; ///< of the way, per tick: 5 ms
+  static constexpr double MaximumStep = 0.1; ///< of the range, per tick: 5 ms
 
   explicit ForceRamp(double share) noexcept
     : Share(share)
   {
   }
 
-  /// `elapsed` (s) >= 0 towards `target`, 0 to 1; returns the new share.
+  /// `elapsed` (s) >= 0 towards `target`, 0 to 1; returns the new factor.
   double advance(double target, double elapsed) noexcept
   {
     const double step = std::min(elapsed / Duration, MaximumStep);
@@ -45,10 +45,10 @@ private:
 };
 
 /**
- * The first link: a session that begins, or goes on after a loss, with the tool inside the body
- * must not push it out with whatever force that depth has. The gate is closed until the tip has
- * been outside once. With a ramp, the first touch after that is soft: the share grows linearly from
- * 0 over so many seconds, counted from that touch.
+ * The first link: a session that begins, or continues after a loss, with the tool inside the body
+ * must not push it out with the force of that depth. The gate is closed until the tip has been
+ * outside once. With a ramp, the first contact after that is soft: the factor grows linearly from 0
+ * over so many seconds from that contact.
  */
 class EntryGate
 {
@@ -60,7 +60,7 @@ public:
   {
   }
 
-  /// The share of the force that may pass now, 0 to 1; time in s.
+  /// The fraction of the force that may pass now, 0 to 1; time in s.
   double share(double time, bool outside) noexcept
   {
     this->HasBeenOutside = this->HasBeenOutside || outside;
@@ -96,8 +96,8 @@ private:
 
 /**
  * The slew limit: between two ticks the force changes by no more than the rate times the time
- * between them, along the straight line to where it should be. It starts from the force that was
- * sent last, none at first, so that what later links take away does not come back at once.
+ * between them, along the straight line to its target. It starts from the force sent last, zero at
+ * first, so that what later links remove does not return at once.
  */
 class ForceRateLimit
 {
@@ -124,14 +124,14 @@ public:
     }
     return most > 0.0 ? Eigen::Vector3d(this->Last + most / size * change) : this->Last;
   }
-  /// What has left the chain in this tick.
+  /// The force that has left the chain in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept
   {
     this->Last = force;
     this->LastTime = time;
     this->HasTime = true;
   }
-  /// Begins anew, from no force.
+  /// Restarts from zero force.
   void reset() noexcept
   {
     this->Last.setZero();
@@ -141,7 +141,7 @@ public:
 private:
   double Rate;
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
-  bool HasTime = false; ///< else no time has passed yet
+  bool HasTime = false; ///< otherwise no time has passed yet
   double LastTime = 0.0;
 };
 
@@ -158,8 +158,8 @@ public:
   /// `force` is finite.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) const noexcept
   {
-    // The plain norm wherever its squares neither overflow nor vanish: it is what C and C++ loops
-    // have been given from the first, to the bit.
+    // The plain norm unless its squares overflow or underflow, to keep the bits of earlier
+    // versions.
     const double plain = force.norm();
     const double size = plain > 1e-100 && plain < 1e100 ? plain : force.stableNorm();
     return size <= this->Maximum ? force : Eigen::Vector3d(this->Maximum / size * force);
@@ -170,9 +170,9 @@ private:
 };
 
 /**
- * Whether the device still tells where the hand is: one that has told nothing new for longer than
- * its time-out is lost, until it does. The same holds for a loop that has not asked for so long,
- * and for a clock that goes back.
+ * Whether the device still reports the hand: without anything new for longer than its time-out it
+ * is lost, until it reports again. So it is after a pause of the loop of this length, and when the
+ * clock goes back.
  */
 class SampleWatchdog
 {
@@ -183,7 +183,7 @@ public:
   {
   }
 
-  /// Called in every tick with a valid sample; `fresh`: it is a new one. True: no force now.
+  /// To be called in every tick with a valid sample; `fresh`: it is a new one. True: no force now.
   bool isLost(double time, bool fresh) noexcept
   {
     if (!this->HasTime)
@@ -205,14 +205,14 @@ public:
     }
     return wentBack || isOld;
   }
-  /// Whether isLost would say so now.
+  /// The result that isLost would have now.
   bool wouldBeLost(double time) const noexcept
   {
     const double since = this->HasTime ? time - this->LastFresh : 0.0;
     return (this->HasTime && time < this->LastTime) || !(since <= this->TimeOut);
   }
-  /// Whether readings that are missing now, or not valid, are a gap: the last new one is not older
-  /// than the time-out, nor than LongestGap where there is none.
+  /// Whether readings missing now, or not valid, are a gap: the last new one is not older than the
+  /// time-out, or than LongestGap if there is no time-out.
   bool isGap(double time) const noexcept
   {
     const double longest = std::isinf(this->TimeOut) ? LongestGap : this->TimeOut;

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// In words, for a person, how the force sent differs from the ideal one: the factor and the other
-/// links that acted, in the chain's order. "force ×0.12, stiffness capped"; "" where nothing acted.
+/// How the force sent differs from the ideal one, in words: the factor and the other links that
+/// acted, in the chain's order. "force ×0.12, stiffness capped"; "" if none acted.
 PALPATE_EXPORT std::string describeSafety(std::uint16_t acted, double forceFactor);
 
 /// "force ×0.12", with two digits.

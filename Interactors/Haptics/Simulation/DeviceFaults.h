@@ -12,15 +12,15 @@
 
 namespace palpate
 {
-/// What can go wrong with a device, the gravest last; the gravest of several is what happens.
+/// Faults of a device, the gravest last; the gravest of several occurs.
 enum class DeviceFault : std::uint8_t
 {
   NotANumber, ///< a reading's position and velocity are NaN, and it claims to be valid
-  Repeated,   ///< a reading is the one before, and claims to be new
-  Dropped,    ///< a reading is lost: the one before again, not fresh
-  Late,       ///< a reading comes later, instead of those due until then; it claims to be new
-  Stall,      ///< the device hangs: nothing fresh is read, and the force before goes on acting
-  Disconnect  ///< nothing valid is read, no force is taken, and none acts on the hand
+  Repeated,   ///< a reading repeats the one before, and claims to be new
+  Dropped,    ///< a reading is lost: the one before is repeated, not fresh
+  Late,       ///< a reading arrives later, in place of those due until then; it claims to be new
+  Stall,      ///< the device hangs: nothing fresh is read, and the last force continues
+  Disconnect  ///< nothing valid is read, no force is accepted, and none acts on the hand
 };
 constexpr std::size_t DeviceFaultCount = 6;
 
@@ -29,19 +29,19 @@ struct ScheduledFault
 {
   DeviceFault fault = DeviceFault::Dropped;
   double start = 0.0; ///< s
-  /// s. It strikes every reading of start <= time < start + duration, and in any case the first at
-  /// or after its start. Of Late: how late the first one is.
+  /// s. It affects every reading of start <= time < start + duration, and in any case the first at
+  /// or after its start. For Late: the delay of the first one.
   double duration = 0.0;
 };
 
 /// Faults at random, the same for the same seed.
 struct FaultRate
 {
-  double probability = 0.0; ///< that it begins with a given reading, 0 to 1
-  double duration = 0.0;    ///< s, as of a ScheduledFault
+  double probability = 0.0; ///< of beginning at a given reading, 0 to 1
+  double duration = 0.0;    ///< s, as in ScheduledFault
 };
 
-/// What goes wrong with a FaultyDevice, by schedule and at random.
+/// The faults of a FaultyDevice, by schedule and at random.
 struct DeviceFaults
 {
   std::vector<ScheduledFault> schedule; ///< in any order

@@ -8,15 +8,15 @@
 namespace palpate
 {
 /**
- * How one axis of a simulated device moves while the motor's force is held and the hand's target
- * moves uniformly.
+ * The motion of one axis of a simulated device while the motor's force is held and the hand's
+ * target moves uniformly.
  *
  * Between events the equation (SimulatedPlant, HandModel) is linear with constant coefficients and
- * is integrated exactly, to rounding, whatever the duration. Events are: the motion comes to rest,
- * friction lets go, the hand reaches or leaves its maximum force; their times are found to 2^-40 of
- * a stretch. Stretches are 0.08 of the hand's period long, or a thousandth of the duration: two
- * events within one that undo one another may go unseen. After 32 events in one duration the last
- * regime holds to its end.
+ * is integrated exactly, to rounding, whatever the duration. Events are: the motion stops, friction
+ * breaks loose, the hand reaches or leaves its maximum force; their times are found to 2^-40 of an
+ * interval. Intervals are 0.08 of the hand's period, or a thousandth of the duration: two opposite
+ * events within one may be missed. After 32 events in one duration the last regime continues to its
+ * end.
  *
  * Cost: below half a microsecond; some forty times that per event.
  */
@@ -29,7 +29,7 @@ public:
     double position = 0.0; ///< m
     double velocity = 0.0; ///< m/s
   };
-  /// What acts on the mass from one tick to the next.
+  /// The loads on the mass from one tick to the next.
   struct Load
   {
     double force = 0.0;          ///< of the motor, N
@@ -37,7 +37,7 @@ public:
     double targetVelocity = 0.0; ///< m/s
   };
 
-  /// Of x'' = -βx' - κx to a unit impulse (s) and a unit step (∫s), after a time h.
+  /// The response of x'' = -βx' - κx to a unit impulse (s) and a unit step (∫s), after a time h.
   struct Response
   {
     double impulse = 0.0;
@@ -51,11 +51,11 @@ public:
   double handForce(const State& state, const Load& load) const noexcept;
 
 private:
-  /// What the equation looks like between two events.
+  /// The equation between two events.
   struct Regime
   {
     bool sticks = false;
-    int slide = 0; ///< sign of the motion against which friction acts; 0: none acts
+    int slide = 0; ///< sign of the motion against which friction acts; 0: none
     int limit = 0; ///< sign of the hand's force if it is at its maximum
   };
 
@@ -66,7 +66,7 @@ private:
   /// The end of a stretch, shortened to the first event within it.
   double stretchEnd(
     const Regime& regime, const State& state, const Load& load, double duration) noexcept;
-  /// How long friction holds, of at most `duration`.
+  /// How long friction holds, at most `duration`.
   double holdingTime(const State& state, const Load& load, double duration) const noexcept;
   Response respond(double kappa, double beta, double duration) noexcept;
 
@@ -76,7 +76,7 @@ private:
   bool HasEvents;
   double LongestStretch; ///< s
 
-  /// The last response asked for: the axes of a device mostly ask for the same.
+  /// The last response computed: the axes of a device mostly need the same.
   double LastKappa = 0.0;
   double LastBeta = 0.0;
   double LastDuration = 0.0;

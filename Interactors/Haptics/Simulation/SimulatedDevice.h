@@ -16,30 +16,28 @@
 namespace palpate
 {
 /**
- * A device without hardware, in one of two kinds. Deterministic to the bit in virtual time: nothing
- * counts but what it was made of, the times read and the forces written. FaultyDevice adds faults.
+ * A device without hardware, of two kinds. Deterministic to the bit in virtual time: it depends
+ * only on its settings, the times read and the forces written. FaultyDevice adds faults.
  *
- * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever it feels: the
+ * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever the force: the
  * sample depends on these and the time alone.
  *
  * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant), and is
  * held by a spring and a damper (HandModel) that follow a path, or steerTo: it gives way to the
- * force. It starts at rest where the hand means to be at the first reading, with no force. A force
+ * force. It starts at rest at the hand's target at the first reading, without force. A force
  * written acts from the time of the reading before it, plus the force delay, until the next one; it
  * is not limited to the specification (the safety chain does that). Between the ticks the motion is
- * integrated exactly: the time between two readings may be anything. A time that does not increase
- * gives the last reading again, not fresh. The velocity told is the mass's own, or, with an encoder
- * step, the difference of the last two readings.
+ * integrated exactly: the time between two readings is arbitrary. A time that does not increase
+ * repeats the last reading, not fresh. The reported velocity is that of the mass or, with an
+ * encoder step, the difference of the last two readings.
  *
- * It tells how the tool is turned where the way points of its path have an axis, or where turnTo
- * has told one. A plant with an inertia is turned by torques, too; it begins as the hand means to
- * hold it.
+ * It reports the tool's orientation if the way points of its path have an axis, or after turnTo. A
+ * plant with an inertia is turned by torques, too; it begins with the hand's target orientation.
  *
- * Settings out of range (`fault` of HeldPlant; a path that is not finite or goes
- * back in time; a rate that is not of 0 to 100000 Hz): no sample is valid and status() says why.
- * Read and write a plant from one thread, steerTo from one other; none waits or allocates. A tick
- * costs a microsecond; with friction or a limited hand some ten per axis when something stops,
- * lets go or reaches its limit.
+ * Settings out of range (`fault` of HeldPlant; a path that is not finite or goes back in time; a
+ * rate that is not of 0 to 100000 Hz): no sample is valid and status() says why. Call read and
+ * write of a plant from one thread, steerTo from one other; none waits or allocates. A tick costs a
+ * microsecond; with friction or a limited hand some ten per axis at an event (PlantAxis).
  */
 class PALPATE_EXPORT SimulatedDevice final : public HapticDevice
 {
@@ -62,7 +60,7 @@ public:
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
   /// Not valid while `time` or the target is not finite, or a stiff hand's path is empty.
   DeviceSample read(double time) noexcept override;
-  /// Finite or not, a stiff hand takes any force; a plant refuses one that is not finite, and feels
+  /// A stiff hand accepts any force, finite or not; a plant refuses one that is not finite, and has
   /// none then.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
@@ -71,13 +69,13 @@ public:
   bool writeWrench(const Wrench& wrench) noexcept override;
   std::string status() const override;
 
-  /// Where a steered hand is to go, m (SteeredTarget); without effect on one with a path, or where
-  /// it is not finite.
+  /// Sets the target of a steered hand, m (SteeredTarget); without effect on one with a path, or if
+  /// not finite.
   void steerTo(const Eigen::Vector3d& target) noexcept;
 
-  /// Along which axis (from tip to hand, any length, the device's frame) a steered hand is to hold
-  /// the tool (SteeredAxis); zero: not told, as at first. Without effect on one with a path, or
-  /// where it is not finite.
+  /// Sets the axis (from tip to hand, any length, the device's frame) along which a steered hand
+  /// holds the tool (SteeredAxis); zero: unknown, as at first. Without effect on one with a path,
+  /// or if not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
   const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
@@ -92,7 +90,7 @@ public:
 private:
   DeviceSpecification Limits;
   TimedPath Path;                          ///< of a stiff hand
-  std::unique_ptr<SteeredTarget> Target;   ///< of a stiff hand without a path
+  std::unique_ptr<SteeredTarget> Target;   ///< target of a stiff hand without a path
   SteeredAxis Shaft;                       ///< likewise
   std::unique_ptr<SimulatedMotion> Motion; ///< null: a stiff hand
   double Duration = 0.0;

@@ -18,13 +18,13 @@
 namespace palpate
 {
 /**
- * The inside of a simulated device with a mass: takes forces, moves on to the time of the next
- * reading, and reports as encoders do.
+ * The implementation of a simulated device with a mass: accepts forces, advances to the time of the
+ * next reading, and reports as encoders do.
  *
- * It moves from one change of force, or of the target's velocity, to the next, each stretch by
- * PlantAxis. It starts at rest where the hand means to be at the first reading. A late reading
- * means a plant that runs behind by the sample delay: nothing is remembered but forces on their
- * way. read and write are for one thread, and allocate nothing.
+ * It advances from one change of force, or of the target's velocity, to the next, each interval by
+ * PlantAxis. It starts at rest at the hand's target at the first reading. With a sample delay the
+ * plant itself runs late by it, so that only forces under way are stored. read and write are for
+ * one thread, and allocate nothing.
  */
 class PALPATE_EXPORT SimulatedMotion
 {
@@ -39,10 +39,11 @@ public:
   void steerTo(const Eigen::Vector3d& target) noexcept;
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
-  /// Of the mass, when the last reading was measured, without the encoder's step; m, m/s.
+  /// Position and velocity of the mass when the last reading was measured, without the encoder's
+  /// step; m, m/s.
   Eigen::Vector3d position() const noexcept;
   Eigen::Vector3d velocity() const noexcept;
-  /// The rotation vector of a plant that turns, rad; zero before it is told how it is held.
+  /// The rotation vector of a plant that turns, rad; zero while its orientation is unknown.
   Eigen::Vector3d rotation() const noexcept;
   /// What is wrong with the settings, or "".
   const std::string& fault() const noexcept { return this->Fault; }
@@ -56,10 +57,10 @@ private:
 
   void begin(double time) noexcept;
   void advanceTo(double time) noexcept;
-  /// Takes over the forces that have arrived.
+  /// Applies the forces that have arrived.
   void hold() noexcept;
   DeviceSample measure(double time) const noexcept;
-  /// Which way the hand means to hold the tool at a time.
+  /// The hand's target orientation at a time.
   ToolOrientation meant(double time) const noexcept;
   void beginTurn(const Eigen::Vector3d& rotation) noexcept;
   void turn(const Eigen::Vector3d& meant, const Eigen::Vector3d& rate, double duration) noexcept;
@@ -78,10 +79,10 @@ private:
   DeviceSample Last;
   PlantAxis::State States[3];
   PlantAxis::State Turns[3]; ///< of the rotation vector, rad
-  bool IsTurned = false;     ///< somebody has told how it is held
-  Wrench Held;               ///< what acts now
+  bool IsTurned = false;     ///< its orientation is known
+  Wrench Held;               ///< the force that acts now
 
-  /// A ring of the forces on their way.
+  /// A ring buffer of the forces under way.
   std::vector<TimedForce> Pending;
   std::size_t First = 0;
   std::size_t Count = 0;

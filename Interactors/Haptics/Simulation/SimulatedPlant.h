@@ -17,27 +17,27 @@ namespace palpate
  *   m dv/dt = F + hand - b v - f_c sign v
  *
  * F is the force last written, held until the next (zero-order hold). Where v = 0, friction holds
- * against up to f_c. Both delays may be any fraction of a tick; a loop feels their sum.
+ * against up to f_c. Both delays may be any fraction of a tick; a loop is affected by their sum.
  *
- * With an inertia it outputs torque and turns: with r the rotation vector from the tool's frame to
- * the device's, each of its components likewise by itself, I d²r/dt² = M + hand - b_θ dr/dt. That
- * is how a body turns while |r| is small, as tilts are.
+ * With an inertia it outputs torque and turns: each component of r, the rotation vector from the
+ * tool's frame to the device's, follows I d²r/dt² = M + hand - b_θ dr/dt. This is valid while |r|
+ * is small, as for tilts.
  */
 struct SimulatedPlant
 {
   double mass = 0.1;         ///< m, apparent, kg; at least 1e-6
   double damping = 1.0;      ///< b, viscous, N s/m
   double friction = 0.0;     ///< f_c, Coulomb's, N, of each axis
-  double encoderStep = 0.0;  ///< positions read are whole multiples of it, m; 0: not rounded
-  double forceDelay = 0.0;   ///< a force acts so long after the tick that wrote it, s; at most 1
-  double sampleDelay = 0.0;  ///< a reading is so old, s; at most 1
-  double inertia = 0.0;      ///< I, kg m²; 0: it has no torque, and is turned as the hand means
+  double encoderStep = 0.0;  ///< readings are multiples of it, m; 0: not rounded
+  double forceDelay = 0.0;   ///< time from the tick that writes a force until it acts, s; at most 1
+  double sampleDelay = 0.0;  ///< age of a reading, s; at most 1
+  double inertia = 0.0;      ///< I, kg m²; 0: it has no torque, and the hand's target orientation
   double turnDamping = 1e-3; ///< b_θ, N m s/rad
 };
 
 /**
- * A hand on the device: a spring and a damper between the device and where the hand means to be
- * (x_t), no stronger on each axis than a muscle is:
+ * A hand on the device: a spring and a damper between the device and the hand's target x_t, limited
+ * on each axis:
  *
  *   hand = k (x_t - x) + b (v_t - v), kept within ± the maximum force
  *
@@ -45,10 +45,10 @@ struct SimulatedPlant
  */
 struct HandModel
 {
-  double stiffness = 300.0; ///< k, N/m; with damping 0 as well: nobody holds the device
+  double stiffness = 300.0; ///< k, N/m; if damping is 0, too, there is no hand
   double damping = 5.0;     ///< b, N s/m
   double maximumForce = std::numeric_limits<double>::infinity(); ///< N, on each axis
-  double turnStiffness = 0.5;    ///< of turns, N m/rad, towards the axis that it means
+  double turnStiffness = 0.5;    ///< rotational, N m/rad, towards the hand's target
   double turnHandDamping = 5e-3; ///< N m s/rad
 };
 
@@ -63,8 +63,8 @@ struct HeldPlant
 PALPATE_EXPORT std::string fault(HeldPlant held);
 
 /**
- * Reads "mass=0.1,damping=1,stiffness=300", each as often as once, in any order; what is not named
- * has its default, with "" all. Returns what is wrong, and leaves `held` as it was, or "".
+ * Reads "mass=0.1,damping=1,stiffness=300", each at most once, in any order; others have their
+ * defaults. Returns what is wrong, and leaves `held` unchanged, or "".
  *
  * | name           | of                           | unit  | range       | default |
  * |----------------|------------------------------|-------|-------------|---------|
@@ -79,7 +79,7 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
  * | `hand-force`   | hand, the most               | N     | from 0      | endless |
  * | `inertia`      | device; 0: it has no torque  | kg m² | 0 to 1e9    | 0       |
  *
- * and of turns, per rad:
+ * and for rotations, per rad:
  *
  * | name                | of                              | unit  | range    | default |
  * |---------------------|---------------------------------|-------|----------|---------|
@@ -90,10 +90,10 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
 PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
 
 /**
- * What the maker of such a device would state for ticks at `rate` (Hz), not knowing who holds it:
- * 10 N; the stiffest spring that a sampled loop renders passively, b/(T/2 + delays) (Colgate and
- * Schenkel 1997; stability with delays: Diolaiti et al. 2006), N/m; and a damper of b. With an
- * inertia 0.5 N m too, and likewise the stiffest torsion spring, of b_θ, N m/rad.
+ * The specification of such a device for ticks at `rate` (Hz) and any hand: 10 N; the stiffest
+ * spring that a sampled loop renders passively, b/(T/2 + delays) (Colgate and Schenkel 1997;
+ * stability with delays: Diolaiti et al. 2006), N/m; and a damper of b. With an inertia 0.5 N m
+ * too, and likewise the stiffest torsion spring, of b_θ, N m/rad.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate);
 } // namespace palpate

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// A share of successes among independent trials, with its exact interval.
+/// A fraction of successes among independent trials, with its exact interval.
 struct Proportion
 {
   int successes = 0;
@@ -17,17 +17,16 @@ struct Proportion
 };
 
 /**
- * The interval of Clopper and Pearson (1934): the probabilities p under which neither as many
- * successes as were seen, or more, nor as few, or fewer, are rarer than (1 - confidence) / 2. It
- * covers the true probability at least that often, whatever that is and however few the trials.
+ * The interval of Clopper and Pearson (1934): the probabilities p under which neither at least as
+ * many nor at most as many successes as observed have a probability below (1 - confidence) / 2. It
+ * covers any true probability at least with the given confidence, for any number of trials.
  *
- * `successes` within 0 … trials, `confidence` within (0, 1); else all that is returned is NaN.
+ * `successes` within 0 … trials, `confidence` within (0, 1); otherwise all results are NaN.
  * Accurate to 1e-12; costs some 10 µs per 100 trials.
  */
 PALPATE_EXPORT Proportion proportionOf(int successes, int trials, double confidence = 0.95);
 
-/// The standard normal deviate below which the share `p` of the distribution lies; -inf for 0,
-/// +inf for 1, NaN outside.
+/// The quantile of the standard normal distribution; -inf for 0, +inf for 1, NaN outside.
 PALPATE_EXPORT double normalQuantile(double p);
 } // namespace palpate
 

@@ -12,19 +12,19 @@
 
 namespace palpate
 {
-/// What is compared.
+/// One of the alternatives compared.
 struct TrialAlternative
 {
   std::string name;       ///< one line, as given: "sphere:6.35"
-  double intensity = 0.0; ///< what the question asks for, N; 0: it has none
+  double intensity = 0.0; ///< of what the question asks for, N; 0: none
 };
 
-/// What a log says of itself before the first answer.
+/// The head of a log.
 struct TrialHead
 {
   std::vector<TrialAlternative> alternatives; ///< two or more
   std::string question;                       ///< one line
-  /// Whether the alternative of the larger intensity is the right answer.
+  /// Whether the alternative with the larger intensity is the right answer.
   bool hasRightAnswer = false;
   std::uint64_t seed = 0;
   double forceFactor = 1.0; ///< common to all alternatives
@@ -50,8 +50,8 @@ struct TrialRecord
 
 /**
  * The log of a blind comparison: CSV, lines beginning with '#' in the head, then a row per answer,
- * handed to the system as soon as it is given, so that a session that breaks off keeps all it has.
- * A row for which the disk has no room is told, and leaves the rows before it as they were.
+ * written as soon as it is given, so that an aborted session keeps all answers. A row for which the
+ * disk has no room is an error, and leaves the rows before it unchanged.
  *
  *   # palpate trial 1
  *   # question: Which one pushes back more?
@@ -61,8 +61,8 @@ struct TrialRecord
  *   trial,x,y,answer,chosen,correct,seconds,switches
  *   1,B,A,X,B,1,3.25,2
  *
- * Alternatives are letters from A on; `correct` is empty where no answer is right. A log holds what
- * cannot be had again: an existing file is not overwritten.
+ * Alternatives are letters from A on; `correct` is empty if no answer is right. An existing file is
+ * not overwritten, as a log cannot be recovered.
  */
 class PALPATE_EXPORT TrialLog
 {
@@ -80,8 +80,8 @@ private:
   TrialHead Head;
   std::ofstream File;
   int Rows = 0;
-  std::uintmax_t Size = 0; ///< of the file, without what was written in part
-  std::string Fault;       ///< after which nothing is written any more
+  std::uintmax_t Size = 0; ///< of the file, without a partly written row
+  std::string Fault;       ///< after which nothing more is written
 };
 
 /// 1: right, 0: wrong, -1: no answer to this trial is right.

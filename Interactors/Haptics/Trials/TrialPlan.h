@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// One question: two alternatives, by their numbers, which the person knows as X and Y only.
+/// One question: two alternatives, by their numbers, presented as X and Y.
 struct Trial
 {
   int x = 0;
@@ -19,8 +19,8 @@ struct Trial
 /**
  * The order of a blind comparison: rounds, each of which holds every pair of the alternatives once
  * as (X, Y) and once as (Y, X), in random order. So after each round all pairs have been asked
- * equally often, and each alternative has been X as often as Y: neither learning nor a liking for
- * the first of two favours one of them.
+ * equally often, and each alternative has been X as often as Y: neither learning nor a bias for the
+ * first of two favours one of them.
  *
  * Returns rounds · alternatives · (alternatives - 1) trials; none for fewer than two alternatives.
  * The same seed gives the same order on every machine (Mersenne Twister, Fisher–Yates).

@@ -32,7 +32,7 @@ extern "C"
   /* Vendor page 0xFF00, usage 0x50; input, output and feature report of 64 bytes, unnumbered. */
   extern const uint8_t palpate_hid_report_descriptor[PALPATE_HID_DESCRIPTOR_SIZE];
 
-  /* What the maker states. SI units. */
+  /* The device's specification by its maker. SI units. */
   typedef struct palpate_hid_description
   {
     bool outputs_force;
@@ -63,7 +63,7 @@ extern "C"
     float orientation[4];
   } palpate_hid_reading;
 
-  /* What the device remembers. Counters are there to be looked at. */
+  /* The state of the device's side. Counters are for inspection. */
   typedef struct palpate_hid
   {
     float maximum_force;       /* N: a stronger force is shortened to it */
@@ -81,17 +81,17 @@ extern "C"
     uint32_t expired;          /* times the watchdog has cut the force */
   } palpate_hid;
 
-  /* Forgets everything; no force. */
+  /* Resets everything; no force. */
   void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_watchdog_us);
 
-  /* A report has come from the host. True if it was a force, and a new one. */
+  /* To be called with a report from the host. True if it was a new force. */
   bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, uint64_t now_us);
 
   /* The force to apply now, N. False, and zeros: amplifiers off (none came yet, the watchdog has
    * expired, or the host does not enable it). */
   bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3]);
 
-  /* The torque that goes with it, N m, about the tip: up to hid->maximum_torque, to be set after
+  /* The torque with that force, N m, about the tip: up to hid->maximum_torque, to be set after
    * palpate_hid_start. False, and zeros, as for the force. */
   bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3]);
 
