@@ -70,11 +70,11 @@ struct FieldSettings
  *
  * Near part, on a body of true shape, where the response has R (NearField.h): the effect of an
  * edge, a base or an inclusion near the contact on a half-space's dent. d is the vector from the
- * contact in its tangent plane, of length r, v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) -
- * (a/r) √(1 - (a/r)²)) beyond a, else 0: within the contact the surface is that of the tool;
- * outside, it is what a flat punch that cannot tilt leaves of a tilt (Johnson 1985, § 5.4 (f)). The
- * local deflection is then that of the same force on a half-space of the E* at the contact, and v₀
- * the rest of δ without that and the modes.
+ * contact in its tangent plane, of length r,
+ *     v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) beyond a, else 0:
+ * within the contact the surface is that of the tool; outside, it is what a flat punch that cannot
+ * tilt leaves of a tilt (Johnson 1985, § 5.4 (f)). The local deflection is then that of the same
+ * force on a half-space of the E* at the contact, and v₀ the rest of δ without that and the modes.
  *
  * Global part, by the modes φ_k of the body (GlobalModes.h) with their signs s_k: w_k = -F s_k
  * (n·φ_k(X)), X the contact. The local deflection is what the modes leave of the whole, δ - F Σ s_k

@@ -91,9 +91,9 @@ struct SagLaw
  * (wholeFrom). Before that, where only parts of its rim touch, a power of the depth stands in for
  * the missing law.
  *
- * Unequal curvatures act by the geometric mean of both sums, κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t, κ_t =
- * g(a)/a² of the tool at that circle, and F multiplied by 1 + ln²((κ_t+κ₂)/(κ_t+κ₁))/48: 1e-4 to a
- * ratio of 3 for a sphere (Hertz's ellipse).
+ * Unequal curvatures act by the geometric mean of both sums, κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t,
+ * κ_t = g(a)/a² of the tool at that circle, and F multiplied by 1 + ln²((κ_t+κ₂)/(κ_t+κ₁))/48: 1e-4
+ * to a ratio of 3 for a sphere (Hertz's ellipse).
  *
  * Where the body is hollow and the tool does not fit into it (a sum below LeastSum of κ_t) there is
  * no law: the result ends there, and may be empty. A flat end touches a hollow with its rim first:

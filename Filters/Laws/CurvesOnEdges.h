@@ -35,8 +35,8 @@ EdgedSurface edgesOf(const ElasticBody& body);
 /**
  * Gives the points of a surface whose status is Edge, where a contact has no law, curves from the
  * valid points around, by 1/distance², so that the force is continuous across an edge. Each curve
- * is softened by the edge's factor there, Φ(0)/Φ(d/a) (edgeFactor), with d its distance and a =
- * K/2E* its contact radius. Their range is the mean of those, their error 1, their validity 0.
+ * is softened by the edge's factor there, Φ(0)/Φ(d/a) (edgeFactor), with d its distance and
+ * a = K/2E* its contact radius. Their range is the mean of those, their error 1, their validity 0.
  *
  * Beside a right-angled edge the curve is that of a tool along the face's normal within some 15 %.
  * Points with no valid one around stay without a curve, their range 0. `sampling` is that of the

@@ -32,8 +32,8 @@ struct MaterialTilts
  * the weights of its `points` points.
  *
  * A modulus scales the force and changes no factor, so it needs one law. Other parameters are
- * spanned by nodes, a law each, with linear weights between: the thickness of layers, even in a/(a
- * + h), a the contact radius at the range, so that a half-space is the end; Poisson's ratio of
+ * spanned by nodes, a law each, with linear weights between: the thickness of layers, even in
+ * a/(a + h), a the contact radius at the range, so that a half-space is the end; Poisson's ratio of
  * layers; the thickness of a stack's second layer; compliance times modulus Y, even in YK/(1 + YK),
  * K the stiffness over E* at the range. Several of them form a grid of at most TiltTerms::MostLaws,
  * coarser if necessary. With enough nodes for one of them the error of the force between is 1 %

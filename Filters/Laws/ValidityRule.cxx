@@ -13,8 +13,8 @@ namespace
 {
 constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
 constexpr double NormalTurn = 0.2;  // rad the body's normal may turn under the contact radius
-// Relative to a layer's thickness: finite elements with finite strain (Data/Studies/calculix, nu =
-// 0.45) lie 4 % above the linear layer there, 10 % at 0.4.
+// Relative to a layer's thickness: finite elements with finite strain (Data/Studies/calculix,
+// nu = 0.45) lie 4 % above the linear layer there, 10 % at 0.4.
 constexpr double Compression = 0.2;
 } // namespace
 

@@ -20,10 +20,10 @@
  * | Profile       | points (r, f) | straight, then a wall   | δ = Σ m_i a A_i           | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i])                 |
  *
  * Radius is that of the flat end (a, b), of the tip or of the sphere (R); R_e is EdgeRadius, B the
- * Coefficient, α the HalfAngle. Beyond b, BluntedCone continues along the sphere's tangent. A =
- * arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is the
- * change of slope at r_i. (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape dF/dδ =
- * 2 E* a. The strain is measured by a/R where the tip has a radius R (Paraboloid, Sphere,
+ * Coefficient, α the HalfAngle. Beyond b, BluntedCone continues along the sphere's tangent.
+ * A = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
+ * the change of slope at r_i. (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape
+ * dF/dδ = 2 E* a. The strain is measured by a/R where the tip has a radius R (Paraboloid, Sphere,
  * BluntedCone), otherwise by δ/a.
  *
  * **Profiles.** Points taken from a smooth tool give its law with an error that falls with the
@@ -34,10 +34,10 @@
  *
  * **On the sphere of Mahvash and Hayward (2002), Table 1.** It is printed there as 4/3 √(R E*)
  * δ^1.5, with E* under the root. The right form, that of Paraboloid, is 4/3 E* √R δ^1.5: the force
- * on a linear elastic body is linear in its modulus, and only then are the units N (MPa · mm^½ ·
- * mm^1.5). It is Hertz's approximation of a sphere, good while a << R: at a/R = 0.4 it is 1.7 % too
- * stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has a/R = 1 by it. Sphere is
- * exact at every depth of linear elasticity.
+ * on a linear elastic body is linear in its modulus, and only then are the units N
+ * (MPa · mm^½ · mm^1.5). It is Hertz's approximation of a sphere, good while a << R: at a/R = 0.4
+ * it is 1.7 % too stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has a/R = 1 by
+ * it. Sphere is exact at every depth of linear elasticity.
  *
  * A deflection <= 0 gives 0, NaN gives NaN. An invalid tool or argument (a radius that is not
  * positive, a half angle outside 0..90, an exponent outside 1..100, E* <= 0, ν outside 0..0.5)

@@ -47,16 +47,16 @@
  * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4, nor in bending. Quadratic
  * tetrahedra lose some per cent beyond ν = 0.47, in the half-space term.
  *
- * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by u(x) = -F
- * Σ_k s_k φ_k(x) (n·φ_k(X)) in mm, and the dent of the tool on top; X itself goes in by F Σ_k s_k
- * (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by δ, the dent must be what the
- * modes leave, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear. The modes come from full
- * solutions for eight forces per mode, spread over the points of status 0, less the dent of each on
- * the surface that faces the same way (palpate::GlobalModes, RegularField); so they hold at points
- * of any status, and where the body is fixed they cancel the tail of the dent. A mode moves one
- * part of a body of several. Where there are fewer forces than modes, the last are zero; all are
- * zero if no point has status 0. Modes of equal strength, as of a square bar, may come as any
- * combination; sums over them do not change.
+ * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by
+ *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X))  in mm, and the dent of the tool on top;
+ * X itself goes in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by
+ * δ, the dent must be what the modes leave, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is
+ * linear. The modes come from full solutions for eight forces per mode, spread over the points of
+ * status 0, less the dent of each on the surface that faces the same way (palpate::GlobalModes,
+ * RegularField); so they hold at points of any status, and where the body is fixed they cancel the
+ * tail of the dent. A mode moves one part of a body of several. Where there are fewer forces than
+ * modes, the last are zero; all are zero if no point has status 0. Modes of equal strength, as of a
+ * square bar, may come as any combination; sums over them do not change.
  *
  * **What modes neglect**: all modes beyond these few, that is the sharp bottom of the dish around
  * the force; relatively most near supports, where the body hardly gives way; forces along the

@@ -60,8 +60,8 @@ double expectedCells(const palpate::ClosedSurface& closed, double s, double l, d
   return CellsPerCube * std::min(graded, closed.volume / std::pow(s, 3));
 }
 
-/// For a finer ball, and for the shell in which the spacing u grows from s to l: cells of u³ at r =
-/// R + (u - s)/growth.
+/// For a finer ball, and for the shell in which the spacing u grows from s to l: cells of u³ at
+/// r = R + (u - s)/growth.
 double expectedCells(const palpate::FineBall& ball, double l, double growth)
 {
   const double s = std::min(ball.spacing, l);

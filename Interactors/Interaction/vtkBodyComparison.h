@@ -4,27 +4,26 @@
  * @brief two bodies side by side under the same tools and motion: does the shape of the tool
  * matter?
  *
- * The question of Mahvash and Hayward (2002), section 2: a body that gives way as a whole gives all
- * tools the same force, a body that gives way locally does not.
+ * The question of Mahvash and Hayward (2002), section 2: on a body that deforms globally all tools
+ * have the same force, on one that deforms locally they do not.
  *
  * Give it a window, two bodies that carry responses of the same tools under the same names, and the
  * tools. Each half of the window shows, from top to bottom, the body under the shown tool
  * (vtkContactScene), force over deflection of all tools at the point of contact (vtkResponseChart,
  * dotted beyond validity) with the running point of the shown one, and the verdict in words: λ and
- * tool sensitivity (vtkContactRegime) at Deflection, how far the forces lie apart, the depths the
- * verdict holds for and the depth the responses are valid to. The verdict is the most cautious of
- * those of the tools. Both bodies are seen by one camera; axes and force arrows have a scale each,
- * since forces may differ a hundredfold.
+ * tool sensitivity (vtkContactRegime) at Deflection, the spread of the forces, the depths for which
+ * the verdict holds and the depth to which the responses are valid. The verdict is the most
+ * cautious of those of the tools. Both bodies share one camera; axes and force arrows have separate
+ * scales, since forces may differ a hundredfold.
  *
- * The bodies are of one material (YoungsModulus, PoissonRatio); what holds or stiffens them is told
- * by their point arrays `GlobalCompliance` (mm/N) and `LayerThickness` (mm), where there are any.
- * Material and responses must agree, otherwise an error says where not.
+ * The bodies are of one material (YoungsModulus, PoissonRatio); their support and layers are given
+ * by the point arrays `GlobalCompliance` (mm/N) and `LayerThickness` (mm), if present. Material and
+ * responses must agree, otherwise an error says where they do not.
  *
  * ShowTips moves both scenes to one tip each, of vtkToolContactProbe or a recording; ShowSessions
  * to the newest tick of two sessions. Curves and verdict follow the contact from vertex to vertex;
- * one change takes some milliseconds. Color chooses what the bodies are coloured by: the
- * displacement, or one of the maps of vtkRegimeMap, which take some seconds per million points when
- * first shown.
+ * one change takes some milliseconds. Color chooses the colours of the bodies: the displacement, or
+ * one of the maps of vtkRegimeMap, which take some seconds per million points when first shown.
  *
  * Errors: vtkErrorMacro, and false.
  *
@@ -61,7 +60,7 @@ public:
     Left = 0,
     Right = 1
   };
-  /// What the colour of the bodies shows.
+  /// What the bodies are coloured by.
   enum BodyColor
   {
     Displacement = 0,
@@ -70,7 +69,7 @@ public:
     RegimeVerdict = 3
   };
 
-  /** The window; the renderers are added. Call once. 1280 x 960 is what it is laid out for. */
+  /** The window; the renderers are added. Call once. Laid out for 1280 x 960. */
   void SetRenderWindow(vtkRenderWindow* window);
 
   /** A body with the responses of all tools, and its name in the picture. */
@@ -120,14 +119,16 @@ public:
   /** Curves and verdicts at the points of the bodies next to a place, mm. */
   bool ShowPlace(double x, double y, double z);
 
-  /** The camera, such that all that is drawn of both is seen, from `direction`; `up` points up. */
+  /** Sets the camera to show both bodies whole from `direction`; `up` points up. */
   void LookAtBodies(const double direction[3], const double up[3]);
 
   ///@{
-  /** What was judged, at the last contact or place shown. Of one tool: force (N), λ, sensitivity;
-   * NaN before anything was judged. Of all: the verdict (0 shape matters, 1 mixed, 2 a point force
-   * suffices; -1 before), (largest - smallest force)/mean, the depths (mm) from and to which the
-   * verdict is the same, the depth the responses are valid to, and all that in words. */
+  /**
+   * The results at the last contact or place shown. Of one tool: force (N), λ, sensitivity; NaN
+   * before the first. Of all: the verdict (0 shape matters, 1 mixed, 2 a point force suffices; -1
+   * before the first), (largest - smallest force)/mean, the depths (mm) from and to which the
+   * verdict is the same, the depth to which the responses are valid, and all this in words.
+   */
   double GetForce(int side, int tool);
   double GetRegimeIndex(int side, int tool);
   double GetToolSensitivity(int side, int tool);

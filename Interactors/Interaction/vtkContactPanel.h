@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactPanel
- * @brief sliders and buttons for what is touched, how, and how it is shown, while it is felt
+ * @brief sliders and buttons for tool, material, contact and display during contact
  *
- * Fills a renderer, a strip of the window of its own, with the tools and the size of the one in the
- * hand, Young's modulus, Poisson's ratio, friction, the model of the body, how deep the dent is
- * drawn, whether tools are compared, charts, the session, record and picture. (Mahvash and Hayward
- * 2002, figure 9, live.) Made of vtkSliderWidget and vtkButtonWidget.
+ * Fills its own renderer, a strip of the window, with the tools and the size of the chosen one,
+ * Young's modulus, Poisson's ratio, friction, the model of the body, exaggeration of the dent,
+ * comparison of tools, charts, the session, record and picture. (Mahvash and Hayward 2002, figure
+ * 9, live.) Made of vtkSliderWidget and vtkButtonWidget.
  *
  * Give it a renderer of a window with an interactor, a setup, and the style that has session, scene
- * and files; the clock, and charts if there are any. Then On. At each frame of the clock it asks
- * the setup for new responses when something has been changed, by the panel or by a program, hands
- * those that are ready to session, scene and charts, and shows how everything is set now. The
- * window never waits for responses: until they are there the old ones are felt and shown.
+ * and files; the clock, and charts if there are any. Then On. At each frame of the clock it
+ * requests new responses from the setup if something was changed, by the panel or by a program,
+ * passes those that are ready to session, scene and charts, and shows the present settings. The
+ * window never waits for responses: until they are ready the old ones are felt and shown.
  *
- * All that it does can be done without it: by methods of vtkContactSetup (tool, size, material,
+ * All its functions are available without it: by methods of vtkContactSetup (tool, size, material,
  * model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration),
  * vtkLiveCharts (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic
- * (help). What the body or the setup cannot have is not offered; with Model Stored only what is
- * shown can be changed.
+ * (help). Controls that the body or the setup does not support are left out; with Model Stored only
+ * the display can be changed.
  */
 #ifndef vtkContactPanel_h
 #define vtkContactPanel_h
@@ -45,32 +45,36 @@ public:
 
   enum Events
   {
-    ToolShownEvent = 1501 ///< another tool is in the hand
+    ToolShownEvent = 1501 ///< another tool was chosen
   };
 
-  /** The strip; the panel sets its background and takes it out of the camera's hands. About 256
-   * pixels wide and 700 high; it shrinks with less. */
+  /**
+   * The strip; the panel sets its background, and the camera is not controlled there. About 256
+   * pixels wide and 700 high; it shrinks with less.
+   */
   void SetRenderer(vtkRenderer* renderer);
-  /** What is touched. Its output must be there: call its Update before On. */
+  /** The setup. Its output must exist: call its Update before On. */
   void SetSetup(vtkContactSetup* setup);
-  /** Who has session, scene and interactor; and files, for Record and Picture. */
+  /** The style, with session, scene and interactor; and files, for Record and Picture. */
   void SetStyle(vtkInteractorStyleHaptic* style);
-  /** Whose frames it follows; without, call Update. */
+  /** The clock whose frames it follows; without one, call Update. */
   void SetClock(vtkFrameClock* clock);
-  /** Optional: what Compare, Charts and Timing change. */
+  /** Optional: the charts, for Compare, Charts and Timing. */
   void SetCharts(vtkLiveCharts* charts);
 
   ///@{
-  /** Shows the panel and listens to the mouse, or no longer. */
+  /** Shows or hides the panel, and starts or stops listening to the mouse. */
   void On();
   void Off();
   ///@}
 
-  /** What happens once a frame, see above. */
+  /** The work of a frame, see above. */
   void Update();
 
-  /** Puts a tool of the setup, from 0, into the hand: in session, scene and charts. Nothing happens
-   * if there is none. */
+  /**
+   * Chooses a tool of the setup, from 0, in session, scene and charts. Nothing happens if there is
+   * none.
+   */
   void ChooseTool(int tool);
 
   ///@{
@@ -87,14 +91,14 @@ public:
 
   ///@{
   /**
-   * Where in the window, in pixels from its lower left corner, the button of this label is, or the
-   * handle of the slider of this name when it says `value` (mm, degrees, MPa, 1). False if there is
-   * none. For tests, and scripts that demonstrate.
+   * Position in the window, in pixels from its lower left corner, of the button of this label, or
+   * of the handle of the slider of this name at `value` (mm, degrees, MPa, 1). False if there is
+   * none. For tests and demonstrations.
    */
   bool FindButton(const std::string& label, int position[2]);
   bool FindSlider(const std::string& name, double value, int position[2]);
   ///@}
-  /** The last line of the panel: what is under way, or what went wrong. */
+  /** The last line of the panel: what is being computed, or what went wrong. */
   std::string GetStatus();
 
 protected:

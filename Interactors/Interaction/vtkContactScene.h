@@ -3,28 +3,28 @@
  * @class vtkContactScene
  * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, forces, legends
  *
- * Give it a renderer, a body with responses and the tool. ShowTip puts one tip of
- * vtkToolContactProbe's output (or vtkHapticRecorder::GetRecording) on stage, ShowSession the
- * newest tick of a session, and Follow does so at each frame of a clock.
+ * Give it a renderer, a body with responses and the tool. ShowTip shows one tip of
+ * vtkToolContactProbe's output (or vtkHapticRecorder::GetRecording), ShowSession the newest tick of
+ * a session, and Follow the latter at each frame of a clock.
  *
  * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration,
  *   coloured by its magnitude with a legend in mm.
- * - The tool stands at the tip, with the force on it as an arrow and a number in N; where there is
- *   friction also with its parts, normal and friction; where a device applies another force than
- *   the ideal one also with that, beside it (vtkHapticToolRepresentation).
- * - The contact circle: radius a of the tool at the deflection, on half-space or layer, local part
- *   alone where the body gives way as a whole.
- * - The trail: where the tool has touched, coloured by the force there, with a legend in N.
+ * - The tool at the tip, with the force on it as an arrow and a number in N; with friction also its
+ *   parts, normal and friction; and the applied force beside it, if it differs from the ideal one
+ *   (vtkHapticToolRepresentation).
+ * - The contact circle: radius a of the tool at the deflection, on half-space or layer; of a global
+ *   compliance at the local part alone.
+ * - The trail: the path of the contact, coloured by the force there, with a legend in N.
  * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows; it
- *   is chosen once, by SetLargestForce, and stays.
- * - A caption names tool, deflection, contact radius, forces, why the applied force is another, and
+ *   is chosen once, by SetLargestForce.
+ * - A caption with tool, deflection, contact radius, forces, why the applied force differs, and
  *   what limits the validity.
  *
  * Of a session with several devices the tools, arrows, circles and dents of all are drawn, and the
  * caption has a line for each; trail, camera and the values below are those of the first.
  *
- * Beyond the depth that `Validity` of the response gives at the contact, arrows, circle and trail
- * are dashed, and the caption names the assumption that breaks.
+ * Beyond the `Validity` of the response at the contact, arrows, circle and trail are dashed, and
+ * the caption names the assumption that breaks.
  */
 #ifndef vtkContactScene_h
 #define vtkContactScene_h
@@ -69,7 +69,7 @@ public:
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
 
-  /** The body, with the responses the tips were probed with. */
+  /** The body, with the responses of the probed tips. */
   void SetBody(vtkPolyData* body);
   void SetTool(vtkContactTool* tool);
   /** Poisson's ratio of the body, for the radial displacement. */
@@ -82,11 +82,13 @@ public:
 
   /** Legend of the deflection field: 0 to `largest` mm. Default 1. */
   void SetLargestDeflection(double largest);
-  /** Makes the arrow of a force of `largest` N about 40 mm long, and the colours of the trail reach
-   * to it. Default 1. */
+  /**
+   * Makes the arrow of a force of `largest` N about 40 mm long, and sets the range of the trail's
+   * colours to it. Default 1.
+   */
   void SetLargestForce(double largest);
   ///@{
-  /** The dent is drawn this many times deeper than it is; said in the caption. Default 1. */
+  /** Factor by which the dent is drawn deeper; shown in the caption. Default 1. */
   void SetExaggeration(double factor);
   double GetExaggeration();
   ///@}
@@ -112,18 +114,19 @@ public:
   ///@}
 
   /**
-   * For a blind comparison: of a contact only its place is shown, by a ball, which rests on the
-   * surface however deep the tip is. No tool, force, dent, circle, trail, legend; the caption is
+   * For a blind comparison: only the place of a contact is shown, by a ball on the surface,
+   * whatever the depth of the tip. No tool, force, dent, circle, trail, legend; the caption is
    * title and remark. Default off.
    */
   void SetBlind(bool blind);
 
-  /** Draws the contact points of a probe's output as the trail: the way the tool goes. */
+  /** Draws the contact points of a probe's output as the trail. */
   bool ShowTrail(vtkPolyData* probed);
   ///@{
-  /** The live trail: how many of the last contacts of ShowSession it keeps, at least 0.05 mm apart;
-   * 0 for none. Default 600: 20 s of motion at 30 pictures per second. It takes the place of a
-   * trail of ShowTrail. */
+  /**
+   * The live trail: number of the last contacts of ShowSession, at least 0.05 mm apart; 0 for none.
+   * Default 600: 20 s of motion at 30 pictures per second. It replaces a trail of ShowTrail.
+   */
   vtkSetClampMacro(TrailLength, int, 0, VTK_INT_MAX);
   vtkGetMacro(TrailLength, int);
   void ClearTrail();
@@ -136,12 +139,13 @@ public:
   /** Shows the newest tick of a session, with friction, applied force, its reasons and the validity
    * of the session's response at the contact, and adds it to the trail. */
   void ShowSession(vtkHapticSession* session);
-  /** The same at each frame of the clock, after those who observe it with no priority; null: at
-   * none any more. */
+  /** The same at each frame of the clock, after observers without priority; null: no longer. */
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
   ///@{
-  /** Along which direction, of any length, the tool stands where the session touches nothing; zero
-   * (default): as it last did. Of another of its devices by the index, from when it is shown on. */
+  /**
+   * Direction of the tool, of any length, without contact; zero (default): the last one. For
+   * another device by its index, once it is shown.
+   */
   void SetFreeDirection(const double direction[3]) { this->SetFreeDirection(0, direction); }
   void SetFreeDirection(int hand, const double direction[3]);
   ///@}
@@ -154,15 +158,19 @@ public:
     const double force[3], double deflection, vtkIdType cell);
 
   ///@{
-  /** Of the contact shown: radius of its circle, mm (0: none); the depth its response is valid to,
-   * mm (infinite: none is known); and whether the deflection is within it. */
+  /**
+   * Of the contact shown: radius of its circle, mm (0: none); the depth to which its response is
+   * valid, mm (infinite: unknown); and whether the deflection is within it.
+   */
   vtkGetMacro(ContactRadius, double);
   double GetValidity();
   bool IsValid();
   ///@}
 
-  /** The deflection field ends at this distance from the contact, mm; 0 (default): where validity
-   * ends. */
+  /**
+   * Distance from the contact at which the deflection field ends, mm; 0 (default): where its
+   * validity ends.
+   */
   void SetFieldRadius(double radius);
 
   ///@{
@@ -210,7 +218,7 @@ private:
   std::unique_ptr<palpate::ForceTrail> Trail;
   std::unique_ptr<palpate::ForceScale> Scale;
   std::unique_ptr<palpate::SceneCaption> Caption;
-  vtkSmartPointer<vtkActor> Marker; ///< of a contact that is shown blind
+  vtkSmartPointer<vtkActor> Marker; ///< of a contact in a blind comparison
   bool Blind = false;
   bool ContactCircleVisibility = true;
   bool TrailVisibility = true;

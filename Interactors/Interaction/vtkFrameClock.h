@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkFrameClock
- * @brief tells whoever wants to know that a frame is due, and draws it
+ * @brief notifies observers that a frame is due, and draws it
  *
  * Give it an interactor and Start it. From then on a repeating timer of the interactor makes up to
- * 30 frames a second: FrameEvent, by which scene, charts and panel come up to date, and rendering.
- * What mouse, wheel and widgets change is drawn with the next frame, so that no event waits for
- * one. Where a frame takes long, half of the time is left to the mouse.
+ * 30 frames a second: FrameEvent, on which scene, charts and panel update themselves, and
+ * rendering. Changes by mouse, wheel and widgets are drawn with the next frame, so that no event
+ * waits for one. If a frame takes long, half of the time is left to the mouse.
  *
- * Observers of a frame with a higher priority come first: vtkContactPanel, which changes what is
- * shown, has 1, vtkContactScene -1.
+ * Observers with a higher priority are called first: vtkContactPanel, which changes what is shown,
+ * has 1, vtkContactScene -1.
  */
 #ifndef vtkFrameClock_h
 #define vtkFrameClock_h
@@ -36,7 +36,7 @@ public:
   };
 
   ///@{
-  /** Who has timer and window; initialised before Start. */
+  /** The interactor with timer and window; must be initialised before Start. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
   ///@}
@@ -47,7 +47,7 @@ public:
   void Stop();
   ///@}
 
-  /** One frame, at once: what the timer does when it is time. */
+  /** Makes one frame at once, as the timer does. */
   void ShowFrame();
 
 protected:
@@ -63,7 +63,7 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   int Timer = 0;
   unsigned long Observer = 0;
-  std::chrono::steady_clock::time_point NextFrame; ///< not before
+  std::chrono::steady_clock::time_point NextFrame; ///< earliest time of the next frame
 };
 
 #endif

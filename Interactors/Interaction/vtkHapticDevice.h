@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticDevice
- * @brief the device of a vtkHapticSession: which one, where it lies in the body, where its hand
- * goes
+ * @brief the device of a vtkHapticSession: its kind, its mapping to the body, the path of its hand
  *
  * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping.
  *
  * Devices, by Open:
- * - "simulated" (default): a stiff hand that yields to nothing. In virtual time it follows SetPath;
- *   with the session's RealTime it follows SteerTo, as from a mouse. It is good for 10 N. Neither
- *   stiffness nor energy limits it, as no loop is closed through a hand that does not move with the
- *   force.
- * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves, m dv/dt =
- *   F + hand - b v: of mass m (kg, default 0.1) and viscous damping b (N s/m, 1), held by a hand of
- *   stiffness k (N/m, 300) and hand-damping (N s/m, 5) towards where the path, or SteerTo, says. It
+ * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
+ *   follows SetPath; with the session's RealTime it follows SteerTo, as from a mouse. Its maximum
+ *   force is 10 N. Neither stiffness nor energy is limited, as no loop is closed through it.
+ * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves, m
+ *   dv/dt = F + hand - b v: of mass m (kg, default 0.1) and viscous damping b (N s/m, 1), held by a
+ *   hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) towards the path, or SteerTo. It
  *   closes a loop, so that stiffness cap and passivity control act as on a real device of this
- *   damping: no spring above b/(T/2 + delays), T being one over the session's Rate. It is good for
- *   10 N. Also friction (N), encoder-step (m), force-delay, sample-delay (s) and hand-force (N):
- * see palpate::readPlant. What is not named, and of "plant" all, has its default.
+ *   damping: no spring above b/(T/2 + delays), T being one over the session's Rate. Its maximum
+ *   force is 10 N. Also friction (N), encoder-step (m), force-delay, sample-delay (s) and
+ *   hand-force (N): see palpate::readPlant. Others, and all of "plant" alone, have their defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that speaks the same reports, "unix:/PATH" or "udp:PORT";
  *   needs RealTime.
  * C++ may give a device of its own.
  *
- * The mapping says where the device's origin lies in the body's frame (Origin), along which
- * directions of the body its x (Right) and y (Up) point, and how many mm of the body a
- * mm of the hand is (Scale). Stiffness is felt times the scale.
+ * The mapping consists of the device's origin in the body's frame (Origin), the directions of its x
+ * (Right) and y (Up) there, and the mm of the body per mm of the hand (Scale). Stiffness is felt
+ * times the scale.
  *
- * What is set counts from the session's next Start on. For one session at a time, and its thread.
+ * Settings take effect at the session's next Start. For one session at a time, and its thread.
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h
@@ -55,25 +53,27 @@ public:
   vtkTypeMacro(vtkHapticDevice, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Chooses the device, see above, and opens it. Returns false, after an error, if there is none
-   * of this name; the device is then the one before. */
+  /**
+   * Chooses the device, see above, and opens it. Returns false, after an error, if there is none of
+   * this name; the device is then unchanged.
+   */
   bool Open(const std::string& name);
   /** The devices that are plugged in, a line each, or why there is none. */
   static std::string ListDevices();
 
   /** In words: "connected", "unplugged, waiting for it to return". */
   std::string GetStatus();
-  /** Whether a hand can feel anything from it: not with a simulated device, nor a SpaceMouse. */
+  /** Whether it exerts a force on a hand: not a simulated device, nor a SpaceMouse. */
   bool GetOutputsForce();
-  /** The largest force it is good for, N. */
+  /** Its maximum force, N. */
   double GetMaximumForce();
   /** Whether it is plugged in or bridged, rather than simulated, replayed or given by C++. */
   bool IsPhysical();
-  /** Whether it follows SetPath, with RealTime SteerTo: "simulated" and "plant". */
+  /** Whether it follows SetPath, or SteerTo with RealTime: "simulated" and "plant". */
   bool IsSimulated();
 
   ///@{
-  /** Where the device's origin lies, mm. Default 0, 0, 0. */
+  /** Position of the device's origin in the body, mm. Default 0, 0, 0. */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
   ///@}
@@ -103,8 +103,10 @@ public:
   vtkBooleanMacro(FitWorkspace, bool);
   ///@}
   ///@{
-  /** While any of these buttons of the device (bits) is down the tip stays and the hand moves
-   * freely. Default 0: none. */
+  /**
+   * While any of these buttons of the device (bits) is down, the tip stays and the hand moves
+   * freely. Default 0: none.
+   */
   vtkSetMacro(ClutchButtons, unsigned int);
   vtkGetMacro(ClutchButtons, unsigned int);
   ///@}
@@ -112,30 +114,29 @@ public:
   /** A simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
    * decreasing), and, for a tool that is tilted, `ToolAxis` (3, from the tip to the hand). */
   void SetPath(vtkPolyData* path);
-  /** Time of the last point of what it follows since Start, s; 0 before, and where there is none.
-   */
+  /** Time of the last point of the path it follows since Start, s; 0 before, and without a path. */
   double GetPathDuration();
-  /** A simulated device with RealTime: where the hand is to go, mm. Before Start: where it begins.
-   */
+  /** A simulated device with RealTime: the target of the hand, mm. Before Start: its start. */
   void SteerTo(const double tip[3]);
-  /** A simulated device with RealTime: along which axis, from the tip to the hand, it is to hold
-   * the tool, in the body's frame; of any length. Zero, as at first: not told, so along the normal.
+  /**
+   * A simulated device with RealTime: the axis, from the tip to the hand, along which it holds the
+   * tool, in the body's frame; of any length. Zero, as at first: unknown, so along the normal.
    */
   void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
-  /** A device of the caller's own. */
+  /** Uses a device of the caller. */
   void Use(std::unique_ptr<palpate::HapticDevice> device);
 
   /** For the session that starts: reads mapping and path, and makes the hand, over a body of these
    * bounds (mm), at `rate` (Hz). Returns what is wrong, or "". */
   std::string Prepare(const double bounds[6], bool realTime, double rate);
-  /** It does not start, or starts anew: what Prepare made is gone. */
+  /** Discards what Prepare made, if the session does not start, or starts again. */
   void Release();
-  /** What Prepare made; null before. */
+  /** The hand that Prepare made; null before. */
   std::shared_ptr<palpate::HapticDevice> GetHand() const;
   const palpate::WorkspaceMapping& GetMapping() const;
-  /** Whether its hand goes its way whatever it feels. */
+  /** Whether its hand moves independently of the force. */
   bool IsStiff() const;
 #endif
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticRecorder
- * @brief what is kept of the ticks of a vtkHapticSession, and how they kept time
+ * @brief records the ticks of a vtkHapticSession, and their timing
  *
- * In virtual time every tick is there. On the servo thread ticks wait to be read: whoever looks at
- * the session once a frame reads them. What waits unread for more than RecordedSeconds is lost, and
- * counted. HistorySeconds keeps the last ticks alone, for charts of a session without end.
+ * In virtual time every tick is kept. On the servo thread ticks wait to be read, which happens
+ * whenever the session is queried, as once a frame. Ticks that wait for more than RecordedSeconds
+ * are lost, and counted. HistorySeconds keeps the last ticks only, for charts of an unlimited
+ * session.
  *
- * What is set is read at the session's Start; what is told is of the run since, empty before, and
- * goes with the session. For the session's thread.
+ * Settings are read at the session's Start; results are those of the run since, empty before, and
+ * end with the session. For the session's thread.
  */
 #ifndef vtkHapticRecorder_h
 #define vtkHapticRecorder_h
@@ -40,8 +41,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whether every tick is kept for GetRecording. Default on. With RealTime contacts and peaks are
-   * counted among the ticks recorded, or in the history. */
+  /**
+   * Whether every tick is kept for GetRecording. Default on. With RealTime contacts and peaks are
+   * counted over the ticks recorded, or in the history.
+   */
   vtkSetMacro(Recording, bool);
   vtkGetMacro(Recording, bool);
   vtkBooleanMacro(Recording, bool);
@@ -59,43 +62,50 @@ public:
   vtkGetMacro(HistorySeconds, double);
   ///@}
 
-  /** Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
+  /**
+   * Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
    * `Time`, `AppliedForce` (3, N), `ForceFactor` and `SafetyLinks` (int; bits in the order of the
-   * chain); `MemoryForce` where there was any, `ToolAxis` (3) and
-   * `Torque` (3, N mm, ideal, about the tip) where any tick knows its axis. Cells are counted as in
-   * the newest body. */
+   * chain); `MemoryForce` if there was any, `ToolAxis` (3) and `Torque` (3, N mm, ideal, about the
+   * tip) if any tick has an axis. Cells are numbered as in the newest body.
+   */
   void GetRecording(vtkPolyData* recording);
-  /** The same of one of several devices, by its index; empty for none. History, and what else does
-   * not name a device, is of the first. */
+  /**
+   * The same of one of several devices, by its index; empty for none. History, and everything else
+   * without a device index, is that of the first.
+   */
   void GetRecording(vtkPolyData* recording, int device);
   /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
    */
   void GetHistory(vtkPolyData* history);
 
-  /** Ticks missed since Start; in virtual time none is. */
+  /** Ticks missed since Start; none in virtual time. */
   vtkIdType GetNumberOfMissedTicks();
   /** Ticks made since Start that nobody read in time: neither recording nor history has them. */
   vtkIdType GetNumberOfLostTicks();
 
-  /** One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
-   * (mm), what of the peak force is memory (N), median and 99th percentile of the time per tick
+  /**
+   * One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
+   * (mm), the memory part of the peak force (N), median and 99th percentile of the time per tick
    * (ns, wall clock, so they differ from run to run); with RealTime also ticks missed, samples
    * invalid and repeated, forces refused, ticks not recorded, scene changes, and the device's own
-   * errors. */
+   * errors.
+   */
   void GetStatistics(vtkTable* statistics);
   /** The same of one of several devices: contacts and peaks are its own, times and errors those of
    * all. */
   void GetStatistics(vtkTable* statistics, int device);
-  /** Statistics and timing, in lines for a person. */
+  /** Statistics and timing, as lines of text. */
   std::string GetStatisticsText();
-  /** With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): which time that share
-   * of the ticks did not exceed, to 1/32; the last row, share 1, is the worst. Empty otherwise. */
+  /**
+   * With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): the time not exceeded
+   * by that fraction of the ticks, to 1/32; the last row, 1, is the worst. Empty otherwise.
+   */
   void GetTiming(vtkTable* timing);
   /** With RealTime: how many ticks had which Period, WakeUp and Tick: a row per class of durations,
    * longer than `From (us)` and up to `To (us)`, at most 1/32 apart, from the first to the last
    * that holds any; counts as double. Empty otherwise. */
   void GetTimingHistogram(vtkTable* histogram);
-  /** With RealTime: what the system granted the servo thread, and why not more. */
+  /** With RealTime: the scheduling that the system granted the servo thread, and why not more. */
   std::string GetRealTimeGrant();
 
 #ifndef __VTK_WRAP__
@@ -104,10 +114,10 @@ public:
   const std::vector<palpate::Tick>& GetTicks(int device);
   /** Those of the last HistorySeconds, numbered. */
   const palpate::TickHistory& GetLastTicks();
-  /** Takes up the ticks of a part of the session, from one run to the next. */
+  /** Records the ticks of a part of the session, also across runs. */
   const std::shared_ptr<palpate::TickTape>& GetTape();
 
-  /** For the session that starts; null: nothing runs any more. */
+  /** Called by a session that starts; null: nothing runs. */
   void Follow(const std::shared_ptr<palpate::SessionRun>& run);
 #endif
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticSafety
- * @brief what a force of a vtkHapticSession must keep to before it reaches the hand
+ * @brief the limits of a vtkHapticSession's force before it reaches the hand
  *
- * The links of the safety chain that may be chosen, limits beside those the device states, and the
- * fit of all forces to the device. That nothing is sent for what is not finite or not heard of, and
- * the device's own limits, are not to be chosen.
+ * The optional links of the safety chain, limits in addition to those of the device, and the fit of
+ * all forces to the device. The device's own limits, and that nothing is sent without a valid
+ * sample or for a force that is not finite, cannot be switched off.
  *
  * FitForce: all forces are scaled by one factor, such that down to FitDepth none of the responses
- * compared, at any vertex, exceeds the force and the stiffness that the device is good for. What is
- * compared keeps its ratios then, which limits would level.
+ * compared, at any vertex, exceeds the device's maximum force and stiffness. Their ratios are then
+ * kept, which limits would level.
  *
  * Read at the session's Start, the fit also at its ApplyChanges, which fail with an error if a
  * number is out of its range. For one thread.
@@ -44,13 +44,15 @@ public:
   vtkBooleanMacro(Gate, bool);
   ///@}
   ///@{
-  /** Seconds over which the force of the first touch rises, >= 0. Default 0. */
+  /** Seconds over which the force of the first contact rises, >= 0. Default 0. */
   vtkSetMacro(EntryRamp, double);
   vtkGetMacro(EntryRamp, double);
   ///@}
   ///@{
-  /** As far as the device says it needs them. Default on; passivity is never controlled through the
-   * stiff hand of "simulated" and "replay:FILE". */
+  /**
+   * Active as far as the device's specification requires. Default on; passivity is never controlled
+   * through the stiff hand of "simulated" and "replay:FILE".
+   */
   vtkSetMacro(StiffnessCap, bool);
   vtkGetMacro(StiffnessCap, bool);
   vtkBooleanMacro(StiffnessCap, bool);
@@ -59,16 +61,20 @@ public:
   vtkBooleanMacro(PassivityControl, bool);
   ///@}
   ///@{
-  /** Beside what the device says of itself: no more force (N) and stiffness (N/m) than this.
-   * Default infinite. */
+  /**
+   * Largest force (N) and stiffness (N/m), in addition to the device's specification. Default
+   * infinite.
+   */
   vtkSetMacro(ForceLimit, double);
   vtkGetMacro(ForceLimit, double);
   vtkSetMacro(StiffnessLimit, double);
   vtkGetMacro(StiffnessLimit, double);
   ///@}
   ///@{
-  /** The same of a device that outputs torque, about the tip: N m and N m/rad. Default infinite;
-   * with a TorqueLimit of 0 it gets its force alone. */
+  /**
+   * The same for a device that outputs torque, about the tip: N m and N m/rad. Default infinite;
+   * with a TorqueLimit of 0 only the force is sent.
+   */
   vtkSetMacro(TorqueLimit, double);
   vtkGetMacro(TorqueLimit, double);
   vtkSetMacro(TorsionalStiffnessLimit, double);
@@ -87,7 +93,9 @@ public:
   vtkGetMacro(FitDepth, double);
   ///@}
   ///@{
-  /** Prefixes of the responses that are compared, beside the session's own. Default none. */
+  /**
+   * Prefixes of the responses that are compared, in addition to the session's own. Default none.
+   */
   void AddFitResponse(const std::string& responseName);
   void ClearFitResponses();
   ///@}
@@ -97,7 +105,9 @@ public:
   {
     return this->FitResponses;
   }
-  /** What the chain is told for such a device; `isStiff`: its hand goes its way whatever it feels.
+  /**
+   * The settings of the chain for such a device; `isStiff`: its hand moves independently of the
+   * force.
    */
   palpate::SafetySettings GetSettings(
     const palpate::DeviceSpecification& device, bool isStiff) const;

@@ -4,37 +4,36 @@
  * @brief a haptic device over a body with responses, tick by tick
  *
  * Give it a body (with response arrays) and, for the simulated device, a path; Start it, Step it in
- * virtual time, read what is felt. In virtual time nothing depends on the machine: the same steps
+ * virtual time, read the contact. In virtual time nothing depends on the machine: the same steps
  * give the same bits. With RealTime, Start starts the servo thread at Rate; Step does nothing, and
  * the getters give the newest tick.
  *
- * Its parts are objects of their own, never null, that may be exchanged while nothing runs:
- * - GetDevice: which device, where it lies in the body, where its hand goes;
- * - GetSettings: how the contact feels;
- * - GetSafety: what a force must keep to before it reaches the hand;
- * - GetRecorder: the ticks that are kept, and how they kept time.
+ * Its parts are separate objects, never null, that may be exchanged while nothing runs:
+ * - GetDevice: the device, its mapping to the body, the path of its hand;
+ * - GetSettings: the settings of the contact;
+ * - GetSafety: the limits of a force before it reaches the hand;
+ * - GetRecorder: the recorded ticks, and their timing.
  *
- * Body frame, mm and N, everywhere. Two forces are told: the ideal one, and the one applied after
+ * Body frame, mm and N, everywhere. There are two forces: the ideal one, and the one applied after
  * the safety chain has fitted it to the device (force factor, stiffness cap, limits, passivity);
  * GetSafetyText says what acted.
  *
- * ApplyChanges gives a running session another body, response or settings, in contact too: the
- * force goes over within 50 ms.
+ * ApplyChanges gives a running session another body, response or settings, also during contact: the
+ * force changes to it within 50 ms.
  *
  * A device that is lost leaves the session running, with no force, in the state DeviceLost, until
  * it returns.
  *
- * AddDevice puts further devices, up to four in all, on the same body, each with a mapping and a
- * safety chain of its own: all tick in one loop, at one time. On a body whose response tells how
- * its contacts feel one another (vtkToolContactResponse) they do; a device that is lost is felt by
- * the others no more. Another body or other settings then come after no force, 50 ms down and 50
- * up. What is told of a device is told by its index, 0 the one of GetDevice; of an index that none
- * has, what a session tells before the first tick.
+ * AddDevice puts further devices, up to four in all, on the same body, each with its own mapping
+ * and safety chain: all tick in one loop, at one time. If the body's response has a coupling
+ * (vtkToolContactResponse) they feel one another, except a lost device. Another body or other
+ * settings then take effect at zero force, 50 ms down and 50 up. Devices are numbered, 0 the one of
+ * GetDevice; for an index without a device, getters return the values before the first tick.
  *
- * What is wrong with the mesh of the body is said in one warning, as by vtkToolContactProbe.
+ * Defects of the body's mesh are reported in one warning, as by vtkToolContactProbe.
  *
- * Not thread-safe: one thread steers, steps and reads; it never waits for the servo thread but in
- * Stop and Start.
+ * Not thread-safe: one thread steers, steps and reads; it waits for the servo thread only in Stop
+ * and Start.
  */
 #ifndef vtkHapticSession_h
 #define vtkHapticSession_h
@@ -74,7 +73,7 @@ public:
   {
     Stopped = 0,
     Running = 1,
-    DeviceLost = 2 ///< it runs, without force: the device tells no position
+    DeviceLost = 2 ///< it runs, without force: the device reports no position
   };
 
   ///@{
@@ -84,8 +83,9 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** The same with what Start and ApplyChanges would make of its responses: where somebody has made
-   * that in the background, they take no time. Good until the body is changed, and for one Start.
+  /**
+   * The same with the kernels that Start and ApplyChanges would make from its responses; if made in
+   * the background, they take no time. Valid until the body is changed, and for one Start.
    */
   void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
 #endif
@@ -97,22 +97,28 @@ public:
   ///@}
 
   ///@{
-  /** How the contact feels: an object that others may share. Read at Start and ApplyChanges, which
-   * fail with an error if a value is out of its range. Default, and in place of null: one of its
-   * own with the defaults. */
+  /**
+   * The settings of the contact, which others may share. Read at Start and ApplyChanges, which fail
+   * with an error if a value is out of its range. Default, and for null: an object of its own with
+   * the defaults.
+   */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
-  /** The device. Read at Start, but for where a simulated hand is steered to. Default, and in place
-   * of null: one of its own, "simulated". */
+  /**
+   * The device. Read at Start, except the target of a simulated hand. Default, and for null: an
+   * object of its own, "simulated".
+   */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
   ///@{
-  /** Further devices, from the next Start on: of a name as of vtkHapticDevice::Open; returns its
-   * index, or -1 after an error. A path, mapping and steering are each one's own: GetDevice(index),
-   * null for none. RemoveAddedDevices leaves the first. */
+  /**
+   * Adds a device from the next Start on, by a name as of vtkHapticDevice::Open; returns its index,
+   * or -1 after an error. Path, mapping and steering are set on GetDevice(index), null for none.
+   * RemoveAddedDevices leaves the first.
+   */
   int AddDevice(const std::string& name);
   void RemoveAddedDevices();
   int GetNumberOfDevices() const
@@ -122,13 +128,15 @@ public:
   vtkHapticDevice* GetDevice(int index);
   ///@}
   ///@{
-  /** The safety chain. Read at Start, the fit of the force at ApplyChanges too. Default, and in
-   * place of null: one of its own. */
+  /**
+   * The safety chain. Read at Start, the fit of the force at ApplyChanges, too. Default, and for
+   * null: an object of its own.
+   */
   void SetSafety(vtkHapticSafety* safety);
   vtkHapticSafety* GetSafety();
   ///@}
   ///@{
-  /** What is kept of the ticks. Read at Start. Default, and in place of null: one of its own. */
+  /** The recorder of the ticks. Read at Start. Default, and for null: an object of its own. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
   ///@}
@@ -147,16 +155,20 @@ public:
   ///@}
 
   ///@{
-  /** With RealTime: how long before each tick the servo thread wakes up and makes the contact
-   * beforehand, s, 0 to half a period; see ServoLoopSettings. The force comes sooner after the
-   * sample, for so much of a processor. Default 0: it sleeps until the tick. */
+  /**
+   * With RealTime: how long before each tick the servo thread wakes up and rehearses the contact,
+   * s, 0 to half a period; see ServoLoopSettings. The force follows sooner after the sample, at
+   * this cost of processor time. Default 0: it sleeps until the tick.
+   */
   vtkSetMacro(Rehearsal, double);
   vtkGetMacro(Rehearsal, double);
   ///@}
 
   ///@{
-  /** With RealTime: keep the memory of the process from being paged out, if the system allows it; a
-   * program's own decision. Default off. */
+  /**
+   * With RealTime: locks the memory of the process against paging, if the system allows it; up to
+   * the program. Default off.
+   */
   vtkSetMacro(LockMemory, bool);
   vtkGetMacro(LockMemory, bool);
   vtkBooleanMacro(LockMemory, bool);
@@ -164,7 +176,7 @@ public:
 
   /** Ticks made since Start. */
   vtkIdType GetNumberOfTicks() const;
-  /** How often Start has succeeded: what tells one run from the next. */
+  /** Number of successful Starts, which distinguishes runs. */
   vtkIdType GetNumberOfStarts() const
   {
     return this->Starts;
@@ -174,14 +186,14 @@ public:
    */
   bool Start();
   void Stop();
-  /** Stops what runs, starts what does not. */
+  /** Stops the session if it runs, otherwise starts it. */
   void Toggle();
 
   /**
-   * Gives what runs the body, ResponseName and contact settings of now: the force goes over to them
-   * within 50 ms, in contact too. Of two calls in quick succession the later one counts. Nothing
-   * happens where nothing runs. Returns false after an error that names the fault; what ran goes
-   * on then.
+   * Gives the running session the present body, ResponseName and contact settings: the force
+   * changes to them within 50 ms, also during contact. Of two calls in quick succession the later
+   * one counts. Nothing happens if nothing runs. Returns false after an error that names the fault;
+   * the session then continues unchanged.
    */
   bool ApplyChanges();
 
@@ -190,9 +202,9 @@ public:
   void Step(double seconds);
 
   int GetState() const;
-  /** Of another device: DeviceLost is of each alone. */
+  /** The state of another device: DeviceLost is separate for each. */
   int GetState(int device) const;
-  /** Virtual time, s, of the next tick. */
+  /** Virtual time of the next tick, s. */
   double GetTime() const;
 
   ///@{
@@ -211,16 +223,18 @@ public:
   int GetContactState();
   ///@}
   ///@{
-  /** The newest tick of a tilted tool: its axis, unit, from the tip to the hand (zero where the
-   * device does not tell it, and of all that follows); the ideal torque on it about its tip, N mm,
-   * and the one applied by a device that outputs torque; its tilt from the normal, degrees. */
+  /**
+   * The newest tick of a tilted tool: its axis, unit, from the tip to the hand; the ideal torque on
+   * it about its tip, N mm, and the one applied by a device that outputs torque; its tilt from the
+   * normal, degrees. All zero if the device does not report its orientation.
+   */
   void GetAxis(double axis[3]);
   void GetIdealTorque(double torque[3]);
   void GetTorque(double torque[3]);
   double GetTilt();
   ///@}
   ///@{
-  /** The same of a device of several, by its index. */
+  /** The same for one of several devices, by its index. */
   void GetTip(int device, double tip[3]);
   void GetContactPoint(int device, double point[3]);
   void GetIdealForce(int device, double force[3]);
@@ -236,23 +250,29 @@ public:
   double GetTilt(int device);
   std::string GetSafetyText(int device);
   ///@}
-  /** By which factor the newest tick's ideal force was fitted to the device; before the first that
-   * of Start. */
+  /**
+   * The factor by which the newest tick's ideal force was fitted to the device; before the first
+   * that of Start.
+   */
   double GetForceFactor();
-  /** No force larger than this reaches the hand, N: what the device is good for, or the limit of
-   * the safety, whichever is less. */
+  /**
+   * The largest force that reaches the hand, N: the device's maximum or the limit of the safety,
+   * whichever is less.
+   */
   double GetMaximumForce();
-  /** Why the applied force is not the ideal one, in words, the factor included: "force ×0.12,
-   * stiffness capped"; "" where it is. */
+  /**
+   * Why the applied force is not the ideal one, in words, including the factor: "force ×0.12,
+   * stiffness capped"; "" if it is.
+   */
   std::string GetSafetyText();
 
 #ifndef __VTK_WRAP__
-  /** The newest tick, whole: valid until the next call. A default one before the first. */
+  /** The whole newest tick; valid until the next call. A default one before the first. */
   const palpate::Tick& GetNewestTick();
   const palpate::Tick& GetNewestTick(int device);
 #endif
 
-  /** Its parts count. */
+  /** Includes the times of its parts. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -290,9 +310,9 @@ private:
   bool LockMemory = false;
   double Rehearsal = 0.0;
   vtkIdType Starts = 0;
-  double FittedFactor = 1.0; ///< of the newest scene made
+  double FittedFactor = 1.0; ///< of the newest servo scene
 
-  // Which state of which body was last found to be unsound.
+  // The body, and its state, whose defects were reported last.
   vtkPolyData* Unsound = nullptr;
   vtkMTimeType UnsoundTime = 0;
 

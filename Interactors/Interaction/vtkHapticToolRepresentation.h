@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticToolRepresentation
- * @brief the tool where it touches, and the forces on it as arrows with their values
+ * @brief the tool at its contact, and the forces on it as arrows with their values
  *
- * The tool stands on its tip along the contact normal, or its own axis where that is known,
- * translucent, so that neither the dent nor
- * the arrow hides in it. The arrow of the total, ideal force starts at the contact point, is
- * ForceScale mm long per newton, and carries the magnitude in newtons at its head. Without force
- * there is no arrow.
+ * The tool is drawn at its tip along the contact normal, or along its own axis if that is known;
+ * translucent, so that it hides neither dent nor arrow. The arrow of the total, ideal force starts
+ * at the contact point, is ForceScale mm long per newton, and carries the magnitude in newtons at
+ * its head. Without force there is no arrow.
  *
- * Where there is friction, of at least 2 % of the force, two thinner arrows from the same point
- * show the parts of the force, normal and friction. Where the applied force (what a device is told,
- * behind its safety chain) differs from the ideal one by more than 2 %, it is drawn beside it, to
- * the right as seen by the camera, at the same scale. Labels do not cover one another.
+ * With friction of at least 2 % of the force, two thinner arrows from the same point show the parts
+ * of the force, normal and friction. If the applied force (after the safety chain) differs from the
+ * ideal one by more than 2 %, it is drawn beside it, to the right as seen by the camera, at the
+ * same scale. Labels do not cover one another.
  *
- * A torque about the tip, of at least 2 % of what the force would do at the arc's radius, is an arc
- * the way it turns, with its N mm: as long as the arrow of the force that does the same there.
+ * A torque about the tip, of at least 2 % of that of the force at the arc's radius, is an arc in
+ * its direction, with its value in N mm: as long as the arrow of the force with the same torque
+ * there.
  *
  * BeyondValidity dashes the arrows.
  *
@@ -69,8 +69,10 @@ public:
   ///@}
 
   ///@{
-  /** Whether normal force and friction are drawn, where there is friction; whether the applied
-   * force, where it differs. From the next contact on. Default on. */
+  /**
+   * Whether normal force and friction are drawn, if there is friction; whether the applied force
+   * is, if it differs. From the next contact on. Default on.
+   */
   vtkSetMacro(ComponentsVisibility, bool);
   vtkGetMacro(ComponentsVisibility, bool);
   vtkSetMacro(AppliedForceVisibility, bool);
@@ -78,35 +80,41 @@ public:
   ///@}
 
   ///@{
-  /** Whether the arrows are dashed: the force is beyond what its law is valid for. From the next
-   * contact on. Default off. */
+  /**
+   * Whether the arrows are dashed, as the force is beyond the validity of its law. From the next
+   * contact on. Default off.
+   */
   vtkSetMacro(BeyondValidity, bool);
   vtkGetMacro(BeyondValidity, bool);
   ///@}
 
   /**
-   * Places the tool: its tip, the outward normal it stands along, where the arrow starts, and the
-   * force on it (N). A zero normal leaves the direction as it was.
+   * Places the tool: its tip, the outward normal along which it stands, the start of the arrow, and
+   * the force on it (N). A zero normal leaves the direction unchanged.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3]);
-  /** The same with the friction that is part of the force, and what the device applies instead of
-   * the force (the force itself where it applies that, or where there is no device). */
+  /**
+   * The same with the friction in the force, and the applied force (equal to the force if there is
+   * no other, or no device).
+   */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3], const double friction[3], const double applied[3]);
 
   /**
    * From the next contact on: the tool's axis, from its tip up the shaft, and the torque on it
-   * about the tip, N mm. Zeros: the axis is not known, and there is no torque. Default.
+   * about the tip, N mm. Zeros (default): the axis is not known, and there is no torque.
    */
   void SetTilt(const double axis[3], const double torque[3]);
 
-  /** Another one, drawn before, whose labels are placed first: those of this one make way for them.
-   * Default none. */
+  /**
+   * Another one, drawn before, whose labels are placed first; those of this one avoid them. Default
+   * none.
+   */
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 
   ///@{
-  /** Reimplemented: what depends on the camera, place of the applied force and of the labels. */
+  /** Reimplemented to place the applied force and the labels, which depend on the camera. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
   ///@}

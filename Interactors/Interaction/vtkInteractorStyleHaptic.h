@@ -8,27 +8,26 @@
  *
  * **Mouse**, over the body, in the viewport of the scene:
  * - moving: the tool hovers HoverHeight above the surface under the pointer;
- * - left button: it presses, PressDepth deep, and slides with the pointer; wheel: deeper or less
- *   deep, by 0.1 mm a notch;
- * - wheel without a button: it presses too, WheelDepth deep, 0.1 mm more or less a notch; at 0 it
- *   hovers again.
- * - wheel with Shift, and keys [ ] { }: the tool leans, by 2.5 degrees, against the normal there
- *   (or against the plane of the picture); 0: upright.
- * - with Steering ViewPlane (key v) the pointer moves the tip in the plane through it that is
- *   parallel to the picture, through free space and body alike, and the wheel moves it away from
- *   the viewer or towards, by 0.1 mm a notch.
- * Elsewhere in the scene, as vtkInteractorStyleTrackballCamera: left orbits, middle pans, right and
- * wheel zoom; the wheel zooms with Control everywhere. In other viewports that are not interactive,
- * a panel or charts, nothing happens.
+ * - left button: it presses, PressDepth deep, and slides with the pointer; the wheel changes the
+ *   depth by 0.1 mm a notch;
+ * - wheel without a button: it presses, too, WheelDepth deep, changed by 0.1 mm a notch; at 0 it
+ *   hovers again;
+ * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees against the normal there (or
+ *   against the plane of the picture); key 0: upright;
+ * - with Steering ViewPlane (key v) the pointer moves the tip in the plane through it parallel to
+ *   the picture, through free space and body alike, and the wheel moves it away from the viewer or
+ *   towards, by 0.1 mm a notch. Elsewhere in the scene, as vtkInteractorStyleTrackballCamera: left
+ *   orbits, middle pans, right and wheel zoom; the wheel zooms with Control everywhere. Nothing
+ *   happens in other viewports that are not interactive, as a panel or charts.
  *
  * Of a session with several devices the pointer moves one hand at a time, the one of Hand (key n
  * takes the next that is simulated); the others stay where they are, pressing if they pressed.
  *
- * **Keys**: see GetKeyHelp, which ? or h shows and hides on the screen. Those the style cannot
- * serve itself are told to its observers: 1 to 9 ToolChosenEvent (call data: int*, from 0), space
+ * **Keys**: see GetKeyHelp, which ? or h shows and hides on the screen. Those that the style does
+ * not handle itself invoke events: 1 to 9 ToolChosenEvent (call data: int*, from 0), space
  * SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
  *
- * The body is the session's; its response normals are the directions pressed along.
+ * The body is the session's; the tool presses along its response normals.
  */
 #ifndef vtkInteractorStyleHaptic_h
 #define vtkInteractorStyleHaptic_h
@@ -87,14 +86,15 @@ public:
   void SetScene(vtkContactScene* scene);
   vtkContactScene* GetScene();
   ///@{
-  /** Optional: who writes the pictures and records of keys p and k. */
+  /** Optional: the object that writes the pictures and records of keys p and k. */
   void SetFiles(vtkSessionFiles* files);
   vtkSessionFiles* GetFiles();
   ///@}
 
   ///@{
-  /** Which of the session's devices the pointer moves, by its index; one that the session has not
-   * is the last. With what the wheel had pressed it, and how it leant, when it was left. Default 0.
+  /**
+   * The device of the session that the pointer moves, by its index, at most the last. Its depth by
+   * the wheel, and its tilt, are those it was left with. Default 0.
    */
   void SetHand(int hand);
   vtkGetMacro(Hand, int);
@@ -109,12 +109,12 @@ public:
   ///@}
 
   ///@{
-  /** How deep the left button presses, mm, 0 to MaximumDepth. Default 1. */
+  /** Depth pressed by the left button, mm, 0 to MaximumDepth. Default 1. */
   void SetPressDepth(double depth);
   vtkGetMacro(PressDepth, double);
   ///@}
   ///@{
-  /** How deep the wheel alone has pressed, mm, 0 to MaximumDepth; 0 (default): the tool hovers. */
+  /** Depth pressed by the wheel alone, mm, 0 to MaximumDepth; 0 (default): the tool hovers. */
   void SetWheelDepth(double depth);
   double GetWheelDepth() const;
   ///@}
@@ -129,9 +129,11 @@ public:
   vtkGetMacro(HoverHeight, double);
   ///@}
 
-  /** How the tool leans against the normal where it is steered, degrees to the right of the picture
-   * and away from the viewer, each within 60; from the next steering on. Default 0, 0: its axis is
-   * not told, and the tool stands along the normal. */
+  /**
+   * Tilt of the tool against the normal, degrees to the right of the picture and away from the
+   * viewer, each within 60; from the next steering on. Default 0, 0: its axis is not set, and the
+   * tool stands along the normal.
+   */
   void SetTilt(double right, double away);
   void GetTilt(double tilt[2]) const;
 
@@ -140,20 +142,22 @@ public:
   /** Steers the tip to a point, mm, body frame. */
   void SteerTo(const double tip[3]);
 
-  /** Whether the left button presses the tool now. */
+  /** Whether the left button is pressing the tool. */
   bool IsPressing() const { return this->Pressing; }
 
-  /** Whether the wheel has ever pressed the tool, or moved it away from the viewer: a window can
-   * say that it does until then. */
+  /**
+   * Whether the wheel has ever pressed the tool, or moved it away from the viewer; a window may
+   * explain the wheel until then.
+   */
   bool HasWheelPressed() const { return this->WheelPressed; }
 
   ///@{
-  /** The list of keys and what the mouse does, on the screen. Key ?. Default off. */
+  /** Whether the functions of keys and mouse are listed on the screen. Key ?. Default off. */
   void SetHelpVisibility(bool visible);
   bool GetHelpVisibility() const;
   ///@}
   ///@{
-  /** What it says: a line per key, "key<tab>what it does". Default: what this class does. */
+  /** Its text: a line per key, "key<tab>what it does". Default: the functions of this class. */
   void SetKeyHelp(const std::string& text);
   std::string GetKeyHelp() const;
   ///@}
@@ -166,7 +170,7 @@ public:
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
   void OnChar() override;
-  void OnTimer() override {} ///< a frame is no motion of the camera
+  void OnTimer() override {} ///< a frame does not move the camera
 
 protected:
   vtkInteractorStyleHaptic();
@@ -198,7 +202,7 @@ private:
   vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
-  std::vector<palpate::SteeredHand> Hands; ///< as many as have been steered; Hand is one of them
+  std::vector<palpate::SteeredHand> Hands; ///< those steered so far, including Hand
   int Hand = 0;
   int Steering = Surface;
   double PressDepth = 1.0;

@@ -7,17 +7,17 @@
  * s) and `Inward` (double 3, the direction pressed along), for vtkHapticDevice::SetPath or
  * vtkToolContactProbe.
  *
- * Where to go is said by directions seen from Center: each is followed inward from outside the body
- * to the first surface met. With several, the path turns from one to the next through the
- * directions between them. At the first the tip comes from Approach mm above the surface straight
- * down to Depth below it at PressSpeed, rests, slides at SlideSpeed keeping Depth, rests and lifts
- * at the last. With one direction it presses, rests and lifts.
+ * The places are given by directions from Center: each is followed inward from outside the body to
+ * the first surface. With several, the path turns from one to the next through the directions
+ * between them. At the first the tip moves from Approach mm above the surface straight down to
+ * Depth below it at PressSpeed, rests, slides at SlideSpeed at constant Depth, rests and lifts at
+ * the last. With one direction it presses, rests and lifts.
  *
- * The direction pressed along is the surface normal, averaged over SmoothingLength of path, as a
- * hand would hold the tool; the depth along it is therefore only nearly the deflection on a rough
+ * The direction of pressing is the surface normal, averaged over SmoothingLength of path, as a hand
+ * would hold the tool; the depth along it is therefore only nearly the deflection on a rough
  * surface.
  *
- * Errors: a direction that meets no surface; a leap of more than 10 mm between neighbouring points
+ * Errors: a direction that meets no surface; a jump of more than 10 mm between neighbouring points
  * of the path (it crosses a gap or a silhouette).
  */
 #ifndef vtkPressPath_h
@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Where directions are seen from, mm, inside the body. Default the origin. */
+  /** Origin of the directions, mm, inside the body. Default 0, 0, 0. */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
@@ -49,13 +49,13 @@ public:
   ///@}
 
   ///@{
-  /** How deep the tip is held below the surface, mm. Default 1. */
+  /** Depth of the tip below the surface, mm. Default 1. */
   vtkSetMacro(Depth, double);
   vtkGetMacro(Depth, double);
   ///@}
 
   ///@{
-  /** Height the tip comes from and leaves to, mm. Default 5. */
+  /** Height above the surface at which the path begins and ends, mm. Default 5. */
   vtkSetMacro(Approach, double);
   vtkGetMacro(Approach, double);
   ///@}

@@ -4,16 +4,16 @@
  * @brief a body coloured by where the shape of the tool matters, with a legend, in a renderer
  *
  * Give it a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
- * - Index, λ: orange where the body gives way as a whole (1), white where only locally (0), violet
- *   where a near base stiffens it (-1 and below);
+ * - Index, λ: orange where deformation is global (1), white where it is local (0), violet where a
+ *   near base stiffens the body (-1 and below);
  * - Sensitivity, S = dlnF/dln(size): from yellow (0: a point force suffices) to dark blue (1.5 and
  *   above);
- * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices.
- * Grey where there is no stable contact. A colour means the same number in every picture: the
- * ranges do not follow the data. Lightness tells the sensitivity and the verdicts apart in grey and
- * to the colour-blind; for the index violet and orange do (ColorBrewer's PuOr).
+ * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices. Grey where there
+ * is no stable contact. A colour means the same number in every picture: the ranges do not follow
+ * the data. Sensitivity and verdicts differ in lightness, for grey and for the colour-blind; the
+ * index in violet and orange (ColorBrewer's PuOr).
  *
- * Cost: the arrays are uploaded once, and anew when the quantity changes.
+ * Cost: the arrays are uploaded once, and again when the quantity changes.
  *
  * @sa vtkContactRegime vtkBodyComparison
  */
@@ -50,12 +50,14 @@ public:
   /** The renderer; the body and its legend are added. Call once. */
   void SetRenderer(vtkRenderer* renderer);
 
-  /** The body, with the arrays of vtkContactRegime. Returns false, after an error that names the
-   * array, if one is missing; what was shown stays. */
+  /**
+   * The body, with the arrays of vtkContactRegime. Returns false, after an error that names the
+   * array, if one is missing; the display is then unchanged.
+   */
   bool SetBody(vtkPolyData* body);
 
   ///@{
-  /** What the colours say. Default Index. */
+  /** The quantity shown by the colours. Default Index. */
   void SetQuantity(int quantity);
   vtkGetMacro(Quantity, int);
   void SetQuantityToIndex() { this->SetQuantity(Index); }
@@ -70,7 +72,7 @@ public:
   ///@}
 
   ///@{
-  /** The parts, to restyle or place them: the legend stands at the right edge. */
+  /** The parts, to restyle or place them; the legend is at the right edge. */
   vtkActor* GetBodyActor();
   vtkScalarBarActor* GetLegend();
   ///@}

@@ -5,11 +5,11 @@
  *
  * Add curves as vtkTables whose first column is the deflection (mm) and second the force (N), as
  * vtkResponseCurves makes them, each with a label. The chart has axis titles with units, a legend,
- * and colours and dashes that the colour-blind can tell apart; it starts at (0, 0) and ends where
- * the longest curve does.
+ * and colours and dashes that the colour-blind can distinguish; it starts at (0, 0) and ends with
+ * the longest curve.
  *
- * A curve may be marked valid up to a depth: beyond it the line turns dotted. A table with a third
- * and a fourth column, the least and the most that the force may be (N), has these as a band.
+ * A curve may have a depth of validity, beyond which the line is dotted. A third and a fourth
+ * column of a table, the bounds of the force (N), are drawn as a band.
  */
 #ifndef vtkResponseChart_h
 #define vtkResponseChart_h

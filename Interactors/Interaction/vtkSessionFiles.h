@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSessionFiles
- * @brief pictures of the window and records of the session, under names of their own
+ * @brief writes pictures of the window and records of the session, under automatic names
  *
- * Files are "palpate-1.png", "palpate-1.csv" in OutputFolder, the first number that is free, unless
- * they are given a name. A record is every tick between two moments of a session, as a trajectory
- * file that the device "replay:FILE" reads; it goes on over a stop and a start. GetNotice says, in
- * words, what was last done. For the session's thread.
+ * Files are "palpate-1.png", "palpate-1.csv" in OutputFolder, with the first free number, unless
+ * they are given a name. A record contains every tick between two times of a session, as a
+ * trajectory file for the device "replay:FILE"; it continues over a stop and a start. GetNotice
+ * says, in words, what was last done. For the session's thread.
  */
 #ifndef vtkSessionFiles_h
 #define vtkSessionFiles_h
@@ -35,30 +35,32 @@ public:
 
   /** The session that is recorded. */
   void SetSession(vtkHapticSession* session);
-  /** The window that pictures are taken of. */
+  /** The window of the pictures. */
   void SetWindow(vtkRenderWindow* window);
 
   ///@{
-  /** Where files without a name go. Made when needed. Default: the folder the program runs in. */
+  /** Folder of files without a name, created when needed. Default: the current folder. */
   vtkSetMacro(OutputFolder, std::string);
   vtkGetMacro(OutputFolder, std::string);
   ///@}
   ///@{
-  /** What was last done, "picture palpate-1.png"; for whoever shows it. */
+  /** What was last done, "picture palpate-1.png", for display. */
   vtkSetMacro(Notice, std::string);
   vtkGetMacro(Notice, std::string);
   ///@}
 
-  /** Writes the window as a .png; "": under a name of its own. Returns the name of the file, ""
-   * after an error. */
+  /**
+   * Writes the window as a .png; "": under an automatic name. Returns the name of the file, ""
+   * after an error.
+   */
   std::string WritePicture(const std::string& fileName = std::string());
 
   ///@{
   /**
-   * Keeps every tick from StartRecording on, then writes them; "": under a name of its own.
+   * Keeps every tick from StartRecording on, then writes them; "": under an automatic name.
    * Starting returns false, after an error, unless the session's recorder had HistorySeconds of
-   * some frames at its Start, 1 is plenty; writing returns the name of the file, "" after an error.
-   * ToggleRecording does what is due.
+   * some frames at its Start, of which 1 is ample; writing returns the name of the file, "" after
+   * an error. ToggleRecording starts or writes.
    */
   bool StartRecording();
   std::string WriteRecording(const std::string& fileName = std::string());

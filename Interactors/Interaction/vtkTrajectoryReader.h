@@ -7,21 +7,20 @@
  * or any .csv with the columns time_s, tip_x_mm, tip_y_mm, tip_z_mm; see palpate::readTrajectory.
  *
  * Output: the tips in order, mm, body frame, as one polyline with the point arrays `Time` (double,
- * s) and, as far as the file has them, `ContactPoint` (3, mm), `Deflection` (mm), `NormalForce`
- * (N) and its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the
- * total), `ContactState` (uint8, as of vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and
- * `Torque` (3, N mm, about the tip); of the device, in its own frame,
- * `DevicePosition` (3, m) and `SentForce` (3, N). Ticks without a valid sample have no tip and are
- * left out.
+ * s) and, if the file has them, `ContactPoint` (3, mm), `Deflection` (mm), `NormalForce` (N) and
+ * its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total),
+ * `ContactState` (uint8, as of vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and `Torque`
+ * (3, N mm, about the tip); of the device, in its own frame, `DevicePosition` (3, m) and
+ * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out.
  *
- * Time: the file's times are announced, FrameRate per second, and the output asked for at a time t
- * ends with the last tip that is not after t, which is the present one; vtkToolContactProbe,
- * vtkContactDeflection and vtkContactHistory follow it. With WholePath, or when no time is asked
- * for, all of it is there.
+ * Time: time steps over the file's times are announced, FrameRate per second, and the output at a
+ * time t ends with the last tip that is not after t, which is the present one; vtkToolContactProbe,
+ * vtkContactDeflection and vtkContactHistory follow it. With WholePath, or if no time is requested,
+ * it is the whole path.
  *
  * Errors: no file, or one that is not a trajectory: file, line and what is wrong; the output is
- * then empty. Cost: the file is read again when its name or its time of change differs; a request
- * then copies the tips up to its time.
+ * then empty. Cost: the file is read again when its name or its time of change differs; each
+ * request copies the tips up to its time.
  */
 #ifndef vtkTrajectoryReader_h
 #define vtkTrajectoryReader_h
@@ -52,8 +51,10 @@ public:
   ///@}
 
   ///@{
-  /** Time steps announced per second, 1 to 10000; a session has a thousand ticks and more in each.
-   * Default 25. */
+  /**
+   * Time steps announced per second, 1 to 10000; a session has a thousand ticks and more per
+   * second. Default 25.
+   */
   vtkSetClampMacro(FrameRate, double, 1.0, 10000.0);
   vtkGetMacro(FrameRate, double);
   ///@}
@@ -65,7 +66,7 @@ public:
   vtkBooleanMacro(WholePath, bool);
   ///@}
 
-  /** Whether the first line that is no comment names the columns of a trajectory; 1 or 0. */
+  /** Whether the first line that is not a comment names the columns of a trajectory; 1 or 0. */
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 
 protected:
@@ -87,7 +88,7 @@ private:
   double FrameRate = 25.0;
   bool WholePath = false;
 
-  std::unique_ptr<palpate::Trajectory> Known; ///< what was read last, ticks with a tip only
+  std::unique_ptr<palpate::Trajectory> Known; ///< the last file read, ticks with a tip only
   std::string KnownFile;
   std::filesystem::file_time_type KnownTime; ///< of the file's last change
 };

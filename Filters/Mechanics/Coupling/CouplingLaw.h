@@ -20,9 +20,10 @@ struct CouplingKnot
 /**
  * The compliance of a body at one place under a force at another at distance r: C(r) = g / (πE* r).
  * On a half-space g = 1 (Boussinesq). On a layer of thickness h, whose surface moves by W(kh) times
- * that of a half-space (LayerKernel), g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π)
- * ∫_0^{π/2} M(x sin φ) dφ, x = r/h. On a rigid base g is negative beyond about one thickness, where
- * the surface bulges, and decays to 0 soon after.
+ * that of a half-space (LayerKernel),
+ *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
+ * On a rigid base g is negative beyond about one thickness, where the surface bulges, and decays to
+ * 0 soon after.
  *
  * Cubic polynomials between 79 knots, within 2e-6 of g; beyond x = 39 g is constant. Also the
  * contact radius a for a stiffness K, for any tool whose pressure vanishes at the rim: on a
@@ -55,8 +56,8 @@ public:
   };
   Share at(double x) const noexcept;
 
-  /// Radius of a contact of this stiffness (N/mm), mm; `modulus` E*, MPa, and `thickness` h, mm, >
-  /// 0.
+  /// Radius of a contact of this stiffness (N/mm), mm; `modulus` E*, MPa, and `thickness` h,
+  /// mm, > 0.
   double contactRadius(double stiffness, double modulus, double thickness) const noexcept;
 
 private:

@@ -3,10 +3,10 @@
  * @file The motion of a whole body, whatever point is pressed: a Green function of low rank.
  *
  * H(x,X) is the motion of the surface at x per force at X, less the dent (RegularField). It is
- * symmetric, H(x,X) = H(X,x)ᵀ (Betti), and smooth, so that a few products approximate it: H(x,X) ≈
- * Σ_k s_k φ_k(x) φ_k(X)ᵀ, s_k = ±1, φ_k in sqrt(mm/N). A force F pressed along -n at X then moves x
- * by u = -F Σ_k s_k φ_k(x) (n·φ_k(X)), and X itself inwards by F Σ_k s_k (n·φ_k(X))², which is C_g
- * F less what is neglected.
+ * symmetric, H(x,X) = H(X,x)ᵀ (Betti), and smooth, so that a few products approximate it:
+ *     H(x,X) ≈ Σ_k s_k φ_k(x) φ_k(X)ᵀ,  s_k = ±1,  φ_k in sqrt(mm/N).
+ * A force F pressed along -n at X then moves x by u = -F Σ_k s_k φ_k(x) (n·φ_k(X)), and X itself
+ * inwards by F Σ_k s_k (n·φ_k(X))², which is C_g F less what is neglected.
  *
  * Found from the fields g_j(x) = H(x,X_j) n_j of landmarks spread over the surface (farthest point
  * sampling; Nyström 1930; Williams and Seeger 2001): G_ij = n_i·g_j(X_i) = Σ_k V_ik L_k V_jk and

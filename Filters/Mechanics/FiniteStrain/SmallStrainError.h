@@ -7,8 +7,8 @@
 namespace palpate
 {
 /**
- * The relative error of the force by the laws of small strain on a Neo-Hooke body: |c - 1|, c =
- * F_finite/F_small, and the residual of its estimate.
+ * The relative error of the force by the laws of small strain on a Neo-Hooke body: |c - 1|,
+ * c = F_finite/F_small, and the residual of its estimate.
  *
  * Half-space: c - 1 = K(ν) s, the same K for every tool, s the mean pressure over E*, F/(πa²E*).
  * Layer on a rigid base: k(ν) s + b(ν) (δ/h)(a/h)/(1/2 + a/h). K, k and b were fitted to finite

@@ -36,10 +36,10 @@ struct StrainBodies
  * The effect of finite strain on the force of one tool at the same depth: c = F_finite/F_small, by
  * which the exact law of small strain is multiplied. Its stiffness is c k_small + F_small dc/dδ.
  *
- * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius, δ =
- * 1.3 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to four
- * radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to 0.7
- * to 1.2 radii), are tables made by the solver; deeper than that the error grows
+ * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius,
+ * δ = 1.3 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to
+ * four radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to
+ * 0.7 to 1.2 radii), are tables made by the solver; deeper than that the error grows
  * (NeoHookeTables.h). Everything else is solved for at four Poisson's ratios (or the single one),
  * at thicknesses in a ratio of 2 or less (of a stack, of its first two layers), and at eight
  * depths: to 0.7 of all layers on a rigid base, beyond which the error grows. 3 s to a minute a

@@ -16,10 +16,10 @@ namespace palpate
  * A tool pressed into an elastic layer of thickness h on a rigid base, bonded or slipping.
  *
  * The exact linear solution (LayerKernel.h) for any axisymmetric tool: with y₁ the solution for a
- * flat punch and Γ the resolvent, δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a), F = 2E* ∫_0^a y₁ (δ - g) dt,
- * dF/dδ = 2E* ∫_0^a y₁ dt. E* = E/(1-ν²) with the ν of the kernel. Valid for a <=
- * LayerKernel::LargestRatio h; deeper gives NaN. Small strain: δ << h besides the tool's own limit
- * (depthAtStrain).
+ * flat punch and Γ the resolvent,
+ *   δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt.
+ * E* = E/(1-ν²) with the ν of the kernel. Valid for a <= LayerKernel::LargestRatio h; deeper gives
+ * NaN. Small strain: δ << h besides the tool's own limit (depthAtStrain).
  *
  * Cost: 10 to 30 µs per evaluation of a smooth tool. Immutable and safe to use from any number of
  * threads.

@@ -37,9 +37,9 @@ enum class LayerBase
  *   M(s) = ∫_0^∞ (W-1) cos ωs dω,   F = 2E* ∫_0^a y dt.
  *
  * It is solved by Nyström's method at 48 Gauss nodes for two right-hand sides; the solutions depend
- * on a/h alone and are tabulated when the kernel is built: about 20 ms. 0 <= ν <= 0.5, a/h <=
- * LargestRatio; the table agrees with the direct solution to 1e-10. A stack of layers has another W
- * and V, and the same equation. Immutable and safe to use from any number of threads.
+ * on a/h alone and are tabulated when the kernel is built: about 20 ms. 0 <= ν <= 0.5,
+ * a/h <= LargestRatio; the table agrees with the direct solution to 1e-10. A stack of layers has
+ * another W and V, and the same equation. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {

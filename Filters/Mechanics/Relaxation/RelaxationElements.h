@@ -16,13 +16,14 @@ namespace palpate
 {
 /**
  * A foundation that relaxes: parallel elements, each of which begins at its own gap g_j below the
- * surface and carries q = u + Σ p_i s_i, ds_i/dt = du/dt - s_i/τ_i, u its own depth, δ - g_j while
- * it touches. It does not pull: out of contact it creeps back with q = 0. The force of a slow curve
- * f is F = Σ w_j q_j, with w_j the steps of the slope of the chords of f between the gaps: exact in
- * the limit of close gaps for every body and tool whose contact areas are nested (Lee and Radok
- * 1960; Ting 1966), and any history: presses, holds, releases, new contacts in a dent that has not
- * recovered. The state of an element depends on depth and time alone, not on f, so that blended
- * curves share the elements.
+ * surface and carries
+ *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
+ * u its own depth, δ - g_j while it touches. It does not pull: out of contact it creeps back with
+ * q = 0. The force of a slow curve f is F = Σ w_j q_j, with w_j the steps of the slope of the
+ * chords of f between the gaps: exact in the limit of close gaps for every body and tool whose
+ * contact areas are nested (Lee and Radok 1960; Ting 1966), and any history: presses, holds,
+ * releases, new contacts in a dent that has not recovered. The state of an element depends on depth
+ * and time alone, not on f, so that blended curves share the elements.
  *
  * A step is exact for a depth that moves at constant speed. Elements are stepped in blocks of four,
  * except those never touched: some 40 ns for 17 elements and two branches. Nothing allocates or

@@ -18,9 +18,9 @@ struct TiltedLayer
 /**
  * The relative error of the force of a tilted tool on a bonded layer by its equivalent profile of
  * revolution (TiltedTool.h), as the base acts differently on a contact that is longer than wide, or
- * on a rim. With T the stretch, where it is more than 1, ρ the radius times √T and g = ρ³/(ρ³ +
- * 0.22), pointed tools 0.36 (1 - T^-1.2) g, flat ends 0.18 s²/(1 + s²) g, s the rim's drop, an
- * envelope of the results of boundary elements on layers, ν = 0.45
+ * on a rim. With T the stretch, where it is more than 1, ρ the radius times √T and
+ * g = ρ³/(ρ³ + 0.22), pointed tools 0.36 (1 - T^-1.2) g, flat ends 0.18 s²/(1 + s²) g, s the rim's
+ * drop, an envelope of the results of boundary elements on layers, ν = 0.45
  * (Data/Reference/tilt/tilt_layer_nu0.45.csv). 0 on a half-space, for spherical ends, and upright.
  */
 PALPATE_EXPORT double tiltError(const TiltedLayer& contact) noexcept;

@@ -51,11 +51,12 @@ PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
 
 /**
  * The effect of tilting a tool on its force. With W_0(D) the work of pressing it D deep upright,
- * that of the tool tilted by θ, its deepest point D deep, is W(D, θ) = W_0(D) τ(D, θ), D = δ +
- * h(θ), δ the depth of its tip, on the axis, and h the drop of its deepest point. Force and torque
- * follow from this one energy, so that closed paths gain no energy: F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,
- * M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ, F along the body's normal, M about the tip, towards the
- * upright position. τ(D, 0) = 1.
+ * that of the tool tilted by θ, its deepest point D deep, is
+ *   W(D, θ) = W_0(D) τ(D, θ),  D = δ + h(θ),
+ * δ the depth of its tip, on the axis, and h the drop of its deepest point. Force and torque follow
+ * from this one energy, so that closed paths gain no energy:
+ *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ,
+ * F along the body's normal, M about the tip, towards the upright position. τ(D, 0) = 1.
  *
  * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1 or,
  * for a tool with a flat end, whose force falls fast with the tilt, that of a flat end on a

@@ -16,8 +16,9 @@ struct TiltedFlatTerm
 
 /**
  * A flat end of radius a on a half-space, tilted by θ, its deepest point, on the rim, D deep: by
- * similarity one law of q = D/(a sin θ), F = 2 a² E* sin θ f(q), W/W_0 = ρ, f = d(q² ρ/2)/dq. From
- * q = 3 on the whole end touches, f = q - 1 and ρ = 1 - 2/q + 5/(3q²) exactly. Below, ρ is a
+ * similarity one law of q = D/(a sin θ),
+ *   F = 2 a² E* sin θ f(q),   W/W_0 = ρ,  f = d(q² ρ/2)/dq.
+ * From q = 3 on the whole end touches, f = q - 1 and ρ = 1 - 2/q + 5/(3q²) exactly. Below, ρ is a
  * polynomial of √(q/3), fitted to boundary elements with f, f' and f'' continuous at q = 3
  * (Data/Reference/tilt/flat_tilt_universal.csv): 1e-3 from q = 0.1 on, 3e-3 at 0.01.
  */

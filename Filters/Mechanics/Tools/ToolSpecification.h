@@ -51,11 +51,12 @@ PALPATE_EXPORT std::string checkTool(const ToolSpecification& specification);
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
 
 /**
- * Reads a tool: flat:R sphere:R paraboloid:R cone:DEGREES truncated:R,DEGREES blunted:R,DEGREES
- * rounded:R,EDGE power:EXPONENT,COEFFICIENT profile:FILE.csv profile:r1,f1;r2,f2;… in mm and
- * degrees from the axis. The second form of a profile, recognised by its ';', is the one that
- * specification() writes, so that a stored response needs no file. Files: see ProfileFile.h. On
- * failure returns false, sets `error`, and leaves the specification unchanged.
+ * Reads a tool:
+ *   flat:R  sphere:R  paraboloid:R  cone:DEGREES  truncated:R,DEGREES  blunted:R,DEGREES
+ *   rounded:R,EDGE  power:EXPONENT,COEFFICIENT  profile:FILE.csv  profile:r1,f1;r2,f2;…
+ * in mm and degrees from the axis. The second form of a profile, recognised by its ';', is the one
+ * that specification() writes, so that a stored response needs no file. Files: see ProfileFile.h.
+ * On failure returns false, sets `error`, and leaves the specification unchanged.
  */
 PALPATE_EXPORT bool parseTool(
   const std::string& text, ToolSpecification& specification, std::string& error);

@@ -12,8 +12,9 @@ struct ContactBody;
 
 /**
  * One force factor for all tools that are compared, so that a device can render the strongest and
- * the stiffest of them and their ratios are kept: min(1, F_max/F_peak, K_max/K_peak), the peaks
- * over all tools, all points and all depths up to one.
+ * the stiffest of them and their ratios are kept:
+ *   min(1, F_max/F_peak, K_max/K_peak),
+ * the peaks over all tools, all points and all depths up to one.
  *
  * Without it the limits of the device make the tools alike. The three tools of Mahvash and Hayward
  * (2002), 1 mm deep in rubber, differ by 52 % (11.4, 11.0, 5.45 N); with the stiffness capped at

@@ -131,8 +131,8 @@ PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size
  * The specification of a device by its description, with a conservative value in place of each that
  * is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force
  * rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1
- * s; of a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad, 0 <
- * torque rate). `replaced`, if given, names each such value in words. Not for the tick: it
+ * s; of a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad,
+ * 0 < torque rate). `replaced`, if given, names each such value in words. Not for the tick: it
  * allocates.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(

@@ -15,28 +15,29 @@ namespace palpate
  * Prevents the device from returning more energy to the hand than it has received: a passivity
  * observer and controller in the time domain (Hannaford and Ryu 2002), on the force actually sent.
  *
- * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly F_k · (x_k+1 -
- * x_k), whatever the hand did in between. The hold makes a spring K a generator: the held force is
- * too small while pressing, and too large while releasing; every hold leaks K |x_k+1 - x_k|²/2, a
- * press and release at speed v F_max v T. No chain can prevent this before it has happened; the
- * damping b of the device itself must cover it: in a hold of length dt it dissipates at least b
- * |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the period T is 2b/T
- * (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts E_k+1 = E_k - F_k · d + b
- * |d|²/dt, d = x_k+1 - x_k, and allows a force up to |F_k| = √(2 K_max E_k). Then, for any
- * next d, E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0: no motion, however
- * sudden, extracts more energy than was put in, except what the device's own damping dissipates in
- * the same holds. There is no prediction, no estimate of velocity, no chatter at rest. A device
- * states b/T for its K_max: then half of its damping is credited, and the other half brings it to
- * rest.
+ * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly
+ * F_k · (x_k+1 - x_k), whatever the hand did in between. The hold makes a spring K a generator: the
+ * held force is too small while pressing, and too large while releasing; every hold leaks
+ * K |x_k+1 - x_k|²/2, a press and release at speed v F_max v T. No chain can prevent this before it
+ * has happened; the damping b of the device itself must cover it: in a hold of length dt it
+ * dissipates at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the
+ * period T is 2b/T (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts
+ *   E_k+1 = E_k - F_k · d + b |d|²/dt,  d = x_k+1 - x_k,
+ * and allows a force up to |F_k| = √(2 K_max E_k). Then, for any next d,
+ *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
+ * no motion, however sudden, extracts more energy than was put in, except what the device's own
+ * damping dissipates in the same holds. There is no prediction, no estimate of velocity, no chatter
+ * at rest. A device states b/T for its K_max: then half of its damping is credited, and the other
+ * half brings it to rest.
  *
  * It does not act on a passive scene: for F = -∇U with U >= 0 and no second derivative above K_max,
- * U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k, the force is
- * never above the bound, whatever the motion. The force sent has the direction of the scene's force
- * and is never larger; a spring that is too stiff is felt as one that is not. A scene that uses all
- * of the credit would oscillate for ever, as a spring of K_max does on a device without a hand. So
- * while the force requested exceeds the bound, b and K_max above are multiplied by a fraction, the
- * ratio of bound and request but no less than SmallestShare, until there is no force: the rest of
- * the damping makes the motion decay.
+ *   U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k,
+ * the force is never above the bound, whatever the motion. The force sent has the direction of the
+ * scene's force and is never larger; a spring that is too stiff is felt as one that is not. A scene
+ * that uses all of the credit would oscillate for ever, as a spring of K_max does on a device
+ * without a hand. So while the force requested exceeds the bound, b and K_max above are multiplied
+ * by a fraction, the ratio of bound and request but no less than SmallestShare, until there is no
+ * force: the rest of the damping makes the motion decay.
  *
  * When readings are missing the force is removed at once, and the motion of the hand in the last
  * hold is unknown. Then the energy that it may have got is counted, and none that it may have put
@@ -52,11 +53,11 @@ namespace palpate
  *
  * **Delay.** It cannot detect that a device reports its position, or applies its force, late. Given
  * a bound n of both together, in ticks, it counts for each displacement the most that any of the
- * forces under way may have given, max_j F_k-j · d, j = 0..n, and allows a force such that the n +
- * 1 holds in which it may act, with the forces sent before it, extract no more than E: Σ |F|²/(2
- * K_max), or, if that allows more, for a hand at its present speed and the acceleration of a hand.
- * Without delay this is the rule above, to the bit. A spring passes unchanged up to about K_max/(2n
- * + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
+ * forces under way may have given, max_j F_k-j · d, j = 0..n, and allows a force such that the
+ * n + 1 holds in which it may act, with the forces sent before it, extract no more than E: Σ
+ * |F|²/(2 K_max), or, if that allows more, for a hand at its present speed and the acceleration of
+ * a hand. Without delay this is the rule above, to the bit. A spring passes unchanged up to about
+ * K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
  *
  * **Torque.** Given the largest torsional stiffness K_θ, it counts the work of force and torque in
  * one account, F · d + M · φ, φ the rotation in the hold, and credits b_θ = K_θ T/2 for rotations
@@ -74,9 +75,9 @@ public:
   /// The least fraction of the device's damping that is credited to the scene while the control
   /// acts.
   static constexpr double SmallestShare = 0.5;
-  /// While the hand is unknown it accelerates along a force F by at most HandAcceleration +
-  /// F/LightestHandle, m/s²: 2 g by itself, and the acceleration by F of a released handle of this
-  /// mass, kg.
+  /// While the hand is unknown it accelerates along a force F by at most
+  /// HandAcceleration + F/LightestHandle, m/s²: 2 g by itself, and the acceleration by F of a
+  /// released handle of this mass, kg.
   static constexpr double HandAcceleration = 20.0;
   static constexpr double LightestHandle = 0.05;
   /// The same for rotations, rad/s² and kg m².

@@ -12,14 +12,14 @@
 
 namespace palpate
 {
-/// Force (N) over deflection (mm) of some curves at a contact, dotted beyond validity, in a band of
-/// what the force may be by its error, with a running point.
+/// Force (N) over deflection (mm) of some curves at a contact, dotted beyond validity, with a band
+/// of its error and a running point.
 class ContactCurvesChart : public LiveChart
 {
 public:
   static constexpr int Steps = 60; ///< of a curve
 
-  /// How a curve looks.
+  /// The style of a curve.
   struct Style
   {
     std::string label;
@@ -33,7 +33,7 @@ public:
         this->width == other.width && this->hasBand == other.hasBand;
     }
   };
-  /// What it is.
+  /// The values of a curve.
   struct Curve
   {
     std::function<double(double)> force;      ///< N at mm; NaN: there is none
@@ -44,11 +44,11 @@ public:
 
   ContactCurvesChart();
 
-  /// The curves there are; without effect if they are the same as before.
+  /// Sets the curves; without effect if they are the same as before.
   void choose(const std::vector<Style>& styles);
   /// One curve per style.
   void show(const std::vector<Curve>& curves);
-  /// Puts the running point, or takes it away.
+  /// Places or hides the running point.
   void showPoint(double deflection, double force);
   void hidePoint();
 

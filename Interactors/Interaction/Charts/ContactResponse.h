@@ -16,14 +16,14 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Where on a body a contact is.
+/// The position of a contact on a body.
 struct ContactTriangle
 {
   std::array<vtkIdType, 3> corners{};
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
 
   /// Fills this from triangle `index` of the body's polygons and a point on it, mm, or on the
-  /// smooth surface over it, by the normals of the response `name`. False if there is no such one.
+  /// smooth surface over it, by the normals of the response `name`. False if there is none.
   bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
 };
 
@@ -34,20 +34,20 @@ struct ContactTriangle
 class ContactResponse
 {
 public:
-  /// Null, and an error, if the body has no response `name` that keeps the contract.
+  /// Null, and an error, if the body has no valid response `name`.
   static std::unique_ptr<ContactResponse> read(vtkPolyData* body, const std::string& name,
     const ContactTriangle& triangle, std::string& error);
 
-  /// Of corner k at a deflection (mm), N; NaN where it has no response.
+  /// Force of corner k at a deflection (mm), N; NaN if it has no response.
   double cornerForce(int k, double deflection) const;
   double cornerRange(int k) const { return this->Field.range(k); }
   /// Blended, N and mm; NaN if a corner of weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
-  /// Estimated relative error of force(), blended as it is; NaN beyond a range.
+  /// Estimated relative error of force(), blended likewise; NaN beyond a range.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
-  /// Depth to which all corners are valid, mm; infinite if the body does not tell.
+  /// Depth to which all corners are valid, mm; infinite if the body has no validity.
   double validity() const { return this->Validity; }
 
 private:

@@ -10,11 +10,11 @@
 namespace palpate
 {
 /**
- * Ideal and applied force (N) over the deflection (mm) since the tool touched last, and where the
- * body relaxes the slow force at these depths, around which the ideal one makes a loop.
+ * Ideal and applied force (N) over the deflection (mm) since the last first contact, and, if the
+ * body relaxes, the slow force at these depths, around which the ideal one makes a loop.
  *
- * A way is kept in points that are Resolution of an axis apart, in deflection or a force; of a
- * touch of more than LargestCount of them the last ones.
+ * The path is kept in points that are Resolution of an axis apart, in deflection or a force; of
+ * more than LargestCount points the last ones.
  */
 class ForceDeflectionChart : public LiveChart
 {
@@ -24,7 +24,7 @@ public:
 
   ForceDeflectionChart();
 
-  /// `slow`: what of the ideal force is not memory.
+  /// `slow`: the ideal force without memory.
   void add(bool touches, double deflection, double ideal, double applied, double slow);
   void clear();
   void show();
@@ -43,9 +43,9 @@ private:
   PlotTable Applied;
   PlotTable Slow;
   PlotTable Now;
-  vtkPlot* AppliedPlot;  ///< visible where a force is applied
-  vtkPlot* SlowPlot;     ///< visible where it is another than the ideal one
-  std::deque<Point> Way; ///< the last point is the newest, whatever its distance
+  vtkPlot* AppliedPlot;  ///< visible if a force is applied
+  vtkPlot* SlowPlot;     ///< visible if it differs from the ideal one
+  std::deque<Point> Way; ///< the last point is the newest, at any distance
   bool Touches = false;
   double LargestDeflection = 0.0;
   double LargestForce = 0.0;

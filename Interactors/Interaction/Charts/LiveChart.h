@@ -11,8 +11,8 @@ class vtkChartXY;
 
 namespace palpate
 {
-/// The look that the charts of a live window have in common: title, two axes, a legend. An axis
-/// ends where it was told to, and further on as its values grow; it never shrinks but for reset().
+/// The common base of the charts of a live window: title, two axes, a legend. The end of an axis is
+/// set, and grows with its values; it shrinks only after reset().
 class LiveChart
 {
 public:
@@ -24,13 +24,13 @@ public:
   vtkChartXY* chart() { return this->Chart; }
   void setTitle(const std::string& title);
 
-  /// The axes from 0, if they do not go as far yet.
+  /// Extends the axes from 0, if they end before `largest`.
   void growAcross(double largest) { this->grow(AxisAcross, this->EndAcross, largest); }
   void growUp(double largest) { this->grow(AxisUp, this->EndUp, largest); }
-  /// Where they end; 0 before the first grow.
+  /// Ends of the axes; 0 before the first grow.
   double endAcross() const { return this->EndAcross; }
   double endUp() const { return this->EndUp; }
-  /// The next grow begins anew.
+  /// The next grow starts from 0.
   void reset() { this->EndAcross = this->EndUp = 0.0; }
 
 private:
@@ -43,8 +43,8 @@ private:
   double EndUp = 0.0;
 };
 
-/// Shares out a viewport among charts, row by row from the top left: in so many columns that they
-/// become as large as they can at a pleasant shape.
+/// Divides a viewport among charts, row by row from the top left, in the number of columns that
+/// makes them largest at a good aspect ratio.
 void layOut(const std::vector<vtkChartXY*>& charts, int width, int height);
 } // namespace palpate
 

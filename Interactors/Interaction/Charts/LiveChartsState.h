@@ -42,12 +42,12 @@ struct vtkLiveCharts::Parts
   double largestForce = 0.0;
   double largestDeflection = 0.0;
 
-  // What the ranges and curves are of.
+  // The body of the ranges and curves.
   vtkSmartPointer<vtkPolyData> known;
   vtkMTimeType knownTime = 0;
   std::string knownName;
 
-  // How far was read: of a session's run, of a recording.
+  // How far a session's run, or a recording, has been read.
   vtkIdType run = 0;
   std::uint64_t seen = 0;
   vtkSmartPointer<vtkPolyData> probed;
@@ -55,7 +55,7 @@ struct vtkLiveCharts::Parts
   vtkIdType nextTip = 0;
   palpate::Tick touched; ///< the newest contact
 
-  std::vector<std::pair<palpate::LiveChart*, bool>> all() // in their order, all visible or not
+  std::vector<std::pair<palpate::LiveChart*, bool>> all() // in their order, with their visibility
   {
     return { { &this->time, this->time.chart()->GetVisible() },
       { &this->way, this->way.chart()->GetVisible() },
@@ -63,9 +63,9 @@ struct vtkLiveCharts::Parts
       { &this->histogram, this->histogram.chart()->GetVisible() } };
   }
 
-  /// Forgets what was felt, but not the ranges of the axes.
+  /// Forgets the forces, but not the ranges of the axes.
   void forget();
-  /// Takes over the responses of a body, if they are others than before.
+  /// Changes to the responses of a body, if they differ from the present ones.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
   void add(const palpate::Tick& felt);

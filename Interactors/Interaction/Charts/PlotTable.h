@@ -17,8 +17,7 @@
 
 namespace palpate
 {
-/// Two columns that are filled again and again, and the line or marker that they are drawn as. A
-/// row of NaN is a gap.
+/// Two columns that are filled repeatedly, and their line or marker. A row of NaN is a gap.
 class PlotTable
 {
 public:
@@ -47,7 +46,7 @@ public:
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     this->add(none, none);
   }
-  /// Nothing to draw is a gap too, so that its entry in the legend stays.
+  /// Without rows there is a gap, so that the entry in the legend remains.
   void end()
   {
     if (this->X->GetNumberOfValues() == 0)
@@ -93,8 +92,8 @@ private:
   vtkNew<vtkDoubleArray> Y;
 };
 
-/// Three columns that are filled again and again: what lies between the second and the third is
-/// drawn as an area (addBand). Nothing is drawn where there are no rows.
+/// Three columns that are filled repeatedly, with the area between the second and the third
+/// (addBand). Nothing is drawn without rows.
 class BandTable
 {
 public:

@@ -8,7 +8,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// How far a response of a body goes: what the axes of a chart are chosen from.
+/// The ranges of a body's response, from which the axes of a chart are chosen.
 struct ResponseReach
 {
   double deflection = 0.0; ///< mm
@@ -16,7 +16,7 @@ struct ResponseReach
   double halfForce = 0.0;  ///< and half as deep
 
   /// Down to `deflection`, or for 0 to the largest Range; zeros if the body has no such response.
-  /// The forces are those of stored samples, no smaller than asked for. O(points).
+  /// The forces are those of the stored samples at or beyond these depths. O(points).
   static ResponseReach of(vtkPolyData* body, const std::string& name, double deflection);
 };
 } // namespace palpate

@@ -12,12 +12,12 @@
 namespace palpate
 {
 /**
- * The last seconds of a signal in a bounded number of points, whatever its rate: of each of `bins`
- * equal stretches of time the least and the largest value, at the times they had. No peak is lost,
- * and a signal of a value per stretch or less is kept as it is.
+ * The last seconds of a signal in a bounded number of points, whatever its rate: the least and the
+ * largest value, with their times, in each of `bins` equal intervals. No peak is lost, and a signal
+ * of at most one value per interval is kept unchanged.
  *
- * A pause that is longer than GapShare of the seconds and than thrice the interval before it is a
- * gap. Values that are not finite are left out. Times must not decrease.
+ * A pause longer than GapShare of the seconds and than three times the interval before it is a gap.
+ * Values that are not finite are left out. Times must not decrease.
  */
 class SignalEnvelope
 {
@@ -56,8 +56,8 @@ public:
   /// Time of the newest value; -inf if there is none.
   double newest() const { return this->Newest; }
 
-  /// Calls point(time, value) for what is not older than the seconds before `now`, oldest first,
-  /// and gap() between what lies on both sides of one.
+  /// Calls point(time, value) for the values of the last seconds before `now`, oldest first, and
+  /// gap() at each gap.
   template <class OnPoint, class OnGap>
   void visit(double now, const OnPoint& point, const OnGap& gap) const
   {

@@ -21,7 +21,7 @@ public:
   TickHistogramChart();
 
   /// Of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to the base ten,
-  /// a stair per class; a class that holds none lies below the axis.
+  /// a step per class; an empty class lies below the axis.
   void show(vtkTable* histogram);
 
 private:

@@ -17,8 +17,8 @@ class vtkTable;
 
 namespace palpate
 {
-/// The curves of all tools at one point of a body, the depth of the verdict, and where the shown
-/// tool is on its curve.
+/// The curves of all tools at one point of a body, the depth of the verdict, and the shown tool's
+/// point on its curve.
 class ComparisonChart
 {
 public:
@@ -27,14 +27,14 @@ public:
   ComparisonChart(const ComparisonChart&) = delete;
   ComparisonChart& operator=(const ComparisonChart&) = delete;
 
-  /// Into a part of the window: shares of it, left, bottom, right, top.
+  /// Adds it to a part of the window: left, bottom, right, top as fractions.
   void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
 
-  /// Curves of a point, a line at `deflection` (mm). What is wrong, or "".
+  /// Draws the curves of a point, and a line at `deflection` (mm). Returns what is wrong, or "".
   std::string drawCurves(
     vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools, double deflection);
 
-  /// The running point, mm and N; hidden where nothing is touched.
+  /// The running point, mm and N; hidden without contact.
   void mark(double deflection, double force);
 
   vtkResponseChart* chart();

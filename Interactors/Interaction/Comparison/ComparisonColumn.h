@@ -22,8 +22,8 @@ class vtkTextActor;
 namespace palpate
 {
 /// One of the bodies that are compared, from top to bottom: title, the body under the tool or its
-/// regime map, the curves of all tools at the contact, the verdict. What returns text says what is
-/// wrong, or "".
+/// regime map, the curves of all tools at the contact, the verdict. Functions that return text say
+/// what is wrong, or "".
 class ComparisonColumn
 {
 public:
@@ -32,10 +32,10 @@ public:
   ComparisonColumn(const ComparisonColumn&) = delete;
   ComparisonColumn& operator=(const ComparisonColumn&) = delete;
 
-  /// Takes the part of the window between two shares of its width.
+  /// Occupies the part of the window between two fractions of its width.
   void addTo(vtkRenderWindow* window, double left, double right);
 
-  // What is compared; judged when something is shown.
+  // Sets the body; it is judged when something is shown.
   void setBody(vtkPolyData* body, const std::string& title);
   void setTools(const std::vector<ComparedTool>& tools);
   void setMaterial(const ComparedMaterial& material);
@@ -44,7 +44,7 @@ public:
 
   std::string showTip(vtkPolyData* probed, vtkIdType index);
   std::string showSession(vtkHapticSession* session);
-  /// Curves and verdict at the point of the body next to a place.
+  /// Shows curves and verdict at the point of the body next to a place.
   std::string showPlace(const double place[3]);
   /// -1: by displacement; otherwise a vtkRegimeMap::MapQuantity of the shown tool.
   std::string colorBy(int quantity);
@@ -68,7 +68,7 @@ private:
   ComparedMaterial Material;
   double Deflection = 1.0;
   std::size_t ShownTool = 0;
-  vtkIdType JudgedPoint = -1; ///< -1: none, or of something else by now
+  vtkIdType JudgedPoint = -1; ///< -1: none, or outdated
   RegimeStatement Statement;
   double ArrowForce = 0.0; ///< N, that the scale of the arrow was chosen for
 

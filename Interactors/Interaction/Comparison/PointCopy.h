@@ -9,8 +9,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A body of one point, with that point's data and the body's field data: what filters say of
-/// the point they then say without looking at the rest. No cells.
+/// A body of one point, with that point's data and the body's field data, so that filters compute
+/// for this point alone. No cells.
 vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
 } // namespace palpate
 

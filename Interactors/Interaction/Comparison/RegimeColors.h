@@ -12,7 +12,7 @@ class vtkScalarsToColors;
 
 namespace palpate
 {
-/// Of the verdicts of vtkContactRegime, 0 to 2: dark where shape matters. Okabe and Ito.
+/// Colours of the verdicts of vtkContactRegime, 0 to 2: dark where shape matters. Okabe and Ito.
 constexpr std::array<Color, 3> VerdictColors = { { { 0.00, 0.45, 0.70 }, { 0.90, 0.62, 0.00 },
   { 0.95, 0.90, 0.25 } } };
 
@@ -20,7 +20,7 @@ constexpr std::array<Color, 3> VerdictColors = { { { 0.00, 0.45, 0.70 }, { 0.90,
 constexpr std::array<const char*, 3> VerdictNames = { "shape\nmatters", "mixed",
   "point force\nsuffices" };
 
-// What the maps of vtkRegimeMap are coloured by; NaN is grey.
+// The colour maps of vtkRegimeMap; NaN is grey.
 vtkSmartPointer<vtkScalarsToColors> makeIndexColors();
 vtkSmartPointer<vtkScalarsToColors> makeSensitivityColors();
 vtkSmartPointer<vtkScalarsToColors> makeVerdictColors();

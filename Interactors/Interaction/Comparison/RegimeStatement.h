@@ -20,8 +20,8 @@ struct ComparedTool
   std::string responseName;
 };
 
-/// What a body is made of besides its point arrays GlobalCompliance (mm/N) and LayerThickness (mm),
-/// which count where they are there.
+/// The material of a body; its point arrays GlobalCompliance (mm/N) and LayerThickness (mm) count
+/// in addition, if present.
 struct ComparedMaterial
 {
   double youngsModulus = 0.1; ///< MPa
@@ -38,7 +38,7 @@ struct ToolRegime
   double validity = 0.0; ///< of the response, mm
 };
 
-/// What can be said of several tools pressed equally deep at one point of a body.
+/// The comparison of several tools pressed equally deep at one point of a body.
 struct RegimeStatement
 {
   double deflection = 0.0;       ///< mm
@@ -51,13 +51,14 @@ struct RegimeStatement
 };
 
 /// Judges a point of a body; an error in words, or "". A `deflection` (mm) beyond the range of the
-/// responses is taken as that range. Some milliseconds.
+/// responses counts as that range. Some milliseconds.
 std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
   const ComparedMaterial& material, double deflection, RegimeStatement& statement);
 
 // The statement for a reader.
 std::string verdictInWords(const RegimeStatement& statement);
-/// λ, sensitivity and spread at this depth; the depths the verdict and the responses hold for.
+/// λ, sensitivity and spread at this depth; the depths for which the verdict and the responses
+/// hold.
 std::string numbersInWords(const RegimeStatement& statement);
 } // namespace palpate
 

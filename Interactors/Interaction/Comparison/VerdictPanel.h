@@ -21,7 +21,7 @@ public:
   VerdictPanel(const VerdictPanel&) = delete;
   VerdictPanel& operator=(const VerdictPanel&) = delete;
 
-  /// Into a part of the window: shares of it, left, bottom, right, top.
+  /// Adds it to a part of the window: left, bottom, right, top as fractions.
   void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
 
   void show(const RegimeStatement& statement);

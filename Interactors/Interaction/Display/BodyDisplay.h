@@ -28,12 +28,12 @@ class DentMapper;
  * displacement.
  *
  * By shader (the default) a frame costs the same at any size of the mesh; otherwise each point is
- * computed anew (BodyField). Both draw the same field, see ContactField; the shader's limits stand
- * in DeflectionShader. Pickers that draw (vtkHardwareSelector) see the displaced surface either
- * way; those that intersect the data of the actor (vtkCellPicker) see it where points are computed,
- * and the undisturbed body by shader.
+ * computed anew (BodyField). Both draw the same field, see ContactField; for the shader's limits
+ * see DeflectionShader. Pickers that draw (vtkHardwareSelector) always see the displaced surface;
+ * those that intersect the data of the actor (vtkCellPicker) see it if points are computed, and the
+ * undeformed body with the shader.
  *
- * Setters take effect in the next frame. A body that has changed is noticed by show().
+ * Setters take effect in the next frame. show() notices a changed body.
  */
 class BodyDisplay
 {
@@ -52,7 +52,7 @@ public:
   /// The field ends at this distance from the contact, mm, fading over its last quarter; 0
   /// (default): DeflectionShader::FieldRadii contact radii.
   void setFieldRadius(double radius);
-  /// The dent is drawn this many times deeper than it is.
+  /// Factor by which the dent is drawn deeper.
   void setExaggeration(double factor);
   double exaggeration() const;
   void setByShader(bool on);
@@ -61,12 +61,12 @@ public:
   void show(const ShownContact& contact) { this->show(std::vector<ShownContact>{ contact }); }
   void show(const std::vector<ShownContact>& contacts);
 
-  /// Of a contact shown, mm: radius of its circle, and how deep below the contact point that lies;
-  /// 0 without contact.
+  /// Of a contact shown, mm: radius of its circle, and the depth of the circle below the contact
+  /// point; 0 without contact.
   double contactRadius(std::size_t contact = 0) const;
   double circleDepth(std::size_t contact = 0) const;
 
-  /// Of the body as it is drawn, mm.
+  /// Bounds of the body as drawn, mm.
   void bounds(double bounds[6]);
   vtkActor* actor() { return this->Actor; }
 
@@ -79,10 +79,10 @@ private:
   void refresh();
   void showByShader();
   void showByPoints();
-  /// The field of a dent, as it is drawn; empty, with what is wrong, if the body does not allow it.
+  /// The field of a dent as drawn; empty, with what is wrong, if the body does not allow one.
   ContactField makeField(Dent& dent, std::string& fault);
   bool touches() const;
-  /// How far each point moves by a dent.
+  /// The displacement of each point by a dent.
   vtkSmartPointer<vtkFloatArray> displaceByPoints(Dent& dent, std::string& fault);
   void complain(const std::string& fault);
 
@@ -92,11 +92,11 @@ private:
   bool ByShader = true;
 
   vtkSmartPointer<vtkPolyData> Body;
-  vtkMTimeType BodyTime = 0;            ///< of the body that is drawn by shader
+  vtkMTimeType BodyTime = 0;            ///< of the body drawn by the shader
   std::vector<vtkMTimeType> DrawnTimes; ///< of the surface and the modes that the mapper has
   vtkSmartPointer<vtkContactTool> Tool;
-  std::string Fault;       ///< that was complained about last
-  bool HasField = true;    ///< the body is one a field can be drawn on
+  std::string Fault;       ///< the last one reported
+  bool HasField = true;    ///< whether a field can be drawn on the body
   double ModeLength = 0.0; ///< longest vector of any mode
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;

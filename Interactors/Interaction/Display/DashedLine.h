@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Lines through points, stretches of which are dashed, for vtkTubeFilter: no line has two points
-/// in one place. A value per point goes along, linear between them.
+/// Lines through points, parts of them dashed, for vtkTubeFilter: no line has two points at one
+/// place. Each point has a value, linear between points.
 class DashedLine
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   /// Begins a line.
   void moveTo(const Eigen::Vector3d& point, double value = 0.0);
-  /// From the last point to this one; dashes go on around corners.
+  /// Draws from the last point to this one; dashes continue around corners.
   void lineTo(const Eigen::Vector3d& point, double value = 0.0, bool dashed = false);
 
   /// All lines so far; the values as the active scalars, `name`.
@@ -42,7 +42,7 @@ private:
   double Left; ///< mm of the present dash or gap
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
   double LastValue = 0.0;
-  vtkIdType Open = 0; ///< points of the line under way
+  vtkIdType Open = 0; ///< points of the current line
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkDoubleArray> Values;

@@ -14,35 +14,35 @@ class vtkShaderProperty;
 
 namespace palpate
 {
-/// What a shader draws of one contact.
+/// The data of one contact for the shader.
 struct DrawnDent
 {
   ContactField field;
   FieldContact contact;
-  double edge = 1.0; ///< of the mesh, its length, mm
+  double edge = 1.0; ///< length of the mesh's edges, mm
 };
 
 /**
- * ContactFields in the vertex shader of an actor: moves the vertices, turns their normals and
- * gives each the texture coordinate of its displacement's length, from uniforms alone. What a
- * frame costs the processor does not depend on the mesh. Fields of several contacts add up.
+ * ContactFields in the vertex shader of an actor: moves the vertices, turns their normals and gives
+ * each the texture coordinate of its displacement's length, from uniforms alone. A frame's cost on
+ * the processor does not depend on the mesh. Fields of several contacts add up.
  *
  * Of the mapper it needs the point array SurfaceNormals as the vertex attribute `palpateSurface`
  * (angle-weighted normals), for each global mode the attributes that addModeAttributes makes,
  * points that are not shifted and scaled, and scalars that are interpolated before mapping.
  *
  * As in vtkContactDeflection r is the length of the arc from the contact and the field ends 60°
- * from the contact normal. Unlike it a vertex does not know whether the surface connects it to the
- * contact: a fold or another part of the body within the reach of the field, and facing the same
- * way, moves along. The reach (FieldRadii) bounds that.
+ * from the contact normal. Unlike there, connection along the surface is not checked: a fold or
+ * another part of the body within the reach of the field, and facing the same way, moves along. The
+ * reach (FieldRadii) limits that.
  *
- * The turned normal follows the slopes of the table: over two edges of the mesh.
+ * The turned normal follows the slopes of the table, taken over two edges of the mesh.
  */
 class DeflectionShader
 {
 public:
   static constexpr const char* NormalAttribute = "palpateSurface";
-  /// Reach of a field that is given none, contact radii: exact within 15, where 4 % are left.
+  /// Default reach of a field, in contact radii: exact within 15, where 4 % remain.
   static constexpr double FieldRadii = 20.0;
 
   /// Where a field ends, mm: its reach, or FieldRadii contact radii if it has none.
@@ -50,7 +50,7 @@ public:
 
   explicit DeflectionShader(vtkActor* actor);
 
-  /// What the code in the shaders is made for.
+  /// The parameters of the code in the shaders.
   struct Code
   {
     int modes = 0; ///< global ones of the body
@@ -67,7 +67,7 @@ public:
   void install(const Code& code);
   void remove();
 
-  /// No more dents than the code has contacts; `exaggeration` multiplies what is drawn, not its
+  /// No more dents than the code has contacts; `exaggeration` multiplies the displacement, not its
   /// colour.
   void show(const std::vector<DrawnDent>& dents, double exaggeration);
 
@@ -81,10 +81,10 @@ private:
 };
 
 /**
- * Draws a body whose vertices a DeflectionShader moves: keeps the shader's colours those of the
- * lookup table, and lets the bounds reach to where the vertices go. Its points are not shifted and
- * scaled: coordinates are floats, the origin must not be some thousand times the size of the body
- * away.
+ * Draws a body whose vertices a DeflectionShader moves: keeps the shader's colours equal to the
+ * lookup table's, and includes the displaced vertices in the bounds. Its points are not shifted and
+ * scaled: as coordinates are floats, the origin must not be more than some thousand times the size
+ * of the body away.
  */
 class DentMapper : public vtkOpenGLPolyDataMapper
 {
@@ -110,7 +110,7 @@ private:
   double Deepest[3] = { 0.0, 0.0, 0.0 };
   double Around = -1.0; ///< < 0: no dent
   vtkMTimeType ColorsTime = 0;
-  float Coordinates[3] = { 0.0F, 0.0F, 0.0F }; ///< as DeflectionShader::setColors takes them
+  float Coordinates[3] = { 0.0F, 0.0F, 0.0F }; ///< for DeflectionShader::setColors
 };
 } // namespace palpate
 

@@ -17,8 +17,8 @@ class ContactField;
  * vertical tangent at r = a. Three segments: the tip, up to a kink of the tool if it has one
  * (otherwise half way); the rest of the contact; outside, from the reach (q = far) to a (q = 1).
  *
- * The slopes du/dr are those over two edges of the mesh, as the normals of a displaced mesh follow
- * them: a step at the rim of a flat punch does not glitter.
+ * The slopes du/dr are taken over two edges of the mesh, as in the normals of a displaced mesh, so
+ * that a step at the rim of a flat punch does not flicker.
  *
  * Accuracy: 1e-3 of the deflection; 1e-4 on a half-space under a tool without edges.
  */

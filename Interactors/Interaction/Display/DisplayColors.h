@@ -8,12 +8,12 @@ namespace palpate
 {
 using Color = std::array<double, 3>;
 
-// Okabe and Ito's palette (2008), told apart by the colour-blind. Order of the curves of a chart.
+// Okabe and Ito's palette (2008), safe for the colour-blind, in the order of a chart's curves.
 constexpr std::array<Color, 6> CurveColors = { { { 0.00, 0.45, 0.70 }, { 0.84, 0.37, 0.00 },
   { 0.00, 0.62, 0.45 }, { 0.80, 0.47, 0.65 }, { 0.90, 0.62, 0.00 }, { 0.34, 0.71, 0.91 } } };
 
-// The forces, in the scene and in charts: the total that is ideal, what the device is told, and the
-// two parts of the total.
+// The forces, in the scene and in charts: the ideal total, the applied force, and the two parts of
+// the total.
 constexpr Color ForceColor = { 0.84, 0.20, 0.00 };
 constexpr Color AppliedForceColor = { 0.00, 0.45, 0.70 };
 constexpr Color NormalForceColor = { 0.36, 0.36, 0.40 };
@@ -22,12 +22,13 @@ constexpr Color TorqueColor = { 0.45, 0.20, 0.60 };
 constexpr Color MemoryForceColor = { 0.80, 0.47, 0.65 }; // of a body that relaxes
 
 constexpr Color ToolColor = { 0.45, 0.52, 0.62 };
-constexpr Color CircleColor = { 0.10, 0.75, 0.95 }; // seen on the light and the dark of a dent
+constexpr Color CircleColor = { 0.10, 0.75,
+  0.95 }; // visible on the light and the dark part of a dent
 constexpr Color TextColor = { 0.10, 0.10, 0.12 };
 constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };
 
 // Displacement: from the undisturbed body's light grey through violet to near black; lightness
-// falls all the way, so that it reads in grey too.
+// falls monotonically, so that it can be read in grey, too.
 constexpr std::array<Color, 5> DeflectionColors = { { { 0.90, 0.86, 0.82 }, { 0.93, 0.69, 0.55 },
   { 0.80, 0.36, 0.47 }, { 0.46, 0.15, 0.49 }, { 0.12, 0.05, 0.30 } } };
 

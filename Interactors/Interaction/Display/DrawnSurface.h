@@ -15,8 +15,8 @@ class vtkDataArray;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
-/// What a DeflectionShader moves of a body: its triangles with their normals, its global modes, and
-/// a place for the colours.
+/// The data of a body that a DeflectionShader moves: its triangles with their normals, its global
+/// modes, and scalars for the colours.
 namespace palpate::DrawnSurface
 {
 constexpr const char* Displacement = "ContactDisplacement";
@@ -25,7 +25,7 @@ constexpr const char* Normals = "SurfaceNormals";
 /// Gives a mapper the surface of a body that has passed checkTriangles.
 void give(vtkPolyData* body, const std::vector<vtkDataArray*>& modes, vtkPolyDataMapper* mapper);
 
-/// Modification times of surface and modes; they are unique: equal times, the same data.
+/// Modification times of surface and modes; as they are unique, equal times mean the same data.
 std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataArray*>& modes);
 
 /// Mean length of the edges of a triangle, mm.
@@ -39,10 +39,10 @@ namespace palpate
 {
 class BodyMesh;
 
-constexpr std::size_t MostModes = 6; ///< that vertex attributes have room for
+constexpr std::size_t MostModes = 6; ///< limited by vertex attributes
 
 /**
- * The global modes of a body as vertex attributes: per mode φ and how it turns the normal,
+ * The global modes of a body as vertex attributes: per mode φ and its turn of the normal,
  * d = -(∇φ)ᵀ n, six floats, packed four by four since shaders have few attributes. A surface that
  * moves by w φ turns its normal n to n + w d, for small w.
  *
@@ -54,8 +54,8 @@ void addModeAttributes(const BodyMesh& mesh, const std::vector<vtkDataArray*>& m
 
 /// GLSL: declares the attributes of so many modes.
 std::string modeDeclarations(int modes);
-/// GLSL: adds the modes, times the weights in the array of that name, to `displacement`, and what
-/// they turn, times `exaggeration`, to `normal`.
+/// GLSL: adds the modes, times the weights in the array of that name, to `displacement`, and their
+/// turn, times `exaggeration`, to `normal`.
 std::string modeSum(int modes, const std::string& weights, const std::string& displacement,
   const std::string& normal, const std::string& exaggeration);
 } // namespace palpate

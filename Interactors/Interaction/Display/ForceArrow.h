@@ -19,8 +19,8 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// How an arrow looks: radii and length of its head, mm. The head is at most 40 % of the arrow, and
-/// an arrow shorter than a head is slimmer.
+/// The style of an arrow: radii and length of its head, mm. The head is at most 40 % of the arrow,
+/// and an arrow shorter than a head is slimmer.
 struct ArrowLook
 {
   Color color;
@@ -29,10 +29,10 @@ struct ArrowLook
   double headLength;
   int labelSize; ///< points
   bool bold;
-  double labelOpacity; ///< of what is behind the text
+  double labelOpacity; ///< of the background behind the text
 };
 
-/// One force as an arrow, with its newtons at the head.
+/// One force as an arrow, with its value in N at the head.
 class ForceArrow
 {
 public:
@@ -65,7 +65,7 @@ private:
   vtkSmartPointer<vtkTextActor> Label;
 };
 
-/// A torque as an arc about the point it acts about, the way it turns, with its N mm at the head.
+/// A torque as an arc about its point, in its direction, with its value in N mm at the head.
 class TorqueArc
 {
 public:
@@ -76,8 +76,8 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// About `center` (mm), beginning on the side of `from`. As long as the arrow of the force that
-  /// has this torque at the arc's radius, at `scale` mm per N; at most 5.2 rad. Zero or not finite:
+  /// About `center` (mm), beginning on the side of `from`. As long as the arrow of the force with
+  /// this torque at the arc's radius, at `scale` mm per N; at most 5.2 rad. Zero or not finite:
   /// nothing.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);

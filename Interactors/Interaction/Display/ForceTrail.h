@@ -16,8 +16,8 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// Where the tool has touched: a line through contact points, coloured by the force there, dashed
-/// beyond validity, interrupted where nothing was touched.
+/// The path of the contact: a line through contact points, coloured by the force there, dashed
+/// beyond validity, interrupted without contact.
 class ForceTrail
 {
 public:
@@ -33,12 +33,12 @@ public:
   /// Adds a contact and keeps the newest `most`; replaces a path shown at once.
   void follow(const ShownContact& contact, std::size_t most);
 
-  /// Whether there is a line to be seen.
+  /// Whether no line is visible.
   bool isEmpty() const { return this->Contacts.size() < 2; }
   vtkActor* actor() { return this->Actor; }
 
 private:
-  /// A contact nearer to the last one than can be seen takes its place; one that touches nothing
+  /// Replaces the last contact by one too near to be distinguished from it; one without contact
   /// ends the line.
   void add(const ShownContact& contact);
   void draw();
@@ -48,11 +48,11 @@ private:
     Eigen::Vector3d point;
     double force;
     bool valid;
-    bool begins; ///< a line: nothing was touched before
+    bool begins; ///< a line, after no contact
   };
 
   std::deque<Place> Contacts;
-  bool IsNear = false; ///< the last contact: the next may take its place
+  bool IsNear = false; ///< whether the next contact may replace the last one
   bool InAir = true;
   bool IsLive = false;
   vtkSmartPointer<vtkTubeFilter> Tube;

@@ -19,8 +19,9 @@ struct AnchoredLabel
   Eigen::Vector3d head;
 };
 
-/// Puts each text beside its head, on the side the arrow points to, moved as little as is needed
-/// where it would cover an earlier one or leave the viewport. The first one begins at its head.
+/// Places each text beside its arrow's head, on the side the arrow points to, and moves it as
+/// little as possible so that it neither covers an earlier one nor leaves the viewport. The first
+/// one begins at its head.
 void arrangeLabels(vtkViewport* viewport, const std::vector<AnchoredLabel>& labels);
 } // namespace palpate
 

@@ -10,9 +10,9 @@
 
 namespace palpate
 {
-/// How much of a normal force (N) is memory (N): "of 3.20 N 0.900 N are memory (28 %)", or of the
-/// slow force while a tool comes out: "of 3.20 N memory takes 0.900 N (28 %)". "" where it is less
-/// than a hundredth: of a body that does not relax.
+/// The memory part of a normal force (N): "of 3.20 N 0.900 N are memory (28 %)", or, relative to
+/// the slow force while a tool comes out, "of 3.20 N memory takes 0.900 N (28 %)". "" if it is less
+/// than a hundredth, as for a body that does not relax.
 inline std::string memoryInWords(double normalForce, double memory)
 {
   constexpr double Least = 0.01;

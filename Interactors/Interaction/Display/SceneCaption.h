@@ -12,8 +12,8 @@ namespace palpate
 {
 struct ShownContact;
 
-/// The text in the corner of a scene: a title, what is to be said of the contact, a remark. Few
-/// lines; what needs not be said is left out.
+/// The text in the corner of a scene: a title, the contact, a remark. Few lines; what is not needed
+/// is left out.
 class SceneCaption
 {
 public:
@@ -24,17 +24,17 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// Seen from the next write() on.
+  /// Visible from the next write() on.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
-  /// After describe(): what another of several hands feels, in a line.
+  /// After describe(): adds a line for another of several hands.
   void addHand(int number, const ShownContact& contact);
   void describeNothing() { this->Contact.clear(); }
 
-  /// In a strip of the picture of so many pixels: lines that are longer are broken, and in a narrow
-  /// strip the font is smaller.
+  /// Writes into a strip of the picture of this width, pixels: longer lines are broken, and in a
+  /// narrow strip the font is smaller.
   void write(double width);
-  /// From the lower edge of the picture, pixels.
+  /// Height above the lower edge of the picture, pixels.
   double height() const { return this->Height; }
 
   vtkTextActor* actor() { return this->Actor; }

@@ -33,7 +33,7 @@ public:
 
   /// The fraction of a viewport's width that the column takes.
   static double share(vtkRenderer* renderer);
-  /// `captionHeight`: pixels that the caption below them takes.
+  /// `captionHeight`: that of the caption below them, pixels.
   void place(vtkRenderer* renderer, double captionHeight);
 
 private:
@@ -43,9 +43,9 @@ private:
   vtkNew<vtkScalarBarActor> Force;
 };
 
-/// What the length of a force's arrow means: an arrow of a round number of newtons in the lower
-/// right corner of the picture, as long as that force would be drawn at the contact, across the
-/// line of sight.
+/// The scale of force arrows: an arrow of a round number of newtons in the lower right corner of
+/// the picture, as long as that force would be drawn at the contact, perpendicular to the line of
+/// sight.
 class ForceScale
 {
 public:
@@ -57,13 +57,13 @@ public:
   /// Chooses the number, once: about half of the largest force (N), whose arrows are `scale` mm
   /// long per N.
   void choose(double largestForce, double scale);
-  /// Fits the arrow to the camera. Only where it would take more than a third of the picture's
-  /// width is another number taken, the next smaller round one.
+  /// Fits the arrow to the camera. If it would be longer than a third of the picture's width, the
+  /// next smaller round number is used.
   void place(vtkRenderer* renderer, const Eigen::Vector3d& contact);
   void setVisibility(bool visible);
 
   double force() const { return this->Force; } ///< chosen, N
-  /// What it takes of the picture's width, pixels.
+  /// Its width in the picture, pixels.
   double width() const { return this->Width; }
   vtkActor2D* arrow() { return this->Arrow; }
   vtkTextActor* label() { return this->Label; }

@@ -12,7 +12,8 @@
 
 namespace palpate
 {
-/// Direction from the focus to the camera, and what points up in the picture; neither is zero.
+/// Direction from the focus to the camera, and the upward direction in the picture; neither is
+/// zero.
 struct ViewDirection
 {
   Eigen::Vector3d from;
@@ -24,12 +25,12 @@ struct ViewDirection
 void lookAtBounds(
   vtkRenderer* renderer, const double bounds[6], const ViewDirection& view, double column);
 
-/// Shows a point from a distance of `distance` mm, a little below the middle: an arrow above it
-/// fits in.
+/// Shows a point from a distance of `distance` mm, a little below the middle, so that an arrow
+/// above it fits in.
 void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
   const ViewDirection& view, double column);
 
-/// Background and light in which all bodies are seen.
+/// Background and light common to all bodies.
 inline void lightScene(vtkRenderer* renderer)
 {
   renderer->SetBackground(BackgroundColor[0], BackgroundColor[1], BackgroundColor[2]);

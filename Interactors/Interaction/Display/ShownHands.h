@@ -21,7 +21,7 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// The circle within which the tool touches the body.
+/// The circle of contact.
 class ContactCircle
 {
 public:
@@ -30,7 +30,8 @@ public:
   ContactCircle(const ContactCircle&) = delete;
   ContactCircle& operator=(const ContactCircle&) = delete;
 
-  /// Around `center`, across the unit vector `normal`; a radius (mm) of 0, or not finite: none.
+  /// Around `center`, perpendicular to the unit vector `normal`; a radius (mm) of 0, or not finite:
+  /// none.
   void show(
     const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double radius, bool dashed);
   void hide();
@@ -42,14 +43,15 @@ private:
   vtkSmartPointer<vtkActor> Actor;
 };
 
-/// A ball, not visible yet, for the place of a contact that is shown blind.
+/// A ball, not visible yet, for the place of a contact in a blind comparison.
 vtkSmartPointer<vtkActor> makePlaceMarker();
 
-/// On the surface, not at the tip: how deep the tip is would tell how stiff the body is.
+/// Places it on the surface, not at the tip, as the depth of the tip would reveal the body's
+/// stiffness.
 void placeMarker(const ShownContact& contact, vtkActor* marker);
 
 /// The tools over a body, one per hand, each with its arrows and its circle of contact. There is
-/// always a first; the others take its style.
+/// always a first; the others have its style.
 class ShownHands
 {
 public:
@@ -65,8 +67,8 @@ public:
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }
 
-  /// Along which direction the tool of a hand stands while it touches nothing; may be set before
-  /// there is such a hand. Zero (default): as it last stood.
+  /// Direction of a hand's tool without contact; may be set before there is such a hand. Zero
+  /// (default): the last direction.
   void setFreeDirection(std::size_t hand, const Eigen::Vector3d& direction);
   Eigen::Vector3d freeDirection(std::size_t hand) const;
 
@@ -91,7 +93,7 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Hand> Hands;
-  std::vector<Eigen::Vector3d> FreeDirections; ///< of all that a session may have
+  std::vector<Eigen::Vector3d> FreeDirections; ///< for all hands that a session may have
 };
 } // namespace palpate
 

@@ -10,7 +10,7 @@ class vtkRenderWindow;
 
 namespace palpate
 {
-/// Draws the window and writes it as a .png, as a whole or not at all (WholeFile). Returns an error
+/// Draws the window and writes it as a .png, completely or not at all (WholeFile). Returns an error
 /// that names the file and the reason, or "".
 PALPATEINTERACTION_EXPORT std::string writeWindowPicture(
   vtkRenderWindow* window, const std::string& file);

@@ -19,7 +19,7 @@ class vtkLiveCharts;
 
 namespace palpate
 {
-/// A number that may be changed while it is felt.
+/// A number that may be changed during contact.
 struct ControlQuantity
 {
   std::string name;
@@ -27,11 +27,11 @@ struct ControlQuantity
   std::string (*write)(double); ///< with its unit
   std::function<double()> read;
   std::function<void(double)> change;
-  bool setsForces = false;                               ///< they grow or shrink with it
+  bool setsForces = false;                               ///< whether forces change with it
   std::function<bool()> isOffered = [] { return true; }; ///< now
 };
 
-/// Something that may be done, or switched on and off.
+/// An action, or a switch.
 struct ControlButton
 {
   std::function<std::string()> label;
@@ -42,12 +42,12 @@ struct ControlButton
 /// A heading; a quantity; or buttons side by side.
 using ControlRow = std::variant<std::string, ControlQuantity, std::vector<ControlButton>>;
 
-/// What a panel offers of a contact that is felt: in which rows, what each says now, and what a
-/// change does. How it looks is the panel's.
+/// The content of a contact's panel: its rows, their present values, and the effect of changes. The
+/// look is up to the panel.
 class ContactControls
 {
 public:
-  /// `toolShown` is told of another tool in the hand.
+  /// `toolShown` is called when another tool is chosen.
   ContactControls(vtkContactSetup* setup, vtkInteractorStyleHaptic* style, vtkLiveCharts* charts,
     std::function<void(int)> toolShown);
   ~ContactControls();
@@ -57,10 +57,10 @@ public:
   /// The rows that setup and charts allow; valid as long as this object.
   std::vector<ControlRow> rows();
 
-  /// Asks for the responses to what has been changed, and hands those that are ready to session and
-  /// scene; whether there were any.
+  /// Requests the responses for changed settings, and passes those that are ready to session and
+  /// scene; returns whether there were any.
   bool update();
-  /// Chooses the scales of force anew if forces have become much larger or smaller.
+  /// Chooses new scales of force if forces have become much larger or smaller.
   void fitScales();
 
   void chooseTool(int tool);
@@ -70,7 +70,7 @@ public:
   void setShowsCharts(bool shown);
   void toggleTiming();
 
-  /// What is under way, or what went wrong.
+  /// What is being computed, or what went wrong.
   std::string status() const;
 
 private:

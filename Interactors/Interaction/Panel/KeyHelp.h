@@ -14,7 +14,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// A sheet in the middle of a renderer: what keys and mouse do, in two columns.
+/// A sheet in the middle of a renderer with the functions of keys and mouse, in two columns.
 class KeyHelp
 {
 public:
@@ -27,12 +27,12 @@ public:
   void setText(const std::string& text);
   const std::string& text() const { return this->Text; }
 
-  /// Shows it in a renderer, over what is there; null: nowhere.
+  /// Shows it in a renderer, on top; null: hides it.
   void show(vtkRenderer* renderer);
   bool isShown() const { return this->Renderer != nullptr; }
 
 private:
-  /// Puts it into the middle, whatever the size of the window has become.
+  /// Centres it in the present size of the window.
   void place();
 
   std::string Text;

@@ -13,7 +13,7 @@
 
 namespace palpate
 {
-/// How a button of a panel looks and where it is hit: a label in a box, filled while it is on.
+/// Drawing and hit test of a panel's button: a label in a box, filled while it is on.
 class PanelButton : public vtkButtonRepresentation
 {
 public:

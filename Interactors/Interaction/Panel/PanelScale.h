@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Which value of a quantity a place along a slider is: 0 at its left end, 1 at its right.
+/// The value of a quantity over the position along a slider: 0 at its left end, 1 at its right.
 struct PanelScale
 {
   double low = 0.0;

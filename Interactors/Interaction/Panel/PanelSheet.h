@@ -21,8 +21,7 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// Headings, sliders and buttons one below the other, in a renderer. Knows nothing of what they are
-/// for.
+/// Headings, sliders and buttons one below the other, in a renderer, whatever their purpose.
 class PanelSheet
 {
 public:
@@ -36,7 +35,8 @@ public:
   void addHeading(const std::string& text);
   /// `changed` when the handle moves, `released` when it is let go.
   PanelSlider* addSlider(Action changed, Action released);
-  /// `inRow` buttons side by side, as many as there are calls; left: the label begins there.
+  /// `inRow` buttons are side by side, added by as many calls; a single one has its label at the
+  /// left.
   PanelButton* addButton(const std::string& label, Action pressed, int inRow = 1);
   void addStatus();
   void clear();
@@ -73,7 +73,7 @@ private:
   std::vector<vtkSmartPointer<PanelButton>> Buttons;
   std::vector<vtkSmartPointer<vtkAbstractWidget>> Widgets;
   vtkNew<vtkTextActor> Status;
-  std::list<Action> Actions; ///< that widgets point to
+  std::list<Action> Actions; ///< referenced by the widgets
   vtkRenderer* Renderer = nullptr;
 };
 } // namespace palpate

@@ -15,15 +15,15 @@
 
 namespace palpate
 {
-/// How a slider of a panel looks and where it is hit: name and value above a track. A press
-/// anywhere on the row moves the handle there and holds it.
+/// Drawing and hit test of a panel's slider: name and value above a track. A press anywhere on the
+/// row moves the handle there and holds it.
 class PanelSlider : public vtkSliderRepresentation
 {
 public:
   static PanelSlider* New() { VTK_STANDARD_NEW_BODY(PanelSlider); }
   vtkTypeMacro(PanelSlider, vtkSliderRepresentation);
 
-  /// How a value is written, with its unit.
+  /// The text of a value, with its unit.
   using Format = std::function<std::string(double)>;
   void setMeaning(const std::string& name, const PanelScale& scale, Format format);
   const std::string& name() const { return this->Title; }

@@ -8,7 +8,7 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// How a tool that a mouse steers leans against the surface, as the picture shows it.
+/// The tilt of a tool steered by a mouse, relative to the picture.
 class SteeredTilt
 {
 public:
@@ -21,7 +21,7 @@ public:
   double right() const { return this->Right; }
   double away() const { return this->Away; }
 
-  /// Whether it has ever leant: until then its axis is left to the surface.
+  /// Whether a tilt was ever set: until then the axis is the surface's normal.
   bool isTold() const { return this->IsTold; }
   /// The axis, unit, from the tip up the shaft, of a tool on a surface with this outward normal;
   /// without a renderer to the right of x and away along y.
@@ -33,7 +33,7 @@ private:
   bool IsTold = false;
 };
 
-/// How a hand that a mouse steers was left: what stays when the mouse takes another.
+/// The state of a hand steered by a mouse, kept while the mouse steers another.
 struct SteeredHand
 {
   SteeredTilt tilt;

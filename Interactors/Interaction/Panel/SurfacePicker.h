@@ -24,22 +24,22 @@ public:
   SurfacePicker& operator=(const SurfacePicker&) = delete;
 
   /// The body and the prefix of the response whose normals count. Another body with the same points
-  /// and cells costs nothing.
+  /// and cells needs no new locator.
   void setBody(vtkPolyData* body, const std::string& responseName);
 
-  /// Where the line of sight through a display position first meets the body, and the outward unit
-  /// normal there. False if it passes by, or there is no normal.
+  /// The first intersection of the body with the line of sight through a display position, and the
+  /// outward unit normal there. False if there is none, or no normal.
   bool pick(vtkRenderer* renderer, const int position[2], double point[3], double normal[3]);
 
 private:
   vtkWeakPointer<vtkPolyData> Given;
-  vtkSmartPointer<vtkPolyData> Body; ///< a copy: the locator builds links in it
+  vtkSmartPointer<vtkPolyData> Body; ///< a copy, as the locator builds links in it
   vtkSmartPointer<vtkCellLocator> Locator;
   std::string ResponseName;
 };
 
-/// Where the line of sight through a display position is as far from the viewer as `tip`, and
-/// `away` farther; and the direction against the line of sight of the camera.
+/// The point on the line of sight through a display position at the distance of `tip` from the
+/// viewer, and `away` farther; and the direction opposite to the camera's line of sight.
 void pointInView(vtkRenderer* renderer, const int position[2], const double tip[3], double away,
   double point[3], double towards[3]);
 } // namespace palpate

@@ -12,14 +12,15 @@
 
 namespace palpate
 {
-/// What a session's ticks need of a body, per prefix of its responses. May be made on any thread.
+/// The kernels and peaks of a body for a session's ticks, per prefix of its responses. May be made
+/// on any thread.
 struct BodyKernels
 {
   /// Largest force (N) and stiffness (N/mm).
   using Peaks = std::pair<double, double>;
 
   std::map<std::string, std::shared_ptr<const ContactBody>> read;
-  /// Of a response down to a depth, mm.
+  /// Peaks of a response down to a depth, mm.
   std::map<std::pair<std::string, double>, std::optional<Peaks>> peaks;
 };
 } // namespace palpate

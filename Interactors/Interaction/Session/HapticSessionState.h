@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-/// What was read of the body, per response, as long as it is the same.
+/// The data read from the body, per response, as long as it is unchanged.
 struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
@@ -18,14 +18,14 @@ struct vtkHapticSession::Kernels : palpate::BodyKernels
   bool given = false; ///< by the caller, for the next Start
 };
 
-/// What a scene is fitted to.
+/// The hand that a servo scene is fitted to.
 struct vtkHapticSession::Hand
 {
   palpate::SafetySettings safety;
   double scale = 1.0; ///< of the workspace
 };
 
-/// What lasts from one Start to the next.
+/// The state from one Start to the next.
 struct vtkHapticSession::Started
 {
   std::vector<Hand> hands;

@@ -12,16 +12,16 @@
 
 namespace palpate
 {
-/// A response whose simplest form that keeps its forces is wanted.
+/// A request for the simplest form of a response that keeps its forces.
 struct LeastFormRequest
 {
   vtkSmartPointer<vtkPolyData> body; ///< with the response
   std::string name;                  ///< its prefix
   double tolerance = 0.01;           ///< of the force, relative
-  double deflection = 0.0; ///< mm, where regime and validity are looked at; 0: half of Range
+  double deflection = 0.0; ///< mm, at which regime and validity are checked; 0: half of Range
 
-  /// A point force is considered where the body gives way as a whole: then this array has its
-  /// compliance (mm/N), and tool and material are those of the response.
+  /// A point force is considered if this array is given, with the body's global compliance (mm/N);
+  /// tool and material are then those of the response.
   std::string complianceArray;
   vtkSmartPointer<vtkContactTool> tool;
   double youngsModulus = 0.0; ///< MPa

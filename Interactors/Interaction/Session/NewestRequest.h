@@ -18,18 +18,17 @@
 namespace palpate
 {
 /**
- * A thread that works on what was asked for last: a request that comes while another is under way
- * takes the place of those that wait, and tells the one under way that it is stale. Nobody waits
- * for it but the destructor. The thread begins with the first request and yields to the window and
- * to others where it may.
+ * A thread that works on the newest request: a new request replaces those that wait, and marks the
+ * current one as stale. Only the destructor waits for it. The thread starts with the first request
+ * and runs at lower priority if permitted.
  */
 template <class Request, class Result>
 class NewestRequest
 {
 public:
-  /// Whether to give up: something newer is asked for, or nobody wants the result any more.
+  /// Whether to give up: there is a newer request, or this one was cancelled.
   using Stale = std::function<bool()>;
-  /// Runs on the thread. What it returns when it is stale is thrown away.
+  /// Runs on the thread. Stale results are discarded.
   using Work = std::function<Result(const Request&, const Stale&)>;
 
   explicit NewestRequest(Work work)
@@ -67,7 +66,7 @@ public:
     this->Wake.notify_one();
   }
 
-  /// Withdraws what was asked for.
+  /// Withdraws the request.
   void cancel()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -95,7 +94,7 @@ private:
   {
 #ifdef __linux__
     constexpr int yielding = 10;
-    setpriority(PRIO_PROCESS, 0, yielding); // of this thread alone, and of those it starts
+    setpriority(PRIO_PROCESS, 0, yielding); // of this thread and those it starts
 #endif
     std::unique_lock<std::mutex> lock(this->Mutex);
     while (true)
@@ -126,7 +125,7 @@ private:
   std::condition_variable Wake;
   std::optional<Request> Waiting;
   std::optional<Result> Done;
-  std::atomic<std::uint64_t> Newest{ 0 }; ///< changed under the lock, read without
+  std::atomic<std::uint64_t> Newest{ 0 }; ///< written under the lock, read without it
   std::uint64_t UnderWay = None;
   bool Ending = false;
   std::thread Thread;

@@ -19,13 +19,13 @@
 
 namespace palpate
 {
-/// What responses are to be made. Nothing in it is shared with another thread but to be read.
+/// A request for responses. Objects shared with another thread are only read.
 struct ResponseRequest
 {
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<std::string> names; ///< prefix of each tool's response
-  bool stored = false;            ///< the body brings them: only the kernels are made
+  bool stored = false;            ///< the body has them: only the kernels are made
   double youngsModulus = 0.0;     ///< MPa
   double poissonRatio = 0.0;
   double maximumDeflection = 0.0; ///< mm
@@ -40,26 +40,26 @@ struct ResponseRequest
   LawTerms terms;                ///< of the law
   RelaxationRequest relaxation;  ///< of every tool's response
   bool coupling = false;         ///< several contacts feel one another
-  double tolerance = 0.0;        ///< of the form that is felt; 0: the responses as they are
-  double choiceDeflection = 0.0; ///< mm, that the form is chosen for; 0: half of the deepest
-  /// Kernel of the same surface, to be spared making it again; may be null.
+  double tolerance = 0.0;        ///< of the form used for the force; 0: the responses unchanged
+  double choiceDeflection = 0.0; ///< mm, for which the form is chosen; 0: half of the deepest
+  /// Kernel of the same surface, if there is one already; may be null.
   std::shared_ptr<const ContactBody> surface;
 };
 
 /// The responses that were made, or why not.
 struct MadeResponses
 {
-  vtkSmartPointer<vtkPolyData> from; ///< the body that was asked for
+  vtkSmartPointer<vtkPolyData> from; ///< the body of the request
   vtkSmartPointer<vtkPolyData> body; ///< the same with the responses; null after an error
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   double poissonRatio = 0.0;
-  BodyKernels kernels;              ///< of the forms that are felt
+  BodyKernels kernels;              ///< of the forms used for the force
   std::vector<std::string> choices; ///< why these; empty where none was chosen
   std::string error;
   std::string warning;
 };
 
-/// Takes a while: some 1 us per point and tool. Gives up when stale() says so. On any thread.
+/// Cost: about 1 µs per point and tool. Stops when stale() returns true. On any thread.
 MadeResponses makeResponses(const ResponseRequest& request, const std::function<bool()>& stale);
 } // namespace palpate
 

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// The device a session is to use, as far as it can be made before the session starts.
+/// The device of a session, as far as it can be made before the session starts.
 struct SessionDevice
 {
   enum Kind
@@ -24,20 +24,20 @@ struct SessionDevice
   };
 
   Kind kind = Simulated;
-  std::shared_ptr<HapticDevice> device; ///< null where it is made at Start
+  std::shared_ptr<HapticDevice> device; ///< null if it is made at Start
   Trajectory trajectory;                ///< of Replay
   HeldPlant held;                       ///< of Plant
 
-  /// Its motion does not depend on the force: no loop is closed through it.
+  /// Whether its motion does not depend on the force, so that no loop is closed through it.
   bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
-  /// A hand that follows a path, or is steered.
+  /// Whether it is a hand that follows a path, or is steered.
   bool isSimulated() const { return this->kind == Simulated || this->kind == Plant; }
-  /// At `rate`, Hz; of what is made at Start as it will be.
+  /// The specification at `rate`, Hz, also of a device that is made at Start.
   DeviceSpecification specification(double rate) const;
 };
 
 /// Reads "simulated", "plant", "plant:SETTINGS" (readPlant), "replay:FILE", "hid:PATH" or
-/// "bridge:ADDRESS", and opens it. Returns what is wrong, and leaves `device` as it was, or "".
+/// "bridge:ADDRESS", and opens it. Returns what is wrong, and leaves `device` unchanged, or "".
 std::string openSessionDevice(const std::string& name, SessionDevice& device);
 } // namespace palpate
 

@@ -19,7 +19,7 @@
 
 namespace palpate
 {
-/// The devices of a session, one at least.
+/// The devices of a session, at least one.
 using SessionHands = std::vector<std::shared_ptr<HapticDevice>>;
 
 /// The devices and their servo step, from one Start of a session to the next. For the thread that
@@ -43,9 +43,9 @@ public:
   /// Leaves no force on the devices.
   virtual void stop() = 0;
   virtual bool isRunning() const = 0;
-  /// The force goes over to another scene.
+  /// Changes the force to another servo scene.
   virtual void change(std::unique_ptr<ServoScene> scene) = 0;
-  /// Runs all ticks due in the next `seconds`, where time is virtual.
+  /// In virtual time, runs all ticks due in the next `seconds`.
   virtual void step(double seconds) = 0;
   /// Virtual time, s, of the next tick; 0 in real time.
   virtual double time() const = 0;
@@ -53,13 +53,13 @@ public:
   std::size_t hands() const { return this->Hands.size(); }
   /// The newest tick of a device; a default one before the first.
   virtual const Tick& newest(std::size_t hand) = 0;
-  /// Takes over what has been recorded meanwhile.
+  /// Collects what has been recorded meanwhile.
   virtual void collect() = 0;
   virtual std::uint64_t ticksMade() const = 0;
-  /// Of the servo thread; null where there is none.
+  /// The loop of the servo thread; null in virtual time.
   virtual ServoLoop* loop() { return nullptr; }
 
-  /// Every tick of a device, if it is recorded, until the last collect().
+  /// Every tick of a device up to the last collect(), if recorded.
   const std::vector<Tick>& ticks(std::size_t hand) const { return this->Kept[hand].ticks; }
   /// The last ticks, as far as they are kept.
   const TickHistory& history() const { return this->History; }
@@ -152,7 +152,7 @@ public:
   ServoLoop* loop() override { return &this->Loop; }
 
 private:
-  ServoLoop Loop; ///< after the devices, so that it ends before
+  ServoLoop Loop; ///< after the devices, so that it is destroyed first
 };
 } // namespace palpate
 

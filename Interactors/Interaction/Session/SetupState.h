@@ -24,15 +24,15 @@ constexpr const char* Compliance = "GlobalCompliance";
 struct vtkContactSetup::State
 {
   vtkSmartPointer<vtkPolyData> body;
-  vtkSmartPointer<vtkPolyData> copy; ///< of the body, for the other thread
+  vtkSmartPointer<vtkPolyData> copy; ///< a copy of the body for the other thread
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<palpate::StackLayer> added; ///< layers below the first
 
   vtkSmartPointer<vtkPolyData> output;
   palpate::MadeResponses made; ///< what the output was assembled from
-  vtkMTimeType requested = 0;  ///< as of when responses were last asked for
+  vtkMTimeType requested = 0;  ///< modification time of the last request for responses
 
-  /// Last, so that it ends first.
+  /// Last, so that it is destroyed first.
   palpate::NewestRequest<palpate::ResponseRequest, palpate::MadeResponses> background{
     palpate::makeResponses
   };

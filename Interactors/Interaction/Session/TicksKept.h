@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// Counts and peaks over all ticks of a run, kept whether or not the ticks are.
+/// Counts and peaks over all ticks of a run, whether or not the ticks are kept.
 struct TickSummary
 {
   std::uint64_t ticks = 0;
   std::uint64_t inContact = 0;
   double peakForce = 0.0;      ///< ideal, N
-  double memoryAtPeak = 0.0;   ///< what of it is memory, N
+  double memoryAtPeak = 0.0;   ///< its memory part, N
   double peakApplied = 0.0;    ///< N
   double peakFriction = 0.0;   ///< N
   double peakDeflection = 0.0; ///< mm
@@ -41,7 +41,7 @@ struct TickSummary
 class TickTape
 {
 public:
-  /// Keeps ticks from the next on; those it held are dropped.
+  /// Keeps ticks from the next one on; drops earlier ones.
   void start()
   {
     this->Ticks.clear();
@@ -69,7 +69,7 @@ struct TicksKept
 {
   bool all = true;                ///< of the whole run
   double historySeconds = 0.0;    ///< the last ones
-  std::shared_ptr<TickTape> tape; ///< those it takes up
+  std::shared_ptr<TickTape> tape; ///< the ticks between its start() and stop()
 };
 } // namespace palpate
 
