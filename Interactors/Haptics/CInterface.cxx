@@ -79,8 +79,7 @@ void copy(const Tick& felt, palpate_tick* tick)
 }
 } // namespace palpate::c
 
-// The header is a file of its own, which C programs may copy: its numbers stand there, not in
-// CMake.
+// C programs may copy the header, so its version is written there, not by CMake.
 #define PALPATE_TEXT_OF(number) #number
 #define PALPATE_TEXT(number) PALPATE_TEXT_OF(number)
 static_assert(std::string_view(PALPATE_VERSION_STRING) ==

@@ -52,7 +52,7 @@ palpate::SafetySettings given(const palpate_safety& safety)
   return given;
 }
 
-/// The box of what can be touched; empty (lower above upper) if nothing can.
+/// The box of the surface that can be touched; empty (lower above upper) if none can.
 Eigen::AlignedBox3d boxOf(const palpate::PackedMesh& surface)
 {
   Eigen::AlignedBox3d box;
@@ -66,7 +66,7 @@ Eigen::AlignedBox3d boxOf(const palpate::PackedMesh& surface)
   return box;
 }
 
-/// What a palpate_scene is; C never looks into one.
+/// The opaque palpate_scene of C.
 palpate_scene* handleOf(std::unique_ptr<palpate::ServoScene> scene)
 {
   return reinterpret_cast<palpate_scene*>(scene.release());

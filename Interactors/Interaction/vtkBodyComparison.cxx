@@ -24,7 +24,7 @@
 
 namespace
 {
-// The middle of what title, legend and caption leave free, in halves of the picture.
+// The centre of the area free of title, legend and caption, in halves of the picture.
 constexpr double LegendShare = 0.28;
 constexpr double CaptionShare = -0.10;
 constexpr double Zoom = 1.2;
@@ -210,7 +210,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   {
     return;
   }
-  // Room for the arrow of the largest force, whether it is there now or not.
+  // Room for the arrow of the largest force, even if there is none now.
   double unit[3] = { up[0], up[1], up[2] };
   vtkMath::Normalize(unit);
   for (const int side : { Left, Right })
@@ -238,7 +238,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   camera->SetPosition(middle[0] + direction[0], middle[1] + direction[1], middle[2] + direction[2]);
   camera->SetViewUp(up);
   renderer->ResetCamera(bounds);
-  camera->Zoom(Zoom); // that is made for the ball around them
+  camera->Zoom(Zoom); // which fits the ball around them
   camera->SetWindowCenter(LegendShare, CaptionShare);
 }
 

@@ -28,7 +28,7 @@ struct vtkHapticDevice::Parts
 {
   palpate::SessionDevice chosen;
 
-  // Of the session's last Start.
+  // The mapping of the session's last Start.
   palpate::WorkspaceMapping mapping;
   std::shared_ptr<palpate::HapticDevice> hand;
   palpate::SimulatedDevice* steered = nullptr; ///< the hand, if it is steered
@@ -39,7 +39,7 @@ struct vtkHapticDevice::Parts
   {
     return this->chosen.specification(this->rate);
   }
-  /// A stiff hand, or a plant held by one, that goes a way or begins at a place.
+  /// Makes a stiff hand, or a plant held by one, that follows a path or begins at a place.
   template <class Way>
   std::shared_ptr<palpate::SimulatedDevice> makeSimulated(Way way) const
   {

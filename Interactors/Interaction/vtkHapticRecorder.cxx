@@ -22,7 +22,7 @@ void vtkHapticRecorder::Follow(const std::shared_ptr<palpate::SessionRun>& run)
   this->Run = run;
 }
 
-/// The run, which the session holds, with all that has been recorded meanwhile; or null.
+/// The session's run, after collecting what has been recorded meanwhile; or null.
 palpate::SessionRun* vtkHapticRecorder::Collected()
 {
   palpate::SessionRun* run = this->Run.lock().get();

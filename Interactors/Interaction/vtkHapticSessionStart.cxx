@@ -194,7 +194,7 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(const std::vect
   {
     return nullptr;
   }
-  double factor = 1.0; // one for all, so that what they feel stays comparable
+  double factor = 1.0; // one for all, so that their forces stay comparable
   for (const Hand& hand : hands)
   {
     double fitted = 1.0;

@@ -37,13 +37,13 @@ constexpr palpate::ArrowLook NormalLook = { palpate::NormalForceColor, 0.45, 1.4
 constexpr palpate::ArrowLook FrictionLook = { palpate::FrictionForceColor, 0.45, 1.4, 4.0, 16,
   false, 0.65 };
 
-/// The unit vector across `arrow` that points to the right for the camera.
+/// The unit vector perpendicular to `arrow` that points to the right for the camera.
 Eigen::Vector3d rightOf(const Eigen::Vector3d& arrow, vtkCamera* camera)
 {
   const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
   const Eigen::Vector3d along = arrow.normalized();
   const Eigen::Vector3d right = ahead.cross(along);
-  // An arrow straight towards the eye has no right side of its own.
+  // An arrow straight towards the eye has no defined right side.
   return right.norm() > 0.1 ? right.normalized()
                             : ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
 }
@@ -158,7 +158,7 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   const Eigen::Vector3d torque(this->TorqueAboutTip);
   if (palpate::isNoticeable(torque / palpate::TorqueArc::Radius, total))
   {
-    // On the side to which the tool leans, where it is pushed up.
+    // On the side to which the tool is tilted, where it is pushed up.
     const Eigen::Vector3d side = Eigen::Vector3d(this->Axis).cross(torque);
     this->Torque->show(Eigen::Vector3d(tip), torque, side, this->ForceScale);
   }
@@ -197,7 +197,7 @@ void vtkHapticToolRepresentation::SetLabelsAfter(vtkHapticToolRepresentation* ot
   this->Modified();
 }
 
-/// In the order in which they are placed.
+/// Collects the labels in the order of placing.
 void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLabel>& labels)
 {
   if (this->LabelsAfter)
@@ -212,7 +212,7 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
     }
   };
   add(*this->Total, this->Total->tail());
-  // Whichever way it leans, it stands to the right of the ideal force.
+  // In any direction, it is to the right of the ideal force.
   const Eigen::Vector3d right = this->Applied->tail() - Eigen::Vector3d(this->ContactPoint);
   add(*this->Applied, this->Applied->head() - right);
   add(*this->NormalPart, this->NormalPart->tail());

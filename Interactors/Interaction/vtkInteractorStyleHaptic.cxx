@@ -152,7 +152,8 @@ bool vtkInteractorStyleHaptic::SteerOverSurface()
   return true;
 }
 
-/// To where the line of sight under the pointer is as far away as the tip, and `away` mm farther.
+/// Steers to the point under the pointer at the tip's distance from the viewer, and `away` mm
+/// farther.
 bool vtkInteractorStyleHaptic::SteerInView(double away)
 {
   vtkRenderer* renderer = this->FindSceneRenderer();
@@ -185,7 +186,7 @@ void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double norma
   this->SteerTo(tip);
 }
 
-/// How the tool stands where it touches nothing, and how it leans from there.
+/// Sets the tool's direction without contact, and its tilt from there.
 void vtkInteractorStyleHaptic::FaceAlong(const double direction[3])
 {
   const palpate::SteeredTilt& tilt = this->Steered().tilt;
@@ -279,7 +280,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
   }
 }
 
-/// False where the wheel is to zoom.
+/// False if the wheel zooms.
 bool vtkInteractorStyleHaptic::TurnWheel(double notches)
 {
   if (this->IsBesideScene())

@@ -24,7 +24,7 @@ const std::map<char, unsigned long> ToldKeys = { { ' ', vtkInteractorStyleHaptic
   { 't', vtkInteractorStyleHaptic::HistogramEvent } };
 } // namespace
 
-/// What mouse and keys do, as KeyHelp shows it.
+/// The functions of mouse and keys, as shown by KeyHelp.
 const char* vtkInteractorStyleHaptic::OwnKeys()
 {
   return "? or h\tthis help, on and off\n"
@@ -61,7 +61,7 @@ void vtkInteractorStyleHaptic::OnChar()
   }
 }
 
-/// False for a key that this style leaves to the one it is made of.
+/// False for a key that this style leaves to its superclass.
 bool vtkInteractorStyleHaptic::DoKey(char key)
 {
   if (key >= '1' && key <= '9')
@@ -75,7 +75,7 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     this->InvokeEvent(told->second);
     return true;
   }
-  // X tells the key without the shift: / and = are ? and + of an American keyboard.
+  // X reports the key without shift: / and = are ? and + of an American keyboard.
   using Style = vtkInteractorStyleHaptic;
   static const std::map<char, void (*)(Style&)> actions = {
     { '?', [](Style& style) { style.SetHelpVisibility(!style.GetHelpVisibility()); } },
@@ -139,7 +139,7 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
   return true;
 }
 
-/// The next one that a pointer can move; the same where there is no other.
+/// Takes the next hand that a pointer can move; the same if there is no other.
 void vtkInteractorStyleHaptic::TakeNextHand()
 {
   const int count = this->Session ? this->Session->GetNumberOfDevices() : 1;

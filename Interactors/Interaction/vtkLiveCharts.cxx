@@ -88,7 +88,7 @@ void vtkLiveCharts::Update()
   {
     return;
   }
-  // First, since it may take over ticks: curves and running point are of the same newest one.
+  // First, since it may collect ticks, so that curves and running point belong to the same tick.
   const bool runs = kept.session->GetState() != vtkHapticSession::Stopped;
   const palpate::TickHistory& ticks = kept.session->GetRecorder()->GetLastTicks();
   if (kept.run != kept.session->GetNumberOfStarts())
@@ -104,7 +104,7 @@ void vtkLiveCharts::Update()
   }
   kept.seen = ticks.added();
   const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
-  std::string error; // a session that runs has told of it
+  std::string error; // a running session has reported it
   kept.time.show(kept.session->GetRecorder()->GetNumberOfLostTicks());
   kept.way.show();
   kept.showCurves(now, error);

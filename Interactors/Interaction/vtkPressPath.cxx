@@ -54,7 +54,7 @@ std::vector<Vector> sweep(const std::vector<std::array<double, 3>>& given)
 }
 } // namespace
 
-/// A point of the surface on the way.
+/// A point of the surface along the path.
 struct vtkPressPath::Footprint
 {
   Vector point;
@@ -104,7 +104,7 @@ int vtkPressPath::RequestData(
 
 bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& footprints)
 {
-  vtkNew<vtkPolyData> shallow; // a locator builds links; not in somebody else's data
+  vtkNew<vtkPolyData> shallow; // a copy, as a locator builds links
   shallow->ShallowCopy(body);
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(shallow);
@@ -138,7 +138,7 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
     vtkTriangle::ComputeNormal(corner[0], corner[1], corner[2], foot.normal.data());
     if (foot.normal.dot(direction) < 0.0)
     {
-      foot.normal = -foot.normal; // the first surface met from outside faces outward
+      foot.normal = -foot.normal; // the first surface from outside faces outward
     }
     if (!footprints.empty())
     {

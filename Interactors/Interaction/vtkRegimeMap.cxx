@@ -54,11 +54,11 @@ vtkRegimeMap::vtkRegimeMap()
   , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
 {
   this->Mapper->SetScalarModeToUsePointFieldData();
-  this->Mapper->SetColorModeToMapScalars(); // verdicts are bytes, but no colours
+  this->Mapper->SetColorModeToMapScalars(); // verdicts are bytes, but not colours
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->InterpolateScalarsBeforeMappingOn(); // crisp borders between the verdicts
   this->Actor->SetMapper(this->Mapper);
-  // Little shade: colours are to be compared with the legend.
+  // Little shading, so that colours can be compared with the legend.
   this->Actor->GetProperty()->SetAmbient(0.55);
   this->Actor->GetProperty()->SetDiffuse(0.45);
   this->Actor->GetProperty()->SetSpecular(0.0);
@@ -114,7 +114,7 @@ void vtkRegimeMap::SetQuantity(int quantity)
   this->Legend->SetTitle(look.title);
   this->Legend->SetLabelFormat(look.format);
   this->Legend->SetNumberOfLabels(look.labels);
-  // The names of the verdicts stand where the numbers of the others do.
+  // The names of the verdicts take the place of the numbers.
   const bool names = this->Quantity == Verdict;
   this->Legend->SetDrawAnnotations(names);
   this->Legend->SetDrawTickLabels(!names);
@@ -128,10 +128,10 @@ void vtkRegimeMap::PlaceLegend()
 {
   if (this->Renderer)
   {
-    // The same size in pixels, however narrow the viewport.
+    // The same size in pixels for any width of the viewport.
     const double share = std::min(
       1.0, MapLegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
-    // Names stand to the right of their bar, which would move with them.
+    // Names are to the right of their bar, which would move with them.
     const double shift = this->Quantity == Verdict ? NamesShift : 0.0;
     this->Legend->GetPositionCoordinate()->SetValue(1.0 - (1.0 + shift) * share, 0.2);
     this->Legend->SetWidth(0.85 * share);

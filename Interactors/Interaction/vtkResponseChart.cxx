@@ -38,7 +38,7 @@ double largestIn(vtkTable* table, vtkIdType column)
   return largest;
 }
 
-/// Deflection, least and most force, of the rows of `table` that have them.
+/// Deflection and bounds of the force, of the rows of `table` that have them.
 vtkSmartPointer<vtkTable> bandOf(vtkTable* table)
 {
   auto band = vtkSmartPointer<vtkTable>::New();
@@ -141,7 +141,7 @@ bool vtkResponseChart::AddCurve(vtkTable* table, const std::string& label, doubl
   }
   if (join < table->GetNumberOfRows())
   {
-    // The dotted part starts at the last trusted row, so that the line has no gap.
+    // The dotted part starts at the last valid row, so that the line has no gap.
     const double from = join > 0 ? table->GetValue(join - 1, 0).ToDouble() : lowest;
     this->AddLine(rowsBetween(table, from, deepest),
       join > 1 ? std::string() : label + " (beyond validity)", vtkPen::DOT_LINE);

@@ -31,13 +31,13 @@ void vtkSessionFiles::SetWindow(vtkRenderWindow* window)
 std::string vtkSessionFiles::FreeName(const char* ending)
 {
   const std::filesystem::path folder(this->OutputFolder);
-  std::error_code ignored; // whoever writes the file will tell
+  std::error_code ignored; // writing the file will report it
   std::filesystem::create_directories(folder, ignored);
   std::filesystem::path name;
   const auto isTaken = [&ignored](const std::filesystem::path& path)
   {
     return std::filesystem::exists(path, ignored) ||
-      std::filesystem::exists(path.string() + ".part", ignored); // what a full disk left
+      std::filesystem::exists(path.string() + ".part", ignored); // left by a full disk
   };
   for (int number = 1; name.empty() || isTaken(name); ++number)
   {

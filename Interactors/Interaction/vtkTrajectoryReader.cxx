@@ -23,9 +23,9 @@
 
 namespace
 {
-constexpr double MostSteps = 1e6; // announced; a longer recording gets steps that are further apart
+constexpr double MostSteps = 1e6; // announced; in a longer recording steps are farther apart
 
-/// A point array of `count` tuples with the value that `get` reads off each row.
+/// A point array of `count` tuples with the value that `get` returns for each row.
 template <typename Get>
 void attach(vtkPolyData* output, const std::vector<palpate::TrajectoryRow>& rows, vtkIdType count,
   const char* name, int components, Get get)
@@ -66,7 +66,7 @@ std::string vtkTrajectoryReader::Read()
   {
     return "A FileName is required";
   }
-  std::error_code missing; // is named when the file is read
+  std::error_code missing; // reported when the file is read
   const auto changed = std::filesystem::last_write_time(this->FileName, missing);
   if (this->Known && this->KnownFile == this->FileName && this->KnownTime == changed)
   {
@@ -95,7 +95,7 @@ int vtkTrajectoryReader::RequestInformation(
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  // A file that cannot be read has no times; that is said, and the output emptied, by RequestData.
+  // A file that cannot be read has no times; RequestData reports it and empties the output.
   if (this->WholePath || !this->Read().empty() || this->Known->rows.empty())
   {
     return 1;
@@ -136,7 +136,7 @@ int vtkTrajectoryReader::RequestData(
   if (!this->WholePath && info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
     const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    // A step is a sum of periods, which may lie below the tick it stands for by its rounding.
+    // A step is a sum of periods, which may be below its tick by rounding.
     const double last = time + 1e-9 * std::max(1.0, std::abs(time));
     end = std::upper_bound(
       rows.begin(), rows.end(), last, [](double t, const Row& row) { return t < row.time; });

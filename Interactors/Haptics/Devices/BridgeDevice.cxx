@@ -85,7 +85,7 @@ bool BridgeDevice::greetFirst(double patience)
   }
   if (this->Known)
   {
-    this->Now = Stage::Described; // a state that came along has no time that read would know
+    this->Now = Stage::Described; // a state received here has no time known to read
     this->Limits = specificationOf(this->Description, &this->Remark);
     this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
@@ -101,14 +101,14 @@ DeviceSample BridgeDevice::read(double time) noexcept
   }
   this->Fresh = false;
   this->receiveAll(time);
-  // Both written so that a time that is not a number, or runs backwards, counts as too late.
+  // Both are written so that a time that is NaN, or goes back, counts as too late.
   if (this->Now == Stage::Alive && !(std::abs(time - this->NewsAt) <= this->Limits.sampleTimeOut))
   {
     this->lose();
   }
   if (this->Now != Stage::Alive && !(std::abs(time - this->GreetedAt) < GreetingPause))
   {
-    this->Now = Stage::Greeting; // also if it has described itself and said nothing more
+    this->Now = Stage::Greeting; // also if it has described itself but sent no state
     this->GreetedAt = time;
     ++this->Nonce;
     this->greet();
@@ -172,7 +172,7 @@ void BridgeDevice::takeState(const StateReport& state, double time) noexcept
 {
   if (this->Now == Stage::Greeting)
   {
-    return; // of a program that has not said, or not said again, what it is
+    return; // of a program that has not described itself, or not again
   }
   const ReportSequence::Verdict verdict = this->Sequence.judge(state.sequence);
   this->Stale.store(this->Sequence.stale(), std::memory_order_relaxed);
@@ -212,8 +212,8 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
 
 void BridgeDevice::lose() noexcept
 {
-  this->send({}, false);                                      // should it still listen
-  this->GreetedAt = -std::numeric_limits<double>::infinity(); // greet in this very tick
+  this->send({}, false);                                      // in case it still listens
+  this->GreetedAt = -std::numeric_limits<double>::infinity(); // greet in this tick
   this->Now = Stage::Greeting;
   this->Disconnections.fetch_add(1, std::memory_order_relaxed);
 }
@@ -222,7 +222,7 @@ void BridgeDevice::greet() noexcept
 {
   HapticReportBytes bytes{};
   pack(HelloReport{ this->Nonce }, bytes);
-  this->Socket->send(bytes.data(), bytes.size()); // if nobody is there, there will be others
+  this->Socket->send(bytes.data(), bytes.size()); // if it is not received, others follow
 }
 
 bool BridgeDevice::writeWrench(const Wrench& wrench) noexcept

@@ -24,7 +24,7 @@ sockaddr_in loopback(std::uint16_t port)
   return address;
 }
 
-/// 0 if it is none.
+/// The port number; 0 if it is invalid.
 std::uint16_t portOf(const std::string& text)
 {
   if (text.empty() || text.size() > 5 || text.find_first_not_of("0123456789") != std::string::npos)
@@ -41,7 +41,7 @@ std::string lastError()
 }
 } // namespace
 
-/// Why `text` is no address, or "". `own` is where the host's end is bound: any free name.
+/// Why `text` is not an address, or "". `own` is the address of the host's end: any free name.
 std::string BridgeSocket::parse(const std::string& text, Name& peer, Name& own)
 {
   const std::string what = "'" + text + "': ";
@@ -64,7 +64,7 @@ std::string BridgeSocket::parse(const std::string& text, Name& peer, Name& own)
     std::memcpy(static_cast<char*>(peer.address.local.sun_path), rest.data(), rest.size());
     peer.size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + rest.size() + 1);
     own.address.local.sun_family = AF_UNIX;
-    own.size = sizeof(sa_family_t); // Linux finds a name that is in no folder
+    own.size = sizeof(sa_family_t); // Linux chooses an abstract name
     return {};
   }
   if (kind == "udp" && colon != std::string::npos)
@@ -148,7 +148,7 @@ bool BridgeSocket::isPeer(const Address& sender, socklen_t size) const noexcept
     return sender.internet.sin_port == this->Peer.address.internet.sin_port &&
       sender.internet.sin_addr.s_addr == this->Peer.address.internet.sin_addr.s_addr;
   }
-  // What a name does not fill is zero: no path, or one that this machine alone knows, is another.
+  // The rest of a name is zero, so that no path, and an abstract one, differ.
   return std::strncmp(static_cast<const char*>(sender.local.sun_path),
            static_cast<const char*>(this->Peer.address.local.sun_path),
            sizeof sender.local.sun_path) == 0;

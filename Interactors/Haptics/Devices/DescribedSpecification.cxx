@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// Puts `stated` into `value`, which holds the careful one, if it is above 0 and within reach.
+/// Replaces `value`, the conservative one, by `stated` if that is above 0 and within the limits.
 class CredibleValues
 {
 public:

@@ -15,16 +15,16 @@ namespace
 constexpr std::uint16_t ForceUsagePage = 0xFF00;
 constexpr std::uint16_t ForceUsage = 0x50;
 
-constexpr std::uint16_t Logitech = 0x046D; ///< whose number 3Dconnexion's older devices bear
+constexpr std::uint16_t Logitech = 0x046D; ///< vendor number of 3Dconnexion's older devices
 constexpr std::uint16_t Connexion = 0x256F;
 constexpr std::uint16_t GenericDesktopPage = 0x01;
 constexpr std::uint16_t MultiAxisController = 0x08;
 
-/// Both makers have other products; those with six axes say so in their usage.
+/// Both makers have other products; those with six axes are recognised by their usage.
 bool isSpaceMouse(const HidEntry& entry) noexcept
 {
   const bool axes = (entry.usagePage == GenericDesktopPage && entry.usage == MultiAxisController) ||
-    entry.usagePage == 0; // not told
+    entry.usagePage == 0; // unknown
   return axes && (entry.vendor == Logitech || entry.vendor == Connexion) &&
     (entry.product & 0xFF00U) == 0xC600U;
 }
@@ -80,7 +80,7 @@ DeviceList listDevices(HidBus& bus)
     ListedDevice device;
     const bool listed = std::any_of(list.devices.begin(), list.devices.end(),
       [&entry](const ListedDevice& other) { return other.entry.path == entry.path; });
-    if (!listed && isKnown(entry, device.kind)) // a device is an entry per usage
+    if (!listed && isKnown(entry, device.kind)) // a device has an entry per usage
     {
       device.address = "hid:" + entry.path;
       device.obstacle = bus.obstacle(entry.path);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// `value` and so many representable numbers further.
+/// The double so many steps of the last place from `value`.
 double further(double value, int steps)
 {
   const double towards = std::copysign(std::numeric_limits<double>::infinity(), steps);
@@ -20,10 +20,10 @@ double further(double value, int steps)
   return value;
 }
 
-/// The position whose image is `tip` to the bit, if there is one beside its image back.
+/// The position whose image is `tip` to the bit, if there is one near its inverse image.
 Eigen::Vector3d positionOf(const Eigen::Vector3d& tip, const WorkspaceMapping& mapping)
 {
-  // Two multiplications there and two back are off by less than this many digits of the last place.
+  // Largest error of two multiplications there and two back, in units of the last place.
   constexpr int Reach = 3;
   Eigen::Vector3d guess = mapping.toDevice(tip);
   if (mapping.toBody(guess) == tip)

@@ -55,7 +55,7 @@ TrajectoryRow rowOf(const Tick& tick)
   return row;
 }
 
-/// What keeps the rows from being read again, or "".
+/// Why the rows could not be read back, or "".
 std::string faultOf(const Trajectory& trajectory)
 {
   for (std::size_t i = 0; i < trajectory.rows.size(); ++i)
@@ -117,10 +117,10 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   return csv.fault();
 }
 
-/// Keeps the rows for which there was room, since nobody can have them again; and says so.
+/// Keeps the rows written so far, as they cannot be recorded again; returns a text about them.
 std::string keepRows(WholeFile& file, std::size_t rows)
 {
-  const std::size_t lines = file.keepLines(2); // with the names of the columns
+  const std::size_t lines = file.keepLines(2); // including the names of the columns
   return lines == 0 ? std::string()
                     : "; the first " + std::to_string(lines - 1) + " of " + std::to_string(rows) +
       " rows are kept in '" + file.unfinished() + "'";

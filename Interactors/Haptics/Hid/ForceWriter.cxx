@@ -29,14 +29,14 @@ struct Order
 };
 } // namespace
 
-/// What the thread owns together with the writer: all of it, in case the writer does not wait.
+/// Shared by the thread and the writer, in case the writer does not wait for the thread.
 struct ForceWriter::Shared
 {
   std::uint32_t Watchdog; ///< the tick's
 
   std::uint64_t Number = 0;           ///< the tick's
   LatestValue<Order> Orders;          ///< tick → thread
-  std::atomic<bool> Waiting{ false }; ///< an order the thread has not been woken for
+  std::atomic<bool> Waiting{ false }; ///< an order for which the thread has not been woken
   sem_t Wake{};
 
   std::mutex Mutex;
@@ -64,7 +64,7 @@ struct ForceWriter::Shared
     {
       while (sem_wait(&this->Wake) != 0 && errno == EINTR)
       {
-        // a signal: nothing has come
+        // interrupted by a signal
       }
       this->Waiting.store(false); // before the order is taken: a later one wakes again
       if (this->Stopping)
@@ -91,7 +91,7 @@ struct ForceWriter::Shared
 
   bool report(const Order& order, bool enable)
   {
-    std::shared_ptr<HidPort> port; // kept while the device takes its time, even if it is lost
+    std::shared_ptr<HidPort> port; // kept while the device is busy, even if it is lost
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       port = this->Port;

@@ -97,9 +97,9 @@ std::uint8_t flags(bool first, bool second, bool third = false) noexcept
 constexpr std::size_t OrientationOffset = 48;
 constexpr std::size_t TorqueOffset = 36;
 constexpr std::size_t TorqueLimitsOffset = 44;
-constexpr std::size_t ShortName = 3; ///< bytes of the name where the limits of a torque follow
+constexpr std::size_t ShortName = 3; ///< bytes of the name if the limits of torque follow
 
-/// Where component `i` of w, x, y, z stands when the largest is left out.
+/// Index of component `i` of w, x, y, z when the largest is left out.
 std::size_t placeOf(int i, int largest) noexcept
 {
   return OrientationOffset + 4 * static_cast<std::size_t>(i < largest ? i : i - 1);
@@ -122,10 +122,10 @@ void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation
   }
 }
 
-/// False if there is none such: the one left out would not be the largest.
+/// False if it is invalid: the one left out would not be the largest.
 bool getOrientation(const std::uint8_t* bytes, ToolOrientation& orientation) noexcept
 {
-  constexpr double Rounding = 1e-3; // of makers that are less than exact
+  constexpr double Rounding = 1e-3; // for inexact devices
   const int largest = bytes[3] >> 3 & 3;
   Eigen::Vector4d told = Eigen::Vector4d::Zero();
   for (int i = 0; i < 4; ++i)

@@ -32,7 +32,7 @@ HapticReportBytes describe(HidPort& port)
 
 } // namespace
 
-/// What the reader's thread does, and what the tick sees of it.
+/// The reader thread's listener, and the data it shares with the tick.
 class HidDevice::Link final : public HidListener
 {
 public:
@@ -43,7 +43,7 @@ public:
   {
   }
 
-  /// Writes go through a port of their own: hidapi's are not for two threads.
+  /// Writes use a separate port, as a port of hidapi is not thread-safe.
   std::string connectWriter(const std::string& path)
   {
     std::string error;
@@ -80,7 +80,7 @@ public:
     this->States.write({ state, ++this->Number });
     this->Faulty.store(state.fault, std::memory_order_relaxed);
     this->Amplified.store(state.amplifiersOn, std::memory_order_relaxed);
-    this->Alive.store(true, std::memory_order_release); // after its first state is there
+    this->Alive.store(true, std::memory_order_release); // after its first state is stored
   }
 
   void lost() noexcept override
@@ -91,7 +91,7 @@ public:
 
   ForceWriter Writer;
   LatestValue<NumberedState> States; ///< reader's thread → tick
-  std::atomic<bool> Alive{ false };  ///< a sound state has come since it was opened
+  std::atomic<bool> Alive{ false };  ///< a valid state has arrived since it was opened
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };

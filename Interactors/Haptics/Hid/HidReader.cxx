@@ -14,13 +14,13 @@ namespace palpate
 {
 namespace
 {
-constexpr int ReadLimit = 50; ///< ms; how long a stop may go unnoticed
+constexpr int ReadLimit = 50; ///< ms; the longest delay of a stop
 constexpr std::chrono::milliseconds SearchPause(250);
 constexpr std::chrono::milliseconds ReaderPatience(1000);
-constexpr int ReaderPriority = 79; ///< below the servo's, so that no flood of reports delays a tick
+constexpr int ReaderPriority = 79; ///< below the servo's, so that many reports do not delay a tick
 } // namespace
 
-/// What the thread owns together with the reader: all of it, in case the reader does not wait.
+/// Shared by the thread and the reader, in case the reader does not wait for the thread.
 struct HidReader::Shared
 {
   HidBus& Bus;
@@ -61,7 +61,7 @@ struct HidReader::Shared
       {
         this->readOnce();
       }
-      else if (this->pause()) // it has hardly gone; the system may still list it
+      else if (this->pause()) // just after the loss the system may still list it
       {
         this->search();
       }
@@ -85,7 +85,7 @@ struct HidReader::Shared
     }
     else if (count < 0)
     {
-      this->Listener->lost(); // before it is counted: who sees the count sees it lost
+      this->Listener->lost(); // before it is counted, so that the count implies the loss
       this->Connected = false;
       this->Disconnections.fetch_add(1);
       this->Port.reset();

@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// hidapi keeps one error text for all calls that have no device, and frees it in each of them.
+/// hidapi has one error text for all calls without a device, and frees it in each of them.
 std::mutex& oneAtATime()
 {
   static std::mutex mutex;
@@ -67,7 +67,7 @@ public:
   {
     errno = 0;
     const int count = hid_read_timeout(this->Device, bytes, size, milliseconds);
-    return count < 0 && errno == EINTR ? 0 : count; // a signal is no unplugging
+    return count < 0 && errno == EINTR ? 0 : count; // a signal is not an unplugging
   }
 
   bool write(const std::uint8_t* bytes, std::size_t size) noexcept override
@@ -76,7 +76,7 @@ public:
     {
       return false;
     }
-    this->Numbered[0] = 0; // report 0: there are no numbers
+    this->Numbered[0] = 0; // report number 0: unnumbered
     std::copy_n(bytes, size, this->Numbered.begin() + 1);
     return hid_write(this->Device, this->Numbered.data(), size + 1) == static_cast<int>(size) + 1;
   }

@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 constexpr std::size_t LongestReport = 64;
-constexpr double LongestStep = 0.02; ///< s; what is longer is a pause of the loop, no motion
+constexpr double LongestStep = 0.02; ///< s; longer steps are pauses of the loop, not motion
 
 struct NumberedAxes
 {
@@ -22,7 +22,7 @@ struct NumberedAxes
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 
-/// 0 within the dead zone, from there on straight to ±1.
+/// 0 within the dead zone, linear from there to ±1.
 double beyondDeadZone(double value, double deadZone) noexcept
 {
   const double beyond = std::max(0.0, std::abs(value) - deadZone) / (1.0 - deadZone);
@@ -41,13 +41,13 @@ DeviceSpecification inputOnly(const SpaceMouseSettings& settings)
 }
 } // namespace
 
-/// What the reader's thread does, and what the tick sees of it.
+/// The reader thread's listener, and the data it shares with the tick.
 class SpaceMouseDevice::Link final : public HidListener
 {
 public:
   std::string returned(HidPort&, const HidEntry&) override
   {
-    this->State = {}; // as at rest, until it says otherwise
+    this->State = {}; // at rest, until a report arrives
     this->publish();
     return {};
   }

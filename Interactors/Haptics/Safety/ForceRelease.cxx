@@ -36,7 +36,7 @@ void ForceHold::releaseAll() noexcept
   Releasing.store(true);
   while (const ForceHold* const hold = Newest)
   {
-    // First: it may be the device's write that has thrown, and will again.
+    // First, as the exception may come from the device's write, and come again.
     Newest = hold->Before;
     Holding.fetch_sub(1);
     hold->Device.write(Eigen::Vector3d::Zero());

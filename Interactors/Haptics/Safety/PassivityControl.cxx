@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// A hold much shorter than the period, such as after a late one, is credited with no more than
-/// this multiple of K_max.
+/// Largest credit of a hold much shorter than the period, as after a late one, in multiples of
+/// K_max.
 constexpr double LargestCredit = 2.0;
 
 double positive(double value) noexcept
@@ -74,7 +74,7 @@ double PassivityControl::givenByTurn() const noexcept
   {
     const SpatialVector moved = this->movedTo(position, orientation);
     const double passed = time - this->ReadTime;
-    // Several ticks without a new reading: their mean, as if the hand moved evenly.
+    // For several ticks without a new reading their mean, as if the hand moved at constant speed.
     const SpatialVector held =
       passed > 0.0 ? (this->Impulse + (time - this->SentTime) * this->Force) / passed : this->Force;
     const double credit =
@@ -118,7 +118,7 @@ double PassivityControl::givenInGap(const SpatialVector& moved) const noexcept
   return std::min(holds * most, std::max(this->Taken.dot(moved), along));
 }
 
-/// How a hand accelerates by itself along a direction, at most, m/s².
+/// The largest acceleration of a hand by itself along a direction, m/s².
 double PassivityControl::accelerationOfHand(const SpatialVector& direction) const noexcept
 {
   return direction.isAngular() ? direction.linear.norm() * HandAcceleration +
@@ -126,7 +126,7 @@ double PassivityControl::accelerationOfHand(const SpatialVector& direction) cons
                                : HandAcceleration;
 }
 
-/// The mass that a force along a direction moves there, at least, kg.
+/// The least mass that a force along a direction accelerates, kg.
 double PassivityControl::handleAlong(const SpatialVector& direction) const noexcept
 {
   const double lever = this->Lever;
@@ -136,7 +136,7 @@ double PassivityControl::handleAlong(const SpatialVector& direction) const noexc
                                : LightestHandle;
 }
 
-/// How far a hand gets by itself along a direction in so long.
+/// The displacement of a hand by itself along a direction in a time.
 double PassivityControl::wayOfHand(const SpatialVector& direction, double time) const noexcept
 {
   return std::max(0.0, direction.dot(this->Velocity)) * time +
@@ -152,7 +152,7 @@ double PassivityControl::allowedUnderWay(
   {
     return whatever;
   }
-  // f (way of the hand + f t²/2m) = E
+  // f (displacement of the hand + f t²/2m) = E
   const double time = this->Period * static_cast<double>(this->UnderWay.late() + 1);
   const SpatialVector direction = force / size;
   const double way = this->wayOfHand(direction, time);

@@ -16,7 +16,7 @@ namespace
 constexpr int MaximumStretches = 1000;
 constexpr int MaximumEvents = 32;
 constexpr int Bisections = 40;
-/// Of a stretch in which events are looked for at its end only, in radians of the hand's own
+/// Length of an interval that is checked for events at its end only, in radians of the hand's own
 /// oscillation: the velocity changes its sign at most once.
 constexpr double LongestAngle = 0.5;
 
@@ -37,8 +37,8 @@ double meanDecay(double x)
   return x == 0.0 ? 1.0 : -std::expm1(-x) / x;
 }
 
-/// By the power series of the impulse response, which loses no digits however short the duration
-/// is: with βh < 1 and κh² < 1 the term left out is below 1e-18 of the first.
+/// By the power series of the impulse response, accurate for any short duration: with βh < 1 and
+/// κh² < 1 the truncated term is below 1e-18 of the first.
 PlantAxis::Response shortResponse(double kappa, double beta, double duration)
 {
   constexpr int Terms = 24;
@@ -60,12 +60,12 @@ PlantAxis::Response shortResponse(double kappa, double beta, double duration)
   return { impulse, duration * step };
 }
 
-/// In closed form, which loses no digits however long the duration is.
+/// In closed form, accurate for any long duration.
 PlantAxis::Response longResponse(double kappa, double beta, double duration)
 {
   const double a = 0.5 * beta;
   const double square = a * a - kappa;
-  if (square < 0.0) // it rings
+  if (square < 0.0) // underdamped
   {
     const double omega = std::sqrt(-square);
     const double decay = std::exp(-a * duration);
@@ -77,7 +77,7 @@ PlantAxis::Response longResponse(double kappa, double beta, double duration)
   const double slow = kappa / fast;
   const double slowDecay = std::exp(-slow * duration);
   const double impulse = slowDecay * duration * meanDecay(2.0 * q * duration);
-  if (q > 0.5 * a) // the two modes lie apart
+  if (q > 0.5 * a) // the two modes are distinct
   {
     const double difference = meanDecay(slow * duration) - meanDecay(fast * duration);
     return { impulse, duration * difference / (2.0 * q) };
@@ -126,7 +126,7 @@ PlantAxis::State PlantAxis::advance(State state, Load load, double duration) noe
     ++events;
     if (regime.sticks)
     {
-      // The threshold is reached, not passed: regimeAt would still see it stick.
+      // The threshold is reached, not exceeded: regimeAt would still return sticking.
       regime = this->regimeAt(state, load);
       regime.sticks = false;
       regime.slide = sign(load.targetVelocity);

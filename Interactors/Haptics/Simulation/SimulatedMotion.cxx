@@ -11,20 +11,21 @@ namespace
 {
 constexpr double FastestRate = 1e5; // Hz
 
-/// The rotation vector; zero where it is not told.
+/// The rotation vector; zero if unknown.
 Eigen::Vector3d turnOf(const ToolOrientation& orientation) noexcept
 {
   return isTold(orientation) ? turnBetween(ToolOrientation::Identity(), orientation)
                              : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// Forces that can be on their way at once, if ticks come up to four times faster than specified.
+/// Number of forces that can be under way at once, if ticks are up to four times faster than
+/// specified.
 std::size_t pendingForces(const SimulatedPlant& plant, double rate)
 {
   return 4 + static_cast<std::size_t>(4.0 * rate * (plant.forceDelay + plant.sampleDelay));
 }
 
-/// A mass that moves as the device turns: angles for ways, torques for forces.
+/// The plant of rotations: angles in place of displacements, torques in place of forces.
 SimulatedPlant turningPlant(const SimulatedPlant& plant)
 {
   SimulatedPlant turning;
@@ -189,7 +190,7 @@ void SimulatedMotion::advanceTo(double time) noexcept
   }
   const Eigen::Vector3d meantFrom = turnOf(isTold(heldBefore) ? heldBefore : held);
   const Eigen::Vector3d turning = (turnOf(held) - meantFrom) / (time - from);
-  // Bounded by the way points and the forces on their way.
+  // Bounded by the way points and the forces under way.
   while (this->Clock < time)
   {
     this->hold();

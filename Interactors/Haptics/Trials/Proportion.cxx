@@ -11,7 +11,7 @@ namespace
 constexpr int Halvings = 60; // of an interval no longer than 80: to 1e-16 of it
 
 /// Probability of at least `successes` in `trials`, each a success with probability p in (0, 1).
-/// Terms by their logarithms, since the coefficients overflow from 1030 trials on.
+/// Terms are computed by logarithms, since the coefficients overflow from 1030 trials on.
 double upperTail(int successes, int trials, double p)
 {
   double sum = 0.0;
@@ -23,7 +23,7 @@ double upperTail(int successes, int trials, double p)
   return sum;
 }
 
-/// Where a function that rises from below 0 to above it is 0.
+/// The root of an increasing function.
 template <class Function>
 double rootBetween(double low, double high, const Function& function)
 {
@@ -49,7 +49,7 @@ Proportion proportionOf(int successes, int trials, double confidence)
   result.lower = successes == 0
     ? 0.0
     : rootBetween(0.0, 1.0, [&](double p) { return upperTail(successes, trials, p) - tail; });
-  // As many failures or more: the same tail seen from the other side.
+  // At least as many failures: the same tail from the other side.
   result.upper = successes == trials ? 1.0
                                      : 1.0 -
       rootBetween(

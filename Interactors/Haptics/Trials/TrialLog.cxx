@@ -47,7 +47,7 @@ int chosenBy(const TrialAnswer& answer)
   return answer.choseX ? answer.trial.x : answer.trial.y;
 }
 
-/// As it stands in a row: empty where no answer is right.
+/// The text in a row; empty if no answer is right.
 const char* correctText(const TrialHead& head, const TrialAnswer& answer)
 {
   const int right = isRight(head, answer);
@@ -70,13 +70,13 @@ std::string headText(const TrialHead& head)
     "\n# started: " + head.started + "\n" + Columns + "\n";
 }
 
-/// One line of the head after the first; false if it is none.
+/// Reads one line of the head after the first; false if it is not one.
 bool readHeadLine(const CsvComment& line, TrialHead& head)
 {
   auto& alternatives = head.alternatives;
   const auto isOf = [&line](const char* what, std::size_t alternative)
   { return alternative < Letters && line.key == what + letterOf(static_cast<int>(alternative)); };
-  if (isOf("alternative ", alternatives.size())) // letters in their order
+  if (isOf("alternative ", alternatives.size())) // letters in order
   {
     alternatives.push_back({ std::string(line.value), 0.0 });
     return true;
@@ -109,7 +109,7 @@ bool readLetter(std::string_view text, std::size_t alternatives, int& number)
   return number >= 0 && static_cast<std::size_t>(number) < alternatives;
 }
 
-/// The row of trial `number`, which must agree with itself.
+/// Reads the row of trial `number`, which must be consistent.
 bool readRow(const CsvReader& csv, const TrialHead& head, int number, TrialAnswer& answer)
 {
   int trial = 0;
@@ -178,7 +178,7 @@ std::string TrialLog::open(const std::string& path, const TrialHead& head)
   std::string error = this->write(headText(head));
   if (!error.empty())
   {
-    std::error_code ignored; // it may never have been there
+    std::error_code ignored; // it may not exist
     std::filesystem::remove(path, ignored);
   }
   return error;
@@ -217,11 +217,11 @@ std::string TrialLog::write(const std::string& text)
 std::string TrialLog::fail(int reason)
 {
   this->Fault = "cannot write the trial log '" + this->Path + "': " + std::strerror(reason);
-  this->File.close(); // which tries once more
+  this->File.close(); // which tries to write once more
   std::error_code ignored;
   if (std::filesystem::is_regular_file(this->Path, ignored))
   {
-    std::filesystem::resize_file(this->Path, this->Size, ignored); // no half of a row stays
+    std::filesystem::resize_file(this->Path, this->Size, ignored); // removes a partly written row
   }
   return this->Fault;
 }
@@ -249,7 +249,7 @@ std::string readTrialLog(const std::string& path, TrialRecord& record)
   while (csv.next())
   {
     result.answers.emplace_back();
-    // A row without an end of line was being written when all ended.
+    // A last row without a line break was not written completely.
     if (!csv.endsLine() ||
       !readRow(csv, result.head, static_cast<int>(result.answers.size()), result.answers.back()))
     {

@@ -15,7 +15,8 @@ namespace
 {
 constexpr double Criterion = 0.75; // half-way between guessing and certainty
 
-/// The difference told at the criterion if `difference` is told in a share of the trials.
+/// The difference recognised at the criterion if `difference` is recognised in a fraction of the
+/// trials.
 double differenceAtCriterion(double difference, double share)
 {
   return share > 0.5 ? difference * normalQuantile(Criterion) / normalQuantile(share)
@@ -64,7 +65,7 @@ std::string inWords(double difference)
   return std::isfinite(difference) ? text.str() : "no limit";
 }
 
-/// What the interval says about telling the two apart.
+/// What the interval says about whether the two were distinguished.
 const char* verdict(const Proportion& correct)
 {
   if (correct.lower > 0.5)

@@ -41,7 +41,7 @@ std::string textOf(double value)
   return text.data();
 }
 
-/// Ticks at first, first + 1, ... last times `step`; `label` says what stands there.
+/// Ticks at first, first + 1, ... last times `step`; `label` gives their texts.
 template <class Label>
 void setTicks(vtkAxis* axis, int first, int last, double step, const Label& label)
 {

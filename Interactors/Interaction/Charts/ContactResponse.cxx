@@ -24,12 +24,12 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// A point this far from the plane of its triangle, in edge lengths, is on the smooth surface: the
-/// tick's coordinates are single precision.
+/// A point farther from the plane of its triangle than this, in edge lengths, is on the smooth
+/// surface; the limit allows for the single precision of the tick's coordinates.
 constexpr double OffPlane = 1e-5;
 
-/// Area coordinates of a point of the patch, from those of its foot on the facet, by Gauss and
-/// Newton; those again where there is no patch.
+/// Area coordinates of a point of the patch, from those of its projection on the facet, by Gauss
+/// and Newton; unchanged without a patch.
 Vector3 weightsOnPatch(
   const Corners& corners, const Corners& normals, const Vector3& point, const Vector3& foot)
 {
@@ -53,7 +53,7 @@ Vector3 weightsOnPatch(
   return weights.allFinite() ? Vector3(weights / weights.sum()) : foot;
 }
 
-/// The values of three points of an array of `count` per point; none of no array.
+/// The values of three points of an array of `count` per point; none without an array.
 template <class Value>
 std::vector<Value> ofCorners(
   const Value* values, const std::array<vtkIdType, 3>& corners, std::size_t count)

@@ -15,7 +15,7 @@ namespace
 {
 constexpr const char* Title = "Force over time";
 constexpr const char* TimeName = "Time before now (s)";
-constexpr std::size_t Bins = 500; // a point or two of each: more than such a chart has pixels
+constexpr std::size_t Bins = 500; // one or two points of each: more than such a chart has pixels
 constexpr int TimeSteps = 5;
 } // namespace
 
@@ -41,7 +41,7 @@ ForceTimeChart::ForceTimeChart(double seconds)
   , Friction(seconds, "Friction (N)")
   , Memory(seconds, "Memory (N)")
 {
-  // The applied force lies on the ideal one, of which it leaves the borders to be seen.
+  // The applied force is drawn over the ideal one, whose borders stay visible.
   this->Ideal.table.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
   this->AppliedPlot =
     this->Applied.table.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);

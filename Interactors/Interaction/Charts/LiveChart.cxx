@@ -66,7 +66,7 @@ LiveChart::LiveChart(const char* title, const char* across, const char* up)
   legend->SetSymbolWidth(24);
   legend->SetPadding(4);
   legend->SetDragEnabled(false);
-  legend->GetBrush()->SetColorF(1.0, 1.0, 1.0, 0.75); // what it covers is seen through it
+  legend->GetBrush()->SetColorF(1.0, 1.0, 1.0, 0.75); // translucent
   legend->GetPen()->SetLineType(vtkPen::NO_PEN);
   this->growAcross(1.0);
   this->growUp(1.0);

@@ -18,11 +18,11 @@ constexpr const char* Labels[3] = { "Period", "Wake-up after deadline", "Tick" }
 constexpr float Widths[3] = { 4.0F, 2.0F, 2.0F };
 constexpr int Classes = TickHistogramChart::ClassesPerDecade *
   (TickHistogramChart::LastDecade - TickHistogramChart::FirstDecade);
-constexpr double Below = 0.3; // of a decade: where a class that holds none lies
+constexpr double Below = 0.3; // of a decade: the place of empty classes
 
 using Counts = std::array<double, Classes>;
 
-/// The class of durations up to `microseconds`; the first and last take all beyond them.
+/// The class of durations up to `microseconds`; the first and last include all beyond them.
 int classOf(double microseconds)
 {
   const double decades = std::log10(microseconds) - TickHistogramChart::FirstDecade;

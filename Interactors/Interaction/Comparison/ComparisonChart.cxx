@@ -38,7 +38,7 @@ constexpr float MarkSize = 13.0F;
 constexpr float DepthWidth = 1.5F;
 constexpr Color DepthColor = { 0.45, 0.45, 0.48 };
 
-/// Deflection and force; with four, the least and the most that it may be.
+/// Deflection and force; of four columns, also the bounds of the force.
 template <std::size_t Columns>
 vtkSmartPointer<vtkTable> makeTable(const std::vector<std::array<double, Columns>>& rows)
 {

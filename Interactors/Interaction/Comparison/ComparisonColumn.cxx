@@ -32,11 +32,12 @@ namespace palpate
 {
 namespace
 {
-// Shares of the height.
+// Fractions of the height.
 constexpr double PanelTop = 0.115;
 constexpr double ChartTop = 0.46;
 constexpr int TitleSize = 19;
-constexpr double SameScale = 4.0; // forces this many times as large or small keep the arrow's scale
+constexpr double SameScale =
+  4.0; // the arrow's scale is kept for forces up to this many times larger or smaller
 
 /// The corner of a cell next to a place.
 vtkIdType nearestCorner(vtkPolyData* body, vtkIdType cell, const double place[3])
@@ -78,7 +79,7 @@ ComparisonColumn::ComparisonColumn()
 {
   this->Renderer->UseFXAAOn();
   this->Scene->SetRenderer(this->Renderer);
-  // What is compared is the body; what a device can give of it is not.
+  // The bodies are compared, not what a device can render of them.
   this->Scene->GetToolRepresentation()->SetAppliedForceVisibility(false);
   this->Scene->SetTrailVisibility(false);
   this->Map->SetVisibility(false);

@@ -26,12 +26,12 @@ namespace
 constexpr int Depths = 160; // between 0 and the range, denser where it is shallow
 constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
-/// At which depths a point is judged, and the most cautious verdict there so far.
+/// The depths at which a point is judged, and the most cautious verdict so far.
 struct DepthVerdicts
 {
   std::vector<double> depths; ///< rising
   std::vector<int> verdicts;
-  std::size_t asked = 0; ///< the depth that was asked for
+  std::size_t asked = 0; ///< the depth requested
 };
 
 DepthVerdicts makeDepths(double range, double asked)
@@ -50,7 +50,7 @@ DepthVerdicts makeDepths(double range, double asked)
   return all;
 }
 
-/// What the body is made of at its only point, or what is wrong with it.
+/// Reads the material at the body's only point; returns what is wrong with it, or "".
 std::string readPoint(vtkPolyData* one, BodyMaterial& material)
 {
   BodyMaterial::Values values;
@@ -122,7 +122,7 @@ double spreadOf(const std::vector<ToolRegime>& tools)
   return (largest - least) * static_cast<double>(tools.size()) / sum;
 }
 
-/// What follows from all tools together.
+/// The results for all tools together.
 void summarize(const DepthVerdicts& all, RegimeStatement& statement)
 {
   const auto sameAs = [&](std::size_t i) { return all.verdicts[i] == all.verdicts[all.asked]; };

@@ -86,7 +86,7 @@ vec4 palpateLaw(int h, float r)
   return mix(palpateTable[i], palpateTable[i + 1], t - cell);
 }
 
-// The local displacement of x with the normal n, and what that becomes.
+// The local displacement of x with the normal n, and the turned normal.
 vec3 palpateLocal(int h, vec3 x, vec3 n, out vec3 turned)
 {
   vec3 normal = palpateNormal[h];
@@ -132,7 +132,7 @@ vec3 palpateLocal(int h, vec3 x, vec3 n, out vec3 turned)
   return moves ? u.x * away - u.y * normal : vec3(0.0);
 }
 
-// Dents add up, and so does, to first order, how they turn the normal n.
+// Dents add up, and so do, to first order, their turns of the normal n.
 vec3 palpateDents(vec3 x, inout vec3 n)
 {
   vec3 undented = n;
@@ -147,12 +147,12 @@ vec3 palpateDents(vec3 x, inout vec3 n)
 }
 )";
 
-/// Uniforms that have a value for each contact; none but these changes its size.
+/// Uniforms with a value for each contact; only these change their size.
 constexpr std::array<const char*, 9> PerContact = { "palpateNear", "palpateBend", "palpateTwist",
   "palpateStep", "palpateContact", "palpateNormal", "palpateRange", "palpateDraw", "palpateTable" };
 
-/// The vertex moves first of all; what VTK does with it afterwards sees it displaced. Its place in
-/// the colours' texture VTK calls tcoord, since 9.3 colorTCoord.
+/// The vertex is displaced first, so that all of VTK's later code uses the displaced one. Its
+/// coordinate in the colours' texture is tcoord in VTK, since 9.3 colorTCoord.
 std::string displacement(int modes)
 {
   return std::string(R"(
@@ -169,7 +169,7 @@ std::string displacement(int modes)
 )" + Beginning;
 }
 
-/// The uniforms of some contacts, one after the other.
+/// The uniforms of several contacts, one after the other.
 struct Uniforms
 {
   using Three = std::array<float, 3>;
@@ -263,7 +263,7 @@ void DeflectionShader::install(const Code& code)
   this->remove();
   this->IsInstalled = true;
   this->Installed = code;
-  // Once: uniforms are declared where they are first set.
+  // Once, as uniforms are declared when they are first set.
   setColors(this->Property, 0.0F, 0.0F, 0.0F);
   this->show({}, 1.0);
   const std::string choice = "\n#define PALPATE_CONTACTS " + std::to_string(code.contacts) +
@@ -338,8 +338,8 @@ void DentMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Superclass::RenderPiece(renderer, actor);
 }
 
-// The mapper makes a texture of the lookup table. Where a value lies in it the mapper alone knows,
-// and it is asked about the ends of the range.
+// The mapper makes a texture of the lookup table, and only it can map a value to its coordinate; it
+// is asked for the ends of the range.
 void DentMapper::updateColors()
 {
   vtkScalarsToColors* colors = this->GetLookupTable();

@@ -51,7 +51,7 @@ int attributeCount(int modes)
   return (modes * FloatsPerMode + FloatsPerAttribute - 1) / FloatsPerAttribute;
 }
 
-/// Float `place` of all those of a vertex, in GLSL.
+/// The GLSL expression of float number `place` of a vertex.
 std::string component(int place)
 {
   return attribute(place / FloatsPerAttribute) + "[" + std::to_string(place % FloatsPerAttribute) +
@@ -103,7 +103,7 @@ void DrawnSurface::give(
   drawn->CopyStructure(body);
   const BodyMesh mesh = makeBodyMesh(body);
   drawn->GetPointData()->SetNormals(normalsOf(mesh));
-  vtkNew<vtkFloatArray> none; // without it the mapper would make no texture of the colours
+  vtkNew<vtkFloatArray> none; // needed for the mapper to make a texture of the colours
   none->SetName(Displacement);
   none->SetNumberOfTuples(drawn->GetNumberOfPoints());
   none->Fill(0.0);

@@ -39,7 +39,7 @@ constexpr double ArcHeadRadius = 1.6;  // mm
 constexpr double ArcHeadLength = 3.6;  // mm
 constexpr double ArcMostTurn = 5.2;    // rad
 constexpr double ArcStart = 0.15;      // rad: clear of the surface
-constexpr double ArcLeastTurn = 0.15;  // rad, below which it is a head alone
+constexpr double ArcLeastTurn = 0.15;  // rad, below which only the head is drawn
 constexpr int ArcSides = 24;
 constexpr int ArcPieces = 48;
 constexpr int ArcLabelSize = 18; // points
@@ -69,7 +69,7 @@ ForceArrow::ForceArrow(const ArrowLook& look)
   text->SetColor(this->Look.color.data());
   text->SetFontSize(look.labelSize);
   text->SetBold(look.bold ? 1 : 0);
-  text->SetBackgroundColor(BackgroundColor.data()); // the tool and other arrows may be behind it
+  text->SetBackgroundColor(BackgroundColor.data()); // as the tool and other arrows may be behind it
   text->SetBackgroundOpacity(look.labelOpacity);
   this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   this->hide();

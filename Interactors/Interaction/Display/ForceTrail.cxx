@@ -87,7 +87,7 @@ void ForceTrail::add(const ShownContact& contact)
   this->InAir = false;
   if (this->IsNear)
   {
-    this->Contacts.pop_back(); // its neighbour before is what the distance counts from
+    this->Contacts.pop_back(); // distances are measured from the point before
   }
   this->IsNear = !place.begins && !this->Contacts.empty() &&
     (place.point - this->Contacts.back().point).norm() < Nearest;

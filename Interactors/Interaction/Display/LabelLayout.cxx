@@ -16,7 +16,7 @@ namespace
 constexpr double Spacing = 2.0; // pixels, between texts
 constexpr double Aside = 10.0;  // pixels, from the head
 
-/// Of a text, in pixels of the window.
+/// The box of a text, in pixels of the window.
 struct Box
 {
   double left;

@@ -56,21 +56,20 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
-/// Of its own dent, and how deep the tip is where other tools make that differ.
+/// The deflection of the tool's own dent, and the depth of the tip if other tools make it differ.
 std::string deflectionOf(const ShownContact& contact)
 {
   return millimetres(contact.tick.contact.deflection) +
     (contact.isLetDown() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
 }
 
-/// Lines of at most so many letters, broken at blanks, after a comma or colon if there is one not
-/// too early.
+/// Breaks a text into lines of at most `letters`, at blanks, preferably after a comma or colon.
 std::string wrapped(const std::string& text, std::size_t letters)
 {
   constexpr std::size_t none = std::string::npos;
   std::string result;
   std::size_t lineBegin = 0;
-  std::size_t blank = none; // the last one of the line under way
+  std::size_t blank = none; // the last one of the current line
   std::size_t pause = none; // the last one after a comma or colon
   for (const char c : text)
   {

@@ -33,7 +33,7 @@ namespace
 {
 constexpr int LegendSize = 15;
 constexpr double LegendWidth = 175.0;   // pixels
-constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that they stay put
+constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that they do not move
 constexpr double LegendBottom = 0.15;
 constexpr double LegendTop = 0.97;
 
@@ -57,11 +57,11 @@ void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
   }
 }
 
-/// A slim bar with its title and five numbers, `fontSize` points.
+/// A narrow bar with its title and five numbers, `fontSize` points.
 void styleLegend(vtkScalarBarActor* legend, vtkLookupTable* table, const char* title, int fontSize)
 {
   legend->SetLookupTable(table);
-  legend->SetTitle((std::string(title) + "\n ").c_str()); // a line of air above the bar
+  legend->SetTitle((std::string(title) + "\n ").c_str()); // an empty line above the bar
   legend->SetNumberOfLabels(5);
   legend->SetLabelFormat("%.2f");
   legend->SetBarRatio(0.25);
@@ -114,7 +114,7 @@ SceneLegends::~SceneLegends() = default;
 
 double SceneLegends::share(vtkRenderer* renderer)
 {
-  // The same size in pixels, however narrow the viewport.
+  // The same size in pixels for any width of the viewport.
   const int width = renderer ? std::max(renderer->GetSize()[0], 1) : 1;
   return std::min(1.0, LegendWidth / static_cast<double>(width));
 }
@@ -195,7 +195,7 @@ void ForceScale::place(vtkRenderer* renderer, const Eigen::Vector3d& contact)
   {
     corners->InsertNextPoint(x, Height + y, 0.0);
   }
-  vtkNew<vtkCellArray> parts; // shaft and head: together they are not convex
+  vtkNew<vtkCellArray> parts; // shaft and head: as their union is not convex
   parts->InsertNextCell({ 0, 1, 5, 6 });
   parts->InsertNextCell({ 2, 3, 4 });
   this->Shape->SetPoints(corners);

@@ -28,7 +28,7 @@ namespace
 {
 constexpr int Corners = 96;
 constexpr int Dashes = 16;
-// The line is thinner on small circles, so that they stay circles, but can be seen.
+// The line is thinner on small circles, so that they look like circles, but stay visible.
 constexpr double LineRadius = 0.08; // mm
 constexpr double LineShare = 0.05;  // of the circle's radius
 } // namespace

@@ -18,7 +18,7 @@ constexpr double LeftMargin = 10.0; // pixels, of a label that begins at the lef
 
 PanelButton::PanelButton()
 {
-  this->NumberOfStates = 1; // whether it is on is its owner's to say
+  this->NumberOfStates = 1; // the owner decides whether it is on
   stylePanelText(this->Text, TextColor);
   this->Text->GetTextProperty()->SetJustificationToCentered();
   this->Text->GetTextProperty()->SetVerticalJustificationToCentered();

@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// Of the body's diagonal. vtkStaticCellLocator misses faces that lie in the walls between its
-/// bins, as those of a block may do.
+/// Relative to the body's diagonal. vtkStaticCellLocator misses faces in the walls between its
+/// bins, as a block may have.
 constexpr double Tolerance = 1e-6;
 
 /// World point under a display position, at a depth of the view volume from 0 (near) to 1 (far).

@@ -85,7 +85,7 @@ DeviceSpecification SessionDevice::specification(double rate) const
   {
     return specificationOf(this->held.plant, rate);
   }
-  DeviceSpecification hand; // a stiff one: of any stiffness, and it may be silent
+  DeviceSpecification hand; // a stiff hand: any stiffness, no time-out
   hand.maximumStiffness = std::numeric_limits<double>::infinity();
   hand.maximumDamping = std::numeric_limits<double>::infinity();
   hand.sampleTimeOut = std::numeric_limits<double>::infinity();

@@ -68,7 +68,8 @@ double VirtualRun::time() const
 
 void VirtualRun::step(double seconds)
 {
-  // Half a tick of slack, so that steps which add up to a whole number of ticks run that many.
+  // Half a tick of tolerance, so that steps which add up to a whole number of ticks run that
+  // number.
   this->Reached += seconds;
   const double end = this->Reached - 0.5 * this->Period;
   while (this->time() < end)
@@ -91,7 +92,7 @@ void VirtualRun::tick()
     this->stepAll(time);
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-  // And freed here: the tick is over.
+  // Freed here, after the tick.
   this->Step ? this->Step->takeRetired() : this->Together->takeRetired();
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
@@ -138,7 +139,7 @@ void RealTimeRun::change(std::unique_ptr<ServoScene> scene)
 
 const Tick& RealTimeRun::newest(std::size_t hand)
 {
-  this->collect(); // whoever looks at the newest tick at display rate keeps the ring from filling
+  this->collect(); // reading the newest tick at display rate keeps the ring buffer from filling
   return this->Loop.newest(hand);
 }
 
