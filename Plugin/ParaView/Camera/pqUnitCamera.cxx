@@ -67,7 +67,7 @@ void pqUnitCamera::startup()
 
 void pqUnitCamera::watch(pqPipelineSource* source)
 {
-  // What a state file sets is set before the source is announced.
+  // A state file sets properties before the source is announced.
   const QString group = source->getProxy()->GetXMLGroup();
   if (group == "filters" && source->getProxy()->GetProperty(Unit))
   {
@@ -95,7 +95,7 @@ void pqUnitCamera::onDataUpdated(pqPipelineSource* source)
   this->resetViewsSoon();
 }
 
-/// When the pipeline, or who shows what is in it, is through.
+/// After the pipeline, and the objects that show its sources, have finished.
 void pqUnitCamera::resetViewsSoon()
 {
   if (!this->Waiting.isEmpty())
@@ -113,7 +113,7 @@ void pqUnitCamera::resetViews()
     for (pqRenderView* view : views)
     {
       this->Waiting.remove(source);
-      view->getViewProxy()->Update(); // the bounds that it is reset to
+      view->getViewProxy()->Update(); // for the bounds that it is reset to
       view->resetCamera();
       view->render();
     }

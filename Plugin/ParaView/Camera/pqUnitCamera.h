@@ -9,11 +9,11 @@
 class pqPipelineSource;
 
 /**
- * A body whose Length Unit changes becomes ten or a thousand times as large, and a camera that
- * stays where it is shows nothing. Once such a change is applied, the render views that show the
- * body, or what is made of it, are reset; the direction they look in stays.
+ * A body whose Length Unit changes becomes ten or a thousand times as large, so that an unchanged
+ * camera shows nothing. Once such a change is applied, the render views that show the body, or
+ * results of it, are reset, keeping their direction.
  *
- * Nothing else moves the camera: no other property, and no unit that comes with a state file.
+ * Nothing else moves the camera: no other property, and no unit set by a state file.
  */
 class pqUnitCamera : public QObject
 {
@@ -23,7 +23,7 @@ public:
   explicit pqUnitCamera(QObject* parent = nullptr);
   ~pqUnitCamera() override;
 
-  /// What ParaView's auto-start calls.
+  /// Called by ParaView's auto-start.
   void startup();
   void shutdown() {}
 
@@ -37,8 +37,8 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqUnitCamera)
 
-  QHash<pqPipelineSource*, int> Units; ///< in which each was last seen
-  QSet<pqPipelineSource*> Waiting;     ///< for a view that shows what is in another one
+  QHash<pqPipelineSource*, int> Units; ///< the last unit of each source
+  QSet<pqPipelineSource*> Waiting;     ///< for a view that shows an output in another unit
 };
 
 #endif

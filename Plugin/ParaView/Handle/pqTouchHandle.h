@@ -6,8 +6,9 @@
 
 /**
  * ParaView's point handle, whose filter follows it at once: the property group's panel widget
- * "touch_handle". Dragged, picked or typed, a new position is given to the filter without Apply,
- * and the view drawn. Before the first Apply, and other properties' changes, wait for Apply.
+ * "touch_handle". A new position, dragged, picked or typed, is given to the filter without Apply,
+ * and the view is drawn. Before the first Apply, or with changes of other properties, it waits for
+ * Apply.
  */
 class pqTouchHandle : public pqHandlePropertyWidget
 {
@@ -20,7 +21,7 @@ public:
 
 private Q_SLOTS:
   void follow();
-  /// The end of a drag, for a trace: the last position alone.
+  /// The end of a drag: traces the last position alone.
   void traceEnd();
 
 private:

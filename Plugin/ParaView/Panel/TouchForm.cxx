@@ -38,7 +38,7 @@ Widget* named(const char* name, const char* help)
   return widget;
 }
 
-/// "± 4 %" of the newest tick; "–" without a contact, or where the response keeps no error.
+/// "± 4 %" of the newest tick; "–" without a contact, or if the response keeps no error.
 QString errorOf(vtkHapticSession* session)
 {
   const Tick tick = session->GetNewestTick();

@@ -18,40 +18,40 @@ namespace palpate
 struct TouchSource;
 class TouchSession;
 
-/// The widgets of the panel, each with an object name of its own for event scripts: that of the
-/// member. What they do is the panel's.
+/// The widgets of the panel, each with its member's name as object name, for event scripts. The
+/// panel defines what they do.
 struct TouchForm
 {
   explicit TouchForm(QWidget* contents);
 
-  QLabel* body;          ///< name of the source that is touched, or what there is to do
+  QLabel* body;          ///< name of the source that is touched, or what to do
   QComboBox* response;   ///< data: prefix of its arrays
-  QComboBox* device;     ///< text or, of a device found, data: its address
-  QToolButton* find;     ///< looks for devices again
+  QComboBox* device;     ///< text, or for a device found, data: its address
+  QToolButton* find;     ///< searches for devices again
   QDoubleSpinBox* depth; ///< mm; 0: half of the range
   QCheckBox* snap;       ///< whether the tip keeps to the surface under the handle
   QPushButton* start;    ///< Start, Cancel or Stop
   QLabel* state;         ///< "stick", "no contact", "making the search structure …"
-  QLabel* remark;        ///< what is wrong, and why the force applied is not the ideal one
+  QLabel* remark;        ///< what is wrong, or why the applied force is not the ideal one
   pqForceBar* bar;
   QLabel* force;      ///< N, applied
   QLabel* limit;      ///< N
   QLabel* error;      ///< of the ideal force, relative
-  QLabel* memory;     ///< what of the ideal force a body that relaxes adds
+  QLabel* memory;     ///< the memory part of the ideal force
   QLabel* deflection; ///< mm
   QLabel* servo;      ///< ticks per second, and missed
   QLabel* grant;      ///< what the system granted the servo thread
 
-  /// "simulated", "plant", and what is plugged in; the text that was there stays.
+  /// Lists "simulated", "plant", and the devices that are plugged in; keeps the present text.
   void listDevices();
   QString chosenDevice() const;
   /// Body and responses of a source.
   void showSource(const TouchSource& source, const QString& name);
   QString chosenResponse() const;
-  /// State, forces, rate of what runs. `rate` in ticks per second, 0 while it
-  /// is not known.
+  /// State, forces and rate of the running session. `rate` in ticks per second, 0 while it is not
+  /// known.
   void showTouch(TouchSession& touch, double rate);
-  /// That nothing runs, or not yet; and why, or "".
+  /// Shows that nothing runs, or not yet; and why, or "".
   void showRest(const TouchSession& touch, bool canStart, const QString& fault);
 };
 } // namespace palpate

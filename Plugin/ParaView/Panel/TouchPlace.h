@@ -8,21 +8,21 @@ namespace palpate
 {
 struct ContactBody;
 
-/// The handle in the view, and what it means for the tip: as of vtkToolTouch, so that both feel the
-/// same.
+/// The handle in the view, and the tip that it defines: as in vtkToolTouch, so that both give the
+/// same force.
 struct TouchHandle
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
-  /// There is none yet: the touch is to begin where findTouchStart finds, whatever the position.
+  /// There is no position yet: the touch begins where findTouchStart finds.
   bool isToBeFound = false;
-  /// Whether the tip first goes to the surface point nearest to the handle.
+  /// Whether the tip is first moved to the surface point nearest to the handle.
   bool snaps = true;
-  /// How far the tip is moved in along the normal there, mm. 0: half of the range of the response
-  /// if it snaps, else not at all.
+  /// How far the tip is moved inward along the normal there, mm. 0: half of the range of the
+  /// response if it snaps, otherwise not at all.
   double depth = 0.0;
 };
 
-/// Where the tip is to go, and what of the body is nearest to it. mm.
+/// The target of the tip, and the nearest point of the body. mm.
 struct TouchPlace
 {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
@@ -30,7 +30,7 @@ struct TouchPlace
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< outward, unit
 };
 
-/// A microsecond, also on a body of millions of triangles.
+/// Cost: 1 µs, even on a body of millions of triangles.
 TouchPlace findPlace(const ContactBody& body, const TouchHandle& handle);
 } // namespace palpate
 

@@ -51,7 +51,7 @@ void makeKernel(PreparedTouch& made)
     return;
   }
   made.warning = describeDefects(*kernel);
-  // makeContactBody has seen to it that the array is there, and of this type.
+  // makeContactBody has checked that the array exists and has this type.
   auto* range = vtkFloatArray::SafeDownCast(body->GetPointData()->GetArray(
     palpate::arrayName(name, palpate::ResponseArray::Range).c_str()));
   for (vtkIdType i = 0; range && i < range->GetNumberOfTuples(); ++i)

@@ -15,30 +15,31 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// What is to be touched with what. Only read by the thread that prepares it; the body is kept
-/// alive, and unchanged, by who asks.
+/// The body and device of a touch. Only read by the preparing thread; the caller keeps the body
+/// alive and unchanged.
 struct TouchRequest
 {
   vtkPolyData* body = nullptr;
   std::string response;       ///< prefix of its arrays
-  std::string device;         ///< as vtkHapticDevice::Open; "": none is to be opened
-  std::optional<Sight> sight; ///< set: a place to begin at is to be found, seen so
+  std::string device;         ///< as for vtkHapticDevice::Open; "": none is opened
+  std::optional<Sight> sight; ///< if set, a start is to be found for this view
 };
 
-/// What takes a while about that: the search structure of the body, and a device that answers.
+/// The results that take time: the search structure of the body, and a device that answers.
 struct PreparedTouch
 {
   TouchRequest request;
   BodyKernels kernels;
-  Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< the place to begin at, if it was asked for
+  Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< the start, if requested
   double range = 0.0;                              ///< largest Range of the response, mm
   double peak = 0.0;                    ///< largest force of the response at that depth, N
-  std::unique_ptr<HapticDevice> device; ///< null for one that a session opens in no time
-  std::string warning;                  ///< what is not sound about the mesh
-  std::string error;                    ///< "": all is there
+  std::unique_ptr<HapticDevice> device; ///< null for one that a session opens quickly
+  std::string warning;                  ///< the defects of the mesh
+  std::string error;                    ///< "": complete
 };
 
-/// About 1 s for a million triangles, up to 2 s for a bridge that does not answer. On any thread.
+/// Cost: about 1 s for a million triangles, up to 2 s for a bridge that does not answer. On any
+/// thread.
 PreparedTouch prepareTouch(const TouchRequest& request, const std::function<bool()>& stale);
 } // namespace palpate
 

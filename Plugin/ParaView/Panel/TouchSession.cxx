@@ -16,11 +16,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double Lift = 3.0;   // mm above the surface, where a simulated hand is put down
-constexpr double Hover = 10.0; // mm above the surface, where a device's hand begins
-constexpr double Leap = 0.1;   // of the body's size: so far off a simulated hand is lifted
+constexpr double Lift = 3.0;   // mm above the surface, where a simulated hand starts
+constexpr double Hover = 10.0; // mm above the surface, where a device's hand starts
+constexpr double Leap = 0.1; // of the body's size: beyond this distance a simulated hand is lifted
 
-/// The session's errors as text, without class and address: VTK hands over nothing but all of it.
+/// Keeps the session's errors as text, without class and address, which VTK includes.
 void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
 {
   std::string error = static_cast<const char*>(text);
@@ -30,7 +30,7 @@ void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
   *static_cast<std::string*>(kept) = error;
 }
 
-/// The same arrays, in objects that nobody else looks at: what is on the screen caches its bounds.
+/// The same arrays in separate objects, as displayed objects cache their bounds.
 vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
 {
   auto view = vtkSmartPointer<vtkPolyData>::New();
@@ -62,7 +62,7 @@ void TouchSession::start(vtkPolyData* body, const std::string& response, const s
 
 void TouchSession::replace(vtkPolyData* body, const std::string& response)
 {
-  // While it is only being prepared nothing runs that could keep its device.
+  // During preparation no session runs that could keep its device.
   this->request(body, response, this->Now == State::Touching ? std::string() : this->Device);
 }
 
@@ -81,7 +81,7 @@ void TouchSession::stop()
   {
     this->Session->Stop();
   }
-  this->Session = nullptr; // and with it the device
+  this->Session = nullptr; // and its device
   this->Now = State::Idle;
   this->Kernels = {};
   this->Tool = nullptr;
@@ -111,7 +111,7 @@ bool TouchSession::take(PreparedTouch& made)
   {
     this->fail(made.error.empty() ? this->Complaint : made.error);
   }
-  // The other thread is done with the newest, and so with all.
+  // The other thread has finished the newest request, and so all.
   this->Held.clear();
   return true;
 }
@@ -196,7 +196,7 @@ bool TouchSession::change(const PreparedTouch& made)
   return true;
 }
 
-/// Starts above the place, and goes there.
+/// Starts above the place, and moves there.
 void TouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
@@ -236,7 +236,7 @@ bool TouchSession::steer(const TouchHandle& handle)
   this->putDown();
   if (this->Session->GetState() == vtkHapticSession::Stopped)
   {
-    this->Now = State::Preparing; // there is nothing to keep
+    this->Now = State::Preparing; // nothing to keep
     return this->fail(this->Complaint);
   }
   return true;

@@ -18,16 +18,16 @@
 namespace palpate
 {
 /**
- * A body with responses under a device, in real time: what the panel shows.
+ * A body with responses under a device, in real time, for the panel.
  *
- * What takes a while - the search structure of the body, a device that has to answer - happens on a
- * thread of its own; start and replace return at once, and collect, called once a frame, goes on
- * when that is done. A body that replaces another is felt from then on; until then the old one is.
+ * Slow work - the search structure of the body, a device that has to answer - is done on a separate
+ * thread; start and replace return at once, and collect, called once a frame, continues when that
+ * is done. A body that replaces another is felt from then on; until then the old one is.
  *
- * A simulated hand goes where steer says. It begins above the surface, since no
- * force is given before the tip has been outside; when it is sent far off it is lifted and put down
- * there, rather than drawn through the body. Devices of this world begin 10 mm above the place of
- * the handle, their x to the right and y up in the view.
+ * A simulated hand follows steer. It begins above the surface, since there is no force before the
+ * tip has been outside; when the target is far away it is lifted and put down there, rather than
+ * moved through the body. Physical devices begin 10 mm above the place of the handle, their x to
+ * the right and y up in the view.
  *
  * stop, and the destructor, leave no force on the device and close it.
  *
@@ -39,7 +39,7 @@ public:
   enum class State
   {
     Idle,
-    Preparing, ///< nothing is felt yet
+    Preparing, ///< no session yet
     Touching
   };
 
@@ -48,24 +48,24 @@ public:
   TouchSession(const TouchSession&) = delete;
   TouchSession& operator=(const TouchSession&) = delete;
 
-  /// Prepares, then starts. `device` as for vtkHapticDevice::Open; `sight`: how the user
-  /// looks at the body, in whose picture the device lies.
+  /// Prepares, then starts. `device` as for vtkHapticDevice::Open; `sight`: the user's view of the
+  /// body, with which the device is aligned.
   void start(vtkPolyData* body, const std::string& response, const std::string& device,
     const TouchHandle& handle, const Sight& sight);
-  /// Another body, or another response of it, for the session that runs.
+  /// Gives the running session another body, or another response of it.
   void replace(vtkPolyData* body, const std::string& response);
   void stop();
 
-  /// Once a frame. True if state, body or error have changed.
+  /// To be called once a frame. True if state, body or error have changed.
   bool collect();
-  /// Once a frame: where the handle is. Nothing but the simulated device follows it. False if the
-  /// session has ended over it, see error().
+  /// To be called once a frame with the handle, which only the simulated device follows. False if
+  /// the session has ended because of it, see error().
   bool steer(const TouchHandle& handle);
 
   State state() const { return this->Now; }
-  /// Whether another body is on its way.
+  /// Whether another body is being prepared.
   bool isPreparing() const { return this->Background.isBusy(); }
-  /// Why the last start or replace has failed, or ""; and what is not sound about the mesh, or "".
+  /// Why the last start or replace has failed, or ""; and the defects of the mesh, or "".
   const std::string& error() const { return this->Error; }
   const std::string& warning() const { return this->Warning; }
 
@@ -76,7 +76,7 @@ public:
   vtkPolyData* body() { return this->Body; }
   /// Largest force of the response, at its range, N.
   double peakForce() const { return this->Peak; }
-  /// Where the tip is to go, and the outward normal there.
+  /// The target of the tip, and the outward normal there.
   const TouchPlace& place() const { return this->Place; }
 
 private:
@@ -104,7 +104,7 @@ private:
 
   /// Bodies the other thread may be reading; only this thread counts references to them.
   std::deque<vtkSmartPointer<vtkPolyData>> Held;
-  /// Last, so that it ends first.
+  /// Last, so that it is destroyed first.
   NewestRequest<TouchRequest, PreparedTouch> Background{ prepareTouch };
 };
 } // namespace palpate

@@ -17,14 +17,14 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A response on a body, as the client knows it without its data.
+/// A response on a body, known to the client without its data.
 struct StoredResponse
 {
   std::string name; ///< prefix of its arrays
-  std::string tool; ///< what it is the response of, "sphere:6.35"; "" where nobody says
+  std::string tool; ///< its tool, "sphere:6.35"; "" if unknown
 };
 
-/// What of the pipeline is to be touched.
+/// The part of the pipeline that is touched.
 struct TouchSource
 {
   pqOutputPort* body = nullptr;      ///< null: see obstacle
@@ -33,15 +33,15 @@ struct TouchSource
   QString obstacle; ///< why nothing can be touched, in words; "": it can
 };
 
-/// What the active source stands for: the body it puts out, or, of a source *Touch*, the body it
-/// takes in, since what it puts out is dented.
+/// The body of the active source: its output, or, for a source *Touch*, its input, as its output is
+/// dented.
 TouchSource findTouchSource(pqOutputPort* active);
 
-/// Its data on the client; the server is waited for. With several servers' ranks all parts in one.
-/// Null, and why, if there is none.
+/// Its data on the client; waits for the server. With several ranks of the server all parts are
+/// joined. Null, and why, if there is none.
 vtkSmartPointer<vtkPolyData> fetchBody(pqOutputPort* body, QString& error);
 
-/// The handle of a source *Touch*, also while it is dragged and nothing is applied yet.
+/// The handle of a source *Touch*, also during a drag that is not applied yet.
 TouchHandle readTouchHandle(pqPipelineSource* touch);
 } // namespace palpate
 

@@ -18,7 +18,7 @@ namespace
 {
 constexpr double ToolShare = 0.15; // of the body's size, length of the tool
 constexpr double ArrowShare = 0.5; // of the body's size, arrow of the largest force
-constexpr double Least = 1e-3;     // mm and N: less is not seen
+constexpr double Least = 1e-3;     // mm and N: less is not visible
 
 vtkRenderer* rendererOf(pqRenderView* view)
 {
@@ -83,7 +83,7 @@ void TouchStage::prepare(TouchSession& touch)
   const TouchPlace& place = touch.place();
   const double none[3] = { 0.0, 0.0, 0.0 };
   this->Tool->SetContact(place.surface.data(), place.normal.data(), place.surface.data(), none);
-  renderer->AddViewProp(this->Tool); // once, however often
+  renderer->AddViewProp(this->Tool); // a repeated call adds nothing
   this->ShowsNothing = true;
 }
 

@@ -17,9 +17,8 @@ namespace palpate
 class TouchSession;
 
 /**
- * Tool, force arrow and, if it is wanted, a handle in a view of ParaView: drawn by the client, over
- * what the server may have sent, as ParaView's own widgets are. Nothing of it is in the pipeline,
- * nor in a state file.
+ * Tool, force arrow and, if wanted, a handle in a view of ParaView: drawn by the client over the
+ * server's picture, as ParaView's own widgets are. Not part of the pipeline, nor of a state file.
  */
 class TouchStage
 {
@@ -29,7 +28,7 @@ public:
   TouchStage(const TouchStage&) = delete;
   TouchStage& operator=(const TouchStage&) = delete;
 
-  /// Enters a view, and leaves the one before.
+  /// Enters a view, and leaves the previous one.
   void enter(pqRenderView* view);
   void leave();
   pqRenderView* view() const { return this->View; }
@@ -39,8 +38,7 @@ public:
   /// Moves tool and arrow to the newest tick. False if they have not moved visibly.
   bool show(TouchSession& touch);
 
-  ///@{
-  /// The handle of its own, which the user drags; where it is left it jumps to the surface.
+  /// @{ Its own handle, which the user drags; on release it jumps to the surface.
   void showHandle(const Eigen::Vector3d& position);
   bool hasHandle() const;
   Eigen::Vector3d handle() const;

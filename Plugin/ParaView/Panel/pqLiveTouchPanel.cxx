@@ -27,7 +27,7 @@
 namespace
 {
 constexpr int FrameTime = 16;    // ms
-constexpr int NumbersTime = 100; // ms: faster nobody reads
+constexpr int NumbersTime = 100; // ms: faster cannot be read
 constexpr int RateTime = 1000;   // ms
 } // namespace
 
@@ -42,7 +42,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   this->Form = new palpate::TouchForm(contents);
   scroll->setWidget(contents);
   this->setWidget(scroll);
-  this->hide(); // until it is asked for, in the menu View
+  this->hide(); // until it is shown by the menu View
 
   this->Frame.setInterval(FrameTime);
   QObject::connect(&this->Frame, &QTimer::timeout, this, &pqLiveTouchPanel::frame);
@@ -76,7 +76,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
 
 pqLiveTouchPanel::~pqLiveTouchPanel()
 {
-  // What is left of the program may not know source and view any more.
+  // At the end of the program source and view may no longer exist.
   this->Touch.stop();
   delete this->Form;
 }
@@ -101,7 +101,8 @@ void pqLiveTouchPanel::showSource()
 {
   if (!this->isIdle() || !this->isVisible())
   {
-    return; // it stays with the body of the Start; what is hidden asks the server nothing
+    return; // a running session keeps the body of its Start; a hidden panel does not query the
+            // server
   }
   const auto source = palpate::findTouchSource(pqActiveObjects::instance().activePort());
   const QString leads = source.touch ? ", led by " + source.touch->getSMName() : QString();
@@ -176,7 +177,7 @@ void pqLiveTouchPanel::fail(const QString& error)
 
 void pqLiveTouchPanel::stop()
 {
-  this->Touch.stop(); // first, whatever else may happen
+  this->Touch.stop(); // first of all
   this->Frame.stop();
   if (!this->Body)
   {
@@ -191,7 +192,7 @@ void pqLiveTouchPanel::stop()
     view->render();
   }
   this->Form->showRest(this->Touch, this->CanStart, this->Fault);
-  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // when what goes is gone
+  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // after the removal
 }
 
 palpate::TouchHandle pqLiveTouchPanel::readHandle() const
@@ -214,7 +215,7 @@ void pqLiveTouchPanel::frame()
   {
     this->onSessionChanged();
   }
-  // Where rendering takes long, half of the time is the user's.
+  // If rendering takes long, half of the time is left to the user.
   if (this->Touch.state() != palpate::TouchSession::State::Touching ||
     this->Rest.elapsed() < this->RenderTime)
   {
@@ -295,7 +296,7 @@ void pqLiveTouchPanel::onDataUpdated(pqPipelineSource* source)
   }
   else if (!this->Fetching && source == this->Body->getSource())
   {
-    QTimer::singleShot(0, this, &pqLiveTouchPanel::takeBody); // the pipeline is still at it
+    QTimer::singleShot(0, this, &pqLiveTouchPanel::takeBody); // the pipeline is still executing
   }
 }
 

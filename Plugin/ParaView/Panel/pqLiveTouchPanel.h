@@ -19,14 +19,14 @@ class pqView;
  * The dock *Live Touch*: the active source's body under a haptic device, felt by a servo thread and
  * shown in the active render view.
  *
- * It joins widgets (TouchForm), session (TouchSession), pipeline (TouchSource) and view
- * (TouchStage). A timer takes the newest tick some 60 times a second while something is touched;
- * the view is rendered when the tool has moved, and half of the time is left to the user. Nothing
- * here waits for the servo thread or for what is prepared; only data of a remote server are.
+ * It connects widgets (TouchForm), session (TouchSession), pipeline (TouchSource) and view
+ * (TouchStage). A timer reads the newest tick some 60 times a second while a session runs; the view
+ * is rendered when the tool has moved, and half of the time is left to the user. It never waits for
+ * the servo thread or a preparation, only for data of a remote server.
  *
  * The session ends, with no force on the device, when the dock is closed, before its source, view
- * or server goes, before a state is loaded, and when ParaView quits. Body, view and handle are
- * those of the Start; new data of the body are taken over.
+ * or server is removed, before a state is loaded, and when ParaView quits. Body, view and handle
+ * are those of the Start; new data of the body replace the old.
  */
 class pqLiveTouchPanel : public QDockWidget
 {
@@ -63,11 +63,11 @@ private:
 
   palpate::TouchForm* Form; ///< owned, like its widgets
   palpate::TouchStage Stage;
-  palpate::TouchSession Touch;        ///< after the stage, so that it ends before
+  palpate::TouchSession Touch;        ///< after the stage, so that it is destroyed first
   pqOutputPort* Body = nullptr;       ///< touched; null while idle
   pqPipelineSource* Leader = nullptr; ///< whose handle leads the tip, or null
   bool CanStart = false;
-  QString Fault; ///< why the last start came to nothing
+  QString Fault; ///< why the last start failed
   bool Fetching = false;
   QTimer Frame;
   QElapsedTimer Rendering; ///< since the last one began

@@ -17,7 +17,8 @@ namespace palpate
 {
 void BodyInput::admit(vtkInformation* port)
 {
-  // In this order: a composite is taken whole, and what is no body comes as far as vtkBodySurface.
+  // In this order: a composite is taken whole, and other data reach vtkBodySurface, which reports
+  // them.
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The body of a proxy: whatever ParaView has, on its way to a filter that takes triangles in mm.
+ * The body of a proxy: converts any data of ParaView for a filter of triangles in mm.
  *
- * A thin subclass of the filter has one of these, by palpateBodyInputMacro. It says on the port
- * that it takes any data, and in RequestData runs the filter's own RequestData on replaced inputs.
- * What is no body is an error of vtkBodySurface that names the filter to use before.
+ * A thin subclass of the filter has one, by palpateBodyInputMacro. It declares that the port
+ * accepts any data, and in RequestData runs the filter's own RequestData on replaced inputs. Data
+ * that are not a body are an error of vtkBodySurface that names the filter to apply before.
  */
 #ifndef palpate_BodyInput_h
 #define palpate_BodyInput_h
@@ -31,11 +31,11 @@ public:
   /// For RequestUpdateExtent, after the filter's own: volumes in pieces need ghost cells.
   static void askForGhosts(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-  /// Its settings are the user's. Not an input of the filter: count it in GetMTime.
+  /// Its settings are the user's. It is not an input of the filter: include it in GetMTime.
   vtkBodySurface* surface() { return this->Surface; }
 
   /// The inputs of `ports` ports with the first one's data as triangles in mm; null after an error,
-  /// on all ranks alike. Nothing is done again for the same data, unit and rank.
+  /// on all ranks alike. Cached for the same data, unit and rank.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports);
 
 private:
@@ -51,8 +51,8 @@ private:
 } // namespace palpate
 
 /**
- * All that makes a filter take any surface or volume, composite or not, in any unit of length (0
- * mm, the default, 1 cm, 2 m): in the class of its subclass, at the end.
+ * Makes a filter accept any surface or volume, composite or not, in any unit of length (0 mm, the
+ * default, 1 cm, 2 m). For the end of its subclass.
  */
 #define palpateBodyInputMacro()                                                                    \
 public:                                                                                            \

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Materials to choose from by name: Young's modulus and Poisson's ratio as published.
+ * Named materials: Young's modulus and Poisson's ratio as published.
  *
  * The list is the enumeration "Material" of ToolContactResponse and ContactRegime, in its order;
  * the help there names author, year and how it was measured. Published values of a soft tissue
  * scatter by a factor of two and more, with the person, the place, the strain and the method: a
- * preset is a start, not a measurement. Where a shear modulus G was published, E = 3 G, as for
- * Poisson's ratio 0.5.
+ * preset is only a starting value. If a shear modulus G was published, E = 3 G, as for Poisson's
+ * ratio 0.5.
  */
 #ifndef palpate_MaterialPreset_h
 #define palpate_MaterialPreset_h
@@ -19,15 +19,15 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// 0, Custom, up to count() - 1; others leave things as they are.
+  /// 0, Custom, up to count() - 1; others are ignored.
   void choose(int material);
   int chosen() const { return this->Chosen; }
 
-  /// What the user has given for Custom.
+  /// The user's values for Custom.
   double youngsModulus = 0.1; // MPa
   double poissonRatio = 0.45;
 
-  /// What is in force.
+  /// The present value.
   double youngsModulusInForce() const;
   double poissonRatioInForce() const;
 
@@ -37,7 +37,7 @@ private:
 } // namespace palpate
 
 /**
- * A Material by name in a filter's subclass, at the end of its class: it takes the place of
+ * Adds a Material by name to a filter's subclass, at the end of its class: it replaces
  * YoungsModulus and PoissonRatio, which are kept for Custom.
  */
 #define palpateMaterialPresetMacro()                                                               \

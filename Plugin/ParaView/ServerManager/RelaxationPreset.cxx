@@ -11,11 +11,11 @@ const std::array<Branches, 4>& relaxations()
 {
   static const std::array<Branches, 4> Published = { {
     {}, // Custom: not used
-    // Wang et al. 2015, PLoS ONE 10(3):e0120897, mouse skin in compression: residual share 0.28 +-
-    // 0.13, so p = 0.72/0.28, and 0.19 +- 0.10 s.
+    // Wang et al. 2015, PLoS ONE 10(3):e0120897, mouse skin in compression: residual fraction 0.28
+    // +- 0.13, so p = 0.72/0.28, and 0.19 +- 0.10 s.
     { { 2.57, 0.19 } },
     // Zheng and Mak 1999, J. Biomech. Eng. 121:330, indentation of limbs, quasi-linear: alpha 0.029
-    // to 0.277, so p = alpha/(1 - alpha) 0.03 to 0.38, and 0.05 to 8.93 s: of both the middle.
+    // to 0.277, so p = alpha/(1 - alpha) 0.03 to 0.38, and 0.05 to 8.93 s: the middle of both.
     { { 0.15, 1.0 } },
     // An assumption, not published: loops as narrow as in Mahvash and Hayward 2002.
     { { 0.05, 0.1 }, { 0.05, 3.0 } },

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Relaxations to choose from by name, as published, beside the moduli of MaterialPreset.
+ * Named relaxations, as published, to combine with the moduli of MaterialPreset.
  *
  * The list is the enumeration "Relaxation" of ToolContactResponse, in its order; the help there
- * names author and year. What was found for a tissue scatters by more than its modulus does.
+ * names author and year. Published values for a tissue scatter more than its modulus.
  */
 #ifndef palpate_RelaxationPreset_h
 #define palpate_RelaxationPreset_h
@@ -19,14 +19,14 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// 0, Custom, up to count() - 1; others leave things as they are.
+  /// 0, Custom, up to count() - 1; others are ignored.
   void choose(int relaxation);
   int chosen() const { return this->Chosen; }
 
-  /// What the user has given for Custom: strength and seconds of each.
+  /// The user's values for Custom: strength and seconds of each.
   std::vector<std::array<double, 2>> own;
 
-  /// What is in force.
+  /// The present values.
   std::vector<std::array<double, 2>> inForce() const;
 
 private:
@@ -34,8 +34,8 @@ private:
 };
 } // namespace palpate
 
-/// A Relaxation by name in a filter's subclass, at the end of its class: it takes the place of the
-/// relaxations that are given one by one, which are kept for Custom.
+/// Adds a Relaxation by name to a filter's subclass, at the end of its class: it replaces the
+/// relaxations given one by one, which are kept for Custom.
 #define palpateRelaxationPresetMacro()                                                             \
 public:                                                                                            \
   void SetRelaxation(int relaxation)                                                               \

@@ -10,8 +10,8 @@ class vtkSMProxy;
 
 namespace palpate
 {
-/// How a render view looks at its bodies, as the user sees it now; the default for any other proxy,
-/// or none. On the client.
+/// The present view of bodies in a render view; the default for any other proxy, or none. On the
+/// client.
 PALPATESERVERMANAGER_EXPORT Sight sightOf(vtkSMProxy* view);
 } // namespace palpate
 

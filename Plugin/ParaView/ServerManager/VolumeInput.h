@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The volume of a proxy: whatever ParaView has, on its way to a filter that takes one
- * vtkUnstructuredGrid in mm. A thin subclass of the filter has one of these, by
- * palpateVolumeInputMacro; see BodyInput.h.
+ * The volume of a proxy: converts any data of ParaView for a filter of one vtkUnstructuredGrid in
+ * mm. A thin subclass of the filter has one, by palpateVolumeInputMacro; see BodyInput.h.
  */
 #ifndef palpate_VolumeInput_h
 #define palpate_VolumeInput_h
@@ -25,10 +24,9 @@ public:
   /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
   int LengthUnit = 0;
 
-  /// The inputs of `ports` ports, the first one's data as one mesh in mm, in blocks or partitions
-  /// too, which are joined where their points coincide exactly, a surface or image on the second in
-  /// mm; null after an error, then `fault` says what is wrong. The same mesh again for the same
-  /// data and unit.
+  /// The inputs of `ports` ports, the first one's data as one mesh in mm (blocks and partitions are
+  /// joined where their points coincide exactly), a surface or image on the second in mm; null
+  /// after an error, with what is wrong in `fault`. The same mesh for the same data and unit.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:
@@ -44,8 +42,8 @@ private:
 };
 } // namespace palpate
 
-/// All that makes a filter of a volume take any, in any unit of length: in the class of its
-/// subclass, at the end. The source needs BodyInput.h, vtkInformation.h and vtkInformationVector.h.
+/// Makes a filter of a volume accept any, in any unit of length. For the end of its subclass. The
+/// source needs BodyInput.h, vtkInformation.h and vtkInformationVector.h.
 #define palpateVolumeInputMacro()                                                                  \
 public:                                                                                            \
   void SetLengthUnit(int unit)                                                                     \

@@ -24,7 +24,7 @@ void vtkForceChartRepresentation::SetAbscissa(const char* name)
   }
 }
 
-/// Where nobody else has written.
+/// Sets a title unless somebody else has.
 void vtkForceChartRepresentation::TitleAxis(int axis, const std::string& title, std::string& given)
 {
   vtkAxis* shown = this->GetChart()->GetAxis(axis);
@@ -45,11 +45,12 @@ void vtkForceChartRepresentation::PrepareForRendering()
     return;
   }
   const bool first = this->Abscissa == GetFirstColumn() ||
-    !table->GetColumnByName(this->Abscissa.c_str()); // it was there before the filter changed
+    !table->GetColumnByName(this->Abscissa.c_str()); // it existed before the filter changed
   const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
-  if (table->GetNumberOfRows() < 2) // a line of one point cannot be drawn: a history that begins
+  if (table->GetNumberOfRows() <
+    2) // a line of one point cannot be drawn, as at the start of a history
   {
     vtkChartXY* chart = this->GetChart();
     for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
@@ -62,8 +63,8 @@ void vtkForceChartRepresentation::PrepareForRendering()
   }
 }
 
-/// What a force may be by its error, vtkResponseCurves.h: thin lines of the force's own colour,
-/// which need no legend.
+/// The bounds of a force by its error (vtkResponseCurves.h) are thin lines in the force's colour,
+/// without legend.
 void vtkForceChartRepresentation::StyleBands()
 {
   vtkChartXY* chart = this->GetChart();
@@ -93,7 +94,7 @@ void vtkForceChartRepresentation::StyleBands()
   }
 }
 
-/// Before every render, for the view may have emptied a title.
+/// Before every render, as the view may have cleared a title.
 int vtkForceChartRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
 {

@@ -3,10 +3,10 @@
  * @class vtkForceChartRepresentation
  * @brief lines in ParaView's chart, over the table's first column and with titles on the axes
  *
- * As vtkXYChartRepresentation, but: the abscissa is a column by its name, or, with the name
- * `First column` (the default), whichever column comes first when the chart is drawn, so that it
- * follows the filter; and the titles of the bottom and left axes that the view leaves empty become
- * the name of the abscissa and `Force (N)`. Titles set in the view stay.
+ * As vtkXYChartRepresentation, except that the abscissa is a column by its name or, with the name
+ * `First column` (the default), the column that is first when the chart is drawn, so that it
+ * follows the filter; and that titles of the bottom and left axes left empty by the view become the
+ * name of the abscissa and `Force (N)`. Titles set in the view are kept.
  */
 #ifndef vtkForceChartRepresentation_h
 #define vtkForceChartRepresentation_h
@@ -22,7 +22,7 @@ public:
   static vtkForceChartRepresentation* New();
   vtkTypeMacro(vtkForceChartRepresentation, vtkXYChartRepresentation);
 
-  /** What Abscissa is called while it is the first column. */
+  /** The name of Abscissa for the first column. */
   static const char* GetFirstColumn() { return "First column"; }
 
   ///@{
@@ -46,7 +46,7 @@ private:
   void TitleAxis(int axis, const std::string& title, std::string& given);
 
   std::string Abscissa = GetFirstColumn();
-  std::string BottomTitle; ///< as given by this
+  std::string BottomTitle; ///< as set by this
   std::string LeftTitle;
 };
 

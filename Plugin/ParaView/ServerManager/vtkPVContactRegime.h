@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVContactRegime
- * @brief the regime of a material by name
+ * @brief the regime of a named material
  *
- * A Material by name takes the place of YoungsModulus and PoissonRatio, which are kept for Custom;
- * arrays per point still come first.
+ * A Material by name replaces YoungsModulus and PoissonRatio, which are kept for Custom; arrays per
+ * point take precedence.
  */
 #ifndef vtkPVContactRegime_h
 #define vtkPVContactRegime_h

@@ -4,8 +4,8 @@
  * @brief any body filled with tetrahedra
  *
  * The filter as ParaView's menu offers it: its body may be any surface or volume, composite or not,
- * in any unit of length; vtkBodySurface makes triangles in mm of it. Settings and results are those
- * of the superclass; all lengths but the input's coordinates are in mm.
+ * in any unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are
+ * those of the superclass; all lengths but the input's coordinates are in mm.
  */
 #ifndef vtkPVGradedBody_h
 #define vtkPVGradedBody_h

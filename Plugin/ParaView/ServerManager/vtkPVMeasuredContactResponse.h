@@ -4,8 +4,8 @@
  * @brief measured responses on any body
  *
  * The filter as ParaView's menu offers it: its body may be any surface or volume, composite or not,
- * in any unit of length; vtkBodySurface makes triangles in mm of it. Settings and results are those
- * of the superclass; all lengths but the input's coordinates are in mm.
+ * in any unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are
+ * those of the superclass; all lengths but the input's coordinates are in mm.
  */
 #ifndef vtkPVMeasuredContactResponse_h
 #define vtkPVMeasuredContactResponse_h

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVToolContactResponse
- * @brief responses of any body, of a material by name
+ * @brief responses of any body, of a named material
  *
  * The filter as ParaView's menu offers it: its body may be any surface or volume, composite or not,
- * in any unit of length; vtkBodySurface makes triangles in mm of it. Settings and results are those
- * of the superclass; all lengths but the input's coordinates are in mm.
- * A Material by name takes the place of YoungsModulus and PoissonRatio, which are kept for Custom;
- * arrays per point still come first. A Relaxation by name likewise, of the relaxations given one by
- * one.
+ * in any unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are
+ * those of the superclass; all lengths but the input's coordinates are in mm. A Material by name
+ * replaces YoungsModulus and PoissonRatio, which are kept for Custom; arrays per point take
+ * precedence. Likewise a Relaxation by name replaces the relaxations given one by one.
  */
 #ifndef vtkPVToolContactResponse_h
 #define vtkPVToolContactResponse_h

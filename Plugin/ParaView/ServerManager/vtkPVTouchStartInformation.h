@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVTouchStartInformation
- * @brief where a touch of a source's output begins, found where the data are
+ * @brief where a touch of a source's output begins, found on the server
  *
  * Gathered from a source: the place that palpate::findTouchStart finds on its output, for the
- * client's sight and one response. Of several servers' ranks the first that has a place tells it: a
- * body in pieces is not for Touch.
+ * client's view and one response. With several ranks it is that of the first that has one, as Touch
+ * does not support a body in pieces.
  */
 #ifndef vtkPVTouchStartInformation_h
 #define vtkPVTouchStartInformation_h
@@ -28,7 +28,7 @@ public:
   vtkTypeMacro(vtkPVTouchStartInformation, vtkPVInformation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What is asked: of which output port, which response, and from where it is looked at. */
+  /** Sets the output port, the response and the view. */
   void Ask(int port, const std::string& responseName, const palpate::Sight& sight);
 
   /** Whether a place was found, and where, mm. */

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSIOptionalArrayProperty
- * @brief an input array to process that need not be chosen
+ * @brief an optional input array to process
  *
  * For a StringVectorProperty of five elements with the command SetInputArrayToProcess, named by
- * si_class in the XML. ParaView would hand the choice "None" to the filter as the name of an array.
- * This one makes the filter forget the index instead, as if it had never been set. An empty name
+ * si_class in the XML. ParaView would pass the choice "None" to the filter as the name of an array.
+ * This class resets the index in the filter instead, as if it had never been set. An empty name
  * (None in Python) means the same.
  */
 #ifndef vtkSIOptionalArrayProperty_h

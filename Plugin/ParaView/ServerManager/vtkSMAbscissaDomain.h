@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMAbscissaDomain
- * @brief the columns that a chart of forces may be plotted over: the first one, whichever it is, or
- * one by its name
+ * @brief the columns over which a chart of forces may be plotted: the first one, or one by its name
  *
  * As vtkSMChartSeriesListDomain, with vtkForceChartRepresentation's `First column` before the
- * columns; that is also the default.
+ * columns, as the default.
  */
 #ifndef vtkSMAbscissaDomain_h
 #define vtkSMAbscissaDomain_h

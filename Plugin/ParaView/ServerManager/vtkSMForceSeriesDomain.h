@@ -3,9 +3,9 @@
  * @class vtkSMForceSeriesDomain
  * @brief which columns a chart of forces shows at first, and how
  *
- * As vtkSMChartSeriesSelectionDomain, but of the columns only forces are shown at first, those
- * whose names end with `(N)`; and with default_mode="value", readings, whose names hold `
- * measured`, get the value of the attribute `measured_value`: points instead of a line.
+ * As vtkSMChartSeriesSelectionDomain, but only forces are shown at first, whose names end with
+ * `(N)`; and with default_mode="value" readings, whose names contain ` measured`, get the value of
+ * the attribute `measured_value`: points instead of a line.
  */
 #ifndef vtkSMForceSeriesDomain_h
 #define vtkSMForceSeriesDomain_h
@@ -33,7 +33,7 @@ private:
   vtkSMForceSeriesDomain(const vtkSMForceSeriesDomain&) = delete;
   void operator=(const vtkSMForceSeriesDomain&) = delete;
 
-  std::string MeasuredValue; ///< none: as of the others
+  std::string MeasuredValue; ///< empty: as for the others
 };
 
 #endif

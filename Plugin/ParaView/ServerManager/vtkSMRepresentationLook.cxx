@@ -52,7 +52,8 @@ void setColors(vtkSMProxy* representation, vtkPVXMLElement* element)
     return; // there was one
   }
   setNumbers(map, "RGBPoints", numbersOf(element, "points"));
-  vtkSMPropertyHelper(map, "ColorSpace").Set(VTK_CTF_LAB); // each ParaView has another by itself
+  vtkSMPropertyHelper(map, "ColorSpace")
+    .Set(VTK_CTF_LAB); // its default differs between versions of ParaView
   map->UpdateVTKObjects();
 }
 } // namespace

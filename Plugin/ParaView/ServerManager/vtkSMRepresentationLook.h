@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRepresentationLook
- * @brief how a representation looks when it is first shown
+ * @brief the look of a representation when it is first shown
  *
- * An initialization helper, for representations that are ParaView's own but for some values, which
- * the palette and the user's settings would otherwise give:
+ * An initialization helper for representations of ParaView with some different values, which the
+ * palette and the user's settings would otherwise give:
  *
  * @verbatim
  * <Hints>
@@ -15,8 +15,8 @@
  * </Hints>
  * @endverbatim
  *
- * Look: a property with numbers. ColorMap: position, red, green, blue of each colour of
- * the map of that array; a map that exists already is left as it is.
+ * Look: a property with numbers. ColorMap: position, red, green, blue of each colour of the map of
+ * that array; an existing map is unchanged.
  */
 #ifndef vtkSMRepresentationLook_h
 #define vtkSMRepresentationLook_h

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMResponseNameDomain
- * @brief the responses that a body carries, to choose from by name
+ * @brief the responses of a body, to choose from by name
  *
  * For a StringVectorProperty of one element that names a response. The panel then offers the
  * responses found on the input that the XML requires as function "Input": every p whose point
- * arrays
- * `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or `<p>Coefficient` are there.
+ * arrays `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or `<p>Coefficient`
+ * exist.
  *
  * The default is the XML's, if the body has that response, otherwise the first one that it has. A
- * name set by a script or a state is kept and offered too, whatever the body has: the filter tells
- * if it is not there. While nothing is found (the input was not yet computed), the present name is
- * the only choice.
+ * name set by a script or a state is kept and offered, too, whatever the body has: the filter
+ * reports a missing response. While none is found (the input is not computed yet), the present name
+ * is the only choice.
  *
  * @verbatim
  * <ResponseNameDomain name="responses">

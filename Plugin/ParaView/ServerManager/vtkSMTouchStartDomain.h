@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMTouchStartDomain
- * @brief bounds of a body to be touched, and by default a place where a touch begins well
+ * @brief bounds of a body, and as default a good place to begin a touch
  *
  * As vtkSMBoundsDomain, for a DoubleVectorProperty of a position, beside a property ResponseName.
- * The default is where palpate::findTouchStart begins, as the active view looks at the body, or
- * along -z without one; on a body without a response the corner of the bounds, as of
- * vtkSMBoundsDomain. With the attribute `beside` it lies beside that, to the right in the view, by
- * so much of the body's diagonal. Positions that are set by scripts, states and traces are not its
- * business.
+ * The default is the place of palpate::findTouchStart for the active view, or for one along -z; on
+ * a body without a response the corner of the bounds, as of vtkSMBoundsDomain. With the attribute
+ * `beside` it is to the right of that in the view, by this fraction of the body's diagonal.
+ * Positions set by scripts, states and traces are not affected.
  */
 #ifndef vtkSMTouchStartDomain_h
 #define vtkSMTouchStartDomain_h
