@@ -25,7 +25,7 @@ namespace
 const char* const Question = "Which one pushes back more?";
 const char* const LumpQuestion = "Under which one is the lump?";
 
-/// The force at a tip that rests without friction, N.
+/// The force at a resting tip without friction, N.
 double forceAt(vtkPolyData* body, const std::string& response, const ContactSettings& contact,
   const std::array<double, 3>& tip)
 {
@@ -123,7 +123,7 @@ std::string BlindTrial::open(const ViewerOptions& options, const TouchScene& sce
     this->Head.alternatives.push_back(
       { choice.name, forceAt(responses.body, this->ResponseNames[i], choice.contact, pressed) });
   }
-  // Lumps are hard: of one tool what pushes back more has one.
+  // Lumps are hard: with one tool, the alternative with the larger force has one.
   const bool asksForLump = std::all_of(this->Choices.begin(), this->Choices.end(),
     [this](const TrialChoice& choice)
     { return choice.hasLump && choice.tool == this->Choices.front().tool; });
@@ -138,7 +138,7 @@ std::string BlindTrial::open(const ViewerOptions& options, const TouchScene& sce
   std::string path = options.trialLog;
   if (path.empty())
   {
-    std::error_code ignored; // then the log cannot be written, and says so
+    std::error_code ignored; // then the log cannot be written, and reports it
     std::filesystem::create_directories(options.output, ignored);
     path = options.output + "/trial.csv";
   }

@@ -17,17 +17,17 @@ class vtkHapticSession;
 namespace palpate
 {
 /**
- * A blind comparison under way: what is X and what is Y now, which of them the session renders, and
- * the log. Window and console ask and are answered; neither learns which alternative is which.
+ * A running blind comparison: what X and Y are at present, which of them the session renders, and
+ * the log. Window and console only see X and Y, not which alternative is which.
  *
- * The alternatives share body and device, and one force factor, so that their ratios are those of
- * the forces computed.
+ * The alternatives share body, device and force factor, so that their ratios are those of the
+ * computed forces.
  */
 class BlindTrial
 {
 public:
-  /// Plans the trials, and attaches to the responses what the alternatives need besides the
-  /// scene's. Returns an error that names the alternative, or "".
+  /// Plans the trials, and attaches the responses of the alternatives that the scene does not have.
+  /// Returns an error that names the alternative, or "".
   std::string prepare(
     const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
   /// Once the session has its device: opens the log. Returns an error, or "".
@@ -41,15 +41,15 @@ public:
   std::string title() const;
   const std::string& question() const { return this->Head.question; }
 
-  /// Begins the present trial, with X.
+  /// Begins the current trial, with X.
   void begin();
-  /// Gives the session X or Y, which a running one goes over to.
+  /// Gives the session X or Y; a running one changes to it.
   void show(bool x);
   void switchOver();
-  /// Logs the answer; the next trial is then to begin. Returns an error, or "".
+  /// Logs the answer; then call begin() for the next trial. Returns an error, or "".
   std::string answer(bool choseX);
 
-  /// What all answers so far say, in lines.
+  /// The result of all answers so far, in lines.
   std::vector<std::string> summary() const;
 
 private:
@@ -71,14 +71,14 @@ private:
   std::chrono::steady_clock::time_point Begun;
 };
 
-/// The comparison in a window: space switches, 1 and 2 answer; nothing tells which is which.
+/// The comparison in a window: space switches, 1 and 2 answer; nothing reveals which is which.
 /// Returns an error, or "".
 std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene);
 
 /**
  * The comparison without a display, answers from the standard input, a line each: 1 or 2; with a
- * device in a hand also s, which switches. The simulated hand presses both in virtual time, and
- * what it felt is said for whoever answers. Returns an error, or "".
+ * physical device also s, which switches. The simulated hand presses both in virtual time, and its
+ * forces are printed for the answer. Returns an error, or "".
  */
 std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scene);
 } // namespace palpate

@@ -23,7 +23,7 @@ const char* const CacheResponse = "Cached";
 constexpr double CacheDepth = 2.0; // mm; any would do
 const char* const Thickness = "LayerThickness";
 
-/// The file that holds this scan, or "" where there is no place for one.
+/// The cache file of this scan, or "" if there is no place for one.
 std::string cacheFile(const std::string& path, const BodyFileOptions& options)
 {
   std::error_code failed;
@@ -45,8 +45,8 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   return cachePlace("skin", key.str(), ".palpate");
 }
 
-/// Makes the response normals the active ones, its validity the thickness if there is to be one,
-/// and drops the response itself.
+/// Makes the response normals the active ones, its validity the thickness if one is wanted, and
+/// removes the response itself.
 vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness)
 {
   auto body = vtkSmartPointer<vtkPolyData>::New();
@@ -65,8 +65,8 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
   return body;
 }
 
-/// The flat file holds a body with a response; which one does not matter here, so that its
-/// validity, a length per point, can carry the thickness of the layer.
+/// The flat file stores a body with a response; as that one does not matter here, its validity, a
+/// length per point, is used to store the thickness of the layer.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   const std::string unmade = makeCacheFolder(file);

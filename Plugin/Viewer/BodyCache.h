@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate) that holds what `key` tells apart, or
-/// "" where there is no place for one: named `kind`-HASH`ending`. The version belongs to the key.
+/// The file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate) for `key`, or "" if there is no place
+/// for one: named `kind`-HASH`ending`. The version is part of the key.
 std::string cachePlace(const std::string& kind, const std::string& key, const std::string& ending);
 
 /// Makes the folder of such a file. Returns an error, or "".

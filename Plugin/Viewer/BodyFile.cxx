@@ -78,7 +78,7 @@ const Format* findFormat(std::string path)
 }
 
 //------------------------------------------------------------------------------
-/** What keeps the file from being read at all; "" if nothing. */
+/** Why the file cannot be read at all; "" if it can. */
 std::string fileProblem(const std::string& path)
 {
   std::error_code code;
@@ -135,7 +135,7 @@ vtkSmartPointer<vtkPolyData> skinOf(
   return skin->GetOutput();
 }
 
-/** The thickness that a body carries, from the file's unit of length to millimetres. */
+/** Converts a body's thickness from the file's unit of length to millimetres. */
 void scaleThickness(vtkPolyData* body, double factor)
 {
   vtkDataArray* given = body->GetPointData()->GetArray("LayerThickness");
@@ -152,7 +152,7 @@ void scaleThickness(vtkPolyData* body, double factor)
   body->GetPointData()->AddArray(scaled);
 }
 
-/** Why the data are no body, without what the filter puts before it. */
+/** Why the data are not a body, without the filter's prefix. */
 std::string bodyProblem(const palpate::CollectingWindow* complaints)
 {
   const std::string before = "Wrong input: ";
@@ -188,7 +188,7 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
     return palpate::joined("a unit of length of ", options.lengthScale, " mm makes no sense");
   }
 
-  // The file as it is.
+  // The content of the file.
   vtkSmartPointer<vtkAlgorithm> reader = format->reader(path);
   reader->Update();
   auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));

@@ -29,30 +29,32 @@ public:
     const std::string all = text;
     if (all.find("Error reading InformationKey") != std::string::npos)
     {
-      return; // of an array with NaN in it: only its range is lost
+      return; // of an array with a NaN: only its range is lost
     }
     this->failed = true;
-    if (all.find("returned failure for request") == std::string::npos) // tells nothing new
+    if (all.find("returned failure for request") == std::string::npos) // adds no information
     {
       keepFirst(this->error, all);
     }
   }
 
   bool hasFailed() const { return this->failed; }
-  /** The first error, in want of one the first warning. */
+  /** The first error or, if there is none, the first warning. */
   const std::string& reason() const { return this->error.empty() ? this->warning : this->error; }
   const std::string& firstWarning() const { return this->warning; }
 
 private:
-  /** Some readers warn of an error and go on. */
+  /** Some readers report an error as a warning and continue. */
   void warn(const std::string& text)
   {
     this->failed = this->failed || text.find("Error") != std::string::npos;
     keepFirst(this->warning, text);
   }
 
-  /** Of "ERROR: In file, line n\nclass (address): message\n\n" the message: VTK hands over nothing
-   * but the whole text. */
+  /**
+   * The message of "ERROR: In file, line n\nclass (address): message\n\n", as VTK passes only the
+   * whole text.
+   */
   static void keepFirst(std::string& kept, const std::string& text)
   {
     if (kept.empty())
@@ -72,7 +74,7 @@ private:
   std::string warning;
 };
 
-/** As long as this lives, VTK's output goes to a CollectingWindow and not to the console. */
+/** While this lives, VTK's output goes to a CollectingWindow and not to the console. */
 struct QuietScope
 {
   vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();

@@ -40,7 +40,7 @@ constexpr double Spacing = 2.0; // of the finite elements, along the surface
 constexpr int StripLayers = 6;
 constexpr int BlockLayers = 10;
 constexpr int Subdivisions = 2; // of the surface that is touched
-constexpr int Modes = 6;        // of the bending that is drawn
+constexpr int Modes = 6;        // of the bending for display
 
 /// Bits of vtkElasticCompliance's array Fixed.
 enum Hold : unsigned char
@@ -52,8 +52,8 @@ enum Hold : unsigned char
 
 using Place = std::array<double, 3>;
 
-/// On rollers along y, under the strip near its ends, which hold it down too; free to slide over
-/// them, but not away.
+/// On rollers along y near the ends of the strip, which also hold it down; free to slide along, but
+/// not to lift off.
 unsigned char holdStrip(const Place& place)
 {
   const bool below = place[2] == -StripThickness;
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
   return all->GetOutput();
 }
 
-/// What both have in common.
+/// The properties common to both.
 void describe(const ViewerOptions& options, TouchScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonsRatio;

@@ -19,13 +19,13 @@ struct ComparedBody
 {
   TouchScene scene;
   ResponseSet responses;
-  vtkSmartPointer<vtkPolyData> support; ///< what holds it, to be drawn
+  vtkSmartPointer<vtkPolyData> support; ///< its support, for display
 };
 
 /**
  * A strip on two rollers, which bends, and a block bonded to a rigid plate, which does not: of the
  * same rubber, with the same top face, z = 0, under the paper's three tools. Both compliances are
- * by finite elements, the block's too. Motion: pressed in the middle and slid along the strip.
+ * by finite elements, the block's too. Motion: a press in the middle and a slide along the strip.
  *
  * Forces of the tools 1 mm deep: within 3 % of each other on the strip, 67 % apart on the block.
  * Returns an error, or "".

@@ -61,7 +61,7 @@ std::string pressAndSlide(
   session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
   session->GetRecorder()->GetRecording(press.recording);
-  // The simulated hand is good for 10 N; bodies are compared, not devices.
+  // The simulated hand is limited to 10 N, but bodies are compared, not devices.
   press.recording->GetPointData()->RemoveArray("AppliedForce");
   // The path is approach, press, slide ...: see vtkPressPath.
   const double slide = path->GetPointData()->GetArray("Time")->GetTuple1(2);

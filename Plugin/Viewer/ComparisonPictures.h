@@ -14,8 +14,7 @@ namespace palpate
  * - comparison.png: bodies under the first tool, curves of all tools, verdicts, at the end of the
  *   press;
  * - regime.png: λ, sensitivity and verdict over both bodies;
- * - strip.csv and block.csv: the trajectories.
- * Prints what was found. Returns an error, or "".
+ * - strip.csv and block.csv: the trajectories. Prints the results. Returns an error, or "".
  */
 std::string runComparison(const ViewerOptions& options);
 } // namespace palpate

@@ -13,14 +13,13 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// Puts two bodies on the stage with what holds them, under all tools of the scenes, and looks at
-/// them.
+/// Shows two bodies with their supports, under all tools of the scenes, and sets the camera.
 void setStage(vtkBodyComparison* comparison, const std::array<ComparedBody, 2>& bodies);
 
-/// What holds a body, as an actor of the renderer.
+/// Adds the support of a body to a renderer.
 void addSupport(vtkRenderer* renderer, vtkPolyData* support);
 
-/// Prints what was found of both.
+/// Prints the results of both.
 void printStatements(vtkBodyComparison* comparison, const std::array<ComparedBody, 2>& bodies);
 } // namespace palpate
 

@@ -53,7 +53,7 @@ public:
   std::string run();
 
 private:
-  /// The mouse is over this side: its body is what is picked.
+  /// Makes the side under the mouse the one whose body is picked.
   void lead(std::size_t side);
   void followPointer();
   void showFrame();
@@ -80,7 +80,7 @@ ComparisonWindow::ComparisonWindow(
   : Options(options)
   , Bodies(bodies)
 {
-  this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
+  this->Window->SetMultiSamples(0); // three times slower without a graphics card; FXAA is not
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName("Palpate: global and local deformation");
   this->Interactor->SetRenderWindow(this->Window);
@@ -93,7 +93,7 @@ ComparisonWindow::ComparisonWindow(
     session->SetRate(options.rate);
     chooseContact(options, bodies[i].scene, session);
     session->RealTimeOn();
-    session->LockMemoryOn(); // this program is there for the loop
+    session->LockMemoryOn(); // the loop is this program's purpose
     session->GetRecorder()->RecordingOff();
   }
   this->Style->SetMaximumDepth(options.maximumDeflection);
@@ -210,7 +210,8 @@ std::string ComparisonWindow::run()
   this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
-  this->Comparison->SetColor(vtkBodyComparison::RegimeIndex); // made now, it is there at once later
+  this->Comparison->SetColor(
+    vtkBodyComparison::RegimeIndex); // computed now, so that it is shown at once later
   this->Comparison->SetColor(vtkBodyComparison::Displacement);
   this->Interactor->Initialize();
   for (vtkHapticSession* session : { this->Sessions[0].Get(), this->Sessions[1].Get() })

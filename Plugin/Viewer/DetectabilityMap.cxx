@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
   return shown;
 }
 
-/// The largest change of all tools, to the next ten per cent.
+/// The largest change of all tools, rounded up to ten per cent.
 double largestOf(vtkPolyData* body)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
@@ -75,7 +75,8 @@ vtkSmartPointer<vtkLookupTable> makeChangeColors(double largest)
   colors->SetTableRange(0.0, largest);
   for (int i = 0; i < MapColors; ++i)
   {
-    const double share = std::sqrt(static_cast<double>(i) / (MapColors - 1)); // small ones count
+    const double share =
+      std::sqrt(static_cast<double>(i) / (MapColors - 1)); // to resolve small ones
     Color color{};
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -121,7 +122,8 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.55); // little shade: colours are compared with the legend
+  actor->GetProperty()->SetAmbient(
+    0.55); // little shading, so that colours can be compared with the legend
   actor->GetProperty()->SetDiffuse(0.45);
   actor->GetProperty()->SetSpecular(0.0);
   renderer->AddActor(actor);
@@ -143,7 +145,7 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   stage.addTitle(title);
 }
 
-/// What is felt over each nodule: a line each; in short, as a picture has room for, or at length.
+/// The change over each nodule, one line each; short, for a picture, or long.
 std::string describeNodules(const TouchScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();

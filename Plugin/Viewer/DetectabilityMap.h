@@ -10,10 +10,10 @@
 namespace palpate
 {
 /**
- * --map of a scene with nodules: by how much they change the force of each of the first three
- * tools, as colour, lined where that begins to be felt: map.png in the output folder, or a window
- * in which all turn together, until it is closed. Prints what is felt over each nodule, and with
- * which tool most. Returns an error, or "".
+ * --map of a scene with nodules: the change of the force of each of the first three tools by the
+ * nodules, as colour, with a line at the threshold: map.png in the output folder, or a window in
+ * which all turn together, until it is closed. Prints the change over each nodule, and the most
+ * sensitive tool. Returns an error, or "".
  */
 std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& scene);
 } // namespace palpate

@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// Why nothing can be drawn, "" if nothing stands in the way. Without an X server that answers, VTK
-/// would abort the process at the first picture.
+/// Why nothing can be drawn, or "". Without an X server that answers, VTK would abort the process
+/// at the first picture.
 std::string displayProblem();
 } // namespace palpate
 

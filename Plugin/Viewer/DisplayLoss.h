@@ -7,12 +7,12 @@
 
 namespace palpate
 {
-/// From now on the process ends with a message and exit code 1 when its X server goes away. Xlib
-/// lets nobody return from there: no destructor runs, and what must still be done is given to
+/// From now on the process ends with a message and exit code 1 when it loses its X server. Xlib
+/// does not allow a return from there: no destructor runs, so necessary actions are given to
 /// AtDisplayLoss.
 void endWithDisplay();
 
-/// What is still done then, as long as this lives: let go of the hand, save what was recorded. It
+/// An action on the loss of the X server, while this lives: release the hand, save the record. It
 /// runs within a call to Xlib and must not draw. Returns an error, or "". One at a time.
 class AtDisplayLoss
 {

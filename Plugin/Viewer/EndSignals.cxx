@@ -15,7 +15,7 @@ void note(int /*signal*/)
   Came = 1;
 }
 
-/// All to the handler, but for those that whoever started the process has it ignore (nohup).
+/// Sets the handler for all signals except those ignored from the start of the process (nohup).
 void handle(void (*handler)(int))
 {
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })

@@ -4,9 +4,9 @@
 
 namespace palpate
 {
-/// While this lives, SIGINT, SIGTERM and SIGHUP are noted, for a window to close as by hand: the
-/// hand is let go of, what was recorded is written. The same one again ends the process at once.
-/// One at a time.
+/// While this lives, SIGINT, SIGTERM and SIGHUP are noted, so that a window closes normally: the
+/// hand is released, and the record written. The same signal again ends the process at once. One at
+/// a time.
 class EndSignals
 {
 public:
@@ -15,7 +15,7 @@ public:
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  /// Whether one has come.
+  /// Whether a signal has arrived.
   bool any() const noexcept;
 };
 } // namespace palpate

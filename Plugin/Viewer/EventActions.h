@@ -10,12 +10,11 @@ class vtkObject;
 
 namespace palpate
 {
-/// What a window does when an object of it tells an event. Must outlive the objects, or their last
-/// event.
+/// The actions of a window on events of its objects. Must outlive the objects, or their last event.
 class EventActions
 {
 public:
-  /// The action is given the event's call data. The higher the priority the earlier.
+  /// The action gets the event's call data. Higher priorities are called first.
   void add(vtkObject* speaker, unsigned long event, std::function<void(void*)> action,
     float priority = 0.0F);
 

@@ -30,7 +30,7 @@ const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal; "
   "a layer's force depends more on nu than a half-space's";
 
-/// With so many decimals.
+/// A number with this many decimals.
 std::string rounded(double value, int decimals)
 {
   std::ostringstream stream;
@@ -38,14 +38,14 @@ std::string rounded(double value, int decimals)
   return stream.str();
 }
 
-/// Of all layers together.
+/// The thickness of all layers together.
 vtkDataArray* scannedThickness(const TouchScene& scene)
 {
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;
 }
 /// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and 1;
-/// where it shows no bone, bone is taken to lie as deep as was looked for it. A layer of given
-/// thickness has at most half of the tissue.
+/// where it shows no bone, bone is assumed at the depth of the search. A layer of given thickness
+/// has at most half of the tissue.
 void splitTissue(TouchScene& scene)
 {
   vtkDataArray* tissue = scannedThickness(scene);
@@ -87,11 +87,11 @@ LayerStack stackAt(const TouchScene& scene, vtkIdType point)
   return stack;
 }
 
-/// What is known of a scanned thickness.
+/// The statistics of a scanned thickness.
 struct Tissue
 {
   std::vector<double> found; ///< where there is bone, ascending, mm
-  double share = 0.0;        ///< of the vertices, percent
+  double share = 0.0;        ///< fraction of the vertices, percent
 };
 Tissue tissueOf(vtkDataArray* thickness)
 {
@@ -143,7 +143,7 @@ std::string describeStack(const TouchScene& scene)
     depth;
 }
 
-/// How thick the layer is under a point of the body, mm; 0 for a half-space.
+/// The thickness of the layer under a point of the body, mm; 0 for a half-space.
 double thicknessAt(const TouchScene& scene, vtkIdType point)
 {
   vtkDataArray* thickness = scannedThickness(scene);
@@ -154,7 +154,7 @@ double thicknessAt(const TouchScene& scene, vtkIdType point)
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene)
 {
   const bool other =
-    options.voxel > 0.0 || options.solid || !options.measured.empty(); // decides on what lies below
+    options.voxel > 0.0 || options.solid || !options.measured.empty(); // determines what lies below
   const bool wanted = options.layer.value_or(other ? LayerChoice{} : ofScene).scanned;
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;
 }

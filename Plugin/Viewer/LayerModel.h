@@ -10,28 +10,28 @@
 
 namespace palpate
 {
-/// The grey level below which a scan is bone, if its thickness of soft tissue is wanted: by
-/// --layer, or else by the scene.
+/// The grey level below which a scan is bone, if the thickness of its soft tissue is wanted: by
+/// --layer, otherwise by the scene.
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene);
 
-/// Settles what lies under the surface of a scene that has its body: --layer, or else the scene's
-/// own choice, where nothing else decides on it. Says so in the reason of the model. Returns an
-/// error, or "": scan wanted where there was none.
+/// Chooses the layers under the surface of a scene that has its body: --layer, otherwise the
+/// scene's own choice, unless something else determines them. Notes it in the reason of the model.
+/// Returns an error, or "": a scan is wanted but there is none.
 std::string chooseLayer(const ViewerOptions& options, TouchScene& scene);
 
-/// Where the numbers of a stack come from, for the summary.
+/// The source of a stack's numbers, for the summary.
 std::string layerSource(const LayerChoice& layer);
 
-/// What the body is made of, for the summary.
+/// The material of the body, for the summary.
 std::string describeMaterial(const TouchScene& scene);
 
-/// The law in words, for the summary: what is a layer and what a half-space.
+/// The law in words, for the summary: where it is a layer and where a half-space.
 std::string describeLaw(const TouchScene& scene);
 
-/// ": 6.4 mm of soft tissue over bone" or the like; "" where the scene knows of no layer.
+/// ": 6.4 mm of soft tissue over bone" or the like; "" if the scene has no layer.
 std::string describeSpot(const TouchScene& scene, vtkIdType point);
 
-/// How many times the force of each tool on a half-space the layer under a point makes, at two
+/// The ratio of each tool's force on the layer under a point to that on a half-space, at two
 /// depths; "" without a layer.
 std::string describeStiffening(const TouchScene& scene, const ResponseSet& responses,
   vtkIdType point, double depth, double deep);

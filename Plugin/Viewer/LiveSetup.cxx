@@ -20,7 +20,7 @@ int modelOf(const TouchScene& scene)
     ? vtkContactSetup::Layer
     : vtkContactSetup::HalfSpace;
 }
-/// The top layer's material is the scene's.
+/// The material of the top layer is that of the scene.
 void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
 {
   const LayerStack& stack = layer.stack;

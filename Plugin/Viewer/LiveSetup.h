@@ -12,8 +12,8 @@ class vtkContactSetup;
 
 namespace palpate
 {
-/// The scene as a setup whose tools and material can be changed under the hand, and its responses
-/// as they are at first, written where --save and --export ask for it. Returns an error, or "".
+/// The scene as a setup whose tools and material can be changed during contact, with its initial
+/// responses, which are written for --save and --export. Returns an error, or "".
 std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
   vtkContactSetup* setup, ResponseSet& responses);
 } // namespace palpate

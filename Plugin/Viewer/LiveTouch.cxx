@@ -22,13 +22,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double LongestFrame = 60.0; // s, that a record can wait for
+constexpr double LongestFrame = 60.0; // s, the longest that a record can wait
 constexpr double PanelWidth = 256.0;  // pixels
 constexpr double LargestPanelShare = 0.4;
 constexpr double ChartShare = 0.28; // of the height
 
-/// What 90 % of the points give at most at this depth (mm) to the tool that feels most, N; 1 where
-/// the curves are stored in the compact form. The largest force is that of the thinnest spot.
+/// The force not exceeded at 90 % of the points at this depth (mm), N, of the tool with the
+/// largest; 1 if the curves are stored in the compact form. (The maximum would be that of the
+/// thinnest spot.)
 double usualForce(const ResponseSet& responses, double depth)
 {
   double usual = 0.0;
@@ -68,7 +69,7 @@ double usualForce(const ResponseSet& responses, double depth)
 
 const char* const PressHint = "Turn the wheel over the body: the tool presses";
 
-/// Small, from the top left.
+/// Small text at the top left.
 void styleHelp(vtkTextActor* help, double red, double green, double blue)
 {
   help->GetTextProperty()->SetFontSize(15);
@@ -84,9 +85,9 @@ LiveTouch::LiveTouch(
   : Options(options)
   , Scene(scene)
   , Responses(responses)
-  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel goes deeper
+  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel presses deeper
 {
-  this->Window->SetMultiSamples(0); // costs threefold without a graphics card; FXAA does not
+  this->Window->SetMultiSamples(0); // three times slower without a graphics card; FXAA is not
   this->Renderer->UseFXAAOn();
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
@@ -107,7 +108,7 @@ LiveTouch::LiveTouch(
   this->Session->SetRate(options.rate);
   chooseContact(options, scene, this->Session);
   this->Session->RealTimeOn();
-  this->Session->LockMemoryOn(); // this program is there for the loop
+  this->Session->LockMemoryOn(); // the loop is this program's purpose
   this->Session->GetRecorder()->SetRecording(!options.record.empty());
   this->Session->GetRecorder()->SetRecordedSeconds(LongestFrame);
   this->Clock->SetInteractor(this->Interactor);
@@ -137,10 +138,10 @@ void LiveTouch::showHelp(const std::string& text)
 {
   this->HelpText = text;
   this->placeHelp();
-  this->Renderer->AddViewProp(this->Help); // the same is not added twice
+  this->Renderer->AddViewProp(this->Help); // a prop is not added twice
 }
 
-/// A line lower while there is a hint, which is gone once it has been followed.
+/// One line lower while there is a hint, which disappears once it has been followed.
 void LiveTouch::placeHelp()
 {
   if (this->Style->HasWheelPressed())
@@ -156,7 +157,7 @@ void LiveTouch::open()
   bool followsMouse = false;
   for (int hand = this->Session->GetNumberOfDevices() - 1; hand >= 0; --hand)
   {
-    if (this->Session->GetDevice(hand)->IsSimulated()) // no other follows the mouse
+    if (this->Session->GetDevice(hand)->IsSimulated()) // only these follow the mouse
     {
       const TouchSite begin = siteOfHand(this->Scene, this->Responses.body, hand);
       this->Style->SetHand(hand);
@@ -263,7 +264,7 @@ void LiveTouch::usePanel(vtkContactSetup* setup)
     });
 }
 
-/// The panel keeps its width in pixels, whatever the size of the window has become.
+/// The panel has a constant width in pixels for any size of the window.
 void LiveTouch::arrange()
 {
   if (!this->HasPanel)

@@ -29,32 +29,32 @@
 
 namespace palpate
 {
-/// A body in a window under the hand: the window, the session on its servo thread, and the mouse
-/// that steers it; a panel and charts, if it is told to. Where the mouse is the hand, a line says
-/// that the wheel presses until it has. What is being done with it is its owner's.
+/// A live session in a window: the window, the session on its servo thread, and the mouse that
+/// steers it; optionally a panel and charts. If the mouse steers, a line explains that the wheel
+/// presses until it was used. Its owner decides its purpose.
 class LiveTouch
 {
 public:
-  /// What all it is given refers to must outlive it.
+  /// Everything that the arguments reference must outlive it.
   LiveTouch(const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses);
 
-  /// With a panel on the right that changes the setup, and charts below. Before open().
+  /// Adds a panel on the right that changes the setup, and charts below. Before open().
   void usePanel(vtkContactSetup* setup);
-  /// Lines at the top of the window, in the place of those there were.
+  /// Shows lines at the top of the window, replacing the previous ones.
   void showHelp(const std::string& text);
-  /// Shows the body with the tool above the first site of the scene, and says so.
+  /// Shows the body with the tool above the first site of the scene, and prints it.
   void open();
-  /// Until the window is closed, or a signal asks for the end. Then writes its last picture and the
-  /// record, if asked to, also one that was begun by key, and prints a summary. All but the picture
-  /// is also done when the X server goes away. Returns an error, or "".
+  /// Runs until the window is closed, or a signal ends it. Then writes its last picture and the
+  /// record, if requested, also one that was begun by key, and prints a summary. All but the
+  /// picture is also done when the X server is lost. Returns an error, or "".
   std::string run();
 
-  /// What is done when the panel has put another tool into the hand, told from 0.
+  /// Sets the action when another tool was chosen in the panel, numbered from 0.
   void onTool(std::function<void(int)> action);
-  /// What keys 1 to 9 do, told from 0, where there is no panel; and the space bar.
+  /// Sets the action of keys 1 to 9, numbered from 0, without a panel; and of the space bar.
   void onNumber(std::function<void(int)> action);
   void onSpace(std::function<void()> action);
-  /// What is done at each frame.
+  /// Sets the action at each frame.
   void onFrame(std::function<void()> action);
 
   vtkHapticSession* session() { return this->Session; }
@@ -72,7 +72,7 @@ private:
   const ViewerOptions& Options;
   const TouchScene& Scene;
   const ResponseSet& Responses;
-  double LargestForce;                        ///< that arrows and charts are scaled for, N
+  double LargestForce;                        ///< for the scale of arrows and charts, N
   std::vector<double> StrongestForces{ 0.0 }; ///< ideal force of the frames, of each hand, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;

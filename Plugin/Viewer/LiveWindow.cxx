@@ -20,7 +20,7 @@ void tell(const ResponseSet& responses, int tool)
   std::fflush(stdout);
 }
 
-/// Says which form of the response in the hand is felt, and why, whenever it becomes another one.
+/// Prints which form of the present response is used, and why, whenever it changes.
 class ToldChoice
 {
 public:

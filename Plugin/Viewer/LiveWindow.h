@@ -11,9 +11,9 @@ namespace palpate
 {
 /**
  * The session in a window: the servo thread at the chosen rate, the mouse or a device moves the
- * tool; a panel changes tool, material and model under it, also in contact; charts show what is
- * felt; ? tells the keys, q ends. Then how the servo thread kept time is printed. Returns when the
- * window is closed; an error, or "".
+ * tool; a panel changes tool, material and model, also during contact; charts show the forces; ?
+ * lists the keys, q ends. Then prints the timing of the servo thread. Returns when the window is
+ * closed; an error, or "".
  */
 std::string runLive(const ViewerOptions& options, const TouchScene& scene);
 } // namespace palpate

@@ -25,7 +25,7 @@ namespace palpate
 namespace
 {
 constexpr int TextSize = 17;
-constexpr double Zoom = 1.25; // the camera is reset for the ball around the body
+constexpr double Zoom = 1.25; // the camera's reset fits the ball around the body
 constexpr double LegendShare = 0.27;
 
 vtkSmartPointer<vtkTextActor> makeText(const std::string& words, double x, double y)
@@ -132,7 +132,7 @@ void MapStage::lookFrom(vtkPolyData* body, const Direction& from, const Directio
   camera->SetViewUp(up.data());
   this->Renderers.front()->ResetCamera(body->GetBounds());
   camera->Zoom(Zoom);
-  camera->SetWindowCenter(LegendShare, 0.0); // the middle of what the legend leaves free
+  camera->SetWindowCenter(LegendShare, 0.0); // the centre of the area free of the legend
 }
 
 std::string MapStage::show(const ViewerOptions& options)

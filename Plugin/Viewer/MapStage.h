@@ -17,12 +17,12 @@ class vtkContactTool;
 
 namespace palpate
 {
-/// What vtkContactRegime says of a body with the material of a scene, at the scene's depth; without
-/// its responses. Null and an error if it cannot.
+/// The result of vtkContactRegime for a body with the material of a scene, at the scene's depth;
+/// without its responses. Null and an error on failure.
 vtkSmartPointer<vtkPolyData> judgeBody(
   const TouchScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
 
-/// A window of maps, all seen by one camera.
+/// A window of maps with a common camera.
 class MapStage
 {
 public:
@@ -32,19 +32,19 @@ public:
 
   /// Adds an empty view.
   vtkRenderer* addRenderer(const Viewport& viewport);
-  /// Adds a body by a vtkRegimeMap::MapQuantity; its renderer, to add to.
+  /// Adds a body coloured by a vtkRegimeMap::MapQuantity; returns its renderer.
   vtkRenderer* addMap(vtkPolyData* judged, int quantity, const Viewport& viewport);
   /// A line in the upper left corner of the last map.
   void addTitle(const std::string& title);
   void addWords(const std::string& words, const Viewport& viewport);
 
-  /// All maps; `body` is seen whole.
+  /// Sets the camera of all maps to show `body` whole.
   void lookFrom(vtkPolyData* body, const Direction& from, const Direction& up);
 
   vtkRenderWindow* window() { return this->Window; }
 
-  /// As the options say: map.png in the output folder, or the window until it is closed, then its
-  /// --screenshot. Returns an error, or "".
+  /// By the options, writes map.png in the output folder, or shows the window until it is closed,
+  /// then writes its --screenshot. Returns an error, or "".
   std::string show(const ViewerOptions& options);
 
 private:

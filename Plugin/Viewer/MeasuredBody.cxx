@@ -29,7 +29,7 @@ std::string text(vtkTable* table, vtkIdType row, const char* column)
   return table->GetValueByName(row, column).ToString();
 }
 
-/// "E* = 0.05 MPa (0.049 to 0.051)"; "" where there is no such number.
+/// "E* = 0.05 MPa (0.049 to 0.051)"; "" if there is no such number.
 std::string estimate(vtkTable* sites, vtkIdType row, const char* symbol, const std::string& column,
   const std::string& unit)
 {
@@ -89,7 +89,7 @@ std::string describeRegistration(vtkMeasuredContactResponse* measured)
   return buffer.data();
 }
 
-/// The first site that was identified; there is one, or the filter had failed.
+/// The first identified site; without one the filter would have failed.
 vtkIdType firstIdentified(vtkTable* sites)
 {
   vtkIdType row = 0;

@@ -12,14 +12,14 @@ namespace palpate
 {
 /**
  * Gives the body of a scene the responses of all its tools from the curves measured on it
- * (--measured, --register): "Response" for the first tool, then "Response2" ... The scene tells in
- * notes what each site was found to be; it is touched at the first site unless told where.
+ * (--measured, --register): "Response" for the first tool, then "Response2" ... The notes of the
+ * scene list the result of each site; it is touched at the first site unless a place is given.
  * Returns an error, or "".
  */
 std::string attachMeasured(const ViewerOptions& options, TouchScene& scene);
 
-/// What a curve of the scene's body is to be called besides its tool: ", from measured curves" or
-/// ", from synthetic curves"; "" where nothing was measured.
+/// The suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic
+/// curves"; "" if nothing was measured.
 std::string measuredLabel(const TouchScene& scene);
 
 /// Adds the readings of the first site, one curve per tool that measured it.

@@ -123,7 +123,7 @@ std::string readHeader(std::istream& file, PlyHeader& header)
   return "its header does not end";
 }
 
-/** Reads the values of a file in its order. A failed stream marks the end. */
+/** Reads the values of a file in order. A failed stream marks the end. */
 class Values
 {
 public:
@@ -145,7 +145,7 @@ public:
     return this->stream.good() && this->line.size() <= LongestLine;
   }
 
-  /** As unsigned, which makes a negative one large; of a binary file, the bytes. */
+  /** Reads a value as unsigned, which makes a negative one large; in a binary file, the bytes. */
   bool next(int size, std::uint64_t& value)
   {
     if (this->ascii)

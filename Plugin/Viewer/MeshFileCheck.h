@@ -6,9 +6,9 @@
 
 namespace palpate
 {
-/// What makes a .stl or .ply file unfit for VTK's readers, "" if nothing: of a binary .stl cut
-/// short they return the part that is there; a damaged .ply makes them crash. Reads the file once;
-/// other extensions are not looked at.
+/// Why a .stl or .ply file is unfit for VTK's readers, or "": of a truncated binary .stl they
+/// return the existing part; a damaged .ply makes them crash. Reads the file once; other extensions
+/// are not checked.
 std::string meshFileProblem(const std::string& path, const std::string& extension);
 } // namespace palpate
 

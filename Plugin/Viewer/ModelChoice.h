@@ -10,7 +10,8 @@
 
 namespace palpate
 {
-/// What is felt: the body, the response of the first tool in the least form that keeps its forces.
+/// The model that is felt: the body with the response of the first tool in the simplest form that
+/// keeps its forces.
 struct ModelChoice
 {
   vtkSmartPointer<vtkPolyData> body;
@@ -19,9 +20,9 @@ struct ModelChoice
 };
 
 /**
- * Chooses as --auto and --tolerance say, at the depth of the scene; with --no-auto the body as it
- * is. A point force is considered where the body gives way as a whole (--voxel): half-spaces and
- * layers never do. The responses themselves stay whole, for pictures, files and other tools.
+ * Chooses by --auto and --tolerance, at the depth of the scene; with --no-auto the body is
+ * unchanged. A point force is considered if the body has a global compliance (--voxel), not on
+ * half-spaces and layers. The responses themselves are kept for pictures, files and other tools.
  *
  * Returns an error, or "".
  */

@@ -37,7 +37,7 @@ void progress(const char* what)
   std::fprintf(stderr, "palpate: %s\n", what);
 }
 
-/// Peak resident memory of this process, MB; 0 where the system does not tell.
+/// Peak resident memory of this process, MB; 0 if unknown.
 double peakMemory()
 {
   std::ifstream status("/proc/self/status");
@@ -52,7 +52,7 @@ double peakMemory()
   return 0.0;
 }
 
-/// The tick in which the pictures are taken: a share of the way through the slide.
+/// The tick of the pictures: at a fraction of the slide.
 vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType ticks)
 {
   // The path is approach, press, slide ..., rest, lift: see vtkPressPath.
@@ -63,9 +63,9 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// Share of the ticks in contact that stay within Validity at all three vertices, and what limits
-/// it first elsewhere; the estimated errors of their forces, relative, in rising order, with what
-/// limits the largest.
+/// Fraction of the ticks in contact within Validity at all three vertices, and the first limit
+/// elsewhere; the estimated relative errors of their forces, ascending, with the limit of the
+/// largest.
 struct Trust
 {
   double share = 1.0;
@@ -101,7 +101,7 @@ Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
     {
       const double found = stored.at(firstPoly + tick.contact.triangle,
         tick.contact.contactPoint.data(), tick.contact.deflection);
-      const double error = found < 1.0 ? found : 1.0; // beyond the range, too, nothing is known
+      const double error = found < 1.0 ? found : 1.0; // beyond the range, too, the error is unknown
       trust.errors.push_back(error);
       trust.worst = error > largest ? words : trust.worst;
       largest = std::max(largest, error);
@@ -287,7 +287,7 @@ std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
   PicturedMoment moment;
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
-  moment.largestForce = 1e-9; // N: an arrow needs a scale even where nothing was touched
+  moment.largestForce = 1e-9; // N: an arrow needs a scale even without contact
   for (const Tick& tick : ticks)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());

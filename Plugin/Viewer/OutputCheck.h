@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Why a file that is to be written at the end cannot be, or "": said before anybody has begun.
-/// The output folder is not asked about, since it is made when it is needed.
+/// Why a file of the end of the session cannot be written, or "", to be checked before the start.
+/// The output folder is not checked, since it is created when needed.
 std::string outputProblem(const ViewerOptions& options);
 } // namespace palpate
 

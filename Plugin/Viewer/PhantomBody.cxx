@@ -17,18 +17,18 @@ namespace palpate
 {
 namespace
 {
-// mm. What decides is how cells near a nodule's axis mix: 0.75 there is as good as all over.
+// mm. The mixed cells near a nodule's axis decide: 0.75 there is as accurate as everywhere.
 constexpr double Finest = 0.75;     // of cells up to FinestHalf beside a nodule's axis
 constexpr double FinestHalf = 3.75; // five of them
 constexpr double Fine = 1.0;        // of cells where nodules are
 constexpr double Between = 2.0;     // of those between them
 constexpr double Margin = 30.0;     // from there to the walls: more than ten contact radii
 constexpr double Grading = 2.0;     // of neighbouring cells there
-constexpr double FineDepth = 9.0;   // what lies deeper is felt little of
+constexpr double FineDepth = 9.0;   // deeper parts have little effect
 constexpr double BlockHeight = 40.0;
 constexpr double AroundNodule = 0.75; // fine cells beyond its sides
 
-/// Adds coordinates up to `end`, the distances growing.
+/// Adds coordinates up to `end` at growing distances.
 void growTo(std::vector<double>& line, double end)
 {
   double step = Fine;
@@ -55,7 +55,7 @@ void fillTo(std::vector<double>& line, double end, double most)
   }
 }
 
-/// Where nodules are along one axis: their middle, and how far fine cells reach beside it.
+/// Nodules along one axis: their centre, and the extent of fine cells beside it.
 struct Row
 {
   double middle = 0.0;
@@ -85,7 +85,7 @@ std::vector<Row> rowsOf(double PhantomNodule::*place)
   return rows;
 }
 
-/// Planes across the block: finest at the middle of each row, wide beyond them.
+/// Planes across the block: finest at the centre of each row, wide beyond them.
 std::vector<double> planes(const std::vector<Row>& rows)
 {
   std::vector<double> outward = { rows.front().half - rows.front().middle };
@@ -150,7 +150,7 @@ vtkSmartPointer<vtkUnsignedCharArray> marked(
   return marks;
 }
 
-/// Where it is bonded to the box, and where it is searched.
+/// Marks the points bonded to the box, and those that are searched.
 void markPoints(vtkUnstructuredGrid* grid)
 {
   std::array<double, 6> box{};

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// To be raised where the body or how it is solved changes, so that no cache has the one before.
+/// To be raised when the body or its solution changes, so that no outdated cache is used.
 constexpr int PhantomRevision = 1;
 
 /// A hard ball in the phantom, mm; the skin is the plane z = 0.
@@ -17,7 +17,7 @@ struct PhantomNodule
 {
   double x = 0.0;
   double y = 0.0;
-  double top = 0.0; ///< how deep it begins
+  double top = 0.0; ///< depth of its top
   double radius = 0.0;
 };
 
@@ -27,15 +27,15 @@ constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0,
   { -2.0, 0.0, 2.0, 3.0 }, { 13.0, 0.0, 2.0, 5.0 }, { -14.0, 16.0, 3.0, 1.5 },
   { -2.0, 16.0, 3.0, 3.0 }, { 13.0, 16.0, 3.0, 5.0 } } };
 
-/// Of a nodule over what is around it.
+/// Ratio of a nodule's modulus to that of its surroundings.
 constexpr double NoduleHardness = 10.0;
 
-/// What is searched, mm: x from, to, y from, to; plain tissue all around the nodules.
+/// The field that is searched, mm: x from, to, y from, to; plain tissue around all nodules.
 constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
 
 /**
  * A block of 95 x 104 x 40 mm in a rigid box, bonded to its bottom and sides (`Fixed`), with the
- * nodules in it (vtkNoduleMaterial), `Pressed` in the field: cells of 0.75 to 1 mm where they are,
+ * nodules in it (vtkNoduleMaterial), `Pressed` in the field: cells of 0.75 to 1 mm at the nodules,
  * 9 mm deep, coarser elsewhere.
  */
 vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);

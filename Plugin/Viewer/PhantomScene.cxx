@@ -32,7 +32,7 @@ std::string phantomKey(const ViewerOptions& options, const TouchScene& scene)
     shortestDecimals(options.depth.value_or(PressedTo)));
 }
 
-/// What a solved phantom has.
+/// The arrays of a solved phantom.
 std::vector<std::string> arraysOf(std::size_t tools)
 {
   std::vector<std::string> arrays = { "ForceChange" };
@@ -80,7 +80,7 @@ std::string solvePhantom(const ViewerOptions& options, TouchScene& scene)
   return {};
 }
 
-/// What a body of its own cannot take.
+/// The option that a scene with its own body cannot have.
 std::string refused(const ViewerOptions& options)
 {
   const char* option = options.voxel > 0.0 ? "--voxel"

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// Of a window and of a picture, in pixels.
+/// Size of a window and of a picture, in pixels.
 constexpr int PictureWidth = 1280;
 constexpr int PictureHeight = 960;
 } // namespace palpate

@@ -70,7 +70,7 @@ struct View
   Direction up;
 };
 
-/// The tool upright in the picture, seen from a little above the surface, on the viewer's side.
+/// A view with the tool upright, from slightly above the surface, on the viewer's side.
 View besideTheTool(const PicturedMoment& moment, const Direction& viewFrom)
 {
   View view{};

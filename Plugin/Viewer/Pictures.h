@@ -15,7 +15,8 @@ class vtkRenderWindow;
 
 namespace palpate
 {
-/// The moment that is pictured: one tick of a recording, its contact, and the largest force of it.
+/// The moment of a picture: one tick of a recording, its contact, and the recording's largest
+/// force.
 struct PicturedMoment
 {
   vtkPolyData* recording = nullptr;
@@ -36,7 +37,7 @@ std::string writePicture(vtkRenderWindow* window, const std::string& file);
 std::string drawOverview(const std::string& file, const TouchScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
-/// The deflection field from near by.
+/// The deflection field from close up.
 std::string drawCloseUp(const std::string& file, const TouchScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 

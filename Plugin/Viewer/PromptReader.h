@@ -10,10 +10,10 @@
 namespace palpate
 {
 /**
- * VTK feeds the tag <AppendedData> to expat in pieces and relies on hearing of it at once. Expat
- * since 2.6 (and Debian's patched 2.5) puts the parsing of such pieces off until the input has
- * doubled, VTK runs on into the binary data, and fails (VTK issue 19258). Blanks after the end of
- * the document change nothing but make expat catch up.
+ * VTK feeds the tag <AppendedData> to expat in pieces and relies on an immediate callback. Expat
+ * since 2.6 (and Debian's patched 2.5) defers the parsing of such pieces until the input has
+ * doubled, so that VTK continues into the binary data and fails (VTK issue 19258). Blanks after the
+ * end of the document only make expat catch up.
  */
 class PromptParser : public vtkXMLDataParser
 {

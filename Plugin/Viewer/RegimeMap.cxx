@@ -22,7 +22,7 @@ namespace palpate
 {
 namespace
 {
-/// Of the surface, from 0 to 1: the verdicts of vtkContactRegime, and no stable contact.
+/// Fractions of the surface, from 0 to 1: the verdicts of vtkContactRegime, and no stable contact.
 struct Shares
 {
   std::array<double, 3> verdict{};

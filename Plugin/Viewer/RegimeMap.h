@@ -12,7 +12,7 @@ namespace palpate
 /**
  * --map: regime index, tool sensitivity and verdict of the first tool over the scene's body, at its
  * depth: map.png in the output folder, or a window in which the three turn together, until it is
- * closed. Prints how much of the surface has which verdict. Returns an error, or "".
+ * closed. Prints the fraction of the surface with each verdict. Returns an error, or "".
  */
 std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene);
 } // namespace palpate

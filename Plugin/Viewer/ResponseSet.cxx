@@ -142,7 +142,7 @@ std::string saveBody(vtkPolyData* body, const std::string& path)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToBinary();   // appended data cannot be read back with newer expat
-  writer->WriteToOutputStringOn(); // on a full disk it dies (VTK 9.2)
+  writer->WriteToOutputStringOn(); // on a full disk it crashes (VTK 9.2)
   writer->SetInputData(body);
   const QuietScope quiet;
   writer->Write();

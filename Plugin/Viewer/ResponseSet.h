@@ -13,8 +13,8 @@
 
 namespace palpate
 {
-/// The body of a scene with the responses of all its tools, each under a prefix of its own:
-/// "Response" for the first, which touches, then "Response2", "Response3" ...
+/// The body of a scene with the responses of all its tools, each under its own prefix: "Response"
+/// for the first, which touches, then "Response2", "Response3" ...
 struct ResponseSet
 {
   vtkSmartPointer<vtkPolyData> body;
@@ -24,7 +24,7 @@ struct ResponseSet
   double bytesPerTool = 0.0; ///< of the response arrays
 };
 
-/// What a response is computed from, besides the tool.
+/// The input of a response besides the tool.
 struct ContactLaw
 {
   double youngsModulus = 0.0; ///< MPa
@@ -38,10 +38,11 @@ struct ContactLaw
   }
 };
 
-/// The scene's own.
+/// The law of the scene.
 ContactLaw lawOf(const TouchScene& scene);
 
-/// The same as the laws take it: constants, and the arrays of the body that override them.
+/// The same for the functions of Filters/Laws: constants, and the arrays of the body that override
+/// them.
 BodyMaterial::Constants materialOf(const ContactLaw& law);
 MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyData* body);
 
@@ -52,19 +53,18 @@ std::string responseName(std::size_t tool);
 std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
   double maximumDeflection, ResponseSet& responses);
 
-/// Attaches them as the options say and writes what --save and --export ask for. Returns an error,
-/// or "".
+/// Attaches them by the options and writes the files of --save and --export. Returns an error, or
+/// "".
 std::string prepareResponses(
   const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
 
-/// Writes a body with all its arrays, a .vtp; replaced whole or not at all. Returns an error, or
-/// "".
+/// Writes a body with all its arrays as a .vtp, completely or not at all. Returns an error, or "".
 std::string saveBody(vtkPolyData* body, const std::string& path);
 
-/// Writes what --save and --export ask for. Returns an error, or "".
+/// Writes the files of --save and --export. Returns an error, or "".
 std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses);
 
-/// Updates an algorithm and returns the errors it reported, instead of letting them spill.
+/// Updates an algorithm and returns the errors it reported, instead of printing them.
 std::string updateQuietly(vtkAlgorithm* algorithm);
 } // namespace palpate
 

@@ -80,7 +80,7 @@ PictureAxes::PictureAxes(const TouchScene& scene)
 
 TouchSite siteOfHand(const TouchScene& scene, vtkPolyData* bodyWithResponse, int hand)
 {
-  constexpr double step = 15.0; // mm: about as far as a finger is from the next
+  constexpr double step = 15.0; // mm: about the distance of two fingers
   constexpr double share = 0.1; // of the body's diagonal, at most
   const TouchSite first = firstSite(scene, bodyWithResponse);
   if (hand == 0)

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// The way of the simulated hand over the scene, with its times: see vtkPressPath. Returns an
+/// The path of the simulated hand over the scene, with its times: see vtkPressPath. Returns an
 /// error, or "".
 std::string makePath(const TouchScene& scene, vtkPolyData* path);
 
@@ -20,12 +20,12 @@ struct TouchSite
   std::array<double, 3> point{};  ///< mm
   std::array<double, 3> normal{}; ///< unit, outward
 
-  /// So many mm above it.
+  /// The point at this height above it, mm.
   std::array<double, 3> above(double height) const;
 };
 
-/// Where the scene is touched first: the outermost vertex within two degrees of its first direction
-/// from the centre.
+/// The first site of the scene: the outermost vertex within two degrees of its first direction from
+/// the centre.
 TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse);
 
 /// To the right and upward in the picture of a scene, unit.
@@ -37,8 +37,8 @@ struct PictureAxes
   double up[3];
 };
 
-/// Where one of several hands begins, from 0: at the first site, or so many steps to the right of
-/// it.
+/// The start of one of several hands, numbered from 0: the first site, or that many steps to the
+/// right of it.
 TouchSite siteOfHand(const TouchScene& scene, vtkPolyData* bodyWithResponse, int hand);
 } // namespace palpate
 

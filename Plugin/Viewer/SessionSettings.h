@@ -12,24 +12,23 @@ class vtkHapticSession;
 
 namespace palpate
 {
-/// Gives the session what the options say of forces, surface and friction, and the scene's
-/// Poisson's ratio.
+/// Gives the session the options of forces, surface and friction, and the scene's Poisson's ratio.
 void chooseContact(
   const ViewerOptions& options, const TouchScene& scene, vtkHapticSession* session);
 
 /// Gives the session the device of the options. Returns an error, or "".
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
 
-/// The same, and one force factor for all responses, so that what
-/// is compared keeps its ratios on it. Returns an error, or "".
+/// The same, with one force factor for all responses, so that their ratios are kept. Returns an
+/// error, or "".
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Adds the further devices of the options. Returns an error, or "".
 std::string addHands(const ViewerOptions& options, vtkHapticSession* session);
 
-/// Puts devices that are plugged in where they are seen: the origin above the first site, of
-/// further ones beside it, x to the right and y up in the picture; the first button is the clutch.
+/// Places physical devices in view: the origin above the first site, those of further ones beside
+/// it, x to the right and y up in the picture; the first button is the clutch.
 void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Starts the session; returns the error it reported, or "".

@@ -29,12 +29,12 @@ namespace
 // Two minutes on two cores: a factor of a hundred thousand unknowns, five thousand solutions.
 constexpr double UsualCells = 20000.0;
 constexpr double UsualSources = 5000.0;
-/// Of vtkGradedBody: cells on mm² of the surface, in spacings.
+/// Cells of vtkGradedBody per squared spacing of the surface.
 constexpr double CellsPerSquare = 8.7;
-/// No finer than what a tool feels needs, no coarser than what the body's shape does.
+/// No finer than a tool's contact needs, no coarser than the body's shape needs.
 constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
-/// Sources are nodes, of which there is one in the middle of each edge.
+/// Sources are nodes, including those in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
@@ -42,7 +42,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// How large cells at the surface are to be, and how far apart its points that are solved for.
+/// The size of cells at the surface, and the distance of the points that are solved for.
 struct SolidSizes
 {
   double spacing = 0.0; ///< mm
@@ -67,8 +67,7 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   return sizes;
 }
 
-/// How the body resists large strain under a tool: what was asked for, or Neo-Hooke where that is
-/// tabulated.
+/// The law of finite strain for a tool: as requested, or Neo-Hooke if that is tabulated.
 StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const TouchScene& scene)
 {
   if (options.strainGiven && !scene.terms.automatic)
@@ -80,7 +79,8 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
   return { isKnown ? StrainModel::NeoHooke : StrainModel::Linear, 0.0 };
 }
 
-/// Everything that the responses depend on. The revision changes with what is computed of the same.
+/// Everything that the responses depend on. The revision changes when the same input gives other
+/// results.
 std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
 {
   constexpr int Revision = 3;
@@ -90,7 +90,7 @@ std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
     contentOf(scene.body));
 }
 
-/// Fills the scene's body and presses its tools: body, notes.
+/// Fills the scene's body and presses its tools; sets body and notes.
 std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
@@ -104,7 +104,7 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
     }
     radii.push_back(tools.back()->GetKernel()->contactRadius(options.maximumDeflection));
   }
-  // The widest first: the others share its solutions.
+  // The tool with the widest contact first, as the others share its solutions.
   std::vector<std::size_t> order(tools.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),

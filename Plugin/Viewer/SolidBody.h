@@ -9,11 +9,11 @@
 namespace palpate
 {
 /**
- * --solid: the scene's closed surface filled with graded tetrahedra (vtkGradedBody), what its tools
- * feel on that (vtkElasticContactResponse) at the surface's own points, curved as it is. The
- * scene's responses are then stored ones, and kept in the cache for the next time, by what they
- * depend on. A sentence on what was chosen and what it took, or where it was taken from, is added
- * to its notes. Returns an error, or "".
+ * --solid: fills the scene's closed surface with graded tetrahedra (vtkGradedBody), and computes
+ * the responses of its tools (vtkElasticContactResponse) at the surface's own points, with its
+ * curvature. The scene's responses are then stored ones, and cached by their input. A sentence on
+ * what was chosen and its cost, or on the cache used, is added to the notes. Returns an error, or
+ * "".
  */
 std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene);
 } // namespace palpate

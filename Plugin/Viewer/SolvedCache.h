@@ -12,18 +12,18 @@
 
 namespace palpate
 {
-/// A body with its responses that took minutes to solve for, as the cache has it in `file`; null
-/// where there is none, or one that cannot be read or lacks a point array that is named.
+/// A body with its responses, which take minutes to compute, from the cache in `file`; null if
+/// there is none, or one that cannot be read or lacks one of the named point arrays.
 vtkSmartPointer<vtkPolyData> readSolved(
   const std::string& file, const std::vector<std::string>& pointArrays);
 
-/// Keeps it for the next time; without a `file` nothing is kept. What is wrong, or "".
+/// Writes it to the cache; without a `file` does nothing. Returns what is wrong, or "".
 std::string keepSolved(vtkPolyData* body, const std::string& file);
 
 /// For the key of a cache: material, tools, depth and tolerance of a scene's responses.
 std::string solvedKey(const ViewerOptions& options, const TouchScene& scene);
 
-/// What tells one body from another, for the key of a cache: points, triangles and point arrays.
+/// The content of a body for the key of a cache: points, triangles and point arrays.
 std::string contentOf(vtkPolyData* body);
 } // namespace palpate
 

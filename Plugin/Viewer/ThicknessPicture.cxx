@@ -38,11 +38,11 @@ constexpr double HeadZoom = 1.45;
 
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
-// Thin to thick: viridis, whose lightness rises all the way.
+// Thin to thick: viridis, whose lightness rises monotonically.
 constexpr std::array<Color, 5> Scale = { { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
   { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } } };
 
-/// Where there is a layer; nothing, NaN, elsewhere.
+/// The thickness where there is a layer; NaN elsewhere.
 vtkSmartPointer<vtkFloatArray> whereFound(vtkDataArray* thickness)
 {
   auto found = vtkSmartPointer<vtkFloatArray>::New();
@@ -113,7 +113,7 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
   camera->SetPosition(centre[0] + from[0], centre[1] + from[1], centre[2] + from[2]);
   camera->SetViewUp(up.data());
   renderer->ResetCamera(body->GetBounds());
-  camera->Zoom(HeadZoom); // that is made for the ball around the body
+  camera->Zoom(HeadZoom); // which fits the ball around the body
   renderer->ResetCameraClippingRange();
 }
 } // namespace
@@ -132,7 +132,7 @@ std::string drawThickness(const std::string& file, const TouchScene& scene)
   mapper->SelectColorArray("Shown");
   mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
-  // Colours, not values, are blended: between "no bone" and a thickness there is nothing.
+  // Colours, not values, are blended, as there is no value between "no bone" and a thickness.
   mapper->InterpolateScalarsBeforeMappingOff();
   vtkNew<vtkActor> body;
   body->SetMapper(mapper);

@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// Draws how thick the layer of a scene is that has it from a scan: the body from the scene's side
-/// and from the other, coloured, with a legend in mm. 1280 x 960, a PNG. Returns an error naming
-/// the file, or "".
+/// Draws the thickness of the layer of a scene from a scan: the body from the scene's side and from
+/// the other, coloured, with a legend in mm. 1280 x 960, a PNG. Returns an error naming the file,
+/// or "".
 std::string drawThickness(const std::string& file, const TouchScene& scene);
 } // namespace palpate
 

@@ -48,7 +48,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   {
     return error;
   }
-  // What the user says overrides the scene.
+  // The user's options override the scene.
   if (options.youngsModulus || options.poissonsRatio)
   {
     scene.materialSource = "given on the command line";

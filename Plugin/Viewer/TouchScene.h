@@ -16,26 +16,27 @@ namespace palpate
 {
 using Direction = std::array<double, 3>;
 
-/// A body, what it is made of, who touches it and where. What a session needs.
+/// The input of a session: a body, its material, its tools and the places to touch.
 struct TouchScene
 {
   std::string title;
   vtkSmartPointer<vtkPolyData> body;
-  std::vector<std::string> notes; ///< what was done to get the body, a sentence each
+  std::vector<std::string> notes; ///< how the body was made, one sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
   LawTerms terms;         ///< of the law: strain, curvature, error
   PronySeries relaxation; ///< of the body
-  bool stored = false;    ///< the body brings the response "Response", to be used as it is
-  bool nodules = false;   ///< stored; also the responses without its nodules, and how they are felt
+  bool stored = false;    ///< the body has the response "Response", to be used unchanged
+  bool nodules =
+    false; ///< stored; also has the responses without its nodules, and the changes by these
   std::string materialSource;
   LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1
-  std::string modelReason; ///< why this law, and how far to trust it
+  std::string modelReason; ///< why this law, and how far it is valid
   std::vector<std::string> tools;
   double depth = 1.0;
   Direction center{};
   std::vector<Direction> directions; ///< visited by the path, seen from the centre
-  double pictureAt = 0.5;            ///< share of the slide at which the pictures are taken
+  double pictureAt = 0.5;            ///< fraction of the slide at which the pictures are taken
   Direction viewFrom{ 0.0, -1.0, 0.4 };
   Direction up{ 0.0, 0.0, 1.0 };
   vtkSmartPointer<vtkTable> readings; ///< of --measured: vtkMeasuredContactResponse, port 2
@@ -44,7 +45,7 @@ struct TouchScene
   bool sideBySide = false;            ///< one picture with all tools
 };
 
-/// The scene the options ask for; an error that names the missing or wrong thing, or "".
+/// Makes the scene of the options; returns an error that names the missing or wrong thing, or "".
 std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene);
 
 // One maker per kind of scene; makeTouchScene chooses.

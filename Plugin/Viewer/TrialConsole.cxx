@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/// The way of the simulated hand, `times` times one after the other.
+/// The path of the simulated hand, `times` times in sequence.
 vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
 {
   vtkDataArray* time = path->GetPointData()->GetArray("Time");
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
       points->InsertNextPoint(path->GetPoint(i));
       when->InsertNextValue(end + time->GetTuple1(i));
     }
-    end += time->GetTuple1(count - 1); // the sum that was stored last: time does not go back
+    end += time->GetTuple1(count - 1); // the sum stored last, so that time does not go back
   }
   auto all = vtkSmartPointer<vtkPolyData>::New();
   all->SetPoints(points);
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
   return all;
 }
 
-/// The simulated hand goes its way once; the largest force it feels, N.
+/// The simulated hand follows its path once; returns the largest force, N.
 double pressOnce(vtkHapticSession* session, double seconds)
 {
   double strongest = 0.0;
@@ -59,7 +59,7 @@ double pressOnce(vtkHapticSession* session, double seconds)
   return strongest;
 }
 
-/// Shows X and Y to the simulated hand.
+/// Lets the simulated hand press X and Y.
 void pressBoth(BlindTrial& trial, vtkHapticSession* session, double seconds)
 {
   const double x = pressOnce(session, seconds);
@@ -68,7 +68,8 @@ void pressBoth(BlindTrial& trial, vtkHapticSession* session, double seconds)
   std::printf("X pushed back with up to %.4g N, Y with up to %.4g N\n", x, y);
 }
 
-/// One trial; `hasEnded` when the input has. `seconds` of each press; 0: a person's hand presses.
+/// One trial; sets `hasEnded` at the end of the input. `seconds` of each press; 0: a person
+/// presses.
 std::string ask(BlindTrial& trial, vtkHapticSession* session, double seconds, bool& hasEnded)
 {
   const bool isSimulated = seconds > 0.0;
@@ -132,7 +133,7 @@ std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scen
   if (error.empty())
   {
     placeDevice(scene, responses, session);
-    error = startQuietly(session); // the force factor is known from then on
+    error = startQuietly(session); // which determines the force factor
   }
   if (error.empty())
   {

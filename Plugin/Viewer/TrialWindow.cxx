@@ -22,7 +22,7 @@ const char* const TrialKeys = "? or h\tthis help, on and off\n"
                               "left beside the body\torbit\n"
                               "middle, right\tpan, zoom";
 
-/// Asks the present trial, or ends.
+/// Asks the current trial, or ends.
 void ask(LiveTouch& live, BlindTrial& trial)
 {
   if (trial.isOver())

@@ -26,9 +26,9 @@ namespace palpate
 {
 namespace
 {
-constexpr int BodyModes = 6; ///< of the body's motion as a whole
+constexpr int BodyModes = 6; ///< of the body's global motion
 
-/// Refuses a solid whose finite elements are certain not to fit the memory, before it is filled.
+/// Refuses a solid whose finite elements certainly exceed the memory, before it is filled.
 std::string checkMemory(vtkPolyData* body, double spacing)
 {
   const BodyMesh mesh = makeBodyMesh(body);
@@ -43,7 +43,7 @@ std::string checkMemory(vtkPolyData* body, double spacing)
       area += 0.5 * side.cross(mesh.point(corners[2]) - from).norm();
     }
   }
-  const double side = std::max(spacing, 1e-9); // of an atom's size all numbers are still finite
+  const double side = std::max(spacing, 1e-9); // a lower bound, so that all numbers are finite
   const double voxels = mesh.enclosedVolume() / std::pow(side, 3);
   const MemoryForecast forecast = forecastMemory(voxels, area / std::pow(side, 2));
   const double available = availableMemory();
@@ -60,7 +60,8 @@ std::string checkMemory(vtkPolyData* body, double spacing)
   return text.data();
 }
 
-/// The modes of the solid, from all its points: they hold at those without a compliance too.
+/// Interpolates the modes of the solid from all its points, as they are also valid at those without
+/// a compliance.
 void carryModes(vtkPolyData* solid, vtkPolyData* body)
 {
   vtkDataArray* signs = solid->GetFieldData()->GetArray("GlobalModeSign");
@@ -111,7 +112,7 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
   {
     return "the solid made of the body has no point with a compliance: is --voxel too coarse?";
   }
-  // A side that is held has no valid points; what was spread to it along the surface must do.
+  // A fixed side has no valid points; there the values interpolated along the surface are used.
   const FacingPoints others(solid,
     [&](vtkIdType id)
     { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });

@@ -9,28 +9,28 @@
 
 namespace palpate
 {
-/// How a surface becomes a body: --voxel, --fixed, --young, --poisson.
+/// The options by which a surface becomes a solid: --voxel, --fixed, --young, --poisson.
 struct VoxelComplianceOptions
 {
   double spacing = 2.0;          ///< mm
-  std::string fixedFaces = "z-"; ///< as vtkVoxelBody takes them
+  std::string fixedFaces = "z-"; ///< as for vtkVoxelBody
   double youngsModulus = 0.05;   ///< MPa
   double poissonsRatio = 0.45;
 };
 
 /**
  * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid it encloses, and
- * six modes of its motion as a whole (`GlobalMode0`..., `GlobalModeSign`): filled with hexahedra
- * (vtkVoxelBody), solved (vtkElasticCompliance), and carried back to the surface's own points. A
+ * six modes of its global motion (`GlobalMode0`..., `GlobalModeSign`): fills it with hexahedra
+ * (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's own points. A
  * sentence on what was done is added to `notes`. Returns an error, or "".
  */
 std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes);
 
-/// Carries the compliance, from the points of `solid` whose `ComplianceStatus` is 0 or, where none
-/// faces the same way, from the others, and the modes it has, from all, to the points of `body`:
-/// each from the nearest that face the same way (FacingPoints). Returns an error that names the
-/// first point without any source, or "".
+/// Interpolates the compliance, from the points of `solid` whose `ComplianceStatus` is 0 or, where
+/// none faces the same way, from the others, and the modes, from all, at the points of `body`: each
+/// from the nearest that face the same way (FacingPoints). Returns an error that names the first
+/// point without any source, or "".
 std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body);
 } // namespace palpate
 

@@ -31,7 +31,7 @@ int fail(const std::string& error)
   return Failure;
 }
 
-/// The ways to touch a scene, or only to look at it. Returns an error, or "".
+/// Runs the chosen way to touch or show a scene. Returns an error, or "".
 std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene& scene)
 {
   if (options.map)
@@ -87,10 +87,10 @@ int main(int argc, char** argv)
   }
   palpate::releaseForceOnTerminate();
   palpate::endWithDisplay();
-  // Who writes tells what failed; the process must not die of it with a force in the hand.
+  // Writing reports a broken pipe; the process must not end by it with a force on the hand.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // An application may choose how VTK's loops run; the libraries leave it to their host.
+  // An application may choose the backend of VTK's loops; libraries leave it to their host.
   vtkSMPTools::SetBackend("STDThread");
   if (std::getenv("PALPATE_THREADS") != nullptr)
   {

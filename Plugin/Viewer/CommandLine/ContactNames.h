@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// How the command line calls the values of an enumeration.
+/// The names of an enumeration's values on the command line.
 using ContactNames = std::map<std::string, int>;
 inline ContactNames namesOf(const SettingRow& setting)
 {
@@ -22,7 +22,7 @@ inline ContactNames namesOf(const SettingRow& setting)
   return names;
 }
 
-/// What numbers a setting takes.
+/// The range of a setting.
 inline NumberRange rangeOf(const SettingRow& setting)
 {
   const SettingRange& range = setting.range;
@@ -31,7 +31,7 @@ inline NumberRange rangeOf(const SettingRow& setting)
 
 constexpr double Kilometre = 1e6; // mm: no body is larger
 
-/// What numbers it takes, as an option and as a setting of a trial's alternative.
+/// Its range, as an option and as a setting of a trial's alternative.
 inline constexpr NumberRange YoungsModulusRange =
   NumberRange::positive("a modulus in MPa, e.g. 0.05");
 inline constexpr NumberRange PoissonsRatioRange =

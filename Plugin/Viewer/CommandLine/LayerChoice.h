@@ -8,14 +8,14 @@
 
 namespace palpate
 {
-/// What lies under the surface: a layer on a rigid base, as thick as the scan shows or everywhere
-/// alike, thickness 0 is a half-space; or a stack of layers.
+/// The layers under the surface: a layer on a rigid base, with the thickness of the scan or a
+/// constant one, where 0 is a half-space; or a stack of layers.
 struct LayerChoice
 {
   bool scanned = false;
   double thickness = 0.0; ///< mm, unless scanned
   LayerStack stack = {};  ///< without layers: none
-  /// Of a scanned stack of two: the layer that takes what the other leaves of the soft tissue.
+  /// In a scanned stack of two: the layer whose thickness is the rest of the soft tissue.
   std::size_t scannedLayer = 0;
   bool usual = false; ///< skin over fat, with numbers from the literature
 

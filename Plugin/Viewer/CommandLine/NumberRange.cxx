@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// Text of any length, as it can stand in a line.
+/// Shortens a text of any length for use in a line.
 std::string shorten(const std::string& text)
 {
   constexpr std::size_t most = 40;
@@ -41,7 +41,7 @@ std::string demandOf(const NumberRange& range, double value)
 
 std::string NumberRange::read(const std::string& text, double& number) const
 {
-  const std::size_t sign = !text.empty() && text[0] == '+' ? 1 : 0; // from_chars takes no +
+  const std::size_t sign = !text.empty() && text[0] == '+' ? 1 : 0; // from_chars does not accept +
   const char* const end = text.data() + text.size();
   double value = 0.0;
   const auto result = std::from_chars(text.data() + sign, end, value);

@@ -55,7 +55,7 @@ std::string readLayer(const std::string& text, LayerChoice& layer)
 
 namespace
 {
-/// Skin over the fat that the scan leaves; see HeadScene.cxx for the numbers.
+/// Skin, with fat as the rest of the scan's thickness; see HeadScene.cxx for the numbers.
 LayerChoice skinOverFat()
 {
   LayerChoice choice;
@@ -81,7 +81,7 @@ std::string readStackLayer(const std::string& text, StackLayer& layer, bool& sca
   return fault.empty() ? PoissonsRatioRange.read(parts[2], layer.poissonsRatio) : fault;
 }
 
-/// What the layers together must be.
+/// Checks the layers together.
 std::string checkLayers(const LayerChoice& choice, std::size_t scanned)
 {
   const LayerStack& stack = choice.stack;

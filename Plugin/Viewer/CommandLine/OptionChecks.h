@@ -12,7 +12,8 @@
 
 namespace palpate
 {
-/// Refuse a number in words; CLI11's own ranges tell their limits in 300 digits, and take NaN.
+/// Validates a number with a readable error; CLI11's own ranges print their limits with 300 digits,
+/// and accept NaN.
 CLI::Validator within(const NumberRange& range, const char* kind);
 CLI::Validator any(const char* what);
 CLI::Validator positive(const char* what, double most = NumberRange::Endless);
@@ -33,7 +34,7 @@ std::string readSolid(const std::string& text, double& spacing);
 std::string readStrain(const std::string& text, LawTerms& terms);
 /// --length-unit: mm per unit, in CLI11's text.
 std::string readLengthUnit(std::string& text);
-/// --fixed, as vtkVoxelBody takes it.
+/// --fixed, as for vtkVoxelBody.
 std::string checkFaces(const std::string& text);
 /// --tool.
 std::string checkToolText(const std::string& text);

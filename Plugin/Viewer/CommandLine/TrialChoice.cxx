@@ -24,7 +24,7 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
-/// The alternatives as written: a comma within the numbers of a tool ends none.
+/// Splits the alternatives; a comma within the numbers of a tool does not separate them.
 std::vector<std::string> splitChoices(const std::string& text)
 {
   std::vector<std::string> choices;

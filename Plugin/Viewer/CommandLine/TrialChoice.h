@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// One of the alternatives of a blind comparison: what of the session it changes.
+/// One of the alternatives of a blind comparison, by its changes to the session.
 struct TrialChoice
 {
   std::string name; ///< as given
@@ -20,7 +20,7 @@ struct TrialChoice
   std::optional<double> poissonsRatio;
   std::optional<LayerChoice> layer;
   std::optional<bool> hasLump; ///< with the nodules of the body, or without
-  ContactSettings contact;     ///< those of the session, and what the alternative changes in them
+  ContactSettings contact;     ///< those of the session, with the alternative's changes
 };
 
 /**
@@ -32,8 +32,8 @@ struct TrialChoice
  * SettingTable that are options, with the values of the options of these names. A
  * piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
  *
- * `usual` is what the alternatives do not change. Returns an error that names the alternative and
- * leaves `choices` as it was, or "".
+ * `usual`: settings that the alternatives do not change. Returns an error that names the
+ * alternative and leaves `choices` unchanged, or "".
  */
 std::string readTrialChoices(
   const std::string& text, const ContactSettings& usual, std::vector<TrialChoice>& choices);

@@ -13,8 +13,8 @@ class App;
 
 namespace palpate
 {
-/// The options of a blind comparison. `alternatives` gets what is compared, to be read once all
-/// options are known.
+/// The options of a blind comparison. `alternatives` gets the text of the alternatives, to be read
+/// once all options are known.
 void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alternatives);
 
 /// The tools of the alternatives become those of the scene. Throws CLI::ValidationError.

@@ -15,9 +15,9 @@ namespace palpate
 namespace
 {
 constexpr int MostFurtherHands = 3;
-constexpr double LargestDepth = 1000.0; // mm: minutes, at the speed of the path that presses
+constexpr double LargestDepth = 1000.0; // mm: minutes at the speed of pressing
 
-/// How the contact feels: what the table offers to a command line.
+/// The settings of the contact that the table offers to the command line.
 void addContactOptions(CLI::App& app, ContactSettings& contact)
 {
   for (const SettingRow& setting : SettingTable)
@@ -53,7 +53,7 @@ void addContactOptions(CLI::App& app, ContactSettings& contact)
   }
 }
 
-/// The device, the servo thread, what is kept of it.
+/// Options of the device, the servo thread and its records.
 void addDeviceOptions(CLI::App& app, ViewerOptions& options)
 {
   app
@@ -79,7 +79,7 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
     "--record", options.record, "also write every tick, a trajectory .csv for replay:FILE");
 }
 
-/// What is shown instead of one tool over one body.
+/// Options of other views than one tool over one body.
 void addViewOptions(CLI::App& app, ViewerOptions& options)
 {
   CLI::Option* compare = app.add_flag("--compare", options.compare,

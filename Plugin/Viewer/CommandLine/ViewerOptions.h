@@ -16,13 +16,13 @@
 
 namespace palpate
 {
-/// The viewer's command line. Lengths in mm, moduli in MPa. What was not given is left to the
+/// The viewer's command line. Lengths in mm, moduli in MPa. Options not given are chosen by the
 /// scene.
 struct ViewerOptions
 {
   std::string body;
   std::string scene = "head";
-  std::string scan; ///< of the head scene; empty: where Debian's mricron-data puts it
+  std::string scan; ///< of the head scene; empty: that of Debian's mricron-data
   std::vector<std::string> tools;
   std::optional<double> youngsModulus;
   std::optional<double> poissonsRatio;
@@ -34,12 +34,12 @@ struct ViewerOptions
   std::optional<LayerChoice> layer;  ///< --layer or --layers
   double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
   std::vector<std::string> measured; ///< files of curves
-  std::string registration;          ///< of their frame with the body's; empty: one frame
+  std::string registration;          ///< of their frame with the body's; empty: the same frame
   double reach = 20.0;               ///< of a measured site, mm
-  double voxel = 0.0;        ///< side of the hexahedra a surface is filled with, mm; 0: it is not
-  bool solid = false;        ///< --solid: filled with graded tetrahedra
-  double solidSpacing = 0.0; ///< of these at the surface, mm; 0: chosen
-  std::string fixedFaces = "z-"; ///< sides of the bounding box that hold it then
+  double voxel = 0.0;                ///< side of the hexahedra that fill a surface, mm; 0: none
+  bool solid = false;                ///< --solid: filled with graded tetrahedra
+  double solidSpacing = 0.0;         ///< of these at the surface, mm; 0: chosen
+  std::string fixedFaces = "z-";     ///< sides of the bounding box that hold the solid
   double lengthScale = 1.0;
   double resolution = 0.0;
   double contourValue = 30.0;
@@ -53,7 +53,7 @@ struct ViewerOptions
   std::string exportTo;
   bool pictures = true; ///< of a session off screen
   bool window = false;
-  bool compare = false; ///< two bodies of its own, side by side
+  bool compare = false; ///< its own two bodies, side by side
   bool map = false;     ///< where the shape of the first tool matters, instead of a session
   std::string screenshot;
   std::string device = "simulated";
@@ -61,17 +61,17 @@ struct ViewerOptions
   double scale = 1.0;             ///< mm of the body per mm of the hand
   std::string record;             ///< a trajectory of every tick
   bool listDevices = false;
-  std::vector<TrialChoice> trial; ///< blind comparison of these; none: there is none
+  std::vector<TrialChoice> trial; ///< blind comparison of these; empty: none
   int trialRounds = 5;
   std::optional<std::uint64_t> trialSeed;
   std::string trialLog;    ///< empty: trial.csv in the output folder
   std::string question;    ///< empty: which pushes back more
-  bool automatic = true;   ///< feel the least form of the response that keeps its forces
+  bool automatic = true;   ///< use the simplest form of the response that keeps its forces
   double tolerance = 0.01; ///< of that form, relative
 };
 
-/// Reads the command line. Returns an exit code when the program is to end here (help, version, or
-/// a wrong call, which has then been explained on the error stream), otherwise nothing.
+/// Reads the command line. Returns an exit code if the program must end (help, version, or a wrong
+/// call, which has been explained on the error stream), otherwise nothing.
 std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options);
 } // namespace palpate
 
