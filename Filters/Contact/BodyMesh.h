@@ -19,18 +19,18 @@ namespace palpate
 {
 /**
  * The undeformed surface of a body in the order and with the coordinates of its input, for filters
- * that walk over it: which triangles meet at a point, where it is open, which way is out. A tick
- * reads the PackedMesh instead.
+ * that traverse it: which triangles meet at a point, where it is open, which side is outside. The
+ * servo tick reads the PackedMesh instead.
  *
  * Triangles wind counter-clockwise seen from outside. Triangles with a vertex that is not finite,
- * an index out of range or no area take no part in anything; they are counted.
+ * an index out of range or no area are ignored, and counted.
  *
  * Cost: built in O(n), about 90 bytes per triangle. Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT BodyMesh
 {
 public:
-  /// What is wrong with the triangles, counted.
+  /// Numbers of defects of the triangles.
   struct Defects
   {
     std::size_t notFinite = 0;
@@ -60,7 +60,7 @@ public:
   {
     return Eigen::Map<const Vector3>(this->Points.data() + 3 * static_cast<std::size_t>(index));
   }
-  /// Whether the triangle takes part in contact.
+  /// Whether the triangle is used in contact.
   bool isUsable(std::int32_t triangle) const noexcept
   {
     return this->Usable[static_cast<std::size_t>(triangle)];

@@ -50,7 +50,7 @@ private:
   std::uint64_t Value = 0xcbf29ce484222325ULL;
 };
 
-/// Over the header, its own field taken as 0, and the sections.
+/// Over the header, with the checksum's field taken as 0, and the sections.
 std::uint64_t checksumOf(const std::array<const void*, Header::SectionCount>& data, Header header)
 {
   const auto sizes = header.sectionSizes();
@@ -103,7 +103,7 @@ Header makeHeader(const FlatBody& body)
 
 FlatBody view(const Header& header, const unsigned char* file)
 {
-  const auto sizes = header.sectionSizes(); // the offset of an empty section may be anything
+  const auto sizes = header.sectionSizes(); // the offset of an empty section is arbitrary
   const auto at = [&](Header::Section section) -> const void*
   { return sizes[section] > 0 ? file + header.offset(section) : nullptr; };
   FlatBody body;
@@ -155,14 +155,15 @@ std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
     response.coupling.modes, response.tilt.drops, response.tilt.nodes, response.tilt.weight };
 }
 
-/// What no tick is to meet of a coupling.
+/// Checks the coupling, for which the servo tick relies on valid values.
 std::string checkCoupling(const FlatBody& body)
 {
   const std::string fault = faultOfCoupling(body.response.coupling, body.points);
   return fault.empty() ? fault : "couples wrongly: " + fault;
 }
 
-/// What no tick is to meet: strengths or compliances that are not finite, or negative.
+/// Checks for strengths or compliances that are not finite, or negative, which the servo tick
+/// excludes.
 std::string checkRelaxation(const FlatBody& body)
 {
   const RelaxationTerms& terms = body.response.relaxation;

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// A body with one response as flat arrays in somebody else's memory. mm, N.
+/// A body with one response as views of flat arrays. mm, N.
 struct FlatBody
 {
   std::size_t points = 0;
@@ -24,29 +24,29 @@ struct FlatBody
   ResponseArrays response;               ///< of the same number of points
   const float* validity = nullptr;       ///< 1 per point
   const std::uint8_t* limit = nullptr;   ///< 1 per point
-  std::string tool;                      ///< as parseTool reads it
+  std::string tool;                      ///< for parseTool
   std::string model;
   int modelParts = 0; ///< sum of ModelPart
 };
 
 /**
  * A body file: header, then the arrays of a FlatBody, each aligned to 64 bytes, in the byte order
- * of the machine. It is mapped into memory, not read, and serves loops without VTK and as a cache.
+ * of the machine. It is mapped into memory, not read; for loops without VTK, and as a cache.
  *
  * Header (see FlatBodyHeader.h): magic "PALPATE", format version, byte-order mark, size of the
- * file, checksum of header and arrays, counts, and where each array begins. Files that
- * are truncated, foreign, of the other byte order, damaged, or of a newer format are refused with a
- * reason; nothing is half-loaded. Files of format 1, which has no model parts, are read: the parts
- * follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms, of
- * format 4 no CouplingTerms and no tilts.
+ * file, checksum of header and arrays, counts, and the start of each array. Files that are
+ * truncated, of another kind or byte order, damaged, or of a newer format are refused with a
+ * reason; nothing is loaded partly. Files of format 1, which has no model parts, are read: the
+ * parts follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms,
+ * of format 4 no CouplingTerms and no tilts.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
 public:
   static constexpr std::uint32_t Version = 5;
 
-  /// Writes a new file, then puts it in the place of an old one, so that a failure leaves the old
-  /// one whole. Returns an error that names the file, or "".
+  /// Writes a new file, then replaces an old one by it, so that a failure leaves the old one
+  /// unchanged. Returns an error that names the file, or "".
   static std::string write(const std::string& path, const FlatBody& body);
 
   /// Maps a file. Returns an error that names the file and what is wrong with it, or "".

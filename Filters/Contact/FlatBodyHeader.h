@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// The first bytes of a FlatBodyFile. Fixed layout: only add behind, and raise the version.
+/// The first bytes of a FlatBodyFile. Fixed layout: only append members, and raise the version.
 struct FlatBodyHeader
 {
   static constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
@@ -50,13 +50,13 @@ struct FlatBodyHeader
   static constexpr std::size_t LaterSectionCount = CouplingKnots;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
-  /// What of a relaxation there is besides the series.
+  /// Which parts of a relaxation there are besides the series.
   enum RelaxationPart : std::int32_t
   {
     LocalPart = 1,
     ElasticPart = 2
   };
-  /// What of a coupling there is besides one modulus.
+  /// Which parts of a coupling there are besides one modulus.
   enum CouplingPart : std::int32_t
   {
     KnotsPart = 1,
@@ -101,7 +101,7 @@ struct FlatBodyHeader
   std::int64_t tiltWeights;
   std::array<std::uint64_t, SectionCount - LaterSectionCount> latestOffset;
 
-  /// That of a file of at least SmallestSize; of a format of before, what it has not is 0.
+  /// The header of a file of at least SmallestSize; members that an older format lacks are 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
 
   /// Bytes, in a file of this version.
@@ -123,7 +123,7 @@ struct FlatBodyHeader
   void setTilt(const TiltViews& tilt);
   TiltTerms tiltTerms() const;
 
-  /// What keeps a file of so many bytes that begins with it from being used, or "".
+  /// Why a file of so many bytes with this header cannot be used, or "".
   std::string fault(std::uint64_t fileBytes) const;
 
 private:

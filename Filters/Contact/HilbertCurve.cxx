@@ -15,7 +15,7 @@ namespace
 {
 constexpr unsigned Bits = 16;
 
-/// The 16 bits of x at every third place.
+/// Spreads the 16 bits of x to every third bit.
 std::uint64_t spread(std::uint64_t x) noexcept
 {
   x = (x | (x << 32)) & 0x00FF00000000FFFFULL;
@@ -95,7 +95,7 @@ void sortAlongCurve(
   {
     return;
   }
-  // Finite also where all triangles are at one place, so that nothing is 0 times infinite.
+  // Finite even if all triangles are at one place, to avoid 0 times infinity.
   const double scale =
     std::min(LastCell / box.sizes().maxCoeff(), std::numeric_limits<double>::max());
   std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(triangles.size());

@@ -15,7 +15,7 @@ constexpr std::size_t PageSize = LargePageMemory::PageSize;
 constexpr std::size_t CacheLine = 64; ///< of a cache line
 constexpr std::size_t SmallestShared = 4096;
 
-/// The first line of a page that is shared: what of it was handed out, and how many have a part.
+/// The first line of a shared page: the bytes handed out, and the number of parts.
 struct alignas(CacheLine) SharedPage
 {
   std::size_t used;
@@ -30,7 +30,7 @@ std::size_t roundedUp(std::size_t bytes, std::size_t unit) noexcept
   return (bytes + unit - 1) / unit * unit;
 }
 
-/// Not under the address sanitizer, which sees only in ordinary memory what lies beside a vector.
+/// Not under the address sanitizer, which finds accesses beside a vector only in ordinary memory.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool IsMapped = false;
 #elif defined(__has_feature)
@@ -60,12 +60,12 @@ void* ordinary(std::size_t bytes)
   return memory;
 }
 
-/// Fresh from the system: what malloc gives may have been used before, in small pages, and stays
-/// in them.
+/// New from the system: memory of malloc may have been used before in small pages, and stays in
+/// them.
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
-  const std::size_t asked = size + PageSize; // somewhere in it is one that is aligned
+  const std::size_t asked = size + PageSize; // which contains an aligned one
   void* memory = mmap(nullptr, asked, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
   {
@@ -78,7 +78,7 @@ void* ownPages(std::size_t bytes)
     munmap(first, before);
   }
   munmap(first + before + size, PageSize - before);
-  madvise(first + before, size, MADV_HUGEPAGE); // a wish; without it the memory is slower
+  madvise(first + before, size, MADV_HUGEPAGE); // advice only; without it the memory is slower
   return first + before;
 }
 
@@ -130,7 +130,7 @@ void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
   }
   else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
   {
-    page->used -= size; // the newest part: what grows leaves no hole
+    page->used -= size; // the newest part, so that growing parts leave no hole
   }
 }
 } // namespace palpate

@@ -9,10 +9,10 @@
 
 namespace palpate
 {
-/// Memory that asks for 2 MiB pages: a tick that lands anywhere in some hundred megabytes then
-/// misses the cache, but not the translation of addresses too. What takes less than a page shares
-/// one with others, of this body or of another; such a page goes back to the system when nobody is
-/// left in it. Less than 4 KiB is ordinary memory. Aligned to 64 bytes; from any thread.
+/// Memory in 2 MiB pages, if possible: a servo tick that reads anywhere in some hundred megabytes
+/// then misses the cache, but not the address translation as well. Smaller parts share a page, also
+/// between bodies; such a page is freed when its last part is. Less than 4 KiB is ordinary memory.
+/// Aligned to 64 bytes; thread-safe.
 class PALPATE_EXPORT LargePageMemory
 {
 public:
@@ -20,7 +20,7 @@ public:
 
   /// Throws std::bad_alloc.
   static void* take(std::size_t bytes);
-  /// With as many bytes as were taken.
+  /// `bytes` as in take().
   static void giveBack(void* memory, std::size_t bytes) noexcept;
 };
 
@@ -61,8 +61,8 @@ public:
 template <class Value>
 using LargeVector = std::vector<Value, LargePages<Value>>;
 
-/// Asks for a cache line ahead of its use; any address will do. The empty statement keeps g++ from
-/// taking a function that does nothing else for one without effect, whose calls it leaves out.
+/// Prefetches a cache line; any address is allowed. The empty statement keeps g++ from treating a
+/// function that does nothing else as one without effect, whose calls it omits.
 inline void prefetchLine(const void* memory) noexcept
 {
   __builtin_prefetch(memory);

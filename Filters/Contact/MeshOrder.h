@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// `width` values per point of the input of a mesh, copied in the order of the mesh's points; none
-/// of null.
+/// `width` values per point of the input of a mesh, copied in the order of the mesh's points; empty
+/// for null.
 inline LargeVector<float> inMeshOrder(
   const float* values, std::size_t width, const PackedMesh& mesh)
 {

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// One side of an edge, as its triangle runs along it.
+/// One side of an edge, in the direction of its triangle.
 struct EdgeUse
 {
   std::int32_t low;

@@ -11,25 +11,25 @@
 namespace palpate
 {
 /**
- * Turns triangles over until neighbours wind alike: in each part that hangs together by edges of
- * two triangles, the fewer are turned to agree with the more. Returns how many were turned. A part
- * that cannot agree (a Moebius band) is left as it is.
+ * Reverses triangles until neighbours wind alike: in each part connected by edges of two triangles,
+ * the minority is reversed. Returns how many were reversed. A part that cannot agree (a Moebius
+ * band) is unchanged.
  */
 std::size_t makeWindingConsistent(std::vector<TriangleCorners>& triangles);
 
 /**
  * For each point, the first point with the same coordinates (3 floats per point) among the points
- * on an edge without neighbour; points elsewhere stand for themselves. Joins the triangles of files
- * that list every triangle's corners anew, and surfaces split for their normals, but never two
- * closed bodies that touch.
+ * on an edge without neighbour; points elsewhere map to themselves. Joins the triangles of files
+ * that list every triangle's corners separately, and surfaces split for their normals, but never
+ * two closed bodies that touch.
  */
 std::vector<std::int32_t> findTwins(
   const float* coordinates, std::size_t pointCount, const TriangleLinks& links);
 
 /**
  * Adds to such a list the ends of edges without length, of triangles from `begin` to `end`: a
- * contour through a point of its grid comes out of each cell around with a point of its own, tied
- * to the others by triangles without area.
+ * contour through a grid point has a separate point from each cell around, connected to the others
+ * by triangles without area.
  */
 void joinEmptyEdges(const float* coordinates, const TriangleCorners* begin,
   const TriangleCorners* end, std::vector<std::int32_t>& first);

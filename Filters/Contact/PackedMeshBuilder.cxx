@@ -28,7 +28,7 @@ Vector3 pointAt(const std::vector<float>& points, std::int32_t index)
     .cast<double>();
 }
 
-/// Whether the rounded triangle still has the area, and the side, of the given one.
+/// Whether the rounded triangle still has an area, on the same side as the given one.
 bool keepsItsArea(const std::array<Vector3, 3>& given, const std::array<Vector3, 3>& rounded)
 {
   const auto normalOf = [](const std::array<Vector3, 3>& t) -> Vector3
@@ -266,7 +266,7 @@ void PackedMesh::Builder::joinPoints()
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      corners[0] = -1; // without area, and now without a third corner: its neighbours meet
+      corners[0] = -1; // without area, and now without a third corner: its neighbours are adjacent
     }
   }
   this->Twins = std::move(twins);

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Builds a PackedMesh, step by step: sort out the triangles, order them along the curve, number
-/// the points as they come, find neighbours, repair, cut, pack. Not installed.
+/// Builds a PackedMesh, step by step: classify the triangles, sort them along the curve, number the
+/// points in that order, find neighbours, repair, cut, pack. Not installed.
 class PackedMesh::Builder
 {
 public:
@@ -27,7 +27,7 @@ private:
   enum class Part : std::uint8_t
   {
     Usable,
-    WithoutArea, ///< links its neighbours, is no place of contact itself
+    WithoutArea, ///< connects its neighbours, but has no contact itself
     None
   };
 

@@ -11,16 +11,15 @@
 
 namespace palpate
 {
-/// How many ranges forRanges makes of `count` items: one per thread there may be, none
-/// of them small.
+/// The number of ranges of forRanges for `count` items: one per thread, unless they would be small.
 inline std::size_t rangeCount(std::size_t count)
 {
   constexpr std::size_t smallest = 8192; // below that a thread costs more than it saves
   return std::max<std::size_t>(1, std::min(threadCount(), count / smallest));
 }
 
-/// Calls body(first, last) for contiguous ranges that cover 0..count, each on a thread of its own.
-/// For building, not for the tick. `body` must not throw, and must not write where another range
+/// Calls body(first, last) for contiguous ranges that cover 0..count, each on its own thread. For
+/// building, not for the servo tick. `body` must not throw, and must not write where another range
 /// does.
 template <class Body>
 void forRanges(std::size_t count, const Body& body)

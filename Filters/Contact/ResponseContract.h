@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * The data contract: what the arrays of a response are called, hold and mean. Who reads, writes,
- * copies or checks one asks this table; `palpate.contract` is tested against it.
+/**
+ * @file The data contract: names, content and meaning of the arrays of a response. All code that
+ * reads, writes, copies or checks them uses this table; `palpate.contract` is tested against it.
  */
 #ifndef palpate_ResponseContract_h
 #define palpate_ResponseContract_h
@@ -37,36 +37,35 @@ enum class ResponseLimit : std::uint8_t
   Edge,
   DataEnd,
   Elements, ///< the finite elements it was computed with
-  Tilt      ///< that of the tool, of another body than a half-space
+  Tilt      ///< of the tool, on a body other than a half-space
 };
 constexpr std::size_t ResponseLimitCount = 9;
 
-/// What breaks it: "strain", "layer thickness"; "" for 0 and for a number that is no code. These
+/// What breaks it: "strain", "layer thickness"; "" for 0 and for a number that is not a code. These
 /// and the next are static texts.
 PALPATE_EXPORT const char* limitInWords(int code) noexcept;
 
 /// What was assumed: "small strain", "a flat surface"; "" likewise.
 PALPATE_EXPORT const char* assumptionInWords(int code) noexcept;
 
-/// What a contact is doing, by its ContactState: "contact, sliding"; "unknown" for a number that is
-/// no code. A static text, as the next.
+/// The state of a contact, by its ContactState: "contact, sliding"; "unknown" for a number that is
+/// not a code. A static text, as the next.
 PALPATE_EXPORT const char* contactInWords(int state) noexcept;
 
-/// What is to be known of it beside its force: a sentence without its stop; "" for one that is
-/// well.
+/// A remark on such a contact: a sentence without its full stop; "" for a normal one.
 PALPATE_EXPORT const char* contactRemark(int state) noexcept;
 
-/// What the model of a response is made of: the sum of these is in the array `ModelParts`. The text
-/// `Model` says the same to a reader, and nothing but the reading of old files looks into it.
+/// The parts of a response's model: their sum is in the array `ModelParts`. The text `Model` says
+/// the same in words; it is parsed only for old files.
 enum ModelPart : int
 {
   HalfSpacePart = 1,
   LayerPart = 2,
-  GlobalCompliancePart = 4, ///< in series: the body gives way as a whole
+  GlobalCompliancePart = 4, ///< in series: the global compliance of the body
   SpringPart = 8,           ///< a spring at each point, whatever the tool
   StackPart = 16,           ///< layers on each other
   FiniteStrainPart = 32,
-  CurvaturePart = 64, ///< the body's sag
+  CurvaturePart = 64, ///< the body's curvature
   TrueShapePart = 128 ///< finite elements of the whole body, under each point
 };
 
@@ -148,11 +147,11 @@ struct ContractArray
     PerPoint,   ///< evaluation where each point has a curve of its own
     Compact,    ///< evaluation where curves are combinations of laws
     Trust,      ///< how far the law holds
-    Words,      ///< what the file says of itself
-    Edges,      ///< how a contact leaves over sharp edges; may be absent
+    Words,      ///< the description in the file
+    Edges,      ///< contacts leave over sharp edges; may be absent
     Relaxation, ///< how the body relaxes; may be absent
-    Coupling,   ///< how contacts on it feel one another; may be absent
-    Tilt        ///< what tilting the tool makes of its force; may be absent
+    Coupling,   ///< the coupling of contacts; may be absent
+    Tilt        ///< the effect of tilting the tool; may be absent
   };
 
   ResponseArray array;

@@ -16,21 +16,21 @@ namespace palpate
 /// One of the values of a setting that is an enumeration.
 struct SettingWord
 {
-  const char* name = nullptr;   ///< of the enumerator, "NormalizedDirection"; null: there is none
+  const char* name = nullptr;   ///< of the enumerator, "NormalizedDirection"; null: none
   const char* option = nullptr; ///< on a command line, "normalized"
 };
 using SettingWords = std::array<SettingWord, 3>;
 
-/// What is said of a setting. Its default is that of ContactSettings.
+/// The texts of a setting. Its default is that of ContactSettings.
 struct SettingText
 {
   const char* name;   ///< of the property, "FrictionCoefficient"
-  const char* option; ///< on a command line, without dashes; null: it is not offered there
+  const char* option; ///< on a command line, without dashes; null: not offered there
   const char* unit;   ///< "" for ratios and enumerations
-  const char* help;   ///< begins small and ends without a stop
+  const char* help;   ///< begins with a small letter and ends without a full stop
 };
 
-/// The numbers that a setting may be, all of them finite.
+/// The range of a setting, all finite.
 struct SettingRange
 {
   static constexpr double Endless = std::numeric_limits<double>::infinity();
@@ -38,7 +38,7 @@ struct SettingRange
   double least;
   double most;
   bool includesLeast;
-  const char* what; ///< such a number, said where one is refused; null for an enumeration
+  const char* what; ///< the kind of number, for errors; null for an enumeration
 
   static constexpr SettingRange positive(const char* what) { return { 0.0, Endless, false, what }; }
   static constexpr SettingRange notNegative(const char* what)
@@ -51,12 +51,12 @@ struct SettingRange
   }
 };
 
-/// All there is to know of one of the ContactSettings.
+/// One of the ContactSettings with its texts, range and access.
 struct SettingRow
 {
   SettingText text;
   SettingRange range;
-  SettingWords words; ///< by number; of a number none
+  SettingWords words; ///< by number; none for a number
   double (*get)(const ContactSettings&);
   void (*set)(ContactSettings&, double); ///< to any value: see faultOfContact
 
@@ -111,8 +111,8 @@ constexpr SettingRow choice(const SettingText& text, const SettingWords& words)
 } // namespace setting
 
 /**
- * The settings of a contact: the one place for what is said of them. Filters, sessions and the C
- * interface refuse by it, the program's options are made from it, and ParaView's properties are
+ * The settings of a contact: the single source of their texts and ranges. Filters, sessions and the
+ * C interface check by it, the program's options are made from it, and ParaView's properties are
  * tested against it.
  */
 inline constexpr std::array<SettingRow, 9> SettingTable = { {
@@ -162,12 +162,11 @@ inline constexpr std::array<SettingRow, 9> SettingTable = { {
       0.0, ContactSettings::MostRelaxationElements, "a number of elements, e.g. 16")),
 } };
 
-/// The row of this name or, for what a command line calls it, of this option; null if there is
-/// none.
+/// The row of this name, or of this option of a command line; null if there is none.
 PALPATE_EXPORT const SettingRow* findSetting(const std::string& nameOrOption);
 
-/// The first that is out of its range, NaN included; also one that the chosen model does not use.
-/// Kernels take settings that have no fault.
+/// The first setting out of its range, or NaN, even if the chosen model does not use it. Kernels
+/// require settings without fault.
 PALPATE_EXPORT SettingFault faultOfContact(const ContactSettings& settings);
 } // namespace palpate
 

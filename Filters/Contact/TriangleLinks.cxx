@@ -12,7 +12,7 @@ namespace
 /// The triangles at the edge from -> to.
 struct EdgeFan
 {
-  int alike = 0;  ///< running from -> to, as the asker does
+  int alike = 0;  ///< running from -> to, as the given triangle
   int across = 0; ///< running to -> from
   std::int32_t neighbour = TriangleLinks::Border;
   bool askerIsFirst = true; ///< so that an edge is counted once

@@ -19,7 +19,7 @@ namespace palpate
  * Two triangles are neighbours if they alone share an edge and wind alike, so that they run along
  * it in opposite directions. An edge with one triangle is border. One with more than two, or with
  * two of opposite winding, is not manifold and has no neighbours either. Triangles whose first
- * corner is negative take no part; the others' corners must be points.
+ * corner is negative are ignored; the others' corners must be points.
  *
  * Cost: O(n); threaded, the same for any number of threads.
  */
@@ -49,7 +49,7 @@ public:
   }
   std::size_t borderEdges() const noexcept { return this->BorderEdges; }
   std::size_t nonManifoldEdges() const noexcept { return this->NonManifoldEdges; }
-  /// Of the latter, edges of just two triangles, which turning one of them over would mend.
+  /// Of the latter, edges of just two triangles, which reversing one of them would repair.
   std::size_t twistedEdges() const noexcept { return this->TwistedEdges; }
 
 private:

@@ -22,7 +22,7 @@ std::string text(const ChoiceSpread& spread)
   return least == words.str() ? least : least + " to " + words.str();
 }
 
-/// Rounded down, so that "100 %" means all of them.
+/// Rounded down, so that "100 %" means all points.
 std::string percentOfPoints(double share)
 {
   std::ostringstream words;
@@ -39,7 +39,7 @@ std::string percent(double error)
   return words.str();
 }
 
-/// How far off what was taken is, at the points that keep the tolerance and at the others.
+/// The error of the chosen form, at the points within the tolerance and at the others.
 std::string errorOf(const ResponseChoice& choice, const ChoiceSettings& settings)
 {
   return choice.keptShare == 1.0
@@ -75,7 +75,7 @@ std::string taken(const ResponseChoice& choice, const ChoiceSettings& settings)
     (settings.share < 1.0 ? " at " + percentOfPoints(settings.share) : std::string());
 }
 
-/// What is in the way of a point force.
+/// Why there is no point force.
 std::string noPointForce(const ResponseChoice& choice, const ChoiceSettings& settings)
 {
   if (!choice.regimeKnown || choice.need == ResponseNeed::PointForce)

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// The choice in a sentence: what is taken, what it costs, why nothing less, and where the law that
-/// was looked at does not hold. `before` is how many numbers per point there were.
+/// The choice in a sentence: what is chosen, its error, why nothing simpler, and where the law does
+/// not hold. `before`: numbers per point of the original.
 PALPATE_EXPORT std::string choiceReason(
   const ResponseChoice& choice, const ChoiceSettings& settings, int before);
 } // namespace palpate

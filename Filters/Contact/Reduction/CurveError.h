@@ -24,10 +24,10 @@ struct SampledCurve
   }
 };
 
-/// How far curves are off, and where most; += keeps the worst, of equals the first.
+/// The largest error of curves, and its point; += keeps the larger, of equals the first.
 struct CurveError
 {
-  double force = 0.0; ///< |F' - F|/F, or /F_1 before the first sample; inf for what is not finite
+  double force = 0.0; ///< |F' - F|/F, or /F_1 before the first sample; inf if not finite
   double slope = 0.0; ///< |K' - K| over the largest K of the curve
   std::size_t point = 0;
 

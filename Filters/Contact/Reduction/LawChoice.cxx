@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::size_t SampleSize = 8192;
 
-/// As it is after storage.
+/// The values after storage as float.
 template <class Matrix>
 Matrix asStored(const Matrix& values)
 {
@@ -43,7 +43,7 @@ struct Kept
   }
 };
 
-/// Arrays of up to 2 SampleSize of the points, evenly taken.
+/// Arrays of up to 2 SampleSize points, evenly spaced.
 class SampledPoints
 {
 public:
@@ -81,7 +81,7 @@ private:
   ResponseArrays Arrays;
 };
 
-/// The error of a curve with the coefficients, as stored, that fit it best.
+/// The error of a curve with its best coefficients, as stored.
 double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& laws,
   Eigen::VectorXd& coefficients)
 {
@@ -93,7 +93,7 @@ double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& 
   return curveError({ curve, curves.sampling() }, { reduced, curves.sampling() }, range, 0).force;
 }
 
-/// The multiple of a law that lies in the middle of the curves, leaving out (1 - share)/2 of them
+/// The multiple of a law in the middle of the curves, leaving out a fraction (1 - share)/2 of them
 /// at either end.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& law, double share)
 {
@@ -133,8 +133,8 @@ bool isOneCurve(const ResponseArrays& arrays, const ReducibleCurves& curves)
   return true;
 }
 
-/// How many of the curves the laws keep, with the coefficients that errorOf(curves, i,
-/// coefficients) finds, beside what it returns; given to use(i, coefficients).
+/// How many curves the laws keep within the tolerance, with the coefficients that errorOf(curves,
+/// i, coefficients) finds and use(i, coefficients) receives.
 template <class Error, class Use>
 Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorOf, const Use& use)
 {
@@ -147,8 +147,8 @@ Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorO
     });
 }
 
-/// Takes the laws if they keep the tolerance at the share of the points: of the sample, then of
-/// all.
+/// Accepts the laws if they keep the tolerance at the required fraction of the points: of the
+/// sample, then of all.
 template <class Error>
 bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const ReducibleCurves& sample, const Eigen::MatrixXd& laws, const ChoiceSettings& settings,
@@ -172,7 +172,7 @@ bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Reduci
     return false;
   }
   const Eigen::MatrixXf basis = laws.cast<float>();
-  choice.basis.assign(basis.data(), basis.data() + basis.size()); // a column after the other
+  choice.basis.assign(basis.data(), basis.data() + basis.size()); // column by column
   choice.coefficient = std::move(rows);
   choice.laws = static_cast<int>(count);
   choice.keptShare = static_cast<double>(kept.count) / static_cast<double>(curves.count());
@@ -210,7 +210,7 @@ bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Redu
   const Eigen::MatrixXd laws = asStored(leadingLaws(sample, std::max(most, 1)));
   if (!laws.allFinite())
   {
-    return false; // forces that are zero or no numbers
+    return false; // forces that are zero or not finite
   }
   const Eigen::MatrixXd one = middleLaw(sample, laws.leftCols(1), settings.share);
   const Eigen::VectorXd law = one.col(0);

@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// Takes the fewest laws that keep the tolerance at the share of the points; false, and the choice
-/// as it was, where settings.mostLaws do not.
+/// Chooses the fewest laws that keep the tolerance at the required fraction of the points; false,
+/// with the choice unchanged, if settings.mostLaws do not suffice.
 bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const ChoiceSettings& settings);
 } // namespace palpate

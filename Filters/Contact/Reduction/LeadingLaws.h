@@ -7,8 +7,9 @@
 namespace palpate
 {
 /**
- * What a relative error of each column of a curve does to the force around it: 1/F_i for forces;
- * for slopes what they move a Hermite cubic at most, 4/27 of slope times interval, over F_i.
+ * The effect of an error of each column of a curve on the relative error of the force around it:
+ * 1/F_i for forces; for slopes the largest change of a Hermite cubic, 4/27 of slope times interval,
+ * over F_i.
  */
 Eigen::VectorXd columnWeights(
   const Eigen::VectorXd& curve, const ResponseSampling& sampling, double range);
@@ -20,7 +21,7 @@ Eigen::VectorXd columnWeights(
  */
 Eigen::MatrixXd leadingLaws(const ReducibleCurves& curves, int most);
 
-/// The coefficients of the laws that make the curve, by weighted least squares.
+/// The coefficients of the laws for the curve, by weighted least squares.
 Eigen::VectorXd lawCoefficients(
   const Eigen::VectorXd& curve, const Eigen::VectorXd& weights, const Eigen::MatrixXd& laws);
 } // namespace palpate

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// The least a body's points need to answer a tool, from the least up.
+/// The simplest form that a body's response needs, the simplest first.
 enum class ResponseNeed
 {
   PointForce, ///< a spring per point, whatever the shape of the tool
@@ -21,16 +21,16 @@ enum class ResponseNeed
   PerVertex   ///< a curve of its own per point
 };
 
-/// How little a form may change the forces, where, and how deep.
+/// How much a form may change the forces, at how many points, and how deep.
 struct ChoiceSettings
 {
   double tolerance = 0.01; ///< see chooseResponse; > 0
   double share = 1.0;      ///< of the points that must keep it, 0 to 1
-  double depth = 0.0;      ///< that the tool is pressed, mm; 0: half of each point's range
+  double depth = 0.0;      ///< depth of the tool, mm; 0: half of each point's range
   int mostLaws = 8;        ///< 1 to 16
 };
 
-/// What is known of the points besides their curves; null: not known.
+/// Data of the points besides their curves; null: unknown.
 struct ChoiceEvidence
 {
   const std::uint8_t* verdict = nullptr; ///< RegimeVerdict at `depth`
@@ -38,7 +38,7 @@ struct ChoiceEvidence
   const std::uint8_t* limit = nullptr;   ///< what breaks there, as in the data contract
 };
 
-/// From where to where something goes.
+/// The range of a quantity.
 struct ChoiceSpread
 {
   double least = 0.0;
@@ -52,9 +52,9 @@ struct ChoiceSpread
 };
 
 /**
- * The choice, and what it rests on. In place of the curves there are, unless PerVertex: `basis`,
- * `laws` rows of n forces then n stiffnesses, and `coefficient`, `laws` per point (0 without
- * response). PointForce: with `exponent` 1.
+ * The choice, and its basis. In place of the curves, unless PerVertex: `basis`, `laws` rows of n
+ * forces then n stiffnesses, and `coefficient`, `laws` per point (0 without response). PointForce:
+ * with `exponent` 1.
  */
 struct ResponseChoice
 {
@@ -63,40 +63,41 @@ struct ResponseChoice
   double exponent = 0.0;
   std::vector<float> basis;
   std::vector<float> coefficient;
-  int numbersPerPoint = 0; ///< that are stored, but for normal, range and status
+  int numbersPerPoint = 0; ///< stored, without normal, range and status
 
   std::size_t points = 0;  ///< that have a response
-  double keptShare = 1.0;  ///< of them: within the tolerance
+  double keptShare = 1.0;  ///< fraction of them within the tolerance
   double largestError = 0; ///< over all of them
 
   bool regimeKnown = false;
-  double shapelessShare = 0.0; ///< of the points: the shape of the tool is not felt
-  bool springTried = false;    ///< then the next two hold
+  double shapelessShare = 0.0; ///< fraction of the points where the shape of the tool is not felt
+  bool springTried = false;    ///< then the next two are set
   double springLoss = 0.0;     ///< largest error of a spring per point, of the force at its range
   ChoiceSpread spring;         ///< N/mm
   ChoiceSpread range;          ///< mm
   ChoiceSpread depth;          ///< mm
   bool validityKnown = false;
-  double beyondShare = 0.0; ///< of the points: `depth` is beyond validity
+  double beyondShare = 0.0; ///< fraction of the points where `depth` is beyond validity
   int firstLimit = 0;       ///< what breaks there at most points
 };
 
 /**
  * Whether a body needs a response per point, or less.
  *
- * A point force, where at `share` of the points the shape of the tool is not felt (evidence.verdict
- * is 2), the depth lies within the validity of the law that says so, and a spring F = k δ per point
- * is off by no more than the tolerance, of the force at the end of the point's range. k is the
- * secant there: the local compliance in series with the global one. The error is not relative to
- * the force at its own depth, as it is below, since no spring has the start of a contact: near
- * δ = 0 its relative error has no bound. With local share ε = 1 - λ at the end of the range, a
- * sphere's spring is off by ε/7 of the force there, at 0.3 of the range.
+ * A point force, if at a fraction `share` of the points the shape of the tool is not felt
+ * (evidence.verdict is 2), the depth lies within the validity of that law, and the error of a
+ * spring F = k δ per point is within the tolerance, relative to the force at the end of the point's
+ * range. k is the secant there: the local compliance in series with the global one. The error is
+ * not relative to the force at its own depth, as it is below, since a spring cannot follow the
+ * start of a contact: near δ = 0 its relative error is unbounded. With the local fraction ε = 1 - λ
+ * at the end of the range, the error of a sphere's spring is ε/7 of the force there, at 0.3 of the
+ * range.
  *
- * Otherwise the fewest laws with which `share` of the points are within the tolerance in the sense
- * of reduceResponse: |F' - F|/F at any depth up to the range. Laws come from up to 8192 points
- * evenly taken, and are then tried on all.
+ * Otherwise the fewest laws with which a fraction `share` of the points is within the tolerance of
+ * reduceResponse: |F' - F|/F at any depth up to the range. Laws come from up to 8192 points, evenly
+ * spaced, and are then tested on all.
  *
- * Arrays in either form; points without response (by status) take no part. The same bits for any
+ * Arrays in either form; points without response (by status) are ignored. The same bits for any
  * number of threads. Cost: some 20 ns per point where all curves are the same, else 2 to 3 us per
  * point and core.
  */

@@ -11,9 +11,9 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ScreenSize = 4096; // points on which a form is tried before all
+constexpr std::size_t ScreenSize = 4096; // points on which a form is tested first
 
-/// As it is after storage.
+/// The values after storage as float.
 template <class Matrix>
 Matrix stored(const Matrix& values)
 {
@@ -28,7 +28,7 @@ Eigen::VectorXd storedCoefficients(
     lawCoefficients(curve, columnWeights(curve, curves.sampling(), curves.range(i)), laws)));
 }
 
-/// The curve in other samples.
+/// The curve at other samples.
 Eigen::VectorXd resampled(
   const ReducibleCurves& curves, std::size_t i, const ResponseSampling& sampling)
 {
@@ -46,7 +46,8 @@ Eigen::VectorXd resampled(
   return stored(samples);
 }
 
-/// Of what reduced(i) makes of curve i, over all curves: over some first, which may settle it.
+/// The error of the curves reduced(i) over all i; over some first, which may suffice to reject the
+/// form.
 template <class Reduced>
 CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampling,
   double tolerance, const Reduced& reduced)
@@ -54,7 +55,7 @@ CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampli
   const auto add = [&](CurveError& error, std::size_t i)
   {
     const Eigen::VectorXd right = curves.curve(i);
-    const Eigen::VectorXd& other = reduced(i); // a value lives on
+    const Eigen::VectorXd& other = reduced(i); // extends the lifetime of a value
     error += curveError(
       { right, curves.sampling() }, { other, sampling }, curves.range(i), curves.point(i));
   };
@@ -70,7 +71,7 @@ void note(ReducedResponse& result, const CurveError& error)
   result.worstPoint = error.point;
 }
 
-/// Laws as the rows of the contract, and what coefficients(i) gives per point.
+/// Stores laws as the rows of the contract, and coefficients(i) per point.
 template <class Coefficients>
 void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const Eigen::MatrixXd& laws, const Coefficients& coefficients)
@@ -79,7 +80,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
   result.laws = static_cast<int>(count);
   result.samples = arrays.samples;
   const Eigen::MatrixXf basis = laws.cast<float>();
-  result.basis.assign(basis.data(), basis.data() + basis.size()); // a column after the other
+  result.basis.assign(basis.data(), basis.data() + basis.size()); // column by column
   result.coefficient.assign(count * arrays.points, 0.0F);
   forRanges(curves.count(),
     [&](std::size_t first, std::size_t last)
@@ -93,7 +94,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
     });
 }
 
-/// The law that lies in the middle of all curves that are multiples of one.
+/// The law in the middle of all curves, which are multiples of one.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& curves, const Eigen::MatrixXd& law)
 {
   struct Span

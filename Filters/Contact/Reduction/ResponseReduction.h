@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// What is left of a response, from the fewest numbers up.
+/// The forms of a reduced response, the fewest numbers first.
 enum class ReducedForm
 {
   OneLaw,   ///< every point has the same curve: no number per point
@@ -20,7 +20,7 @@ enum class ReducedForm
   Unchanged ///< nothing less is within the tolerance
 };
 
-/// How much a reduction may change the forces, and how many laws it may take.
+/// How much a reduction may change the forces, and the largest number of laws.
 struct ReductionSettings
 {
   double tolerance = 0.01; ///< see reduceResponse
@@ -42,30 +42,30 @@ struct ReducedResponse
   std::vector<float> force;
   std::vector<float> stiffness;
 
-  int numbersPerPoint = 0;        ///< that are stored, but for normal, range and status
+  int numbersPerPoint = 0;        ///< stored, without normal, range and status
   double largestError = 0.0;      ///< of the force, relative, over all points and depths
   std::size_t worstPoint = 0;     ///< where it is
   double largestSlopeError = 0.0; ///< of dF/dδ, relative to the point's largest
 };
 
 /**
- * The fewest numbers per point that give every curve back to within a tolerance.
+ * The fewest numbers per point that reproduce every curve within a tolerance.
  *
  * Error of a point: the largest |F' - F| over depths up to its range, divided by F at that depth,
  * or by F_1 before the first sample, where the force goes to zero. It is evaluated at every point,
- * four times per interval between samples, from the numbers as they are stored (float); in between
- * it may be a tenth larger.
+ * four times per interval between samples, from the numbers as they are stored (float); between
+ * these depths it may be a tenth larger.
  *
  * Laws are the leading eigenvectors of the curves' Gram matrix, each curve divided by its force at
- * full range and each column by the mean there, so that small depths count as much as large ones
- * (a proper orthogonal decomposition); coefficients by least squares of the relative error. The
- * first number of laws whose error is within the tolerance is taken; if none is, the fewest samples
- * per point; if those are not fewer than they were, nothing changes.
+ * full range and each column by the mean there, so that small depths count as much as large ones (a
+ * proper orthogonal decomposition); coefficients by least squares of the relative error. The
+ * smallest number of laws whose error is within the tolerance is chosen; if there is none, the
+ * fewest samples per point; if those are not fewer than before, nothing changes.
  *
- * Laws are blind to the range: curves of different ranges take more of them.
+ * Laws do not depend on the range: curves of different ranges need more of them.
  *
- * tolerance > 0; below some 1e-6 float storage stands in the way. Arrays in either form; points
- * without response (by status) take no part. Same bits for any number of threads. Cost: about 3 µs
+ * tolerance > 0; below about 1e-6 the rounding of floats prevails. Arrays in either form; points
+ * without response (by status) are ignored. Same bits for any number of threads. Cost: about 3 µs
  * per point, core and number of laws tried, of which all but the last are tried on 4096 points.
  */
 PALPATE_EXPORT ReducedResponse reduceResponse(

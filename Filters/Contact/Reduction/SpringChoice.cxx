@@ -17,7 +17,7 @@ double secant(const ReducibleCurves& curves, std::size_t i, const Eigen::VectorX
   return curve[curves.sampling().samples() - 1] / curves.range(i);
 }
 
-/// The largest |k δ - F| up to the range, over F there; inf for what is no number.
+/// The largest |k δ - F| up to the range, over F there; inf if not finite.
 double lossOf(const ReducibleCurves& curves, std::size_t i)
 {
   const Eigen::VectorXd curve = curves.curve(i);
@@ -57,8 +57,8 @@ struct Found
   }
 };
 
-/// F = k δ: with one range, k times one law; else the force at the range, k range, times one law
-/// and k times another.
+/// F = k δ: with one range, k times one law; otherwise the force at the range, k range, times one
+/// law, and k times another.
 void storeSprings(
   ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves)
 {

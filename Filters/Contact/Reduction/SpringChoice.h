@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// Takes a spring per point, where the evidence allows a point force and the springs lose no more
-/// than the tolerance at the share of the points. Notes what is found either way.
+/// Chooses a spring per point, if the evidence allows a point force and the error of the springs is
+/// within the tolerance at the required fraction of the points. Sets its findings in either case.
 bool chooseSprings(ResponseChoice& choice, const ResponseArrays& arrays,
   const ReducibleCurves& curves, const ChoiceSettings& settings);
 } // namespace palpate
