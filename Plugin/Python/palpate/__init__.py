@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Palpate: what does this tool feel, pressed here on this body?
+"""Palpate: the force of a tool pressed on a body.
 
-    body = palpate.response("liver.stl", tool="sphere:6.35", young=0.05)     # what is felt at each point
+    body = palpate.response("liver.stl", tool="sphere:6.35", young=0.05)     # a curve at each point
     forces, deflection, *rest = palpate.probe(body, tips)                    # N and mm, one row per tip
 
-Functions on numpy arrays, each with its own help: response, probe, curves, regime. Beside them every wrapped
-class of the pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` reads the response arrays of a
-saved body with numpy alone, also where there is no VTK.
+Functions on numpy arrays, each with its own help: response, probe, curves, regime. Also every wrapped class of the
+pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` reads the response arrays of a saved body
+with numpy alone, even without VTK.
 
 Units: mm, N, MPa, N/mm. Forces act on the tool and point out of the body.
 """
@@ -20,7 +20,7 @@ FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", 
 
 
 def _reexport():
-    """The wrapped modules stand beside this file; each class goes into the package by its name."""
+    """Imports each class of the wrapped modules beside this file into the package."""
     here = os.path.dirname(__file__)
     for module in pkgutil.iter_modules([here]):
         if module.name.startswith("palpate"):

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""numpy arrays to VTK and back, in the same memory where that can be.
+"""numpy arrays to VTK and back, in the same memory if possible.
 
-A VTK array made of a numpy array keeps that alive as long as it lives itself (an attribute of it, as VTK's own
-numpy_support does); a numpy array made of a VTK array keeps that. Copied is what VTK cannot read: numbers of other
-types, rows that do not follow one another, memory that may not be written.
+A VTK array made from a numpy array keeps it alive (by an attribute, as VTK's own numpy_support does), and vice versa.
+Arrays that VTK cannot read are copied: other types of numbers, rows that are not contiguous, read-only memory.
 """
 import numpy as np
 from vtkmodules.util import numpy_support
@@ -12,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 
 def to_vtk(array, name=None):
-    """A VTK array of a contiguous numpy array of one or two dimensions."""
+    """A VTK array from a contiguous numpy array of one or two dimensions."""
     made = numpy_support.numpy_to_vtk(array)
     if name is not None:
         made.SetName(name)
@@ -20,19 +19,19 @@ def to_vtk(array, name=None):
 
 
 def to_points(array):
-    """vtkPoints of an (n, 3) array."""
+    """vtkPoints from an (n, 3) array."""
     points = vtkPoints()
     points.SetData(to_vtk(array))
     return points
 
 
 def to_cells(connectivity, size):
-    """vtkCellArray of cells of `size` points each, of an array of int32 or int64."""
+    """vtkCellArray of cells of `size` points each, from an array of int32 or int64."""
     cells = vtkCellArray()
     ends = np.arange(0, connectivity.size + 1, size, dtype=connectivity.dtype)
     flat = connectivity.reshape(-1)
     cells.SetData(to_vtk(ends), to_vtk(flat))
-    # It has made arrays of its own in the same memory: these are to keep that alive.
+    # VTK has made its own arrays in the same memory: these must keep it alive.
     cells.GetOffsetsArray()._numpy_reference = ends
     cells.GetConnectivityArray()._numpy_reference = flat
     return cells
@@ -43,7 +42,7 @@ def to_numpy(array):
 
 
 def reals(values, argument, shape):
-    """`values` as floats of that shape, None standing for any number; the same memory if it can be."""
+    """`values` as floats of that shape, where None is any number; the same memory if possible."""
     try:
         given = np.asarray(values)
         array = given if given.dtype in (np.float32, np.float64) else given.astype(np.float64, casting="same_kind")
@@ -55,7 +54,7 @@ def reals(values, argument, shape):
 
 
 def indices(values, argument, columns):
-    """`values` as whole numbers, rows of so many columns; the same memory if it can be."""
+    """`values` as whole numbers, rows of so many columns; the same memory if possible."""
     array = np.asarray(values)
     if array.dtype.kind not in "iu":
         raise TypeError("%s must be whole numbers (of points, from 0), but are %s" % (argument, _kind(values)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a body may be given as: see as_body."""
+"""The forms in which a body may be given: see as_body."""
 import os
 
 from vtkmodules.vtkCommonCore import vtkVersion
@@ -11,11 +11,11 @@ from .palpateResponse import vtkBodySurface
 
 
 def as_body(body):
-    """A vtkPolyData of triangles in mm, of any of
+    """A vtkPolyData of triangles in mm, from any of
 
-    - a vtkPolyData, or what wraps one (vtkmodules.numpy_interface.dataset_adapter.PolyData);
+    - a vtkPolyData, or a wrapper of one (vtkmodules.numpy_interface.dataset_adapter.PolyData);
     - another data set (a volume, blocks): its outer surface, by vtkBodySurface;
-    - a vtkAlgorithm, or one of its output ports: its output, brought up to date;
+    - a vtkAlgorithm, or one of its output ports: its updated output;
     - (points, triangles): (n, 3) coordinates and (m, 3) numbers of points, counter-clockwise seen from outside;
     - the name of a file, in mm: .vtp, .stl, .ply, .obj, .vtk, .vtu or .vti.
     """
@@ -35,7 +35,7 @@ def as_body(body):
 
 
 def shallow_copy(body):
-    """Another vtkPolyData of the same arrays, to which more can be added."""
+    """Another vtkPolyData with the same arrays, to which more can be added."""
     copy = vtkPolyData()
     copy.ShallowCopy(body)
     return copy

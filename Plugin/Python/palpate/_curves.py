@@ -20,7 +20,7 @@ class Curves(NamedTuple):
 
 
 def _error(array, ranges, points, depths):
-    """Straight over the root of the depth between the samples, below the first as there; NaN where none is kept."""
+    """Linear in the root of the depth between the samples, constant below the first; NaN if none is kept."""
     points, depths = np.broadcast_arrays(points, depths)
     if array is None:
         return np.full(depths.shape, np.nan)
@@ -41,7 +41,7 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
     body : a body with a response, as palpate.response returns it, or a saved one, "body.vtp".
     points : numbers of points, from 0: one, or an array of shape (p,); None for all of them.
     deflection : depths, mm, shape (d,) or one number; None: `rows` of them, from 0 to the largest range of the points.
-    rows : how many, if deflection is None, at least 2.
+    rows : number of depths if deflection is None, at least 2.
     name : prefix of the response arrays.
 
     Returns
@@ -50,11 +50,11 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
         deflection (d,) : mm;
         force (p, d) : N, NaN beyond a point's range and where it has no response;
         stiffness (p, d) : dF/d(deflection), N/mm, likewise;
-        error (p, d) : estimated error of the force, a fraction of it, likewise, and NaN of a response that keeps none.
+        error (p, d) : estimated relative error of the force, likewise, and NaN if the response keeps none.
     One row only, shape (d,), if `points` is a single number.
 
-    Raises ValueError for a body without the response, or points that are not there; TypeError for things of another
-    kind. Evaluated by palpate.contract in numpy, on one thread, some 0.5 microseconds per value.
+    Raises ValueError for a body without the response, or for missing points; TypeError for arguments of another type.
+    Evaluated by palpate.contract in numpy, on one thread, some 0.5 microseconds per value.
     """
     body = as_body(body)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a VTK algorithm: what it complains of becomes an exception or a warning, nothing is printed."""
+"""Runs a VTK algorithm: its errors become exceptions, its warnings Python's; nothing is printed."""
 import contextlib
 import re
 import warnings
@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
 class Listener:
-    """Collects what VTK objects complain of, in their own words."""
+    """Collects the texts of errors and warnings of VTK objects."""
 
     def __init__(self, *objects):
         self.errors, self.warnings = [], []
@@ -21,7 +21,7 @@ class Listener:
     @staticmethod
     def _take(texts):
         def take(caller, event, text):
-            if not caller.IsA("vtkExecutive"):      # which only repeats that there was an error
+            if not caller.IsA("vtkExecutive"):      # it only repeats that there was an error
                 texts.append(words(text))
         take.CallDataType = "string0"
         return take
@@ -32,7 +32,7 @@ class Listener:
 
 
 def words(text):
-    """The message of "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n": VTK hands over nothing but all."""
+    """The message in VTK's text "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n"."""
     return text.partition("): ")[2].strip() or text.strip()
 
 
@@ -52,8 +52,8 @@ def run(algorithm, kind=ValueError, others=()):
 
 @contextlib.contextmanager
 def unprinted():
-    """Within it nothing of VTK's is printed: what cannot be observed, since it is made inside a reader, gives its
-    first complaint to the list that this yields."""
+    """Within it VTK prints nothing: the first message of objects that cannot be observed, since a reader makes them, is
+    added to the list that this yields."""
     before, cutoff = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
     window, complaints = vtkStringOutputWindow(), []
     vtkOutputWindow.SetInstance(window)
@@ -67,7 +67,7 @@ def unprinted():
 
 
 def output_of(source):
-    """The data of a vtkAlgorithm or of one of its output ports, brought up to date."""
+    """The updated data of a vtkAlgorithm or of one of its output ports."""
     if isinstance(source, vtkAlgorithm):
         return run(source, RuntimeError).GetOutputDataObject(0)
     run(source.GetProducer(), RuntimeError)

@@ -21,7 +21,7 @@ CHOICES = {
 
 
 class Probe(NamedTuple):
-    """What is felt at each of n tips, in their order. See palpate.probe."""
+    """The contact at each of n tips, in their order. See palpate.probe."""
 
     forces: np.ndarray
     deflection: np.ndarray
@@ -38,7 +38,7 @@ class Probe(NamedTuple):
 
 
 class CoupledProbe(tuple):
-    """What tools feel that press at once: forces, stiffness. The fields of Probe are its attributes."""
+    """The contacts of tools that press at the same time: forces, stiffness. The fields of Probe are its attributes."""
 
     forces: np.ndarray
     stiffness: np.ndarray
@@ -49,7 +49,7 @@ class CoupledProbe(tuple):
         return pair
 
     def __getattr__(self, name):
-        if name == "felt":                              # not there yet: while it is copied
+        if name == "felt":                              # not set yet, while it is copied
             raise AttributeError(name)
         return getattr(self.felt, name)
 
@@ -66,26 +66,26 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     Parameters
     ----------
     body : a body with a response, as palpate.response returns it, or a saved one, "body.vtp".
-    tips : where the tip of the tool is, mm, in the frame of the body: shape (n, 3), or (3,) for one; float32 or
-        float64 is read where it lies. Or a vtkPolyData, whose polylines are paths.
-    path : False: each tip for itself, found in the whole body, without friction. True: the tips are one movement, in
-        which the contact is followed from tip to tip, with friction.
-    time : of each tip of a path, s, shape (n,); must not decrease. A body that relaxes is felt in it; without times, and
-        for tips for themselves, as slow as can be. No other force depends on it.
+    tips : positions of the tool's tip, mm, in the frame of the body: shape (n, 3), or (3,) for one; float32 or float64
+        is not copied. Or a vtkPolyData, whose polylines are paths.
+    path : False: each tip is independent, searched in the whole body, without friction. True: the tips are one path,
+        along which the contact is followed from tip to tip, with friction.
+    time : of each tip of a path, s, shape (n,); must not decrease. A body that relaxes depends on it; without times, and
+        for independent tips, it gives its slow response. No other force depends on it.
     friction : Coulomb's coefficient, >= 0; of paths only.
     tangential_stiffness : of the stuck contact, N/mm, > 0.
     friction_model : "elasto-plastic", "dahl" or "shape-derived" (from the response itself).
-    friction_breakaway, friction_stick_radius : of "elasto-plastic": share of the limit up to which it sticks
+    friction_breakaway, friction_stick_radius : of "elasto-plastic": fraction of the limit up to which it sticks
         elastically, 0 to 1, and at which half of a displacement is creep.
     poisson : Poisson's ratio, 0 to 0.5, of "shape-derived" friction.
     force_form : "paper", "normalized-direction" or "energy-consistent": how three curves become one force.
-    surface : "facets" (the triangles) or "smooth" (a patch through the normals of each).
+    surface : "facets" (the triangles) or "smooth" (a patch through the vertices and normals of each).
     indentation : mm by which each tip is first moved inward, so that points on the surface press.
     name : prefix of the response arrays.
-    relaxation_elements : how finely a body that relaxes is felt, 0 (quasi-linear) to 32.
-    axis : how the tool is held: from the tip up its shaft, any length, shape (3,) for all tips or as `tips`. A response
-        that knows tilts is felt by it, and gives torques. None: along the normal of the body.
-    coupled : True: tips that are there at once press at once and feel one another, 64 at most, on a body made with
+    relaxation_elements : number of parallel elements of a body that relaxes, 0 (quasi-linear) to 32.
+    axis : of the tool, from the tip up its shaft, any length, shape (3,) for all tips or as `tips`. A response with tilts
+        depends on it, and gives torques. None: along the normal of the body.
+    coupled : True: tips of the same time press together and feel one another, 64 at most, on a body made with
         palpate.response(..., coupling=True). Without path all tips, or those of the same `time`; with path=True `tips`
         has the shape (n, k, 3), k tools at n moments, and each field of the result n rows of k.
         Then forces, stiffness = palpate.probe(..., coupled=True).
@@ -99,21 +99,21 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         friction (n, 3) : the part that is friction, N;
         normal (n, 3) : unit normal of the contact, outward; zeros without contact;
         contact_point (n, 3) : on the undeformed body, mm;
-        contact_cell (n,) : number of the triangle, -1 without contact;
+        contact_cell (n,) : index of the triangle, -1 without contact;
         contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
             5 invalid (a tip that is not finite, or no response there);
-        memory (n,) : of a body that relaxes, the part of normal_force that is more than the slow response, N; else 0;
-        error (n,) : estimated error of the force, a fraction of it (0.04 for 4 %); 0 without contact, NaN beyond the
-            range and of a response that keeps none;
+        memory (n,) : of a body that relaxes, by how much normal_force exceeds the slow response, N; otherwise 0;
+        error (n,) : estimated relative error of the force (0.04 for 4 %); 0 without contact, NaN beyond the range and if
+            the response keeps none;
         torque (n, 3) : about the tip, N mm; zeros without an axis;
         tilt (n,) : of the axis from `normal`, degrees; 0 without an axis.
     With coupled=True a CoupledProbe, a pair with the same fields as attributes:
         forces : as above;
-        stiffness (n, k), of a path (n, k, k) : by how much the normal force of each tip rises with the depth of each of
-            the k that press at once, N/mm, slowly: its own, and less than 0 for others; 0 where there is no force.
+        stiffness (n, k), of a path (n, k, k) : derivative of each tip's slow normal force by the depth of each of the k
+            tips that press together, N/mm: its own, and negative for others; 0 without force.
 
-    Raises ValueError with the words of vtkToolContactProbe, TypeError for things of another kind, OSError and
-    RuntimeError for files; defects of the mesh give a RuntimeWarning. Tips for themselves run on all threads of
+    Raises ValueError with the words of vtkToolContactProbe, TypeError for arguments of another type, OSError and
+    RuntimeError for files; defects of the mesh give a RuntimeWarning. Independent tips run on all threads of
     vtkSMPTools with the same bits for any number, 0.5 to 1 microsecond each; a path on one. The first call on a
     body builds a search structure (0.3 s for 150 thousand points), which is kept for the next call on the same one.
     """
@@ -154,7 +154,7 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         return found
     stiffness = _arrays.to_numpy(stiffness)
     stiffness = stiffness.reshape(count, -1)
-    if shape is not None:                               # the points lie tool by tool
+    if shape is not None:                               # the points are ordered tool by tool
         *fields, stiffness = (np.swapaxes(each.reshape(shape[::-1] + each.shape[1:]), 0, 1)
                               for each in (*found, stiffness))
         found = Probe(*fields)
@@ -207,7 +207,7 @@ def _nothing(count):
 
 class _prepared:
     """The filter for a body, with its search structure if the body is that of the last call, unchanged. It holds
-    the body's arrays, and is let go with the body or with the next one. In use it is out of reach of other threads."""
+    the body's arrays, and is freed with the body or by the next one. In use it is not accessible to other threads."""
 
     _kept = []
 

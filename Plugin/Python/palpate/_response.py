@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.response and palpate.regime: what a body is made of, and what a tool makes of it."""
+"""palpate.response and palpate.regime: the law of a tool at each point of a body."""
 from __future__ import annotations
 
 from typing import NamedTuple
@@ -24,7 +24,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
 
     Parameters
     ----------
-    body : the surface to touch, in mm: a vtkPolyData of triangles or what wraps one, a vtkAlgorithm, a pair of arrays
+    body : the surface to touch, in mm: a vtkPolyData of triangles or a wrapper of one, a vtkAlgorithm, a pair of arrays
         (points, triangles) of shapes (n, 3) and (m, 3), counter-clockwise seen from outside, or the name of a file
         (.vtp .stl .ply .obj .vtk .vtu .vti). It is not changed.
     tool : "flat:R", "sphere:R", "paraboloid:R", "cone:DEGREES", "truncated:R,DEGREES", "blunted:R,DEGREES",
@@ -36,34 +36,33 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     base : how the layers rest there, "bonded" or "slip" (without friction); or ("elastic", young, poisson), an elastic
         half-space in place of the rigid base.
     layers : more layers below that one, from above, up to three: (thickness in mm, Young's modulus in MPa, Poisson's
-        ratio) or the same and True for one that slips below the one above. The thickness of the first of them may vary
+        ratio) or the same and True for one that slides below the one above. The thickness of the first of them may vary
         as `layer` may; moduli are then constant.
-    compliance : how far the body gives way as a whole, mm/N, beside the local dent; None for not at all.
+    compliance : global compliance of the body, mm/N, in series with the local dent; None for none.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body take several names.
-    compliance_excludes_layer : set it where the compliance was found without the layer's base, so that both count.
-    curvature : whether the body's sag under the tool counts, by the curvatures of the mesh; False: it is flat.
+    compliance_excludes_layer : True if the compliance was found without the layer's base, so that both count.
+    curvature : whether the law includes the body's curvature, found from the mesh; False: it counts as flat.
     strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): how the body resists large strain.
-    error_tolerance : a fraction of the force, 0.05 for 5 %: Validity is the depth at which the estimated error passes
-        it, and the error is kept at each sample, in NAME + Error; 0: the depth at which the first assumption of the
-        law breaks, without an error.
-    automatic : a fraction of the force, 0.01 (or True) for 1 %: layers, curvature and finite strain are left out of the
-        law where they change no more than that in sum, and "neohooke" is taken where its tables have the tool and it
-        changes more. What was taken and left out, and why, stands in the field array NAME + Terms. None or False: the
-        law as it is asked for.
+    error_tolerance : relative to the force, 0.05 for 5 %: Validity is the depth at which the estimated error exceeds it,
+        and the error is kept at each sample, in NAME + Error; 0: the depth at which the first assumption of the law
+        breaks, without an error.
+    automatic : relative to the force, 0.01 (or True) for 1 %: layers, curvature and finite strain are left out of the
+        law where together they change the force by no more than that, and "neohooke" is added where its tables have
+        the tool and it changes the force by more. The field array NAME + Terms lists what was included and left out,
+        and why. None or False: all terms as given.
     edges : whether sharp edges are felt by palpate.probe and in sessions: a contact beside one is softer, is pushed off
-        the body, and leaves over it with its force going to nothing; False: the force drops where it passes an edge.
+        the body, and its force falls to zero as it leaves over the edge; False: the force drops at an edge.
     relax : how the body relaxes, up to four pairs (strength, seconds): E(t) = E (1 + sum of strength exp(-t/seconds)),
         with E the slow modulus, that of `young` and of the curves. A strength may vary from point to point, as `young`
         may. It is felt in time, by palpate.probe along paths with times and in sessions.
-    compliance_relaxes : whether what yields as a whole is of the same material; False: a `compliance` is elastic.
-    coupling : whether palpate.probe(..., coupled=True) may have several tools feel one another: through the half-space
-        or the layers, and, where the body has a point array 'CouplingModes' (vtkElasticCompliance) and a `compliance`,
-        as it bends.
-
-    tilt : how far the tool will be tilted against the body's normal, degrees; 0: it counts as upright. Above 0 its force
-        and its torque follow the axis that palpate.probe or a session is told.
+    compliance_relaxes : whether the `compliance` relaxes like the material; False: it is elastic.
+    coupling : whether several tools of palpate.probe(..., coupled=True) feel one another: through the half-space or the
+        layers, and, if the body has a point array 'CouplingModes' (vtkElasticCompliance) and a `compliance`, by its
+        global deformation.
+    tilt : largest tilt of the tool against the body's normal, degrees; 0: it counts as upright. Above 0 its force and
+        torque depend on the axis given to palpate.probe or a session.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -71,11 +70,11 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     Returns
     -------
     vtkPolyData : the body with its arrays and, per point, NAME + Force (samples columns, N), Stiffness (N/mm), Normal,
-        Range (mm), Status, Validity (mm: how deep the law holds), Limit. See palpate.curves and palpate.probe.
-        Arrays that were given are in it without a copy, as YoungsModulus, PoissonRatio, LayerThickness,
-        GlobalCompliance: do not change them afterwards.
+        Range (mm), Status, Validity (mm: the depth to which the law holds), Limit. See palpate.curves and palpate.probe.
+        Given arrays are in it without a copy, as YoungsModulus, PoissonRatio, LayerThickness, GlobalCompliance: do not
+        change them afterwards.
 
-    Raises ValueError with the words of vtkToolContactResponse, TypeError for things of another kind, OSError and
+    Raises ValueError with the words of vtkToolContactResponse, TypeError for arguments of another type, OSError and
     RuntimeError for files. Points without response give a RuntimeWarning. Runs on all threads of vtkSMPTools with
     the same bits for any number; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
     """
@@ -139,7 +138,7 @@ def _set_strain(made, strain):
 
 
 class Regime(NamedTuple):
-    """Whether a body gives way locally or globally, per point. See palpate.regime."""
+    """Whether a body deforms locally or globally, per point. See palpate.regime."""
 
     index: np.ndarray
     sensitivity: np.ndarray
@@ -148,25 +147,25 @@ class Regime(NamedTuple):
 
 def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
            name="Response", compliance_excludes_layer=False, layers=()) -> Regime:
-    """Whether a body gives way locally or globally under a tool, and so whether the tool's shape matters.
+    """Whether a body deforms locally or globally under a tool, and so whether the tool's shape matters.
 
     Parameters
     ----------
-    body, young, poisson, layer, base, compliance, compliance_excludes_layer, layers : as in palpate.response. Where the body
-        carries the response `name`, the material must be the one that this was made of.
-    deflection : how deep the tool is pressed, mm, > 0; None: half of the response's range at each point.
+    body, young, poisson, layer, base, compliance, compliance_excludes_layer, layers : as in palpate.response. If the body
+        has the response `name`, the material must be that of the response.
+    deflection : depth of the tool, mm, > 0; None: half of the response's range at each point.
     tool : as in palpate.response; None: the tool of the response `name`.
 
     Returns
     -------
     Regime, a tuple of arrays of one value per point, shape (n,):
-        index : float32, share of the deflection that is global: 0 local, 1 global, negative over a near base;
+        index : float32, fraction of the deflection that is global: 0 local, 1 global, negative over a near base;
         sensitivity : float32, dlnF/dln(size) of the tool at this depth;
         verdict : uint8, 0 the shape matters, 1 mixed, 2 a point force suffices.
     NaN and 0 where there is no stable contact.
 
     Raises ValueError with the words of vtkContactRegime, also where material and response disagree by more than 2 %;
-    TypeError for things of another kind.
+    TypeError for arguments of another type.
     """
     found = vtkContactRegime()
     given = _set_material(found, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer,
@@ -187,7 +186,7 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
 
 
 def _set_material(algorithm, body, young, poisson, layer, base, compliance, excludes, layers):
-    """Sets what the body is made of; returns the body with the arrays that were given."""
+    """Sets the material; returns the body with the given arrays."""
     if isinstance(base, (tuple, list)) and len(base) == 3 and base[0] == "elastic":
         algorithm.SetLayerBase(vtkToolContactResponse.ElasticBase)
         algorithm.SetBaseYoungsModulus(_number(base[1], "base: young (MPa)"))
@@ -218,13 +217,13 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
         else:
             values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
-            body.GetPointData().RemoveArray(array + "Error")  # would be that of another
+            body.GetPointData().RemoveArray(array + "Error")  # it would belong to another array
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
 
 
 def _add_layers(algorithm, layers):
-    """Adds them; returns the thickness of the first if it varies, else None."""
+    """Adds the layers; returns the thickness of the first if it varies, otherwise None."""
     second = None
     for i, layer in enumerate(layers):
         what = "layers[%d]" % i

@@ -17,10 +17,10 @@ def _fetch(data, name, optional=False):
 
 
 def load(body, prefix="Response"):
-    """Response arrays of a vtkPolyData as a dictionary of numpy arrays; either form.
+    """Response arrays of a vtkPolyData, of either form, as a dictionary of numpy arrays.
 
     Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
-    status (points) and exponent m. KeyError names what is missing.
+    status (points) and exponent m. KeyError names the missing array.
     """
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name)
     n = int(fetch(field, "Samples")[0])
@@ -70,8 +70,8 @@ def evaluate(response, point, deflection):
 
 
 def relaxation(body, prefix="Response"):
-    """"time" tau (s) and "strength" p (k, or points x k) of E(t) = E (1 + sum of p exp(-t/tau)), and what is in series
-    and "elastic" (points, mm/N, or None); None where nothing relaxes."""
+    """"time" tau (s) and "strength" p (k, or points x k) of E(t) = E (1 + sum of p exp(-t/tau)), and the "elastic"
+    compliance in series (points, mm/N, or None); None where nothing relaxes."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     time, strength = fetch(field, "RelaxationTime"), fetch(field, "RelaxationStrength")
     local = fetch(points, "LocalRelaxation")
@@ -81,8 +81,8 @@ def relaxation(body, prefix="Response"):
 
 
 def coupling(body, prefix="Response"):
-    """How far a force at one point lets another down, mm/N: a function of two point numbers; None where contacts do
-    not feel each other. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes; of points, so r is not held at contact radii."""
+    """The compliance of a point under a force at another, mm/N: a function of two point numbers; None if contacts do not
+    feel each other. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes; for points, so r is not limited by contact radii."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     law, modes = fetch(field, "Coupling"), fetch(points, "CouplingModes")
     modulus, thickness = fetch(points, "CouplingModulus"), fetch(points, "CouplingThickness")
