@@ -14,13 +14,12 @@
  * | Property | what | range | default |
  * | --- | --- | --- | --- |
  * | ForceForm | how three curves become one force | 0 to 2 | NormalizedDirection |
- * | ContactSurface | the surface that tips go on | 0 to 1 | Facets |
+ * | ContactSurface | the surface that tips are projected on | 0 to 1 | Facets |
  * | FrictionModel | what a contact does before it slides | 0 to 2 | ElastoPlastic |
  * | FrictionCoefficient | Coulomb's μ; 0: no friction | finite, >= 0 | 0 |
  * | TangentialStiffness | of the stuck contact, N/mm | finite, > 0 | 1 |
  * | FrictionBreakaway | fraction of the limit below which it sticks | 0 to 1 | 0.8 |
- * | FrictionStickRadius | fraction at which half of a displacement is creep | > 0, >= breakaway |
- * 0.9 |
+ * | FrictionStickRadius | fraction at which half of a step is creep | > 0, >= breakaway | 0.9 |
  * | PoissonRatio | of the body, for ShapeDerived friction | 0 to 0.5 | 0.5 |
  * | RelaxationElements | how finely a body that relaxes is felt | 0 to 32 | 16 |
  *

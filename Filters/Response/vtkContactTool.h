@@ -35,9 +35,9 @@
  * **On the sphere of Mahvash and Hayward (2002), Table 1.** It is printed there as 4/3 √(R E*)
  * δ^1.5, with E* under the root. The right form, that of Paraboloid, is 4/3 E* √R δ^1.5: the force
  * on a linear elastic body is linear in its modulus, and only then are the units N
- * (MPa · mm^½ · mm^1.5). It is Hertz's approximation of a sphere, good while a << R: at a/R = 0.4
- * it is 1.7 % too stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has a/R = 1 by
- * it. Sphere is exact at every depth of linear elasticity.
+ * (MPa · mm^½ · mm^1.5). Paraboloid is Hertz's approximation of a sphere, good while a << R: at
+ * a/R = 0.4 it is 1.7 % too stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has
+ * a/R = 1 by it. Sphere is exact at every depth of linear elasticity.
  *
  * A deflection <= 0 gives 0, NaN gives NaN. An invalid tool or argument (a radius that is not
  * positive, a half angle outside 0..90, an exponent outside 1..100, E* <= 0, ν outside 0..0.5)

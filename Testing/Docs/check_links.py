@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """What the Markdown pages name is there: files, pictures, headings, commands of ./run, options of the viewer, tools of
-the build. The README keeps to its length.
+the build. The README keeps to its length. Tables in the comments of headers are whole.
 
     check_links.py [FOLDER]        check the tree (FOLDER is not used)
     check_links.py --self-test     break a page in each way and see that it is noticed
@@ -19,6 +19,8 @@ import pages as tree  # noqa: E402
 README_WORDS = 900
 # Written by hand for readers, beside reports, which quote the past.
 MANUAL = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "Plugin/Manual/")
+# A row of a table in a comment; a formula that begins with | has no blank behind it.
+TABLE_ROW = re.compile(r"^\s*(?:\*|//+) ?(\|[ :-].*)$")
 # Options of other programs that stand in lines with palpate.
 FOREIGN = {"--preset", "--prefix", "--install", "--build", "--dr"}
 
@@ -111,9 +113,30 @@ def check_examples():
             yield "Plugin/Manual/python.md: says nothing of the example %s" % example.name
 
 
+def torn_rows(text):
+    """Rows of tables that have no end, another number of cells than the first, or no line of dashes below that."""
+    rows = []
+    for number, line in enumerate(text.splitlines() + [""], 1):
+        row = TABLE_ROW.match(line)
+        if row:
+            rows.append(row.group(1).rstrip())
+            if not rows[-1].endswith("|") or rows[-1].count("|") != rows[0].count("|"):
+                yield number, "a row of the table is torn"
+        elif rows:
+            if len(rows) < 2 or set(rows[1]) - set("|-: "):
+                yield number, "the head of the table is torn"
+            rows = []
+
+
+def check_tables():
+    for header in sorted(file for room in ("Filters", "Interactors", "Plugin") for file in (TOP / room).glob("**/*.h")):
+        for line, complaint in torn_rows(header.read_text(encoding="utf-8")):
+            yield "%s:%d: %s" % (header.relative_to(TOP), line, complaint)
+
+
 def check_tree():
     complaints = 0
-    for complaint in (*check_version(), *check_examples()):
+    for complaint in (*check_version(), *check_examples(), *check_tables()):
         print(complaint)
         complaints += 1
     for page in tree.pages():
@@ -137,6 +160,8 @@ palpate x.stl \\
 BROKEN = ("[gone](nowhere.md)", "![gone](Data/Pictures/nowhere.png)", "[gone](README.md#nowhere)", "[out](../x)",
           "`./run nothing`", "`./run study nothing`", "`palpate --nothing`", "```\npalpate \\\n --nothing\n```",
           "`--nothing`", "word " * 900)
+TABLE = " * | Shape | force |\n * |---|---|\n * | Flat  | 2 a E* δ |\n * |F| is no row.\n"
+TORN = (TABLE.replace("2 a E* δ |", "2 a\n * E* δ |"), TABLE.replace(" | force |", " |\n * force |"))
 
 
 def self_test():
@@ -146,7 +171,11 @@ def self_test():
         if len(found) != (1 if broken else 0):
             print("self-test: %r: %s" % (broken[:40], found))
             failures += 1
-    print("self-test: %d pages, %d failures" % (1 + len(BROKEN), failures))
+    for table in (TABLE,) + TORN:
+        if bool(list(torn_rows(table))) != (table != TABLE):
+            print("self-test: %r: %s" % (table, list(torn_rows(table))))
+            failures += 1
+    print("self-test: %d pages and tables, %d failures" % (2 + len(BROKEN) + len(TORN), failures))
     return failures
 
 
