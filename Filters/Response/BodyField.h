@@ -48,7 +48,7 @@ public:
   /// wrong, the same on all ranks, or "".
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// What displace() left out, in sentences; missing modes are told once.
+  /// What displace() left out, in sentences; missing modes are reported once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 
 private:

@@ -6,8 +6,8 @@
  * Input: tips with their forces: the output of vtkToolContactProbe, or of vtkTrajectoryReader for a
  * trajectory that was recorded with its forces. The point arrays `Deflection` (mm) and
  * `NormalForce` (N) are required; used if present are `Time` (s), `MemoryForce` (N),
- * `FrictionForce` (3, N), the total `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N),
- * what the device was told.
+ * `FrictionForce` (3, N), the total `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N), the
+ * force sent to the device.
  *
  * Output: a vtkTable, a row per tip in the order of the polyline, or of the points if there is
  * none. The first column is the Abscissa, `Time (s)` or `Deflection (mm)`; then come the other of

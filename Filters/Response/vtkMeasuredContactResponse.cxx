@@ -34,7 +34,7 @@
 
 namespace
 {
-constexpr double IdentifiedShare = 0.5; // of the work, as progress tells it
+constexpr double IdentifiedShare = 0.5; // fraction of the progress
 } // namespace
 
 vtkStandardNewMacro(vtkMeasuredContactResponse);

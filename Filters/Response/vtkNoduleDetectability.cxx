@@ -29,7 +29,7 @@
 
 namespace
 {
-constexpr double WithShare = 0.45; // of the work, as progress tells it
+constexpr double WithShare = 0.45; // fraction of the progress
 constexpr double BothShare = 0.9;
 
 /// The arrays of all tools' changes.

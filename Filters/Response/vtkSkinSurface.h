@@ -92,7 +92,7 @@ public:
   ///@{
   /**
    * Smoothing of the triangles after the contour: iterations of the windowed sinc, whose pass band
-   * takes away the terraces that voxels leave, whatever the Resolution. 0 = none. Default 30.
+   * removes the steps of the voxels, whatever the Resolution. 0 = none. Default 30.
    */
   vtkSetMacro(NumberOfSmoothingIterations, int);
   vtkGetMacro(NumberOfSmoothingIterations, int);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what a session was told to what runs: body, settings, devices, safety.
+// Starts a session: makes body, settings, devices and safety from its properties.
 #include "vtkHapticSession.h"
 
 #include "Haptics/Devices/DeviceFit.h"

@@ -13,8 +13,8 @@ namespace palpate
 /// `NearField`, as BodyField reads them.
 void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid);
 
-/// The same to another surface of the body with these point `normals`: each point has what the
-/// `solid` surface has nearby where it faces the same way.
+/// The same to another surface of the body with these point `normals`: each point takes the values
+/// of the nearby `solid` surface that faces the same way.
 void attachMotion(
   const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 } // namespace palpate

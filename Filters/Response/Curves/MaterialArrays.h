@@ -41,7 +41,7 @@ BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
 /// fetches it.
 MaterialArray arrayToProcess(
   vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int index)>& find);
-/// Those that a filter was told to process.
+/// All arrays that a filter was told to process.
 MaterialArrays arraysToProcess(
   vtkAlgorithm* filter, const std::function<vtkDataArray*(int index)>& find);
 /// Those of these names; "" for one that is not wanted.
