@@ -12,8 +12,8 @@ namespace
 {
 constexpr int PieceCount = 128;
 constexpr int MostSteps = 30;
-constexpr double Converged =
-  1e-5; // relative to the depth: the error of the next step is its square
+// Relative to the depth: the error of the next step is its square.
+constexpr double Converged = 1e-5;
 
 double cubic(const std::array<double, 4>& c, double x)
 {

@@ -22,8 +22,8 @@ constexpr double RoughOfOne = 2.5;     // of one point's form
 constexpr double RoughOfAverage = 1.3; // times 1/(1 + steps): errors of neighbours are opposite
 constexpr double OfSpread = 0.1;       // the centre of an average is not quite the point
 constexpr double OfCurvature = 0.02;   // for facets and the turning of forms
-constexpr double FeltVariance =
-  0.1; // contact radii² along each axis, over which a contact averages
+// Contact radii², along each axis; a contact averages over it.
+constexpr double FeltVariance = 0.1;
 
 /// Triangles around each point, in rising order.
 class TrianglesOfPoints

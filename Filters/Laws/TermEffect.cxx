@@ -17,8 +17,8 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostPoints = 400;
-constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75,
-  1.0 };                           // square roots of the fractions of the range
+// Square roots of the fractions of the range.
+constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 };
 constexpr int UnstoredSamples = 8; // of laws that are evaluated, not stored
 
 /// A model of the body, ready to compute forces.

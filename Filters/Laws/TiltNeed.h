@@ -14,8 +14,8 @@ struct TiltNeed
 {
   double change = 0.0; ///< of the force, relative: the largest by any tilt
   double angle = 0.0;  ///< rad, at which it is largest
-  double without =
-    0.0; ///< fraction of the points where no tilt changes it by more than the tolerance
+  /// Fraction of the points where no tilt changes it by more than the tolerance.
+  double without = 0.0;
   double torque = 0.0; ///< the largest, N mm
   bool isFelt = false; ///< the change exceeds the tolerance somewhere
 };

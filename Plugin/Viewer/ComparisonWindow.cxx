@@ -210,8 +210,8 @@ std::string ComparisonWindow::run()
   this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
-  this->Comparison->SetColor(
-    vtkBodyComparison::RegimeIndex); // computed now, so that it is shown at once later
+  // Computed now, to be shown at once later.
+  this->Comparison->SetColor(vtkBodyComparison::RegimeIndex);
   this->Comparison->SetColor(vtkBodyComparison::Displacement);
   this->Interactor->Initialize();
   for (vtkHapticSession* session : { this->Sessions[0].Get(), this->Sessions[1].Get() })

@@ -75,8 +75,8 @@ vtkSmartPointer<vtkLookupTable> makeChangeColors(double largest)
   colors->SetTableRange(0.0, largest);
   for (int i = 0; i < MapColors; ++i)
   {
-    const double share =
-      std::sqrt(static_cast<double>(i) / (MapColors - 1)); // to resolve small ones
+    // The root resolves small ones.
+    const double share = std::sqrt(static_cast<double>(i) / (MapColors - 1));
     Color color{};
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -122,8 +122,8 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(
-    0.55); // little shading, so that colours can be compared with the legend
+  // Little shading, so that colours can be compared with the legend.
+  actor->GetProperty()->SetAmbient(0.55);
   actor->GetProperty()->SetDiffuse(0.45);
   actor->GetProperty()->SetSpecular(0.0);
   renderer->AddActor(actor);

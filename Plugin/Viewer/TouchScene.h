@@ -27,8 +27,8 @@ struct TouchScene
   LawTerms terms;         ///< of the law: strain, curvature, error
   PronySeries relaxation; ///< of the body
   bool stored = false;    ///< the body has the response "Response", to be used unchanged
-  bool nodules =
-    false; ///< stored; also has the responses without its nodules, and the changes by these
+  /// Stored; also has the responses without its nodules, and the changes by these.
+  bool nodules = false;
   std::string materialSource;
   LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1
   std::string modelReason; ///< why this law, and how far it is valid

@@ -27,8 +27,8 @@ constexpr double LayerDeepest = 0.5;  // thicknesses
 // Largest depth relative to the thinnest layer: beyond the table's end c is constant, with its
 // error.
 constexpr double LayerAnswers = 0.7;
-constexpr double Beyond =
-  1.8; // times the deepest, up to which a table is used, with a growing error
+// A table is used up to this many times its deepest, with a growing error.
+constexpr double Beyond = 1.8;
 constexpr double BeyondLayers = 2.25;
 constexpr double TableError = 0.003; // of mesh, far field and interpolation
 // For a sharp flat, since the rim of the table's is rounded.

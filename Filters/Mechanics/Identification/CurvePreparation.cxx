@@ -12,8 +12,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double TurnShare =
-  0.1; // fraction of the range of deflection: a smaller step back is noise
+// Fraction of the range of deflection: a smaller step back is noise.
+constexpr double TurnShare = 0.1;
 constexpr double RestShare = 0.01;   // of the range: within it of the turning point, it rests
 constexpr double NearlyShare = 0.03; // likewise: within it a hold may have begun
 constexpr double SpeedRatio = 1.5;   // below, two loads have the same speed

@@ -13,8 +13,8 @@ namespace
 constexpr std::size_t ManyReadings = 600; // up to here readings are not averaged
 constexpr double DepthShare = 0.005;      // of the range, within which readings are averaged
 constexpr double TimeShare = 0.03;        // of the time since the last turn, likewise
-constexpr double StepShare =
-  0.02; // fraction of the range: points farther apart get others between them
+// Fraction of the range: points farther apart get others between them.
+constexpr double StepShare = 0.02;
 constexpr double RampShare = 1.0 / 15.0; // fraction of a press: faster times are not resolved
 constexpr double LittleShare = 0.02;     // of the depth: a smaller step back is noise
 

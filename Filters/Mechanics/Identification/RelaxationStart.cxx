@@ -147,8 +147,8 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
 {
   about.body.reducedModulus *= spectrum.slow;
-  about.body.compliance /=
-    spectrum.slow; // so that the product with E*, the shape of the curve, is unchanged
+  // The product with E*, the shape of the curve, stays unchanged.
+  about.body.compliance /= spectrum.slow;
   about.series = {};
   for (std::size_t i = 0; i < spectrum.time.size(); ++i)
   {

@@ -105,8 +105,8 @@ TouchedPlace TouchedBody::hit(const Vector3& from, const Vector3& to)
   {
     return place;
   }
-  const double tolerance =
-    1e-6 * this->Body->GetLength(); // on an edge a triangle is hit, not missed
+  // On an edge a triangle is hit, not missed.
+  const double tolerance = 1e-6 * this->Body->GetLength();
   double share = 0.0;
   Vector3 point;
   Vector3 coordinates;

@@ -66,8 +66,8 @@ struct DeviceSpecification
 struct DeviceSample
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
-  Eigen::Vector3d velocity =
-    Eigen::Vector3d::Zero(); ///< m/s; zero if the device does not measure it
+  /// In m/s; zero if the device does not measure it.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   std::uint32_t buttons = 0; ///< bit i: button i is down
   /// False if the device has nothing to report yet, is gone, or has failed: the force is then zero.
   bool valid = false;

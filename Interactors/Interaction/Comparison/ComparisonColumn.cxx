@@ -36,8 +36,8 @@ namespace
 constexpr double PanelTop = 0.115;
 constexpr double ChartTop = 0.46;
 constexpr int TitleSize = 19;
-constexpr double SameScale =
-  4.0; // the arrow's scale is kept for forces up to this many times larger or smaller
+// The arrow's scale is kept for forces up to this many times larger or smaller.
+constexpr double SameScale = 4.0;
 
 /// The corner of a cell next to a place.
 vtkIdType nearestCorner(vtkPolyData* body, vtkIdType cell, const double place[3])

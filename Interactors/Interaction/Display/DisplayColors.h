@@ -22,8 +22,8 @@ constexpr Color TorqueColor = { 0.45, 0.20, 0.60 };
 constexpr Color MemoryForceColor = { 0.80, 0.47, 0.65 }; // of a body that relaxes
 
 constexpr Color ToolColor = { 0.45, 0.52, 0.62 };
-constexpr Color CircleColor = { 0.10, 0.75,
-  0.95 }; // visible on the light and the dark part of a dent
+// Visible on the light and the dark part of a dent.
+constexpr Color CircleColor = { 0.10, 0.75, 0.95 };
 constexpr Color TextColor = { 0.10, 0.10, 0.12 };
 constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };
 

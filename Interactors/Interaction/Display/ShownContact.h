@@ -39,8 +39,8 @@ struct ShownContact
   /// Estimated relative error of the force; NaN if the response keeps none.
   double error = std::numeric_limits<double>::quiet_NaN();
 
-  bool hasOthers =
-    false; ///< other tools of the session may have lowered or raised the surface here
+  /// Other tools of the session may have lowered or raised the surface here.
+  bool hasOthers = false;
 
   bool touches() const { return this->cell >= 0; }
   /// Depth of the tip below the undeformed surface, mm.
