@@ -76,7 +76,7 @@ private:
   double FlatRadius;
   std::vector<Piece> Pieces;
   double FirstRadius = 0.0; ///< at the end of the first piece, in which the radius is a power of t;
-  double FirstPower = 0.0;  ///< 0: it is not, as of a flat end
+  double FirstPower = 0.0;  ///< 0: it is not, as for a flat end
 };
 } // namespace palpate
 

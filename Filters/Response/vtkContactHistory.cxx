@@ -93,7 +93,7 @@ void addForces(vtkTable* table, const Rows& rows, const std::string& name, const
   }
 }
 
-/// A point array of so many components, or null.
+/// A point array with this number of components, or null.
 vtkDataArray* find(vtkPolyData* tips, const char* name, int components)
 {
   vtkDataArray* array = tips->GetPointData()->GetArray(name);

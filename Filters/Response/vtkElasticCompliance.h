@@ -55,7 +55,7 @@
  * status 0, less the dent of each on the surface that faces the same way (palpate::GlobalModes,
  * RegularField); so they hold at points of any status, and where the body is fixed they cancel the
  * tail of the dent. A mode moves one part of a body of several. Where there are fewer forces than
- * modes, the last are zero; all are zero if no point has status 0. Modes of equal strength, as of a
+ * modes, the last are zero; all are zero if no point has status 0. Modes of equal strength, as on a
  * square bar, may come as any combination; sums over them do not change.
  *
  * **What modes neglect**: all modes beyond these few, that is the sharp bottom of the dish around

@@ -97,7 +97,7 @@ public:
   ///@}
 
   ///@{
-  /** Which sides of the bounding box hold the body, as of vtkVoxelBody. Default "z-". */
+  /** Which sides of the bounding box hold the body, as in vtkVoxelBody. Default "z-". */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}

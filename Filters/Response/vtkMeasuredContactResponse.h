@@ -30,7 +30,7 @@
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
  *   `IdentifiedThickness` (mm, 0 for a half-space), double;
  * - `Status` 4 OutOfReach where no site reaches: no response there;
- * - `Error` and `Validity` as of vtkToolContactResponse: at each sample, the uncertainty at the
+ * - `Error` and `Validity` as in vtkToolContactResponse: at each sample, the uncertainty at the
  * sites (95 % intervals of the identified body, for this tool), how far the sites around differ
  * from one another, and the effect of curvature and edges as far as it differs from that in the
  * readings;
@@ -250,7 +250,7 @@ public:
   ///@}
 
   ///@{
-  /** How far the tool will be tilted, degrees, as of vtkToolContactResponse. Default
+  /** How far the tool will be tilted, degrees, as in vtkToolContactResponse. Default
    * 0: upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);

@@ -3,14 +3,14 @@
  * @class vtkNoduleDetectability
  * @brief where on a body, and by how much, nodules inside change the force on tools
  *
- * Input: a vtkUnstructuredGrid as of vtkElasticContactResponse, with the cell arrays of
+ * Input: a vtkUnstructuredGrid as for vtkElasticContactResponse, with the cell arrays of
  * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Arrays of
  * other names are given as arrays to process 0 to 3, in this order. What is wrong with it is an
  * error that names it. Empty input gives empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays,
  * `OriginalPointIds`, and
- * - the response arrays of Tool on the body with nodules, as of vtkElasticContactResponse, and of
+ * - the response arrays of Tool on the body with nodules, as for vtkElasticContactResponse, and of
  *   the tools of AddMoreTool under ResponseName followed by 2, 3 …; with StoreWithout also those of
  *   the body without, the names ending in `Without`: "ResponseWithout", "Response2Without";
  * - point arrays with one component per tool, named by its specification: `ForceChange`, the
@@ -154,7 +154,7 @@ public:
   ///@}
 
   ///@{
-  /** Of both bodies, as of vtkElasticContactResponse. */
+  /** Of both bodies, as for vtkElasticContactResponse. */
   vtkGetMacro(MemoryEstimate, double);
   vtkGetMacro(NumberOfSolutions, vtkIdType);
   ///@}

@@ -29,7 +29,7 @@
  * With SecondTip another tool of the same kind presses at SecondTipPosition, placed as the first
  * is: both dents, tools and arrows, and the numbers of both. Where the response has its coupling
  * (vtkToolContactResponse::CouplingOn) they feel one another, and Deflection is that of each one's
- * own dent, as of vtkToolContactProbe with Coupled; otherwise each has the force it has alone, and
+ * own dent, as in vtkToolContactProbe with Coupled; otherwise each has the force it has alone, and
  * the numbers say so. The arrow's field arrays then have a tuple for each.
  *
  * There is no friction: one touch has no history. For the same reason a body that relaxes is felt

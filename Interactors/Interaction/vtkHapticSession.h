@@ -115,7 +115,7 @@ public:
   ///@}
   ///@{
   /**
-   * Adds a device from the next Start on, by a name as of vtkHapticDevice::Open; returns its index,
+   * Adds a device from the next Start on, by a name as in vtkHapticDevice::Open; returns its index,
    * or -1 after an error. Path, mapping and steering are set on GetDevice(index), null for none.
    * RemoveAddedDevices leaves the first.
    */

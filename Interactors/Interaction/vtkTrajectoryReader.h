@@ -9,7 +9,7 @@
  * Output: the tips in order, mm, body frame, as one polyline with the point arrays `Time` (double,
  * s) and, if the file has them, `ContactPoint` (3, mm), `Deflection` (mm), `NormalForce` (N) and
  * its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total),
- * `ContactState` (uint8, as of vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and `Torque`
+ * `ContactState` (uint8, as in vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and `Torque`
  * (3, N mm, about the tip); of the device, in its own frame, `DevicePosition` (3, m) and
  * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out.
  *

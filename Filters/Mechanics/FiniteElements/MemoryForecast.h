@@ -25,7 +25,7 @@ struct MemoryForecast
 
   static constexpr double ForecastError = 2.0;
 
-  /// Whether it certainly needs more than so many bytes.
+  /// Whether it certainly needs more than `bytes`.
   bool exceeds(double bytes) const
   {
     return this->matrix > ForecastError * bytes || this->factor > ForecastError * bytes;

@@ -17,7 +17,7 @@ enum class StrainModel
   NeoHooke, ///< W = μ/2 (Ī₁-3)
   Ogden, ///< one term: W = 2μ/α² (Σ λ̄^α - 3); α = 2 is Neo-Hooke; large α > 0 stiffens in tension,
          ///< α < 0 in compression
-  Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as of skin and arteries
+  Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as for skin and arteries
 };
 
 /**

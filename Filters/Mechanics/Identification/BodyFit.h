@@ -37,7 +37,7 @@ struct IndentationCurve
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  double readings = 1.0;          ///< each is the mean of so many readings
+  double readings = 1.0;          ///< averaged in each value
 };
 
 /// The response of a body to a tool; `kernel` is needed for a layer only.

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// The residuals of loading curves for Eigen's LevenbergMarquardt; parameters as of PackedBody.
+/// The residuals of loading curves for Eigen's LevenbergMarquardt; parameters as in PackedBody.
 class FitResiduals : public PackedBody
 {
 public:

@@ -54,7 +54,7 @@ public:
   double modulusError(const Eigen::MatrixXd& jacobian) const;
 
 protected:
-  /// For so many curves.
+  /// For `curves` loading curves.
   PackedBody(BodyModel model, bool findContact, std::size_t curves)
     : Model(model)
     , Offsets(findContact ? static_cast<Eigen::Index>(curves) : 0)

@@ -23,7 +23,7 @@ struct PressHistory
   std::vector<double> time;       ///< s, never decreasing
   std::vector<double> deflection; ///< mm, from any origin
   std::vector<double> force;      ///< N
-  /// Each point is the mean of so many readings; 0: a point of the path that is not compared.
+  /// Number of readings averaged at each point; 0: a point of the path that is not compared.
   std::vector<double> readings;
   IndentationCurve loading; ///< its loads alone, of ascending depth, for the start of a fit
   ForceNoise noise;         ///< of a reading

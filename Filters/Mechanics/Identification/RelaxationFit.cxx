@@ -27,7 +27,7 @@ constexpr double Doubt =
 constexpr double LeastTimeRatio = 1.5; // of neighbours: closer ones are one
 constexpr std::size_t CoarseBlocks = 1;
 
-/// When a fit ends: at a relative step so small, or after so many evaluations.
+/// When a fit ends: at this relative step, or after this number of evaluations.
 struct Ending
 {
   double tolerance;

@@ -35,7 +35,7 @@ PALPATE_EXPORT RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& hi
 PALPATE_EXPORT double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
   const RelaxationFit& halfSpace, bool findContact, bool isSeriesGiven);
 
-/// The forces of a relaxing body at the points of a history, N; `offset` as of
+/// The forces of a relaxing body at the points of a history, N; `offset` as in
 /// RelaxingFoundation::follow.
 PALPATE_EXPORT std::vector<double> forcesOver(const PressHistory& history,
   const BodyParameters& body, const PronySeries& series,

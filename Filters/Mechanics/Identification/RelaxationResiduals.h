@@ -35,7 +35,7 @@ struct RelaxationProblem
 };
 
 /**
- * The residuals of histories for Eigen's LevenbergMarquardt. Parameters: as of PackedBody, then ln
+ * The residuals of histories for Eigen's LevenbergMarquardt. Parameters: as in PackedBody, then ln
  * p_i, then ln τ_i.
  *
  * Derivatives: by the body exactly (the elements do not depend on it); by offsets, strengths and

@@ -52,7 +52,7 @@ void addNumbers(
   body->GetFieldData()->AddArray(array);
 }
 
-/// The values of a field array of doubles with so many tuples; null and an error if it is
+/// The values of a field array of doubles with `tuples` tuples; null and an error if it is
 /// different.
 const double* viewNumbers(vtkPolyData* body, const std::string& name, ResponseArray which,
   std::size_t tuples, std::string& error)

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Quadratic tetrahedra: nodes and cells as of VTK_QUADRATIC_TETRA, the corners' nodes first.
+/// Quadratic tetrahedra: nodes and cells as in VTK_QUADRATIC_TETRA, the corners' nodes first.
 struct CurvedTetrahedra
 {
   Eigen::Matrix3Xd nodes;

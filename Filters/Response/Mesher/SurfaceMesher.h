@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// Linear tetrahedra (corners as of VTK_TETRA), and edges of them on sharp edges of the surface.
+/// Linear tetrahedra (corners as in VTK_TETRA), and edges of them on sharp edges of the surface.
 struct TetrahedralMesh
 {
   Eigen::Matrix3Xd nodes;

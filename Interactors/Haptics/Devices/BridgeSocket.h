@@ -45,7 +45,7 @@ public:
   /// larger.
   Arrival receive(std::uint8_t* bytes, std::size_t& size) noexcept;
 
-  /// Waits up to so many milliseconds for a datagram. Not for the tick.
+  /// Waits for a datagram, at most `milliseconds`. Not for the tick.
   void wait(int milliseconds) noexcept;
 
 private:

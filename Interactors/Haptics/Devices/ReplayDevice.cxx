@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// The double so many steps of the last place from `value`.
+/// The double `steps` units in the last place away from `value`.
 double further(double value, int steps)
 {
   const double towards = std::copysign(std::numeric_limits<double>::infinity(), steps);

@@ -30,7 +30,7 @@ class PALPATE_EXPORT HidPort
 {
 public:
   virtual ~HidPort() = default;
-  /// Waits up to so many milliseconds for a report. Returns its length, cut to `size`; 0: none; −1:
+  /// Waits for a report, at most `milliseconds`. Returns its length, cut to `size`; 0: none; −1:
   /// the device is gone.
   virtual int read(std::uint8_t* bytes, std::size_t size, int milliseconds) noexcept = 0;
   /// Sends an unnumbered output report. May block as long as the device does.

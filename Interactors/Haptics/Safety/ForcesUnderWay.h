@@ -89,7 +89,7 @@ public:
     this->Forces[this->Newest] = force;
   }
 
-  /// The most energy that the hand may have got over a displacement (m) in so many ticks, J: may be
+  /// The most energy that the hand may have got over a displacement (m) within `ticks`, J; may be
   /// negative.
   double mostGiven(const SpatialVector& moved, std::size_t ticks) const noexcept
   {

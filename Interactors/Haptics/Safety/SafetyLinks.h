@@ -15,7 +15,7 @@ namespace palpate
  * A factor of a force that moves between 0 and 1 without a jump: linear in time, 50 ms for the
  * whole range.
  *
- * Linear, as of all ramps of 50 ms it has the least maximum rate (a smooth step has 1.5 times
+ * Of all ramps of 50 ms the linear one has the least maximum rate (a smooth step has 1.5 times
  * that); so a force s(t) F changes per tick of length T by no more than the change of F and |F| T /
  * 50 ms. A late tick counts for at most MaximumStep, so that a stall makes the ramp longer and not
  * the step larger.
@@ -48,7 +48,7 @@ private:
  * The first link: a session that begins, or continues after a loss, with the tool inside the body
  * must not push it out with the force of that depth. The gate is closed until the tip has been
  * outside once. With a ramp, the first contact after that is soft: the factor grows linearly from 0
- * over so many seconds from that contact.
+ * over the given time from that contact.
  */
 class EntryGate
 {

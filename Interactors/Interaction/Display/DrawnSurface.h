@@ -52,7 +52,7 @@ constexpr std::size_t MostModes = 6; ///< limited by vertex attributes
 void addModeAttributes(const BodyMesh& mesh, const std::vector<vtkDataArray*>& modes,
   vtkPolyData* drawn, vtkPolyDataMapper* mapper);
 
-/// GLSL: declares the attributes of so many modes.
+/// GLSL: declares the attributes of the modes.
 std::string modeDeclarations(int modes);
 /// GLSL: adds the modes, times the weights in the array of that name, to `displacement`, and their
 /// turn, times `exaggeration`, to `normal`.

@@ -5,7 +5,7 @@
  *
  * As vtkSMBoundsDomain, for a DoubleVectorProperty of a position, beside a property ResponseName.
  * The default is the place of palpate::findTouchStart for the active view, or for one along -z; on
- * a body without a response the corner of the bounds, as of vtkSMBoundsDomain. With the attribute
+ * a body without a response the corner of the bounds, as in vtkSMBoundsDomain. With the attribute
  * `beside` it is to the right of that in the view, by this fraction of the body's diagonal.
  * Positions set by scripts, states and traces are not affected.
  */
