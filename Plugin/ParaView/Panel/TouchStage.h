@@ -38,7 +38,8 @@ public:
   /// Moves tool and arrow to the newest tick. False if they have not moved visibly.
   bool show(TouchSession& touch);
 
-  /// @{ Its own handle, which the user drags; on release it jumps to the surface.
+  ///@{
+  /// Its own handle, which the user drags; on release it jumps to the surface.
   void showHandle(const Eigen::Vector3d& position);
   bool hasHandle() const;
   Eigen::Vector3d handle() const;
