@@ -23,8 +23,8 @@ struct SiteAnchor
  *
  * A site counts at a point that lies within `reach` (mm, straight), is connected with it over the
  * surface within that distance, and faces the same way, to 60° (visitSurfacePatch), so that nothing
- * crosses a thin lobe. The weights of a point's sites are those of vtkShepardKernel, 1/d², times (1
- * - d/reach)², continuous at the end of a site's reach (Franke and Little 1980).
+ * crosses a thin lobe. The weights of a point's sites are those of vtkShepardKernel, 1/d², times
+ * (1 - d/reach)², continuous at the end of a site's reach (Franke and Little 1980).
  */
 class SiteSpread
 {
