@@ -151,7 +151,7 @@ public:
   ///@{
   /**
    * Layers below that of LayerThickness, from above, up to three: thickness (mm), Young's modulus
-   * (MPa), Poisson's ratio, and whether it slides without friction below the layer above it. The
+   * (MPa), Poisson's ratio, and whether it slips without friction below the layer above it. The
    * body is then a stack everywhere (palpate/LayerStack.h). Default none.
    */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);

@@ -30,7 +30,7 @@ struct FiniteProblem
 {
   std::vector<FiniteLayer>
     layers;              ///< the last may be a half-space, otherwise it lies on a rigid base
-  bool slipBase = false; ///< on which it slides without friction
+  bool slipBase = false; ///< on which it slips without friction
   /// Radius of the body's surface, mm: 0 flat; above 0 a ball, pressed from two opposite sides;
   /// below 0 a spherical cavity, pressed at one. At least two contact radii. Layers are shells; the
   /// half-space is the rest of the ball, or the body around the cavity.

@@ -36,7 +36,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     base : how the layers rest there, "bonded" or "slip" (without friction); or ("elastic", young, poisson), an elastic
         half-space in place of the rigid base.
     layers : more layers below that one, from above, up to three: (thickness in mm, Young's modulus in MPa, Poisson's
-        ratio) or the same and True for one that slides below the one above. The thickness of the first of them may vary
+        ratio) or the same and True for one that slips below the one above. The thickness of the first of them may vary
         as `layer` may; moduli are then constant.
     compliance : global compliance of the body, mm/N, in series with the local dent; None for none.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
