@@ -144,7 +144,7 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
 }
 
 /// What is felt over each nodule: a line each; in short, as a picture has room for, or at length.
-std::string describeNodules(const TouchScene& scene, bool inShort)
+std::string describeNodules(const ViewerScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();
   vtkDataArray* change = data->GetArray("ForceChange");
@@ -191,7 +191,7 @@ std::string describeNodules(const TouchScene& scene, bool inShort)
 }
 } // namespace
 
-std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& scene)
+std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene& scene)
 {
   const std::size_t maps = std::min(scene.tools.size(), MostMaps);
   MapStage stage("Palpate: " + scene.title, options.window);

@@ -2,7 +2,7 @@
 #ifndef palpate_DetectabilityMap_h
 #define palpate_DetectabilityMap_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -15,7 +15,7 @@ namespace palpate
  * in which all turn together, until it is closed. Prints what is felt over each nodule, and with
  * which tool most. Returns an error, or "".
  */
-std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& scene);
+std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -69,7 +69,7 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
 
 /// How the body resists large strain under a tool: what was asked for, or Neo-Hooke where that is
 /// tabulated.
-StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const TouchScene& scene)
+StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const ViewerScene& scene)
 {
   if (options.strainGiven && !scene.terms.automatic)
   {
@@ -81,7 +81,7 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
 }
 
 /// Everything that the responses depend on. The revision changes with what is computed of the same.
-std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
+std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   constexpr int Revision = 3;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
@@ -91,7 +91,7 @@ std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
 }
 
 /// Fills the scene's body and presses its tools: body, notes.
-std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
+std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<double> radii;
@@ -168,7 +168,7 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
 }
 } // namespace
 
-std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)
+std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene)
 {
   std::vector<std::string> arrays;
   for (std::size_t i = 0; i < scene.tools.size(); ++i)

@@ -2,7 +2,7 @@
 #ifndef palpate_SolidBody_h
 #define palpate_SolidBody_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include <string>
 
@@ -15,7 +15,7 @@ namespace palpate
  * depend on. A sentence on what was chosen and what it took, or where it was taken from, is added
  * to its notes. Returns an error, or "".
  */
-std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene);
+std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -11,7 +11,7 @@
 #include "OutputCheck.h"
 #include "RegimeMap.h"
 #include "Mechanics/ThreadCount.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include "vtkHapticSession.h"
@@ -32,7 +32,7 @@ int fail(const std::string& error)
 }
 
 /// The ways to touch a scene, or only to look at it. Returns an error, or "".
-std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene& scene)
+std::string run(const palpate::ViewerOptions& options, const palpate::ViewerScene& scene)
 {
   if (options.map)
   {
@@ -63,8 +63,8 @@ std::string run(const palpate::ViewerOptions& options)
   {
     return options.window ? palpate::runComparisonWindow(options) : palpate::runComparison(options);
   }
-  palpate::TouchScene scene;
-  error = palpate::makeTouchScene(options, scene);
+  palpate::ViewerScene scene;
+  error = palpate::makeViewerScene(options, scene);
   for (const std::string& note : scene.notes)
   {
     std::fprintf(stderr, "palpate: %s\n", note.c_str());

@@ -2,7 +2,7 @@
 #include "pqLiveTouchPanel.h"
 
 #include "TouchSight.h"
-#include "TouchSource.h"
+#include "LiveTouchSource.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
@@ -39,7 +39,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   scroll->setWidgetResizable(true);
   auto* contents = new QWidget(scroll);
   contents->setObjectName("contents");
-  this->Form = new palpate::TouchForm(contents);
+  this->Form = new palpate::LiveTouchForm(contents);
   scroll->setWidget(contents);
   this->setWidget(scroll);
   this->hide(); // until it is asked for, in the menu View
@@ -103,7 +103,7 @@ void pqLiveTouchPanel::showSource()
   {
     return; // it stays with the body of the Start; what is hidden asks the server nothing
   }
-  const auto source = palpate::findTouchSource(pqActiveObjects::instance().activePort());
+  const auto source = palpate::findLiveTouchSource(pqActiveObjects::instance().activePort());
   const QString leads = source.touch ? ", led by " + source.touch->getSMName() : QString();
   this->Form->showSource(
     source, source.body ? source.body->getSource()->getSMName() + leads : QString());
@@ -135,7 +135,7 @@ void pqLiveTouchPanel::onToggled(bool shown)
 
 void pqLiveTouchPanel::start()
 {
-  const auto source = palpate::findTouchSource(pqActiveObjects::instance().activePort());
+  const auto source = palpate::findLiveTouchSource(pqActiveObjects::instance().activePort());
   auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
   if (!source.body || !view)
   {
@@ -215,7 +215,7 @@ void pqLiveTouchPanel::frame()
     this->onSessionChanged();
   }
   // Where rendering takes long, half of the time is the user's.
-  if (this->Touch.state() != palpate::TouchSession::State::Touching ||
+  if (this->Touch.state() != palpate::LiveTouchSession::State::Touching ||
     this->Rest.elapsed() < this->RenderTime)
   {
     return;

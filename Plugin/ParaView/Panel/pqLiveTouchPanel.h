@@ -2,9 +2,9 @@
 #ifndef pqLiveTouchPanel_h
 #define pqLiveTouchPanel_h
 
-#include "TouchForm.h"
-#include "TouchSession.h"
-#include "TouchStage.h"
+#include "LiveTouchForm.h"
+#include "LiveTouchSession.h"
+#include "LiveTouchStage.h"
 
 #include <QDockWidget>
 #include <QElapsedTimer>
@@ -19,10 +19,11 @@ class pqView;
  * The dock *Live Touch*: the active source's body under a haptic device, felt by a servo thread and
  * shown in the active render view.
  *
- * It joins widgets (TouchForm), session (TouchSession), pipeline (TouchSource) and view
- * (TouchStage). A timer takes the newest tick some 60 times a second while something is touched;
- * the view is rendered when the tool has moved, and half of the time is left to the user. Nothing
- * here waits for the servo thread or for what is prepared; only data of a remote server are.
+ * It joins widgets (LiveTouchForm), session (LiveTouchSession), pipeline (LiveTouchSource) and view
+ * (LiveTouchStage). A timer takes the newest tick some 60 times a second while something is
+ * touched; the view is rendered when the tool has moved, and half of the time is left to the user.
+ * Nothing here waits for the servo thread or for what is prepared; only data of a remote server
+ * are.
  *
  * The session ends, with no force on the device, when the dock is closed, before its source, view
  * or server goes, before a state is loaded, and when ParaView quits. Body, view and handle are
@@ -59,11 +60,11 @@ private:
   void onSessionChanged();
   palpate::TouchHandle readHandle() const;
   void showNumbers();
-  bool isIdle() const { return this->Touch.state() == palpate::TouchSession::State::Idle; }
+  bool isIdle() const { return this->Touch.state() == palpate::LiveTouchSession::State::Idle; }
 
-  palpate::TouchForm* Form; ///< owned, like its widgets
-  palpate::TouchStage Stage;
-  palpate::TouchSession Touch;        ///< after the stage, so that it ends before
+  palpate::LiveTouchForm* Form; ///< owned, like its widgets
+  palpate::LiveTouchStage Stage;
+  palpate::LiveTouchSession Touch;    ///< after the stage, so that it ends before
   pqOutputPort* Body = nullptr;       ///< touched; null while idle
   pqPipelineSource* Leader = nullptr; ///< whose handle leads the tip, or null
   bool CanStart = false;

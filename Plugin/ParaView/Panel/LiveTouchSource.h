@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchSource_h
-#define palpate_TouchSource_h
+#ifndef palpate_LiveTouchSource_h
+#define palpate_LiveTouchSource_h
 
-#include "TouchPlace.h"
+#include "LiveTouchPlace.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,7 +25,7 @@ struct StoredResponse
 };
 
 /// What of the pipeline is to be touched.
-struct TouchSource
+struct LiveTouchSource
 {
   pqOutputPort* body = nullptr;      ///< null: see obstacle
   pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle leads the tip, or null
@@ -35,7 +35,7 @@ struct TouchSource
 
 /// What the active source stands for: the body it puts out, or, of a source *Touch*, the body it
 /// takes in, since what it puts out is dented.
-TouchSource findTouchSource(pqOutputPort* active);
+LiveTouchSource findLiveTouchSource(pqOutputPort* active);
 
 /// Its data on the client; the server is waited for. With several servers' ranks all parts in one.
 /// Null, and why, if there is none.

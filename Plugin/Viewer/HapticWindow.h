@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_LiveTouch_h
-#define palpate_LiveTouch_h
+#ifndef palpate_HapticWindow_h
+#define palpate_HapticWindow_h
 
 #include "DisplayLoss.h"
 #include "EndSignals.h"
 #include "EventActions.h"
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include "vtkContactPanel.h"
@@ -32,11 +32,12 @@ namespace palpate
 /// A body in a window under the hand: the window, the session on its servo thread, and the mouse
 /// that steers it; a panel and charts, if it is told to. Where the mouse is the hand, a line says
 /// that the wheel presses until it has. What is being done with it is its owner's.
-class LiveTouch
+class HapticWindow
 {
 public:
   /// What all it is given refers to must outlive it.
-  LiveTouch(const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses);
+  HapticWindow(
+    const ViewerOptions& options, const ViewerScene& scene, const ResponseSet& responses);
 
   /// With a panel on the right that changes the setup, and charts below. Before open().
   void usePanel(vtkContactSetup* setup);
@@ -70,7 +71,7 @@ private:
   std::string writeRecords();
 
   const ViewerOptions& Options;
-  const TouchScene& Scene;
+  const ViewerScene& Scene;
   const ResponseSet& Responses;
   double LargestForce;                        ///< that arrows and charts are scaled for, N
   std::vector<double> StrongestForces{ 0.0 }; ///< ideal force of the frames, of each hand, N
