@@ -3,7 +3,6 @@
 #define palpate_LinkedSurface_h
 
 #include "Contact/TriangleLinks.h"
-#include "Laws/TriangleSpans.h"
 
 #include <Eigen/Core>
 
@@ -13,6 +12,15 @@
 
 namespace palpate
 {
+/// A body's triangles as they lie in memory; those without an area take no part.
+struct TriangleSpans
+{
+  const double* points = nullptr; ///< x, y, z of each, mm
+  std::size_t pointCount = 0;
+  const std::int32_t* triangles = nullptr; ///< three points each
+  std::size_t triangleCount = 0;
+};
+
 /// A side of a facet, from point to point.
 struct SurfaceSide
 {
