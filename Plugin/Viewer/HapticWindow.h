@@ -2,7 +2,7 @@
 #ifndef palpate_HapticWindow_h
 #define palpate_HapticWindow_h
 
-#include "DisplayLoss.h"
+#include "DisplayServer.h"
 #include "EndSignals.h"
 #include "EventActions.h"
 #include "ResponseSet.h"
