@@ -2,7 +2,7 @@
 // What is set, and what is read; vtkHapticSessionStart.cxx is what happens in between.
 #include "vtkHapticSession.h"
 
-#include "Haptics/Safety/SafetyChain.h"
+#include "Haptics/Safety/SafetyText.h"
 #include "Interaction/Session/HapticSessionState.h"
 
 #include "vtkMath.h"

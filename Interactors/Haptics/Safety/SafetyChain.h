@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 
 namespace palpate
 {
@@ -166,13 +165,6 @@ private:
   bool IsStopped = false;
   PassivityControl Passivity; ///< last, since the largest
 };
-
-/// In words, for a person, how the force sent differs from the ideal one: the factor and the other
-/// links that acted, in the chain's order. "force ×0.12, stiffness capped"; "" where nothing acted.
-PALPATE_EXPORT std::string describeSafety(std::uint16_t acted, double forceFactor);
-
-/// "force ×0.12", with two digits.
-PALPATE_EXPORT std::string describeForceFactor(double forceFactor);
 } // namespace palpate
 
 #endif

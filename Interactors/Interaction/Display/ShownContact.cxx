@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/ShownContact.h"
 
-#include "Haptics/Safety/SafetyChain.h"
+#include "Haptics/Safety/SafetyText.h"
 #include "Interaction/Session/TickRecording.h"
 #include "Response/Curves/StoredError.h"
 #include "vtkHapticSession.h"

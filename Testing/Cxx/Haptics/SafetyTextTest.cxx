@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Safety/SafetyText.h"
 
 #include "Haptics/Safety/SafetyChain.h"
 
