@@ -4,6 +4,11 @@
 
 #include "Contact/PackedMesh.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace palpate
@@ -30,7 +35,76 @@ struct BorderFade
   /// edge, two at a corner. `offset` leads from there to the tip, on the inner side.
   static BorderFade at(const PackedMesh& mesh, std::int32_t triangle, const Vector3& weights,
     const Vector3& offset) noexcept;
+
+private:
+  /// Length of the part of a vector that lies in the cone between two unit vectors, >= 0.
+  static double lengthBetween(
+    const Vector3& vector, const Vector3& one, const Vector3& other) noexcept;
+  /// Depth under a corner: along the normals of the triangles whose borders end there, and between
+  /// them. Of the two that a border has on a manifold; of any two where more meet.
+  static double depthAtCorner(
+    const PackedMesh& mesh, std::int32_t triangle, int corner, const Vector3& offset) noexcept;
 };
+
+inline double BorderFade::lengthBetween(
+  const Vector3& vector, const Vector3& one, const Vector3& other) noexcept
+{
+  const double a = vector.dot(one);
+  const double b = vector.dot(other);
+  const double cosine = one.dot(other);
+  const double alpha = a - cosine * b;
+  const double beta = b - cosine * a;
+  const double squaredSine = 1.0 - cosine * cosine;
+  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // else the two are one
+  {
+    return std::sqrt((alpha * a + beta * b) / squaredSine);
+  }
+  return std::max({ a, b, 0.0 });
+}
+
+inline double BorderFade::depthAtCorner(
+  const PackedMesh& mesh, std::int32_t triangle, int corner, const Vector3& offset) noexcept
+{
+  const Vector3 place = mesh.corner(triangle, corner);
+  Vector3 last = Vector3::Zero();
+  double depth = 0.0;
+  mesh.visitAround(mesh.corners(triangle)[static_cast<std::size_t>(corner)],
+    [&](std::int32_t around)
+    {
+      for (int edge = 0; edge < 3; ++edge)
+      {
+        const bool endsHere =
+          mesh.corner(around, edge) == place || mesh.corner(around, (edge + 1) % 3) == place;
+        if (endsHere && mesh.neighbour(around, edge) == PackedMesh::Border)
+        {
+          const Vector3 normal = mesh.faceNormal(around);
+          depth = std::max(depth, lengthBetween(-offset, normal, last));
+          last = normal;
+        }
+      }
+    });
+  return depth;
+}
+
+inline BorderFade BorderFade::at(const PackedMesh& mesh, std::int32_t triangle,
+  const Vector3& weights, const Vector3& offset) noexcept
+{
+  BorderFade fade;
+  if ((weights.array() == 0.0).count() == 2)
+  {
+    Eigen::Index corner;
+    weights.maxCoeff(&corner);
+    fade.depth = depthAtCorner(mesh, triangle, static_cast<int>(corner), offset);
+  }
+  else
+  {
+    fade.depth = std::max(0.0, -mesh.faceNormal(triangle).dot(offset));
+  }
+  const double beyond = std::sqrt(std::max(0.0, offset.squaredNorm() - fade.depth * fade.depth));
+  const double left = beyond < fade.depth ? 1.0 - beyond / fade.depth : 0.0;
+  fade.fraction = left * left * (3.0 - 2.0 * left);
+  return fade;
+}
 } // namespace palpate
 
 #endif

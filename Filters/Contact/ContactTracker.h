@@ -5,7 +5,6 @@
 #include "Contact/PackedMesh.h"
 #include "Contact/SmoothContact.h"
 #include "Mechanics/PalpateExport.h"
-#include "Contact/TriangleSearch.h"
 #include "Contact/TriangleTree.h"
 
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "Contact/HilbertCurve.h"
 #include "Contact/MeshRepair.h"
 #include "Contact/ParallelRanges.h"
-#include "Contact/TriangleSteepness.h"
 
 #include <Eigen/Geometry>
 

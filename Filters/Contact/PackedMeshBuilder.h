@@ -5,10 +5,16 @@
 #include "Contact/PackedMesh.h"
 #include "Contact/TriangleLinks.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace palpate
 {
+/// How far the neighbours of a triangle fall away from its plane, over its smallest altitude: what
+/// PackedMesh::isCertainlyNearest asks for, 1/mm, rounded up; infinite where a neighbour lies under
+/// the triangle.
+float steepnessOf(const PackedMesh& mesh, std::int32_t triangle);
+
 /// Builds a PackedMesh, step by step: classify the triangles, sort them along the curve, number the
 /// points in that order, find neighbours, repair, cut, pack. Not installed.
 class PackedMesh::Builder

@@ -2,6 +2,7 @@
 #ifndef palpate_SettingFault_h
 #define palpate_SettingFault_h
 
+#include <sstream>
 #include <string>
 
 namespace palpate
@@ -12,7 +13,19 @@ struct SettingFault
   std::string name;   ///< as the filters' property, "FrictionCoefficient"
   std::string remark; ///< "must be finite and not negative, but is -1"
 
+  /// A setting that is none of the numbers it may be; the demand goes on after "must": "be
+  /// positive".
+  template <class Value>
+  static SettingFault must(const std::string& name, const std::string& demand, const Value& is)
+  {
+    std::ostringstream remark;
+    remark << "must " << demand << ", but is " << is;
+    return { name, remark.str() };
+  }
+
   explicit operator bool() const noexcept { return !this->name.empty(); }
+  /// Both as a clause; "" of nothing.
+  std::string words() const { return *this ? this->name + ' ' + this->remark : std::string(); }
 };
 } // namespace palpate
 

@@ -39,14 +39,6 @@ std::string demandOf(const SettingRow& row)
   }
   return demand.str();
 }
-
-template <class Value>
-SettingFault makeFault(const char* name, const std::string& demand, Value value)
-{
-  std::ostringstream remark;
-  remark << "must " << demand << ", but is " << value;
-  return { name, remark.str() };
-}
 } // namespace
 
 const SettingRow* findSetting(const std::string& nameOrOption)
@@ -72,13 +64,13 @@ SettingFault faultOfContact(const ContactSettings& settings)
     if (!isWithin)
     {
       return row.isEnumeration()
-        ? makeFault(row.text.name, demandOf(row), static_cast<std::int64_t>(value))
-        : makeFault(row.text.name, demandOf(row), value);
+        ? SettingFault::must(row.text.name, demandOf(row), static_cast<std::int64_t>(value))
+        : SettingFault::must(row.text.name, demandOf(row), value);
     }
   }
   if (settings.friction.stickRadius < settings.friction.breakaway)
   {
-    return makeFault(
+    return SettingFault::must(
       "FrictionStickRadius", "be no less than the breakaway", settings.friction.stickRadius);
   }
   return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Contact/TriangleSteepness.h"
+#include "Contact/PackedMeshBuilder.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_ContactSpot_h
 #define palpate_ContactSpot_h
 
-#include "Mechanics/Layers/LayerCurves.h"
+#include "Mechanics/Layers/LayerTable.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include "Laws/CurvesOnEdges.h"
 
 #include "Contact/ResponseContract.h"
-#include "Contact/FloatCurve.h"
+#include "Contact/ResponseSampling.h"
 #include "Laws/EdgeDistance.h"
 #include "Mechanics/FiniteElements/NearestAlong.h"
 #include "Mechanics/ReducedModulus.h"

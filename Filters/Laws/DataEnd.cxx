@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/DataEnd.h"
 
-#include "Contact/FloatCurve.h"
+#include "Contact/ResponseSampling.h"
 
 #include <limits>
 

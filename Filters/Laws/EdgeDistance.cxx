@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/EdgeDistance.h"
 
-#include "Laws/SurfaceEdges.h"
+#include "Laws/LinkedSurface.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 #define palpate_EdgeDistance_h
 
 #include "Contact/Edges/EdgeLaw.h"
-#include "Laws/TriangleSpans.h"
+#include "Laws/LinkedSurface.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <cstddef>

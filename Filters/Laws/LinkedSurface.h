@@ -3,7 +3,6 @@
 #define palpate_LinkedSurface_h
 
 #include "Contact/TriangleLinks.h"
-#include "Laws/TriangleSpans.h"
 
 #include <Eigen/Core>
 
@@ -13,6 +12,15 @@
 
 namespace palpate
 {
+/// A body's triangles as they lie in memory; those without an area take no part.
+struct TriangleSpans
+{
+  const double* points = nullptr; ///< x, y, z of each, mm
+  std::size_t pointCount = 0;
+  const std::int32_t* triangles = nullptr; ///< three points each
+  std::size_t triangleCount = 0;
+};
+
 /// A side of a facet, from point to point.
 struct SurfaceSide
 {
@@ -47,6 +55,30 @@ private:
 /// The border of a surface: sides of a single facet, in loops longer than a hole of four contact
 /// radii (mm); two sides at the same place are not a border.
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius);
+
+/// Where a surface turns away.
+struct SurfaceEdges
+{
+  static constexpr double LeastTurn = 0.35; ///< rad, 20°
+
+  std::vector<SurfaceSide> sides;
+  double cell; ///< mm, over which facets were averaged
+};
+
+/**
+ * What a contact of radius a (mm) takes for an edge of a surface, where it turns away (convex).
+ *
+ * Facets are averaged in cells of a, of a coarse mesh of a few facets (long facets stand for
+ * themselves), so that neither a scan's noise nor fine facets are edges, and a narrow fillet is
+ * one. From cell to cell, and over two, the surface turns by an angle; what of it its own curvature
+ * beside does not explain (the turn goes on at the same rate on a ball, and does not beyond an
+ * edge) is the edge's. From LeastTurn on it counts. The edge itself lies along the facets' sides
+ * that turn most there.
+ *
+ * Cost: O(n log n), 0.5 s for a million triangles on one thread; 100 bytes a triangle while they
+ * are found.
+ */
+SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius);
 } // namespace palpate
 
 #endif

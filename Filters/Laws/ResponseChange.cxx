@@ -3,7 +3,6 @@
 
 #include "Contact/ResponseContract.h"
 #include "Contact/ResponseSampling.h"
-#include "Contact/FloatCurve.h"
 
 #include <algorithm>
 #include <cmath>

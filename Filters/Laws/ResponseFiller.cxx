@@ -3,7 +3,7 @@
 
 #include "Contact/ParallelRanges.h"
 #include "Laws/BodyMaterial.h"
-#include "Laws/PreparedLaw.h"
+#include "Laws/ResponseLaw.h"
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/SeriesCompliance.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/ResponseLaw.h"
 
-#include "Contact/FloatCurve.h"
+#include "Contact/ResponseSampling.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SeriesCompliance.h"
+#include "Laws/MaterialRange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -302,5 +303,27 @@ double ResponseLaw::storageError(double exponent, const ContactSpot& spot) const
     largest = std::max(largest, std::abs(stored / exact - 1.0));
   }
   return largest;
+}
+
+PreparedLaw prepareLaw(const AxisymmetricTool& tool, double range, int samples,
+  const MaterialRange& bounds, bool hasContact, const StrainCorrection* strain)
+{
+  PreparedLaw made{ ResponseLaw(tool, range, samples), nullptr };
+  const LayerTable::Layers layers = bounds.hasLayers() ? bounds.prepared() : LayerTable::Layers();
+  if (hasContact)
+  {
+    auto contact = std::make_shared<LocalContact>(tool, range, bounds.stiffens, strain);
+    if (bounds.hasLayers())
+    {
+      contact->prepareLayers(layers);
+    }
+    made.law.correct(contact);
+    made.contact = std::move(contact);
+  }
+  if (bounds.hasLayers())
+  {
+    made.law.prepareLayers(layers, bounds.stiffens);
+  }
+  return made;
 }
 } // namespace palpate

@@ -3,7 +3,6 @@
 
 #include "Contact/ResponseField.h"
 #include "Contact/ResponseSampling.h"
-#include "Contact/FloatCurve.h"
 #include "Laws/CurvesOnEdges.h"
 #include "Laws/TrustedDepth.h"
 #include "Mechanics/SharedWork.h"

@@ -3,7 +3,7 @@
 #define palpate_SurfaceCurvature_h
 
 #include "Laws/ContactSpot.h"
-#include "Laws/TriangleSpans.h"
+#include "Laws/LinkedSurface.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Laws/SurfaceEdges.h"
+#include "Laws/LinkedSurface.h"
 
 #include "Contact/PackedMesh.h"
 #include "Mechanics/Numerics/Constants.h"

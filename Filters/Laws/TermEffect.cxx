@@ -3,7 +3,7 @@
 
 #include "Laws/BodyMaterial.h"
 #include "Laws/ErrorRule.h"
-#include "Laws/PreparedLaw.h"
+#include "Laws/ResponseLaw.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SeriesCompliance.h"
 

@@ -2,19 +2,33 @@
 #ifndef palpate_ReducedModulus_h
 #define palpate_ReducedModulus_h
 
-#include "Mechanics/PalpateExport.h"
+#include <cmath>
+#include <limits>
 
 namespace palpate
 {
 /// Whether E is a usable Young's modulus: finite and positive (MPa).
-PALPATE_EXPORT bool isYoungsModulus(double youngsModulus);
+inline bool isYoungsModulus(double youngsModulus)
+{
+  return std::isfinite(youngsModulus) && youngsModulus > 0.0;
+}
 
 /// Whether nu is a Poisson's ratio for which the half-space laws hold: 0 <= nu <= 0.5.
-PALPATE_EXPORT bool isPoissonsRatio(double poissonsRatio);
+inline bool isPoissonsRatio(double poissonsRatio)
+{
+  return poissonsRatio >= 0.0 && poissonsRatio <= 0.5;
+}
 
 /// E* = E / (1 - nu^2), in the unit of E (MPa here); the tool is rigid.
 /// NaN when E or nu is outside its range.
-PALPATE_EXPORT double reducedModulus(double youngsModulus, double poissonsRatio);
+inline double reducedModulus(double youngsModulus, double poissonsRatio)
+{
+  if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonsRatio))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return youngsModulus / (1.0 - poissonsRatio * poissonsRatio);
+}
 } // namespace palpate
 
 #endif

@@ -24,8 +24,7 @@ void vtkContactSettings::SetKernel(const palpate::ContactSettings& settings)
 
 std::string vtkContactSettings::GetFault()
 {
-  const palpate::SettingFault fault = palpate::faultOfContact(this->Values);
-  return fault ? fault.name + " " + fault.remark : std::string();
+  return palpate::faultOfContact(this->Values).words();
 }
 
 void vtkContactSettings::GetTable(vtkTable* table)

@@ -54,6 +54,33 @@ void vtkContactTool::RemoveAllProfilePoints()
   this->SetProfile(nullptr);
 }
 
+bool vtkContactTool::HasSize()
+{
+  return this->Shape != PowerLaw && this->Shape != Profile;
+}
+
+bool vtkContactTool::IsSizeAngle()
+{
+  return this->Shape == Cone;
+}
+
+void vtkContactTool::SetSize(double size)
+{
+  if (this->IsSizeAngle())
+  {
+    this->SetHalfAngle(size);
+  }
+  else if (this->HasSize())
+  {
+    this->SetRadius(size);
+  }
+}
+
+double vtkContactTool::GetSize()
+{
+  return !this->HasSize() ? 0.0 : this->IsSizeAngle() ? this->HalfAngle : this->Radius;
+}
+
 vtkMTimeType vtkContactTool::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();

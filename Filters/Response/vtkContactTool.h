@@ -140,6 +140,15 @@ public:
   ///@}
 
   ///@{
+  /** What most changes the tool: the half angle of a Cone (degrees), else the radius (mm). Nothing
+   * is set, and 0 got, where HasSize says no: PowerLaw, Profile. */
+  void SetSize(double size);
+  double GetSize();
+  bool HasSize();
+  bool IsSizeAngle();
+  ///@}
+
+  ///@{
   /**
    * Points of Profile, mm: x = r, the distance from the axis, increasing; y = f(r) >= 0, the height
    * above the tip; the first (0, 0); z is ignored. The points are not copied: call their Modified()

@@ -89,39 +89,6 @@ void vtkContactSetup::SetChosenTool(int tool)
   this->ChosenTool = std::clamp(tool, 0, std::max(this->GetNumberOfTools() - 1, 0));
 }
 
-bool vtkContactSetup::HasToolSize()
-{
-  vtkContactTool* tool = this->GetTool(this->ChosenTool);
-  return tool && tool->GetShape() != vtkContactTool::PowerLaw &&
-    tool->GetShape() != vtkContactTool::Profile;
-}
-
-bool vtkContactSetup::IsToolSizeAngle()
-{
-  vtkContactTool* tool = this->GetTool(this->ChosenTool);
-  return tool && tool->GetShape() == vtkContactTool::Cone;
-}
-
-void vtkContactSetup::SetToolSize(double size)
-{
-  if (this->IsToolSizeAngle())
-  {
-    this->GetTool(this->ChosenTool)->SetHalfAngle(size);
-  }
-  else if (this->HasToolSize())
-  {
-    this->GetTool(this->ChosenTool)->SetRadius(size);
-  }
-}
-
-double vtkContactSetup::GetToolSize()
-{
-  vtkContactTool* tool = this->GetTool(this->ChosenTool);
-  return !this->HasToolSize() ? 0.0
-    : this->IsToolSizeAngle() ? tool->GetHalfAngle()
-                              : tool->GetRadius();
-}
-
 bool vtkContactSetup::HasModel(int model)
 {
   if (!this->Kept->body)

@@ -74,17 +74,11 @@ public:
   ///@}
 
   ///@{
-  /** The tool in the hand, from 0. Choosing another needs no new responses. Default 0. */
+  /** The tool in the hand, from 0, and itself, or null where there is none. Choosing another needs
+   * no new responses. Default 0. */
   void SetChosenTool(int tool);
   vtkGetMacro(ChosenTool, int);
-  ///@}
-  ///@{
-  /** What most changes the tool in the hand: the half angle of a cone (degrees), else the radius
-   * (mm). Nothing is set, and 0 got, where HasToolSize says no: power laws, profiles, no tool. */
-  void SetToolSize(double size);
-  double GetToolSize();
-  bool HasToolSize();
-  bool IsToolSizeAngle();
+  vtkContactTool* GetToolInHand() { return this->GetTool(this->ChosenTool); }
   ///@}
 
   ///@{

@@ -171,7 +171,7 @@ std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, doub
   kept.mapping = this->ReadMapping(bounds);
   if (const palpate::SettingFault fault = kept.mapping.fault())
   {
-    return std::string("Workspace mapping: ") + fault.name + " " + fault.remark;
+    return "Workspace mapping: " + fault.words();
   }
   if (kept.chosen.kind == palpate::SessionDevice::Replay)
   {

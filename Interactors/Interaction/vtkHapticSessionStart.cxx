@@ -179,7 +179,7 @@ bool vtkHapticSession::ReadSafety(std::vector<Hand>& hands)
       this->Safety->GetSettings(device->GetHand()->specification(), device->IsStiff());
     if (const palpate::SettingFault fault = palpate::faultOf(safety))
     {
-      vtkErrorMacro(<< fault.name << " " << fault.remark << ".");
+      vtkErrorMacro(<< fault.words() << ".");
       return false;
     }
     hands.push_back({ safety, device->GetMapping().scale() });

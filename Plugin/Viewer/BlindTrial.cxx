@@ -56,7 +56,7 @@ std::string dateAndTime()
 }
 } // namespace
 
-std::string BlindTrial::chooseResponse(const TouchScene& scene, const TrialChoice& choice,
+std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoice& choice,
   double maximumDeflection, ResponseSet& responses)
 {
   const ContactLaw own = lawOf(scene);
@@ -93,7 +93,7 @@ std::string BlindTrial::chooseResponse(const TouchScene& scene, const TrialChoic
 }
 
 std::string BlindTrial::prepare(
-  const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses)
+  const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses)
 {
   this->Choices = options.trial;
   this->Head.seed = options.trialSeed.value_or(std::random_device()());
@@ -112,7 +112,7 @@ std::string BlindTrial::prepare(
   return {};
 }
 
-std::string BlindTrial::open(const ViewerOptions& options, const TouchScene& scene,
+std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, vtkHapticSession* session)
 {
   this->Session = session;

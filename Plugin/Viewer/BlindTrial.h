@@ -3,7 +3,7 @@
 #define palpate_BlindTrial_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "Haptics/Trials/TrialLog.h"
 #include "Haptics/Trials/TrialPlan.h"
 #include "ViewerOptions.h"
@@ -29,9 +29,9 @@ public:
   /// Plans the trials, and attaches the responses of the alternatives that the scene does not have.
   /// Returns an error that names the alternative, or "".
   std::string prepare(
-    const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
+    const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
   /// Once the session has its device: opens the log. Returns an error, or "".
-  std::string open(const ViewerOptions& options, const TouchScene& scene,
+  std::string open(const ViewerOptions& options, const ViewerScene& scene,
     const ResponseSet& responses, vtkHapticSession* session);
 
   std::size_t numberOfTrials() const { return this->Plan.size(); }
@@ -54,7 +54,7 @@ public:
 
 private:
   /// Finds or makes the response of an alternative.
-  std::string chooseResponse(const TouchScene& scene, const TrialChoice& choice,
+  std::string chooseResponse(const ViewerScene& scene, const TrialChoice& choice,
     double maximumDeflection, ResponseSet& responses);
   void apply(std::size_t alternative);
 
@@ -73,14 +73,14 @@ private:
 
 /// The comparison in a window: space switches, 1 and 2 answer; nothing reveals which is which.
 /// Returns an error, or "".
-std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene);
+std::string runTrialWindow(const ViewerOptions& options, const ViewerScene& scene);
 
 /**
  * The comparison without a display, answers from the standard input, a line each: 1 or 2; with a
  * physical device also s, which switches. The simulated hand presses both in virtual time, and its
  * forces are printed for the answer. Returns an error, or "".
  */
-std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scene);
+std::string runTrialConsole(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -95,7 +95,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
 }
 
 /// The solid's surface with compliance and modes, fine enough for a dent.
-std::string makeSurface(vtkUnstructuredGrid* solid, TouchScene& scene)
+std::string makeSurface(vtkUnstructuredGrid* solid, ViewerScene& scene)
 {
   vtkNew<vtkElasticCompliance> elastic;
   elastic->SetInputData(solid);
@@ -164,7 +164,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
 }
 
 /// The properties common to both.
-void describe(const ViewerOptions& options, TouchScene& scene)
+void describe(const ViewerOptions& options, ViewerScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonsRatio;
   scene.poissonsRatio = options.poissonsRatio.value_or(PoissonRatio);

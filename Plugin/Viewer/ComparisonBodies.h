@@ -3,7 +3,7 @@
 #define palpate_ComparisonBodies_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include "vtkPolyData.h"
@@ -17,7 +17,7 @@ namespace palpate
 /// One of the bodies of --compare.
 struct ComparedBody
 {
-  TouchScene scene;
+  ViewerScene scene;
   ResponseSet responses;
   vtkSmartPointer<vtkPolyData> support; ///< its support, for display
 };

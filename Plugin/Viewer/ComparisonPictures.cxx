@@ -83,7 +83,7 @@ std::string drawComparison(const std::string& file, const std::array<ComparedBod
   {
     return "the bodies cannot be compared (see above)";
   }
-  const TouchScene& scene = bodies[0].scene;
+  const ViewerScene& scene = bodies[0].scene;
   comparison->LookAtBodies(scene.viewFrom.data(), scene.up.data());
   printStatements(comparison, bodies);
   return writePicture(window, file);
@@ -104,7 +104,7 @@ std::string drawRegime(const std::string& file, const std::array<ComparedBody, 2
       return error;
     }
   }
-  const TouchScene& scene = bodies[0].scene;
+  const ViewerScene& scene = bodies[0].scene;
   std::array<char, 200> where{};
   std::snprintf(where.data(), where.size(), "%s, %.2f mm deep",
     bodies[0].responses.tools.front()->GetDescription().c_str(), scene.depth);

@@ -30,7 +30,7 @@ void addSupport(vtkRenderer* renderer, vtkPolyData* support)
 
 void setStage(vtkBodyComparison* comparison, const std::array<ComparedBody, 2>& bodies)
 {
-  const TouchScene& scene = bodies[0].scene;
+  const ViewerScene& scene = bodies[0].scene;
   comparison->SetYoungsModulus(scene.youngsModulus);
   comparison->SetPoissonRatio(scene.poissonsRatio);
   comparison->SetDeflection(scene.depth);
@@ -49,7 +49,7 @@ void setStage(vtkBodyComparison* comparison, const std::array<ComparedBody, 2>& 
 
 void printStatements(vtkBodyComparison* comparison, const std::array<ComparedBody, 2>& bodies)
 {
-  const TouchScene& scene = bodies[0].scene;
+  const ViewerScene& scene = bodies[0].scene;
   std::printf("  material    E = %g MPa, nu = %g (%s)\n  tools      ", scene.youngsModulus,
     scene.poissonsRatio, scene.materialSource.c_str());
   for (const std::string& tool : scene.tools)

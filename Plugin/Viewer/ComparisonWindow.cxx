@@ -205,7 +205,7 @@ std::string ComparisonWindow::run()
 {
   const double middle[3] = { 0.0, 0.0, 0.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
-  const TouchScene& scene = this->Bodies[0].scene;
+  const ViewerScene& scene = this->Bodies[0].scene;
   const double above[3] = { 0.0, 0.0, this->Style->GetHoverHeight() };
   this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);

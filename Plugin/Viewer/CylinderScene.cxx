@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene of Mahvash and Hayward 2002, section 5: a large triangulated cylinder, the analytical
 // half-space responses at its vertices, normals along the radius, under flat, sphere and cone.
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> makeTube()
 }
 } // namespace
 
-std::string makeCylinderScene(const ViewerOptions&, TouchScene& scene)
+std::string makeCylinderScene(const ViewerOptions&, ViewerScene& scene)
 {
   scene.title = "Cylinder of radius 50 mm";
   scene.body = makeTube();

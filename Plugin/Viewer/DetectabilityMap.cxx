@@ -146,7 +146,7 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
 }
 
 /// The change over each nodule, one line each; short, for a picture, or long.
-std::string describeNodules(const TouchScene& scene, bool inShort)
+std::string describeNodules(const ViewerScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();
   vtkDataArray* change = data->GetArray("ForceChange");
@@ -193,7 +193,7 @@ std::string describeNodules(const TouchScene& scene, bool inShort)
 }
 } // namespace
 
-std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& scene)
+std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene& scene)
 {
   const std::size_t maps = std::min(scene.tools.size(), MostMaps);
   MapStage stage("Palpate: " + scene.title, options.window);

@@ -2,7 +2,7 @@
 #ifndef palpate_DetectabilityMap_h
 #define palpate_DetectabilityMap_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -15,7 +15,7 @@ namespace palpate
  * which all turn together, until it is closed. Prints the change over each nodule, and the most
  * sensitive tool. Returns an error, or "".
  */
-std::string runDetectabilityMap(const ViewerOptions& options, const TouchScene& scene);
+std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The demo: the head of Debian's mricron-data (Colin 27, T1 MRI at 1 mm), forehead and cheek.
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "BodyCache.h"
 #include "LayerModel.h"
@@ -14,7 +14,7 @@ namespace
 const char* const InstalledScan = "/usr/share/mricron/templates/ch2.nii.gz";
 }
 
-std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene)
+std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
 {
   const std::string scan = options.scan.empty() ? InstalledScan : options.scan;
   std::error_code ignored;

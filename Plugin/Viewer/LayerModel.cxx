@@ -39,14 +39,14 @@ std::string rounded(double value, int decimals)
 }
 
 /// The thickness of all layers together.
-vtkDataArray* scannedThickness(const TouchScene& scene)
+vtkDataArray* scannedThickness(const ViewerScene& scene)
 {
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;
 }
 /// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and 1;
 /// where it shows no bone, bone is assumed at the depth of the search. A layer of given thickness
 /// has at most half of the tissue.
-void splitTissue(TouchScene& scene)
+void splitTissue(ViewerScene& scene)
 {
   vtkDataArray* tissue = scannedThickness(scene);
   vtkNew<vtkLayerThickness> settings;
@@ -75,7 +75,7 @@ void splitTissue(TouchScene& scene)
 }
 
 /// The layers under a point.
-LayerStack stackAt(const TouchScene& scene, vtkIdType point)
+LayerStack stackAt(const ViewerScene& scene, vtkIdType point)
 {
   LayerStack stack = scene.layer.stack;
   for (std::size_t i = 0; scene.layer.scanned && i < stack.layers.size(); ++i)
@@ -109,7 +109,7 @@ Tissue tissueOf(vtkDataArray* thickness)
   return tissue;
 }
 
-std::string describeStack(const TouchScene& scene)
+std::string describeStack(const ViewerScene& scene)
 {
   const LayerStack& stack = scene.layer.stack;
   std::string text = stack.layers.size() == 1 ? "elastic layer: " : "elastic layers from the top: ";
@@ -144,7 +144,7 @@ std::string describeStack(const TouchScene& scene)
 }
 
 /// The thickness of the layer under a point of the body, mm; 0 for a half-space.
-double thicknessAt(const TouchScene& scene, vtkIdType point)
+double thicknessAt(const ViewerScene& scene, vtkIdType point)
 {
   vtkDataArray* thickness = scannedThickness(scene);
   return thickness ? thickness->GetTuple1(point) : scene.layer.thickness;
@@ -159,7 +159,7 @@ std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice&
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;
 }
 
-std::string chooseLayer(const ViewerOptions& options, TouchScene& scene)
+std::string chooseLayer(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored || options.voxel > 0.0 || options.solid || !options.measured.empty())
   {
@@ -199,7 +199,7 @@ std::string layerSource(const LayerChoice& layer)
     : "given on the command line";
 }
 
-std::string describeMaterial(const TouchScene& scene)
+std::string describeMaterial(const ViewerScene& scene)
 {
   return scene.layer.isStack()
     ? "of each layer its own (" + scene.materialSource + ")"
@@ -207,7 +207,7 @@ std::string describeMaterial(const TouchScene& scene)
         scene.materialSource, ")");
 }
 
-std::string describeLaw(const TouchScene& scene)
+std::string describeLaw(const ViewerScene& scene)
 {
   if (scene.stored)
   {
@@ -236,7 +236,7 @@ std::string describeLaw(const TouchScene& scene)
     : "elastic half-space at every vertex; ";
 }
 
-std::string describeSpot(const TouchScene& scene, vtkIdType point)
+std::string describeSpot(const ViewerScene& scene, vtkIdType point)
 {
   if (scene.layer.isStack())
   {
@@ -257,8 +257,8 @@ std::string describeSpot(const TouchScene& scene, vtkIdType point)
   return thickness > 0.0 ? joined(", a layer of ", thickness, " mm") : std::string();
 }
 
-std::string describeStiffening(
-  const TouchScene& scene, const ResponseSet& responses, vtkIdType point, double depth, double deep)
+std::string describeStiffening(const ViewerScene& scene, const ResponseSet& responses,
+  vtkIdType point, double depth, double deep)
 {
   const bool isStack = scene.layer.isStack();
   const LayerStack stack = isStack ? stackAt(scene, point) : LayerStack();

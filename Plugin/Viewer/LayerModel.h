@@ -3,7 +3,7 @@
 #define palpate_LayerModel_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include <optional>
 #include <string>
@@ -17,23 +17,23 @@ std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice&
 /// Chooses the layers under the surface of a scene that has its body: --layer, otherwise the
 /// scene's own choice, unless something else determines them. Notes it in the reason of the model.
 /// Returns an error, or "": a scan is wanted but there is none.
-std::string chooseLayer(const ViewerOptions& options, TouchScene& scene);
+std::string chooseLayer(const ViewerOptions& options, ViewerScene& scene);
 
 /// The source of a stack's numbers, for the summary.
 std::string layerSource(const LayerChoice& layer);
 
 /// The material of the body, for the summary.
-std::string describeMaterial(const TouchScene& scene);
+std::string describeMaterial(const ViewerScene& scene);
 
 /// The law in words, for the summary: where it is a layer and where a half-space.
-std::string describeLaw(const TouchScene& scene);
+std::string describeLaw(const ViewerScene& scene);
 
 /// ": 6.4 mm of soft tissue over bone" or the like; "" if the scene has no layer.
-std::string describeSpot(const TouchScene& scene, vtkIdType point);
+std::string describeSpot(const ViewerScene& scene, vtkIdType point);
 
 /// The ratio of each tool's force on the layer under a point to that on a half-space, at two
 /// depths; "" without a layer.
-std::string describeStiffening(const TouchScene& scene, const ResponseSet& responses,
+std::string describeStiffening(const ViewerScene& scene, const ResponseSet& responses,
   vtkIdType point, double depth, double deep);
 } // namespace palpate
 

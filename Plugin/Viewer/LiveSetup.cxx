@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-int modelOf(const TouchScene& scene)
+int modelOf(const ViewerScene& scene)
 {
   return scene.stored ? vtkContactSetup::Stored
     : scene.solid     ? vtkContactSetup::Series
@@ -40,7 +40,7 @@ void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
 }
 } // namespace
 
-std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
+std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene,
   vtkContactSetup* setup, ResponseSet& responses)
 {
   setup->SetBody(scene.body);

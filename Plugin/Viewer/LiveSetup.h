@@ -3,7 +3,7 @@
 #define palpate_LiveSetup_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -14,7 +14,7 @@ namespace palpate
 {
 /// The scene as a setup whose tools and material can be changed during contact, with its initial
 /// responses, which are written for --save and --export. Returns an error, or "".
-std::string makeLiveSetup(const ViewerOptions& options, const TouchScene& scene,
+std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene,
   vtkContactSetup* setup, ResponseSet& responses);
 } // namespace palpate
 

@@ -2,7 +2,7 @@
 #include "LiveWindow.h"
 
 #include "LiveSetup.h"
-#include "LiveTouch.h"
+#include "HapticWindow.h"
 #include "SessionSettings.h"
 
 #include <cstdio>
@@ -24,7 +24,7 @@ void tell(const ResponseSet& responses, int tool)
 class ToldChoice
 {
 public:
-  ToldChoice(LiveTouch& live, vtkContactSetup* setup)
+  ToldChoice(HapticWindow& live, vtkContactSetup* setup)
     : Live(live)
     , Setup(setup)
   {
@@ -45,13 +45,13 @@ public:
   }
 
 private:
-  LiveTouch& Live;
+  HapticWindow& Live;
   vtkContactSetup* Setup;
   std::string Told;
 };
 } // namespace
 
-std::string runLive(const ViewerOptions& options, const TouchScene& scene)
+std::string runLive(const ViewerOptions& options, const ViewerScene& scene)
 {
   ResponseSet responses;
   vtkNew<vtkContactSetup> setup;
@@ -60,7 +60,7 @@ std::string runLive(const ViewerOptions& options, const TouchScene& scene)
   {
     return error;
   }
-  LiveTouch live(options, scene, responses);
+  HapticWindow live(options, scene, responses);
   setup->ApplyTo(live.session());
   error = chooseDevice(options, responses, live.session());
   if (!error.empty())

@@ -2,7 +2,7 @@
 #ifndef palpate_LiveWindow_h
 #define palpate_LiveWindow_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -15,7 +15,7 @@ namespace palpate
  * lists the keys, q ends. Then prints the timing of the servo thread. Returns when the window is
  * closed; an error, or "".
  */
-std::string runLive(const ViewerOptions& options, const TouchScene& scene);
+std::string runLive(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

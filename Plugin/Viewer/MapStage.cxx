@@ -56,7 +56,7 @@ void turn(vtkRenderWindow* window)
 } // namespace
 
 vtkSmartPointer<vtkPolyData> judgeBody(
-  const TouchScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error)
+  const ViewerScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error)
 {
   vtkNew<vtkPolyData> bare;
   bare->SetPoints(body->GetPoints());

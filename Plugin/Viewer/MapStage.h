@@ -2,7 +2,7 @@
 #ifndef palpate_MapStage_h
 #define palpate_MapStage_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "vtkNew.h"
 #include "vtkRegimeMap.h"
@@ -20,7 +20,7 @@ namespace palpate
 /// The result of vtkContactRegime for a body with the material of a scene, at the scene's depth;
 /// without its responses. Null and an error on failure.
 vtkSmartPointer<vtkPolyData> judgeBody(
-  const TouchScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
+  const ViewerScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
 
 /// A window of maps with a common camera.
 class MapStage

@@ -101,7 +101,7 @@ vtkIdType firstIdentified(vtkTable* sites)
 }
 } // namespace
 
-std::string attachMeasured(const ViewerOptions& options, TouchScene& scene)
+std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene)
 {
   vtkNew<vtkMeasuredContactResponse> measured;
   for (const std::string& file : options.measured)
@@ -152,7 +152,7 @@ std::string attachMeasured(const ViewerOptions& options, TouchScene& scene)
   return {};
 }
 
-std::string measuredLabel(const TouchScene& scene)
+std::string measuredLabel(const ViewerScene& scene)
 {
   if (!scene.readings)
   {
@@ -162,7 +162,7 @@ std::string measuredLabel(const TouchScene& scene)
                                                                   : ", from measured curves";
 }
 
-void addReadings(const TouchScene& scene, vtkResponseChart* chart)
+void addReadings(const ViewerScene& scene, vtkResponseChart* chart)
 {
   if (!scene.readings)
   {

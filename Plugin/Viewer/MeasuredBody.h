@@ -2,7 +2,7 @@
 #ifndef palpate_MeasuredBody_h
 #define palpate_MeasuredBody_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include <string>
 
@@ -16,14 +16,14 @@ namespace palpate
  * scene list the result of each site; it is touched at the first site unless a place is given.
  * Returns an error, or "".
  */
-std::string attachMeasured(const ViewerOptions& options, TouchScene& scene);
+std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene);
 
 /// The suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic
 /// curves"; "" if nothing was measured.
-std::string measuredLabel(const TouchScene& scene);
+std::string measuredLabel(const ViewerScene& scene);
 
 /// Adds the readings of the first site, one curve per tool that measured it.
-void addReadings(const TouchScene& scene, vtkResponseChart* chart);
+void addReadings(const ViewerScene& scene, vtkResponseChart* chart);
 } // namespace palpate
 
 #endif

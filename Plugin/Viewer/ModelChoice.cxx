@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-std::string chooseModel(const ViewerOptions& options, const TouchScene& scene,
+std::string chooseModel(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, ModelChoice& choice)
 {
   choice.body = responses.body;

@@ -3,7 +3,7 @@
 #define palpate_ModelChoice_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -26,7 +26,7 @@ struct ModelChoice
  *
  * Returns an error, or "".
  */
-std::string chooseModel(const ViewerOptions& options, const TouchScene& scene,
+std::string chooseModel(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, ModelChoice& choice);
 } // namespace palpate
 

@@ -134,7 +134,7 @@ std::string describeShare(const std::vector<double>& errors, double tolerance)
   return share.data() + errorInWords(tolerance) + "; ";
 }
 
-void printSummary(const ViewerOptions& options, const TouchScene& scene,
+void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, const ModelChoice& choice, vtkHapticSession* session,
   const std::string& stiffening)
 {
@@ -198,7 +198,7 @@ void printSummary(const ViewerOptions& options, const TouchScene& scene,
   std::printf("  files       in %s\n", options.output.c_str());
 }
 
-std::string drawPictures(const TouchScene& scene, const ResponseSet& responses,
+std::string drawPictures(const ViewerScene& scene, const ResponseSet& responses,
   const PicturedMoment& moment, const std::string& folder)
 {
   std::string error = drawOverview(folder + "/overview.png", scene, responses, moment);
@@ -222,7 +222,7 @@ std::string drawPictures(const TouchScene& scene, const ResponseSet& responses,
 }
 } // namespace
 
-std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene)
+std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
 {
   std::error_code failed;
   std::filesystem::create_directories(options.output, failed);

@@ -2,7 +2,7 @@
 #ifndef palpate_OffscreenSession_h
 #define palpate_OffscreenSession_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -18,7 +18,7 @@ namespace palpate
  *
  * Returns an error, or "".
  */
-std::string runOffscreen(const ViewerOptions& options, const TouchScene& scene);
+std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

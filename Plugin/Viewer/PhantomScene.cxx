@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A block of soft tissue with nine hard nodules under its skin, to be found by feel: finite
 // elements of the whole, with the nodules and without, solved once and kept in the cache.
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "BodyCache.h"
 #include "Mechanics/Files/NumberText.h"
@@ -26,7 +26,7 @@ constexpr double SourceSpacing = 1.0;         // mm: half the distance to most n
 constexpr double SourceSpacingWithout = 15.0; // mm: half the distance to a wall
 
 /// Everything that the solved phantom depends on.
-std::string phantomKey(const ViewerOptions& options, const TouchScene& scene)
+std::string phantomKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   return joined(PhantomRevision, solvedKey(options, scene), '|',
     shortestDecimals(options.depth.value_or(PressedTo)));
@@ -44,7 +44,7 @@ std::vector<std::string> arraysOf(std::size_t tools)
   return arrays;
 }
 
-std::string solvePhantom(const ViewerOptions& options, TouchScene& scene)
+std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
 {
   const auto begin = std::chrono::steady_clock::now();
   std::fprintf(stderr, "palpate: solving the phantom: once, a minute or two\n");
@@ -95,7 +95,7 @@ std::string refused(const ViewerOptions& options)
 }
 } // namespace
 
-std::string makePhantomScene(const ViewerOptions& options, TouchScene& scene)
+std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string error = refused(options);
   if (!error.empty())

@@ -44,7 +44,7 @@ struct Stage
     this->window->SetSize(width, PictureHeight);
   }
 
-  vtkSmartPointer<vtkContactScene> addScene(const TouchScene& scene, vtkPolyData* body,
+  vtkSmartPointer<vtkContactScene> addScene(const ViewerScene& scene, vtkPolyData* body,
     vtkContactTool* tool, const PicturedMoment& moment, double largestForce, double left,
     double right)
   {
@@ -125,7 +125,7 @@ std::string writePicture(vtkRenderWindow* window, const std::string& file)
   return writeWindowPicture(window, file);
 }
 
-std::string drawOverview(const std::string& file, const TouchScene& scene,
+std::string drawOverview(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)
 {
   Stage stage;
@@ -137,7 +137,7 @@ std::string drawOverview(const std::string& file, const TouchScene& scene,
   return writePicture(stage.window, file);
 }
 
-std::string drawCloseUp(const std::string& file, const TouchScene& scene,
+std::string drawCloseUp(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)
 {
   Stage stage;
@@ -149,7 +149,7 @@ std::string drawCloseUp(const std::string& file, const TouchScene& scene,
   return writePicture(stage.window, file);
 }
 
-std::string drawSideBySide(const std::string& file, const TouchScene& scene,
+std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)
 {
   vtkNew<vtkPolyData> tip;
@@ -191,7 +191,7 @@ std::string drawSideBySide(const std::string& file, const TouchScene& scene,
   return writePicture(stage.window, file);
 }
 
-std::string drawCurves(const std::string& file, const TouchScene& scene,
+std::string drawCurves(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment)
 {
   const vtkIdType point = nearestCorner(responses.body, moment);

@@ -3,7 +3,7 @@
 #define palpate_Pictures_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "vtkType.h"
 
@@ -34,19 +34,19 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 std::string writePicture(vtkRenderWindow* window, const std::string& file);
 
 /// The body, the tool, the force arrow and the dent.
-std::string drawOverview(const std::string& file, const TouchScene& scene,
+std::string drawOverview(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
 /// The deflection field from close up.
-std::string drawCloseUp(const std::string& file, const TouchScene& scene,
+std::string drawCloseUp(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
 /// All tools at the tip of the moment, side by side on copies of the body.
-std::string drawSideBySide(const std::string& file, const TouchScene& scene,
+std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
 /// Force over deflection of all tools at the point of the body next to the contact.
-std::string drawCurves(const std::string& file, const TouchScene& scene,
+std::string drawCurves(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 } // namespace palpate
 

@@ -73,7 +73,7 @@ std::string rangeOf(vtkPolyData* judged, const char* name)
   return text.data();
 }
 
-std::string describe(const TouchScene& scene, vtkContactTool* tool, vtkPolyData* judged)
+std::string describe(const ViewerScene& scene, vtkContactTool* tool, vtkPolyData* judged)
 {
   const Shares shares = measureShares(judged);
   std::array<char, 800> text{};
@@ -94,7 +94,7 @@ std::string describe(const TouchScene& scene, vtkContactTool* tool, vtkPolyData*
 
 } // namespace
 
-std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene)
+std::string runRegimeMap(const ViewerOptions& options, const ViewerScene& scene)
 {
   if (scene.nodules)
   {

@@ -2,7 +2,7 @@
 #ifndef palpate_RegimeMap_h
 #define palpate_RegimeMap_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -14,7 +14,7 @@ namespace palpate
  * depth: map.png in the output folder, or a window in which the three turn together, until it is
  * closed. Prints the fraction of the surface with each verdict. Returns an error, or "".
  */
-std::string runRegimeMap(const ViewerOptions& options, const TouchScene& scene);
+std::string runRegimeMap(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -47,7 +47,7 @@ std::string updateQuietly(vtkAlgorithm* algorithm)
   return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 
-ContactLaw lawOf(const TouchScene& scene)
+ContactLaw lawOf(const ViewerScene& scene)
 {
   return { scene.youngsModulus, scene.poissonsRatio, scene.layer };
 }
@@ -72,7 +72,7 @@ BodyMaterial::Constants materialOf(const ContactLaw& law)
   return made;
 }
 
-MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyData* body)
+MaterialArrays arraysOf(const ContactLaw& law, const ViewerScene& scene, vtkPolyData* body)
 {
   const bool isStack = law.layer.isStack();
   const std::string first = isStack ? "LayerThickness0" : "LayerThickness";
@@ -86,8 +86,8 @@ std::string responseName(std::size_t tool)
   return tool == 0 ? "Response" : "Response" + std::to_string(tool + 1);
 }
 
-std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
-  double maximumDeflection, ResponseSet& responses)
+std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
+  const ContactLaw& law, double maximumDeflection, ResponseSet& responses)
 {
   auto shape = vtkSmartPointer<vtkContactTool>::New();
   if (!shape->SetSpecification(tool))
@@ -118,7 +118,7 @@ std::string addToolResponse(const TouchScene& scene, const std::string& tool, co
 namespace
 {
 std::string attachResponses(
-  const TouchScene& scene, double maximumDeflection, ResponseSet& responses)
+  const ViewerScene& scene, double maximumDeflection, ResponseSet& responses)
 {
   const auto begin = std::chrono::steady_clock::now();
   responses.body = scene.body;
@@ -161,7 +161,7 @@ std::string saveBody(vtkPolyData* body, const std::string& path)
 }
 
 std::string prepareResponses(
-  const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses)
+  const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses)
 {
   const std::string error = attachResponses(scene, options.maximumDeflection, responses);
   return error.empty() ? writeResponses(options, responses) : error;

@@ -3,7 +3,7 @@
 #define palpate_ResponseSet_h
 
 #include "Response/BodyLaws.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkContactTool.h"
@@ -39,24 +39,24 @@ struct ContactLaw
 };
 
 /// The law of the scene.
-ContactLaw lawOf(const TouchScene& scene);
+ContactLaw lawOf(const ViewerScene& scene);
 
 /// The same for the functions of Filters/Laws: constants, and the arrays of the body that override
 /// them.
 BodyMaterial::Constants materialOf(const ContactLaw& law);
-MaterialArrays arraysOf(const ContactLaw& law, const TouchScene& scene, vtkPolyData* body);
+MaterialArrays arraysOf(const ContactLaw& law, const ViewerScene& scene, vtkPolyData* body);
 
 /// Prefix of the arrays of a tool's response: Response, Response2...
 std::string responseName(std::size_t tool);
 
 /// Adds the response of one more tool, or of another law. Returns an error, or "".
-std::string addToolResponse(const TouchScene& scene, const std::string& tool, const ContactLaw& law,
-  double maximumDeflection, ResponseSet& responses);
+std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
+  const ContactLaw& law, double maximumDeflection, ResponseSet& responses);
 
 /// Attaches them by the options and writes the files of --save and --export. Returns an error, or
 /// "".
 std::string prepareResponses(
-  const ViewerOptions& options, const TouchScene& scene, ResponseSet& responses);
+  const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 
 /// Writes a body with all its arrays as a .vtp, completely or not at all. Returns an error, or "".
 std::string saveBody(vtkPolyData* body, const std::string& path);

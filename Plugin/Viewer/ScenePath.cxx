@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-std::string makePath(const TouchScene& scene, vtkPolyData* path)
+std::string makePath(const ViewerScene& scene, vtkPolyData* path)
 {
   vtkNew<vtkPressPath> press;
   press->SetInputData(scene.body);
@@ -47,7 +47,7 @@ TouchSite siteAt(vtkPolyData* bodyWithResponse, vtkIdType point)
 }
 } // namespace
 
-TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse)
+TouchSite firstSite(const ViewerScene& scene, vtkPolyData* bodyWithResponse)
 {
   constexpr double cosine = 0.9994;
   const Direction& direction = scene.directions.front();
@@ -69,7 +69,7 @@ TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse)
   return siteAt(bodyWithResponse, best);
 }
 
-PictureAxes::PictureAxes(const TouchScene& scene)
+PictureAxes::PictureAxes(const ViewerScene& scene)
 {
   double towards[3] = { scene.viewFrom[0], scene.viewFrom[1], scene.viewFrom[2] };
   vtkMath::Normalize(towards);
@@ -78,7 +78,7 @@ PictureAxes::PictureAxes(const TouchScene& scene)
   vtkMath::Cross(towards, this->right, this->up);
 }
 
-TouchSite siteOfHand(const TouchScene& scene, vtkPolyData* bodyWithResponse, int hand)
+TouchSite siteOfHand(const ViewerScene& scene, vtkPolyData* bodyWithResponse, int hand)
 {
   constexpr double step = 15.0; // mm: about the distance of two fingers
   constexpr double share = 0.1; // of the body's diagonal, at most

@@ -3,7 +3,7 @@
 #define palpate_ScenePath_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include <array>
 #include <string>
@@ -12,7 +12,7 @@ namespace palpate
 {
 /// The path of the simulated hand over the scene, with its times: see vtkPressPath. Returns an
 /// error, or "".
-std::string makePath(const TouchScene& scene, vtkPolyData* path);
+std::string makePath(const ViewerScene& scene, vtkPolyData* path);
 
 /// A point of a body's surface.
 struct TouchSite
@@ -26,12 +26,12 @@ struct TouchSite
 
 /// The first site of the scene: the outermost vertex within two degrees of its first direction from
 /// the centre.
-TouchSite firstSite(const TouchScene& scene, vtkPolyData* bodyWithResponse);
+TouchSite firstSite(const ViewerScene& scene, vtkPolyData* bodyWithResponse);
 
 /// To the right and upward in the picture of a scene, unit.
 struct PictureAxes
 {
-  explicit PictureAxes(const TouchScene& scene);
+  explicit PictureAxes(const ViewerScene& scene);
 
   double right[3];
   double up[3];
@@ -39,7 +39,7 @@ struct PictureAxes
 
 /// The start of one of several hands, numbered from 0: the first site, or that many steps to the
 /// right of it.
-TouchSite siteOfHand(const TouchScene& scene, vtkPolyData* bodyWithResponse, int hand);
+TouchSite siteOfHand(const ViewerScene& scene, vtkPolyData* bodyWithResponse, int hand);
 } // namespace palpate
 
 #endif

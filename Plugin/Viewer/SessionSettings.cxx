@@ -11,7 +11,8 @@
 
 namespace palpate
 {
-void chooseContact(const ViewerOptions& options, const TouchScene& scene, vtkHapticSession* session)
+void chooseContact(
+  const ViewerOptions& options, const ViewerScene& scene, vtkHapticSession* session)
 {
   ContactSettings contact = options.contact;
   contact.friction.poissonRatio = scene.poissonsRatio;
@@ -59,7 +60,7 @@ std::string addHands(const ViewerOptions& options, vtkHapticSession* session)
   return {};
 }
 
-void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session)
+void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapticSession* session)
 {
   constexpr double hover = 10.0; // mm: the device's origin is above the surface
   const PictureAxes axes(scene);
@@ -87,7 +88,7 @@ std::string startQuietly(vtkHapticSession* session)
   return started ? std::string() : quiet.window->reason();
 }
 
-std::string describeFriction(const ViewerOptions& options, const TouchScene& scene)
+std::string describeFriction(const ViewerOptions& options, const ViewerScene& scene)
 {
   const FrictionSettings& friction = options.contact.friction;
   if (friction.coefficient == 0.0)

@@ -3,7 +3,7 @@
 #define palpate_SessionSettings_h
 
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include <string>
@@ -14,7 +14,7 @@ namespace palpate
 {
 /// Gives the session the options of forces, surface and friction, and the scene's Poisson's ratio.
 void chooseContact(
-  const ViewerOptions& options, const TouchScene& scene, vtkHapticSession* session);
+  const ViewerOptions& options, const ViewerScene& scene, vtkHapticSession* session);
 
 /// Gives the session the device of the options. Returns an error, or "".
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
@@ -29,13 +29,13 @@ std::string addHands(const ViewerOptions& options, vtkHapticSession* session);
 
 /// Places physical devices in view: the origin above the first site, those of further ones beside
 /// it, x to the right and y up in the picture; the first button is the clutch.
-void placeDevice(const TouchScene& scene, const ResponseSet& responses, vtkHapticSession* session);
+void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Starts the session; returns the error it reported, or "".
 std::string startQuietly(vtkHapticSession* session);
 
 /// The friction in words for the summary, "mu = 0.5, ..."; "" without.
-std::string describeFriction(const ViewerOptions& options, const TouchScene& scene);
+std::string describeFriction(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -68,7 +68,7 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
 }
 
 /// The law of finite strain for a tool: as requested, or Neo-Hooke if that is tabulated.
-StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const TouchScene& scene)
+StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const ViewerScene& scene)
 {
   if (options.strainGiven && !scene.terms.automatic)
   {
@@ -81,7 +81,7 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
 
 /// Everything that the responses depend on. The revision changes when the same input gives other
 /// results.
-std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
+std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   constexpr int Revision = 3;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
@@ -91,7 +91,7 @@ std::string solidKey(const ViewerOptions& options, const TouchScene& scene)
 }
 
 /// Fills the scene's body and presses its tools; sets body and notes.
-std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
+std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<double> radii;
@@ -168,7 +168,7 @@ std::string solveSolid(const ViewerOptions& options, TouchScene& scene)
 }
 } // namespace
 
-std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene)
+std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene)
 {
   std::vector<std::string> arrays;
   for (std::size_t i = 0; i < scene.tools.size(); ++i)

@@ -2,7 +2,7 @@
 #ifndef palpate_SolidBody_h
 #define palpate_SolidBody_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include <string>
 
@@ -15,7 +15,7 @@ namespace palpate
  * what was chosen and its cost, or on the cache used, is added to the notes. Returns an error, or
  * "".
  */
-std::string attachSolidResponses(const ViewerOptions& options, TouchScene& scene);
+std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -50,7 +50,7 @@ std::string keepSolved(vtkPolyData* body, const std::string& file)
   return fault.empty() ? saveBody(body, file) : fault;
 }
 
-std::string solvedKey(const ViewerOptions& options, const TouchScene& scene)
+std::string solvedKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   std::string key;
   for (const double number : { scene.youngsModulus, scene.poissonsRatio, options.maximumDeflection,

@@ -2,7 +2,7 @@
 #ifndef palpate_SolvedCache_h
 #define palpate_SolvedCache_h
 
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -21,7 +21,7 @@ vtkSmartPointer<vtkPolyData> readSolved(
 std::string keepSolved(vtkPolyData* body, const std::string& file);
 
 /// For the key of a cache: material, tools, depth and tolerance of a scene's responses.
-std::string solvedKey(const ViewerOptions& options, const TouchScene& scene);
+std::string solvedKey(const ViewerOptions& options, const ViewerScene& scene);
 
 /// The content of a body for the key of a cache: points, triangles and point arrays.
 std::string contentOf(vtkPolyData* body);

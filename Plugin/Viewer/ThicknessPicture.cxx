@@ -118,7 +118,7 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
 }
 } // namespace
 
-std::string drawThickness(const std::string& file, const TouchScene& scene)
+std::string drawThickness(const std::string& file, const ViewerScene& scene)
 {
   const vtkSmartPointer<vtkFloatArray> found =
     whereFound(scene.body->GetPointData()->GetArray("LayerThickness"));

@@ -106,7 +106,7 @@ std::string ask(BlindTrial& trial, vtkHapticSession* session, double seconds, bo
 }
 } // namespace
 
-std::string runTrialConsole(const ViewerOptions& options, const TouchScene& scene)
+std::string runTrialConsole(const ViewerOptions& options, const ViewerScene& scene)
 {
   ResponseSet responses;
   BlindTrial trial;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlindTrial.h"
 
-#include "LiveTouch.h"
+#include "HapticWindow.h"
 #include "SessionSettings.h"
 
 #include <cstdio>
@@ -23,7 +23,7 @@ const char* const TrialKeys = "? or h\tthis help, on and off\n"
                               "middle, right\tpan, zoom";
 
 /// Asks the current trial, or ends.
-void ask(LiveTouch& live, BlindTrial& trial)
+void ask(HapticWindow& live, BlindTrial& trial)
 {
   if (trial.isOver())
   {
@@ -35,14 +35,14 @@ void ask(LiveTouch& live, BlindTrial& trial)
   std::fflush(stdout);
 }
 
-void showState(LiveTouch& live, const BlindTrial& trial)
+void showState(HapticWindow& live, const BlindTrial& trial)
 {
   live.view()->SetRemark(trial.title() + ", under the hand: " + (trial.showsX() ? "X" : "Y") +
     "\n" + trial.question() + " 1: X, 2: Y");
 }
 } // namespace
 
-std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene)
+std::string runTrialWindow(const ViewerOptions& options, const ViewerScene& scene)
 {
   ResponseSet responses;
   BlindTrial trial;
@@ -55,7 +55,7 @@ std::string runTrialWindow(const ViewerOptions& options, const TouchScene& scene
   {
     return error;
   }
-  LiveTouch live(options, scene, responses);
+  HapticWindow live(options, scene, responses);
   live.view()->SetBlind(true);
   live.style()->SetKeyHelp(TrialKeys);
   error = chooseDevice(options, responses, live.session());

@@ -3,15 +3,14 @@
 #include "BlindTrial.h"
 #include "ComparisonPictures.h"
 #include "ComparisonWindow.h"
-#include "DisplayCheck.h"
-#include "DisplayLoss.h"
+#include "DisplayServer.h"
 #include "Haptics/Safety/ForceRelease.h"
 #include "LiveWindow.h"
 #include "OffscreenSession.h"
 #include "OutputCheck.h"
 #include "RegimeMap.h"
 #include "Mechanics/ThreadCount.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include "vtkHapticSession.h"
@@ -32,7 +31,7 @@ int fail(const std::string& error)
 }
 
 /// Runs the chosen way to touch or show a scene. Returns an error, or "".
-std::string run(const palpate::ViewerOptions& options, const palpate::TouchScene& scene)
+std::string run(const palpate::ViewerOptions& options, const palpate::ViewerScene& scene)
 {
   if (options.map)
   {
@@ -63,8 +62,8 @@ std::string run(const palpate::ViewerOptions& options)
   {
     return options.window ? palpate::runComparisonWindow(options) : palpate::runComparison(options);
   }
-  palpate::TouchScene scene;
-  error = palpate::makeTouchScene(options, scene);
+  palpate::ViewerScene scene;
+  error = palpate::makeViewerScene(options, scene);
   for (const std::string& note : scene.notes)
   {
     std::fprintf(stderr, "palpate: %s\n", note.c_str());

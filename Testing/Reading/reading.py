@@ -59,7 +59,7 @@ def executed(folder, program):
                               cwd=data.parent).stdout
         for report in text.decode().splitlines():
             for entry in json.loads(report)["files"] if report else ():
-                path = (data.parent / entry["file"]).resolve()
+                path = (folder / entry["file"]).resolve()  # ccache makes names relative to the build folder
                 if not path.is_relative_to(ROOT) or path.relative_to(ROOT).parts[0] not in ROOMS:
                     continue
                 lines[path.relative_to(ROOT)] |= {line["line_number"] for line in entry["lines"] if line["count"] > 0}

@@ -23,11 +23,11 @@ ForceNodes::ForceNodes(const ResponseSampling& sampling, double range, int eleme
     if (at.lower < 0)
     {
       // Below the first sample, as δ^m: what is amiss is no part of the chords.
-      node.shares[0] = std::pow(this->Gaps[j] / sampling.depth(0, range), sampling.exponent());
+      node.weights[0] = std::pow(this->Gaps[j] / sampling.depth(0, range), sampling.exponent());
       continue;
     }
     node.lower = at.lower;
-    node.shares = { sampling.between({ 1.0, 0.0, 0.0, 0.0 }, at).force,
+    node.weights = { sampling.between({ 1.0, 0.0, 0.0, 0.0 }, at).force,
       sampling.between({ 0.0, 1.0, 0.0, 0.0 }, at).force,
       sampling.between({ 0.0, 0.0, 1.0, 0.0 }, at).force,
       sampling.between({ 0.0, 0.0, 0.0, 1.0 }, at).force };
@@ -60,7 +60,7 @@ void ForceNodes::chordsOf(
         samples = curve.samples(lower);
       }
       const double force =
-        isSampled ? node.shares.dot(samples) : curve.evaluate(this->Gaps[j + 1]).force;
+        isSampled ? node.weights.dot(samples) : curve.evaluate(this->Gaps[j + 1]).force;
       steep = (force - before) * this->InverseWidth[j];
       before = force;
     }

@@ -67,7 +67,7 @@ private:
   struct Node
   {
     int lower = 0;
-    Eigen::Vector4d shares = Eigen::Vector4d::Zero();
+    Eigen::Vector4d weights = Eigen::Vector4d::Zero();
   };
 
   std::size_t Count = 0;

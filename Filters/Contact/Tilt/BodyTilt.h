@@ -47,7 +47,7 @@ public:
     return all;
   }
   /// Those of three points, blended.
-  Weights weights(const TriangleCorners& points, const Vector3& shares) const noexcept
+  Weights weights(const TriangleCorners& points, const Vector3& areas) const noexcept
   {
     if (!this->isPerPoint())
     {
@@ -59,7 +59,7 @@ public:
       const float* of = this->Weight.data() + this->Laws * static_cast<std::size_t>(points[k]);
       for (std::size_t law = 0; law < this->Laws; ++law)
       {
-        all[law] += shares[static_cast<Eigen::Index>(k)] * static_cast<double>(of[law]);
+        all[law] += areas[static_cast<Eigen::Index>(k)] * static_cast<double>(of[law]);
       }
     }
     return all;

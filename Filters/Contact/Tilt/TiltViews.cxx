@@ -29,7 +29,7 @@ std::string faultOfTiltViews(const TiltViews& views, std::size_t points)
     }
     if (!(std::abs(sum - 1.0) <= rounding))
     {
-      return joined("the weights of tilts at point ", i, " must have the sum 1, not ", sum);
+      return joined("the weights of tilts at point ", i, " must have the sum 1, but have ", sum);
     }
   }
   return {};

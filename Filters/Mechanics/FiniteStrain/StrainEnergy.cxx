@@ -181,4 +181,19 @@ template PALPATE_EXPORT Dual StrainEnergy::volumeChange(const Gradient<Dual>&) c
 template PALPATE_EXPORT double StrainEnergy::isochoric(
   const Gradient<double>&, const double&) const;
 template PALPATE_EXPORT Dual StrainEnergy::isochoric(const Gradient<Dual>&, const Dual&) const;
+
+std::string describe(const StrainLaw& law)
+{
+  switch (law.model)
+  {
+    case StrainModel::NeoHooke:
+      return "finite strain (Neo-Hooke)";
+    case StrainModel::Ogden:
+      return joined("finite strain (Ogden, alpha = ", law.parameter, ")");
+    case StrainModel::Demiray:
+      return joined("finite strain (Demiray, b = ", law.parameter, ")");
+    default:
+      return "small strain";
+  }
+}
 } // namespace palpate

@@ -61,6 +61,16 @@ private:
 
 /// Which parameter of the model is out of its range, or "": α not 0 and |α| ≤ 50, 0 < b ≤ 50.
 PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
+
+/// How a body resists large strain, with the parameter of the model: α of Ogden, b of Demiray.
+struct StrainLaw
+{
+  StrainModel model = StrainModel::Linear;
+  double parameter = 0.0;
+};
+
+/// "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small strain" of Linear.
+PALPATE_EXPORT std::string describe(const StrainLaw& law);
 } // namespace palpate
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef StrainSolution_h
 #define StrainSolution_h
 
-#include "Mechanics/FiniteStrain/StrainLaw.h"
+#include "Mechanics/FiniteStrain/StrainEnergy.h"
 #include "Mechanics/FiniteStrain/StrainTable.h"
 #include "Mechanics/Layers/LayerStack.h"
 

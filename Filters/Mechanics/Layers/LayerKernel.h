@@ -3,7 +3,7 @@
 #define palpate_LayerKernel_h
 
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/Numerics/PiecewiseChebyshev.h"
+#include "Mechanics/Numerics/ChebyshevRule.h"
 
 #include <Eigen/Core>
 

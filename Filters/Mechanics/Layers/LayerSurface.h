@@ -5,7 +5,7 @@
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/Layers/LayerKernel.h"
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/Numerics/PiecewiseChebyshev.h"
+#include "Mechanics/Numerics/ChebyshevRule.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #ifndef palpate_StackTable_h
 #define palpate_StackTable_h
 
-#include "Mechanics/Layers/LayerCurves.h"
+#include "Mechanics/Layers/LayerTable.h"
 #include "Mechanics/Layers/StackKernels.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"

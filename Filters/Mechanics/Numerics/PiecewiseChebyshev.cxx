@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/Numerics/PiecewiseChebyshev.h"
+#include "Mechanics/Numerics/ChebyshevRule.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <array>

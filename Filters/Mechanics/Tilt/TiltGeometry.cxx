@@ -166,7 +166,7 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
   const double largest = largestTilt(tool);
   if (!(angle > 0.0))
   {
-    return joined("the largest tilt must be > 0 degrees, not ", angle / Degree);
+    return joined("the largest tilt must be positive (degrees), but is ", angle / Degree);
   }
   if (largest <= 0.0)
   {

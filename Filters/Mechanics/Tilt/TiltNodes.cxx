@@ -178,7 +178,7 @@ std::string countFault(const std::vector<TiltBody>& bodies)
 {
   return !bodies.empty() && bodies.size() <= TiltTerms::MostLaws
     ? ""
-    : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", not ", bodies.size());
+    : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", but is ", bodies.size());
 }
 
 /// Why a tool cannot be pressed so deep into a body, tilted or upright; "" if it can.
@@ -242,7 +242,7 @@ std::string checkTiltDemand(const AxisymmetricTool& tool, double range, double l
 {
   if (!(range > 0.0 && std::isfinite(range)))
   {
-    return joined("the range of tilts must be > 0 mm, not ", range);
+    return joined("the range of tilts must be positive and finite (mm), but is ", range);
   }
   const std::string fault = checkTilt(tool, largest);
   return fault.empty() ? tool.checkDepth(range) : fault;

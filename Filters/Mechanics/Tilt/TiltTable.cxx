@@ -88,19 +88,20 @@ std::string faultOfTilts(const TiltTerms& terms)
   {
     return is >= least && is <= most
       ? ""
-      : joined("the number of ", what, " must be ", least, " to ", most, ", not ", is);
+      : joined("the number of ", what, " must be ", least, " to ", most, ", but is ", is);
   };
   if (!(terms.range > 0.0 && std::isfinite(terms.range)))
   {
-    return joined("the range of tilts must be > 0 mm, not ", terms.range);
+    return joined("the range of tilts must be positive and finite (mm), but is ", terms.range);
   }
   if (!(terms.largest > 0.0 && terms.largest < rightAngle))
   {
-    return joined("the largest tilt must be between 0 and pi/2 rad, not ", terms.largest);
+    return joined("the largest tilt must lie between 0 and pi/2 (rad), but is ", terms.largest);
   }
   if (!(terms.dropScale >= 0.0 && std::isfinite(terms.dropScale)))
   {
-    return joined("the scale of the drop must be >= 0, not ", terms.dropScale);
+    return joined(
+      "the scale of the drop must be finite and not negative, but is ", terms.dropScale);
   }
   for (const std::string& fault : { count("depths", terms.depths, 2, TiltTerms::MostNodes),
          count("angles", terms.angles, 2, TiltTerms::MostNodes),

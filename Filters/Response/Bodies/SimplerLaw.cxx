@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/SimplerLaw.h"
 
-#include "Contact/FloatCurve.h"
+#include "Contact/ResponseSampling.h"
 #include "Laws/ResponseChange.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"

@@ -4,7 +4,7 @@
 
 #include "Contact/Contact.h"
 #include "Contact/ContactBody.h"
-#include "Contact/TriangleSearch.h"
+#include "Contact/TriangleTree.h"
 
 #include "vtkType.h"
 

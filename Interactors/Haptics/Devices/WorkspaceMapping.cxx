@@ -56,24 +56,22 @@ WorkspaceMapping WorkspaceMapping::fitted(const Eigen::Vector3d& lower,
 
 SettingFault WorkspaceMapping::fault() const
 {
-  std::ostringstream remark;
   const Eigen::Matrix3d defect =
     this->Rotation.transpose() * this->Rotation - Eigen::Matrix3d::Identity();
   const double largest = defect.cwiseAbs().maxCoeff();
   if (!this->Rotation.allFinite() || !(largest <= RotationTolerance))
   {
+    std::ostringstream remark;
     remark << "must be orthonormal, but RᵀR is off by " << largest;
     return { "Rotation", remark.str() };
   }
   if (!this->Translation.allFinite())
   {
-    remark << "must be finite (mm), but is " << this->Translation.transpose();
-    return { "Translation", remark.str() };
+    return SettingFault::must("Translation", "be finite (mm)", this->Translation.transpose());
   }
   if (!(this->Scale > 0.0) || !std::isfinite(this->Scale))
   {
-    remark << "must be finite and positive, but is " << this->Scale;
-    return { "Scale", remark.str() };
+    return SettingFault::must("Scale", "be finite and positive", this->Scale);
   }
   return {};
 }

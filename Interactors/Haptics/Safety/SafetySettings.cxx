@@ -2,7 +2,6 @@
 #include "Haptics/Safety/SafetySettings.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace palpate
 {
@@ -33,21 +32,11 @@ SafetySettings SafetySettings::magnitudeOnly(double maximumForce)
   return settings;
 }
 
-namespace
-{
-SettingFault makeFault(const char* name, const char* range, double value)
-{
-  std::ostringstream remark;
-  remark << "must " << range << ", but is " << value;
-  return { name, remark.str() };
-}
-} // namespace
-
 SettingFault faultOfForceFactor(double factor)
 {
   if (!(factor > 0.0 && factor <= 1.0))
   {
-    return makeFault("ForceFactor", "be positive and at most 1", factor);
+    return SettingFault::must("ForceFactor", "be positive and at most 1", factor);
   }
   return {};
 }
@@ -60,44 +49,45 @@ SettingFault faultOf(const SafetySettings& settings)
   }
   if (!(settings.maximumForce >= 0.0))
   {
-    return makeFault("MaximumForce", "not be negative (N)", settings.maximumForce);
+    return SettingFault::must("MaximumForce", "not be negative (N)", settings.maximumForce);
   }
   if (!(settings.maximumStiffness > 0.0))
   {
-    return makeFault("MaximumStiffness", "be positive (N/m)", settings.maximumStiffness);
+    return SettingFault::must("MaximumStiffness", "be positive (N/m)", settings.maximumStiffness);
   }
   if (!(settings.maximumForceRate > 0.0))
   {
-    return makeFault("MaximumForceRate", "be positive (N/s)", settings.maximumForceRate);
+    return SettingFault::must("MaximumForceRate", "be positive (N/s)", settings.maximumForceRate);
   }
   if (!(settings.maximumTorque >= 0.0))
   {
-    return makeFault("MaximumTorque", "not be negative (N m)", settings.maximumTorque);
+    return SettingFault::must("MaximumTorque", "not be negative (N m)", settings.maximumTorque);
   }
   if (!(settings.maximumTorsionalStiffness > 0.0))
   {
-    return makeFault(
+    return SettingFault::must(
       "MaximumTorsionalStiffness", "be positive (N m/rad)", settings.maximumTorsionalStiffness);
   }
   if (!(settings.maximumTorqueRate > 0.0))
   {
-    return makeFault("MaximumTorqueRate", "be positive (N m/s)", settings.maximumTorqueRate);
+    return SettingFault::must(
+      "MaximumTorqueRate", "be positive (N m/s)", settings.maximumTorqueRate);
   }
   if (!(settings.sampleTimeOut > 0.0))
   {
-    return makeFault("SampleTimeOut", "be positive (s)", settings.sampleTimeOut);
+    return SettingFault::must("SampleTimeOut", "be positive (s)", settings.sampleTimeOut);
   }
   if (!(settings.period > 0.0) || !std::isfinite(settings.period))
   {
-    return makeFault("Period", "be finite and positive (s)", settings.period);
+    return SettingFault::must("Period", "be finite and positive (s)", settings.period);
   }
   if (!(settings.delay >= 0.0) || !std::isfinite(settings.delay))
   {
-    return makeFault("Delay", "be finite and not negative (s)", settings.delay);
+    return SettingFault::must("Delay", "be finite and not negative (s)", settings.delay);
   }
   if (!(settings.entryRamp >= 0.0) || !std::isfinite(settings.entryRamp))
   {
-    return makeFault("EntryRamp", "be finite and not negative (s)", settings.entryRamp);
+    return SettingFault::must("EntryRamp", "be finite and not negative (s)", settings.entryRamp);
   }
   return {};
 }

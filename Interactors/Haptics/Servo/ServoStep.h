@@ -5,7 +5,6 @@
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Servo/DeviceEnd.h"
 #include "Haptics/Servo/SceneSwitch.h"
-#include "Haptics/Servo/Tick.h"
 #include "Contact/ToolContact.h"
 
 #include <cstdint>

@@ -141,12 +141,27 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
   }
   if (!isStored)
   {
-    const auto size = [setup] { return setup->GetToolSize(); };
-    const auto resize = [setup](double value) { setup->SetToolSize(value); };
-    rows.emplace_back(ControlQuantity{ "Half angle", AngleScale, angleText, size, resize, true,
-      [setup] { return setup->HasToolSize() && setup->IsToolSizeAngle(); } });
-    rows.emplace_back(ControlQuantity{ "Radius", RadiusScale, radiusText, size, resize, true,
-      [setup] { return setup->HasToolSize() && !setup->IsToolSizeAngle(); } });
+    const auto size = [setup]
+    {
+      vtkContactTool* tool = setup->GetToolInHand();
+      return tool ? tool->GetSize() : 0.0;
+    };
+    const auto resize = [setup](double value)
+    {
+      if (vtkContactTool* tool = setup->GetToolInHand())
+      {
+        tool->SetSize(value);
+      }
+    };
+    const auto isSize = [setup](bool angle)
+    {
+      vtkContactTool* tool = setup->GetToolInHand();
+      return tool && tool->HasSize() && tool->IsSizeAngle() == angle;
+    };
+    rows.emplace_back(ControlQuantity{
+      "Half angle", AngleScale, angleText, size, resize, true, [isSize] { return isSize(true); } });
+    rows.emplace_back(ControlQuantity{
+      "Radius", RadiusScale, radiusText, size, resize, true, [isSize] { return isSize(false); } });
     rows.emplace_back("MATERIAL");
     rows.emplace_back(ControlQuantity{ "Young's modulus", ModulusScale, modulusText,
       [setup] { return setup->GetYoungsModulus(); },

@@ -9,12 +9,12 @@ if(PARAVIEW_USE_QT)
     INTERFACES interfaces
     SOURCES sources)
   set(panel_sources
-    Panel/TouchForm.cxx
-    Panel/TouchPlace.cxx
-    Panel/TouchPreparation.cxx
-    Panel/TouchSession.cxx
-    Panel/TouchSource.cxx
-    Panel/TouchStage.cxx
+    Panel/LiveTouchForm.cxx
+    Panel/LiveTouchPlace.cxx
+    Panel/LiveTouchPreparation.cxx
+    Panel/LiveTouchSession.cxx
+    Panel/LiveTouchSource.cxx
+    Panel/LiveTouchStage.cxx
     Panel/pqForceBar.cxx
     Panel/pqForceBar.h
     Panel/pqLiveTouchPanel.cxx

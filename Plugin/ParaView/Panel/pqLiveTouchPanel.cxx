@@ -2,7 +2,7 @@
 #include "pqLiveTouchPanel.h"
 
 #include "TouchSight.h"
-#include "TouchSource.h"
+#include "LiveTouchSource.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
@@ -39,7 +39,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   scroll->setWidgetResizable(true);
   auto* contents = new QWidget(scroll);
   contents->setObjectName("contents");
-  this->Form = new palpate::TouchForm(contents);
+  this->Form = new palpate::LiveTouchForm(contents);
   scroll->setWidget(contents);
   this->setWidget(scroll);
   this->hide(); // until it is shown by the menu View
@@ -104,7 +104,7 @@ void pqLiveTouchPanel::showSource()
     return; // a running session keeps the body of its Start; a hidden panel does not query the
             // server
   }
-  const auto source = palpate::findTouchSource(pqActiveObjects::instance().activePort());
+  const auto source = palpate::findLiveTouchSource(pqActiveObjects::instance().activePort());
   const QString leads = source.touch ? ", led by " + source.touch->getSMName() : QString();
   this->Form->showSource(
     source, source.body ? source.body->getSource()->getSMName() + leads : QString());
@@ -136,7 +136,7 @@ void pqLiveTouchPanel::onToggled(bool shown)
 
 void pqLiveTouchPanel::start()
 {
-  const auto source = palpate::findTouchSource(pqActiveObjects::instance().activePort());
+  const auto source = palpate::findLiveTouchSource(pqActiveObjects::instance().activePort());
   auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
   if (!source.body || !view)
   {
@@ -216,7 +216,7 @@ void pqLiveTouchPanel::frame()
     this->onSessionChanged();
   }
   // If rendering takes long, half of the time is left to the user.
-  if (this->Touch.state() != palpate::TouchSession::State::Touching ||
+  if (this->Touch.state() != palpate::LiveTouchSession::State::Touching ||
     this->Rest.elapsed() < this->RenderTime)
   {
     return;

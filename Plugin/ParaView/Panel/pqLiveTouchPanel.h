@@ -2,9 +2,9 @@
 #ifndef pqLiveTouchPanel_h
 #define pqLiveTouchPanel_h
 
-#include "TouchForm.h"
-#include "TouchSession.h"
-#include "TouchStage.h"
+#include "LiveTouchForm.h"
+#include "LiveTouchSession.h"
+#include "LiveTouchStage.h"
 
 #include <QDockWidget>
 #include <QElapsedTimer>
@@ -19,10 +19,10 @@ class pqView;
  * The dock *Live Touch*: the active source's body under a haptic device, felt by a servo thread and
  * shown in the active render view.
  *
- * It connects widgets (TouchForm), session (TouchSession), pipeline (TouchSource) and view
- * (TouchStage). A timer reads the newest tick some 60 times a second while a session runs; the view
- * is rendered when the tool has moved, and half of the time is left to the user. It never waits for
- * the servo thread or a preparation, only for data of a remote server.
+ * It connects widgets (LiveTouchForm), session (LiveTouchSession), pipeline (LiveTouchSource) and
+ * view (LiveTouchStage). A timer reads the newest tick some 60 times a second while a session runs;
+ * the view is rendered when the tool has moved, and half of the time is left to the user. It never
+ * waits for the servo thread or a preparation, only for data of a remote server.
  *
  * The session ends, with no force on the device, when the dock is closed, before its source, view
  * or server is removed, before a state is loaded, and when ParaView quits. Body, view and handle
@@ -59,11 +59,11 @@ private:
   void onSessionChanged();
   palpate::TouchHandle readHandle() const;
   void showNumbers();
-  bool isIdle() const { return this->Touch.state() == palpate::TouchSession::State::Idle; }
+  bool isIdle() const { return this->Touch.state() == palpate::LiveTouchSession::State::Idle; }
 
-  palpate::TouchForm* Form; ///< owned, like its widgets
-  palpate::TouchStage Stage;
-  palpate::TouchSession Touch;        ///< after the stage, so that it is destroyed first
+  palpate::LiveTouchForm* Form; ///< owned, like its widgets
+  palpate::LiveTouchStage Stage;
+  palpate::LiveTouchSession Touch;    ///< after the stage, so that it is destroyed first
   pqOutputPort* Body = nullptr;       ///< touched; null while idle
   pqPipelineSource* Leader = nullptr; ///< whose handle leads the tip, or null
   bool CanStart = false;

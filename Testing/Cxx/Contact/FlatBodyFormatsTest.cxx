@@ -363,7 +363,7 @@ TEST_F(FlatBodyFormatsTest, WrongTiltsAreRefused)
   const std::size_t points = this->Ball.points.size();
   Tilts sum(points);
   sum.weight[2 * 7] = 0.5F;
-  EXPECT_TRUE(contains(errorOf(sum), "tilts at point 7 must have the sum 1, not 1.25"));
+  EXPECT_TRUE(contains(errorOf(sum), "tilts at point 7 must have the sum 1, but have 1.25"));
   Tilts node(points);
   node.store.nodes[5] = std::nan("");
   EXPECT_TRUE(contains(errorOf(node), "value 5 of the nodes is not finite"));

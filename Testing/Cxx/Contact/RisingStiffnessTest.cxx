@@ -3,7 +3,7 @@
 // dense walk along them.
 #include "Contact/RisingStiffness.h"
 
-#include "Contact/FloatCurve.h"
+#include "Contact/ResponseSampling.h"
 #include "SampleResponses.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Contact/TriangleSearch.h"
+#include "Contact/TriangleTree.h"
 
 #include "BumpySphere.h"
 #include "Sanitized.h"

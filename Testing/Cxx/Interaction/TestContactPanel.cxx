@@ -186,7 +186,7 @@ void checkMaterial(Window& w)
 void checkTools(Window& w)
 {
   w.drag("Radius", 5.0, 10.0);
-  PALPATE_CHECK_NEAR(w.setup->GetToolSize(), 10.0, 0.4);
+  PALPATE_CHECK_NEAR(w.setup->GetToolInHand()->GetSize(), 10.0, 0.4);
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   w.press("2   flat, 1 mm");
   PALPATE_CHECK(w.setup->GetChosenTool() == 1);
@@ -194,10 +194,10 @@ void checkTools(Window& w)
   w.interactor->SetKeyCode('3');
   w.interactor->InvokeEvent(vtkCommand::CharEvent);
   w.settle();
-  PALPATE_CHECK(w.setup->GetChosenTool() == 2 && w.setup->IsToolSizeAngle());
+  PALPATE_CHECK(w.setup->GetChosenTool() == 2 && w.setup->GetToolInHand()->IsSizeAngle());
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   w.drag("Half angle", 60.0, 45.0);
-  PALPATE_CHECK_NEAR(w.setup->GetToolSize(), 45.0, 1.0);
+  PALPATE_CHECK_NEAR(w.setup->GetToolInHand()->GetSize(), 45.0, 1.0);
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   int nowhere[2];
   PALPATE_CHECK(!w.panel->FindSlider("Radius", 1.0, nowhere));
@@ -286,7 +286,7 @@ int TestContactPanel(int argc, char* argv[])
   window.setup->SetYoungsModulus(0.035);
   window.setup->SetRelaxation(0, 0.5, 0.2);
   window.setup->SetChosenTool(0);
-  window.setup->SetToolSize(6.35);
+  window.setup->GetToolInHand()->SetSize(6.35);
   window.session->GetSettings()->SetFrictionCoefficient(0.3);
   window.files->SetNotice("");
   window.settle();

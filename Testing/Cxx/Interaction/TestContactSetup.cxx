@@ -63,13 +63,15 @@ void checkNow()
   PALPATE_CHECK_NEAR(setup->GetLargestForce() / sphere->GetForce(2.0, Reduced), 1.0, Stored);
   PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // is not written to
   PALPATE_CHECK(setup->GetOutput()->GetPoints() == body->GetPoints());
-  PALPATE_CHECK(setup->GetToolSize() == 5.0 && !setup->IsToolSizeAngle());
+  PALPATE_CHECK(setup->GetToolInHand()->GetSize() == 5.0);
   setup->SetChosenTool(1);
-  setup->SetToolSize(1.5);
+  setup->GetToolInHand()->SetSize(1.5);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 1.5 * Reduced * 2.0), 1.0, Stored);
   setup->SetChosenTool(7);
   PALPATE_CHECK(setup->GetChosenTool() == 1);
+  setup->RemoveAllTools();
+  PALPATE_CHECK(setup->GetToolInHand() == nullptr);
 }
 
 /// Of several requests the newest wins; each result is collected once.

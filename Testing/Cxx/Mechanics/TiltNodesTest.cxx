@@ -186,8 +186,8 @@ TEST(TiltNodes, SaysWhatCannotBe)
   { return makeTiltTable(*cone, range, largest, bodies).fault; };
   EXPECT_NE(faultOf(1.0, 28.0 * Degree, { TiltBody() }).find("28 degrees"), std::string::npos);
   EXPECT_NE(faultOf(-1.0, 0.2, { TiltBody() }).find("-1"), std::string::npos);
-  EXPECT_NE(faultOf(1.0, 0.2, {}).find("not 0"), std::string::npos);
-  EXPECT_NE(faultOf(1.0, 0.2, std::vector<TiltBody>(TiltTerms::MostLaws + 1)).find("not 17"),
+  EXPECT_NE(faultOf(1.0, 0.2, {}).find("but is 0"), std::string::npos);
+  EXPECT_NE(faultOf(1.0, 0.2, std::vector<TiltBody>(TiltTerms::MostLaws + 1)).find("but is 17"),
     std::string::npos);
   // A ring touches beside its tip from some depth on.
   const auto ring = tool("profile:0,0;1,1;2,0.05;3,3");

@@ -137,6 +137,23 @@ void checkSpecification()
 }
 
 /// Every question to an invalid tool is answered with NaN and an error that names the value.
+void checkSize()
+{
+  vtkNew<vtkContactTool> tool;
+  tool->SetShapeToCone();
+  tool->SetSize(45.0);
+  PALPATE_CHECK(tool->HasSize() && tool->IsSizeAngle());
+  PALPATE_CHECK(
+    tool->GetSize() == 45.0 && tool->GetHalfAngle() == 45.0 && tool->GetRadius() == 5.0);
+  tool->SetShapeToBluntedCone();
+  tool->SetSize(2.0);
+  PALPATE_CHECK(tool->HasSize() && !tool->IsSizeAngle());
+  PALPATE_CHECK(tool->GetSize() == 2.0 && tool->GetHalfAngle() == 45.0 && tool->GetRadius() == 2.0);
+  tool->SetShapeToPowerLaw();
+  tool->SetSize(3.0);
+  PALPATE_CHECK(!tool->HasSize() && tool->GetSize() == 0.0 && tool->GetRadius() == 2.0);
+}
+
 void checkInvalid(vtkContactTool* tool, Messages& messages, const char* name, const char* value)
 {
   double u[2] = { 0.0, 0.0 };
@@ -202,6 +219,7 @@ int TestContactTool(int, char*[])
   checkPunches();
   checkPaperFigure();
   checkLimits();
+  checkSize();
   checkSpecification();
   checkErrors();
   return palpate::testing::result();

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_DisplayLoss_h
-#define palpate_DisplayLoss_h
+#ifndef palpate_DisplayServer_h
+#define palpate_DisplayServer_h
 
 #include <functional>
 #include <string>
 
 namespace palpate
 {
+/// Why nothing can be drawn, "" if nothing stands in the way. Without an X server that answers, VTK
+/// would abort the process at the first picture.
+std::string displayProblem();
+
 /// From now on the process ends with a message and exit code 1 when it loses its X server. Xlib
 /// does not allow a return from there: no destructor runs, so necessary actions are given to
 /// AtDisplayLoss.

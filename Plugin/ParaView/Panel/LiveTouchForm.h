@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchForm_h
-#define palpate_TouchForm_h
+#ifndef palpate_LiveTouchForm_h
+#define palpate_LiveTouchForm_h
 
 #include <QString>
 
@@ -15,14 +15,14 @@ class pqForceBar;
 
 namespace palpate
 {
-struct TouchSource;
-class TouchSession;
+struct LiveTouchSource;
+class LiveTouchSession;
 
 /// The widgets of the panel, each with its member's name as object name, for event scripts. The
 /// panel defines what they do.
-struct TouchForm
+struct LiveTouchForm
 {
-  explicit TouchForm(QWidget* contents);
+  explicit LiveTouchForm(QWidget* contents);
 
   QLabel* body;          ///< name of the source that is touched, or what to do
   QComboBox* response;   ///< data: prefix of its arrays
@@ -46,13 +46,13 @@ struct TouchForm
   void listDevices();
   QString chosenDevice() const;
   /// Body and responses of a source.
-  void showSource(const TouchSource& source, const QString& name);
+  void showSource(const LiveTouchSource& source, const QString& name);
   QString chosenResponse() const;
   /// State, forces and rate of the running session. `rate` in ticks per second, 0 while it is not
   /// known.
-  void showTouch(TouchSession& touch, double rate);
+  void showTouch(LiveTouchSession& touch, double rate);
   /// Shows that nothing runs, or not yet; and why, or "".
-  void showRest(const TouchSession& touch, bool canStart, const QString& fault);
+  void showRest(const LiveTouchSession& touch, bool canStart, const QString& fault);
 };
 } // namespace palpate
 

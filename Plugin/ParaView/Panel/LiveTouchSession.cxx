@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchSession.h"
+#include "LiveTouchSession.h"
 
 #include "Contact/ContactBody.h"
 #include "Response/ResponseTool.h"
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
 }
 } // namespace
 
-void TouchSession::start(vtkPolyData* body, const std::string& response, const std::string& device,
-  const TouchHandle& handle, const Sight& sight)
+void LiveTouchSession::start(vtkPolyData* body, const std::string& response,
+  const std::string& device, const TouchHandle& handle, const Sight& sight)
 {
   this->stop();
   this->Device = device;
@@ -60,13 +60,13 @@ void TouchSession::start(vtkPolyData* body, const std::string& response, const s
     body, response, device, handle.isToBeFound ? std::optional<Sight>(sight) : std::nullopt);
 }
 
-void TouchSession::replace(vtkPolyData* body, const std::string& response)
+void LiveTouchSession::replace(vtkPolyData* body, const std::string& response)
 {
   // During preparation no session runs that could keep its device.
   this->request(body, response, this->Now == State::Touching ? std::string() : this->Device);
 }
 
-void TouchSession::request(vtkPolyData* body, const std::string& response,
+void LiveTouchSession::request(vtkPolyData* body, const std::string& response,
   const std::string& device, const std::optional<Sight>& sight)
 {
   this->Error.clear();
@@ -74,7 +74,7 @@ void TouchSession::request(vtkPolyData* body, const std::string& response,
   this->Background.submit({ this->Held.back(), response, device, sight });
 }
 
-void TouchSession::stop()
+void LiveTouchSession::stop()
 {
   this->Background.cancel();
   if (this->Session)
@@ -90,13 +90,13 @@ void TouchSession::stop()
   this->Warning.clear();
 }
 
-bool TouchSession::collect()
+bool LiveTouchSession::collect()
 {
   auto made = this->Background.collect();
   return made && this->take(*made);
 }
 
-bool TouchSession::take(PreparedTouch& made)
+bool LiveTouchSession::take(PreparedLiveTouch& made)
 {
   const bool isDone =
     made.error.empty() && (this->Now == State::Touching ? this->change(made) : this->begin(made));
@@ -116,7 +116,7 @@ bool TouchSession::take(PreparedTouch& made)
   return true;
 }
 
-bool TouchSession::fail(const std::string& error)
+bool LiveTouchSession::fail(const std::string& error)
 {
   if (this->Now != State::Touching)
   {
@@ -126,7 +126,7 @@ bool TouchSession::fail(const std::string& error)
   return false;
 }
 
-bool TouchSession::begin(PreparedTouch& made)
+bool LiveTouchSession::begin(PreparedLiveTouch& made)
 {
   this->Tool = findTool(nullptr, made.request.body, made.request.response, this->Complaint);
   if (!this->Tool)
@@ -178,7 +178,7 @@ bool TouchSession::begin(PreparedTouch& made)
   return true;
 }
 
-bool TouchSession::change(const PreparedTouch& made)
+bool LiveTouchSession::change(const PreparedLiveTouch& made)
 {
   auto tool = findTool(nullptr, made.request.body, made.request.response, this->Complaint);
   if (!tool)
@@ -197,7 +197,7 @@ bool TouchSession::change(const PreparedTouch& made)
 }
 
 /// Starts above the place, and moves there.
-void TouchSession::putDown()
+void LiveTouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
   this->Session->GetDevice()->SteerTo(above.data());
@@ -207,7 +207,7 @@ void TouchSession::putDown()
   }
 }
 
-bool TouchSession::steer(const TouchHandle& handle)
+bool LiveTouchSession::steer(const TouchHandle& handle)
 {
   if (handle.isToBeFound)
   {
@@ -219,7 +219,7 @@ bool TouchSession::steer(const TouchHandle& handle)
   {
     return true;
   }
-  const TouchPlace place = findPlace(*this->Kernels.read.begin()->second, handle);
+  const LiveTouchPlace place = findPlace(*this->Kernels.read.begin()->second, handle);
   if (place.tip == this->Place.tip)
   {
     return true;

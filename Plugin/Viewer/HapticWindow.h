@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_LiveTouch_h
-#define palpate_LiveTouch_h
+#ifndef palpate_HapticWindow_h
+#define palpate_HapticWindow_h
 
-#include "DisplayLoss.h"
+#include "DisplayServer.h"
 #include "EndSignals.h"
 #include "EventActions.h"
 #include "ResponseSet.h"
-#include "TouchScene.h"
+#include "ViewerScene.h"
 #include "ViewerOptions.h"
 
 #include "vtkContactPanel.h"
@@ -32,11 +32,12 @@ namespace palpate
 /// A live session in a window: the window, the session on its servo thread, and the mouse that
 /// steers it; optionally a panel and charts. If the mouse steers, a line explains that the wheel
 /// presses until it was used. Its owner decides its purpose.
-class LiveTouch
+class HapticWindow
 {
 public:
   /// Everything that the arguments reference must outlive it.
-  LiveTouch(const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses);
+  HapticWindow(
+    const ViewerOptions& options, const ViewerScene& scene, const ResponseSet& responses);
 
   /// Adds a panel on the right that changes the setup, and charts below. Before open().
   void usePanel(vtkContactSetup* setup);
@@ -70,7 +71,7 @@ private:
   std::string writeRecords();
 
   const ViewerOptions& Options;
-  const TouchScene& Scene;
+  const ViewerScene& Scene;
   const ResponseSet& Responses;
   double LargestForce;                        ///< for the scale of arrows and charts, N
   std::vector<double> StrongestForces{ 0.0 }; ///< ideal force of the frames, of each hand, N

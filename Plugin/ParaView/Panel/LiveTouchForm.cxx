@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchForm.h"
+#include "LiveTouchForm.h"
 
 #include "Contact/ResponseContract.h"
 #include "Haptics/Devices/DeviceList.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Interaction/Display/MemoryText.h"
 #include "Response/Curves/StoredError.h"
-#include "TouchSession.h"
-#include "TouchSource.h"
+#include "LiveTouchSession.h"
+#include "LiveTouchSource.h"
 #include "pqForceBar.h"
 #include "vtkHapticSession.h"
 #include "vtkMath.h"
@@ -78,7 +78,7 @@ void set(QLabel* label, const QString& words)
 }
 } // namespace
 
-TouchForm::TouchForm(QWidget* contents)
+LiveTouchForm::LiveTouchForm(QWidget* contents)
   : body(wrapped("body", "The source that is touched: the active one."))
   , response(named<QComboBox>("response", "Which of the responses on the body, and of which tool."))
   , device(named<QComboBox>("device",
@@ -146,7 +146,7 @@ TouchForm::TouchForm(QWidget* contents)
   rows->addRow("Granted", this->grant);
 }
 
-void TouchForm::listDevices()
+void LiveTouchForm::listDevices()
 {
   const QString typed = this->device->currentText();
   const DeviceList found = palpate::listDevices();
@@ -162,7 +162,7 @@ void TouchForm::listDevices()
   this->device->lineEdit()->setToolTip(text(found.describe()));
 }
 
-QString TouchForm::chosenDevice() const
+QString LiveTouchForm::chosenDevice() const
 {
   const QString typed = this->device->currentText().trimmed();
   const int item = this->device->findText(typed);
@@ -170,7 +170,7 @@ QString TouchForm::chosenDevice() const
   return address.isValid() ? address.toString() : typed;
 }
 
-void TouchForm::showSource(const TouchSource& source, const QString& name)
+void LiveTouchForm::showSource(const LiveTouchSource& source, const QString& name)
 {
   set(this->body, source.obstacle.isEmpty() ? name : source.obstacle);
   const QString before = this->chosenResponse();
@@ -185,12 +185,12 @@ void TouchForm::showSource(const TouchSource& source, const QString& name)
   this->response->blockSignals(wasBlocked);
 }
 
-QString TouchForm::chosenResponse() const
+QString LiveTouchForm::chosenResponse() const
 {
   return this->response->currentData().toString();
 }
 
-void TouchForm::showTouch(TouchSession& touch, double rate)
+void LiveTouchForm::showTouch(LiveTouchSession& touch, double rate)
 {
   vtkHapticSession* session = touch.session();
   double ideal[3];
@@ -233,9 +233,9 @@ void TouchForm::showTouch(TouchSession& touch, double rate)
   this->start->setEnabled(true);
 }
 
-void TouchForm::showRest(const TouchSession& touch, bool canStart, const QString& fault)
+void LiveTouchForm::showRest(const LiveTouchSession& touch, bool canStart, const QString& fault)
 {
-  const bool isPreparing = touch.state() == TouchSession::State::Preparing;
+  const bool isPreparing = touch.state() == LiveTouchSession::State::Preparing;
   set(this->state, isPreparing ? "preparing body and device …" : "stopped");
   set(this->remark, fault);
   this->bar->setForce(0.0, 0.0);

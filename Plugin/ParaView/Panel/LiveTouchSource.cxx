@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchSource.h"
+#include "LiveTouchSource.h"
 
 #include "pqOutputPort.h"
 #include "pqPipelineFilter.h"
@@ -83,9 +83,9 @@ vtkSmartPointer<vtkPolyData> joinParts(vtkCompositeDataSet* parts)
 }
 } // namespace
 
-TouchSource findTouchSource(pqOutputPort* active)
+LiveTouchSource findLiveTouchSource(pqOutputPort* active)
 {
-  TouchSource found;
+  LiveTouchSource found;
   if (!active)
   {
     found.obstacle = "Choose a body in the pipeline browser.";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchPlace_h
-#define palpate_TouchPlace_h
+#ifndef palpate_LiveTouchPlace_h
+#define palpate_LiveTouchPlace_h
 
 #include <Eigen/Core>
 
@@ -23,7 +23,7 @@ struct TouchHandle
 };
 
 /// The target of the tip, and the nearest point of the body. mm.
-struct TouchPlace
+struct LiveTouchPlace
 {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
   Eigen::Vector3d surface = Eigen::Vector3d::Zero();
@@ -31,7 +31,7 @@ struct TouchPlace
 };
 
 /// Cost: 1 µs, even on a body of millions of triangles.
-TouchPlace findPlace(const ContactBody& body, const TouchHandle& handle);
+LiveTouchPlace findPlace(const ContactBody& body, const TouchHandle& handle);
 } // namespace palpate
 
 #endif

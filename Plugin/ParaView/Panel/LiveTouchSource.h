@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchSource_h
-#define palpate_TouchSource_h
+#ifndef palpate_LiveTouchSource_h
+#define palpate_LiveTouchSource_h
 
-#include "TouchPlace.h"
+#include "LiveTouchPlace.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,7 +25,7 @@ struct StoredResponse
 };
 
 /// The part of the pipeline that is touched.
-struct TouchSource
+struct LiveTouchSource
 {
   pqOutputPort* body = nullptr;      ///< null: see obstacle
   pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle leads the tip, or null
@@ -35,7 +35,7 @@ struct TouchSource
 
 /// The body of the active source: its output, or, for a source *Touch*, its input, as its output is
 /// dented.
-TouchSource findTouchSource(pqOutputPort* active);
+LiveTouchSource findLiveTouchSource(pqOutputPort* active);
 
 /// Its data on the client; waits for the server. With several ranks of the server all parts are
 /// joined. Null, and why, if there is none.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchSession_h
-#define palpate_TouchSession_h
+#ifndef palpate_LiveTouchSession_h
+#define palpate_LiveTouchSession_h
 
 #include "Interaction/Session/NewestRequest.h"
-#include "TouchPlace.h"
-#include "TouchPreparation.h"
+#include "LiveTouchPlace.h"
+#include "LiveTouchPreparation.h"
 
 #include "vtkContactTool.h"
 #include "vtkHapticSession.h"
@@ -33,7 +33,7 @@ namespace palpate
  *
  * For one thread. The bodies given must not be changed in place.
  */
-class TouchSession
+class LiveTouchSession
 {
 public:
   enum class State
@@ -43,10 +43,10 @@ public:
     Touching
   };
 
-  TouchSession() = default;
-  ~TouchSession() { this->stop(); }
-  TouchSession(const TouchSession&) = delete;
-  TouchSession& operator=(const TouchSession&) = delete;
+  LiveTouchSession() = default;
+  ~LiveTouchSession() { this->stop(); }
+  LiveTouchSession(const LiveTouchSession&) = delete;
+  LiveTouchSession& operator=(const LiveTouchSession&) = delete;
 
   /// Prepares, then starts. `device` as for vtkHapticDevice::Open; `sight`: the user's view of the
   /// body, with which the device is aligned.
@@ -77,14 +77,14 @@ public:
   /// Largest force of the response, at its range, N.
   double peakForce() const { return this->Peak; }
   /// The target of the tip, and the outward normal there.
-  const TouchPlace& place() const { return this->Place; }
+  const LiveTouchPlace& place() const { return this->Place; }
 
 private:
   void request(vtkPolyData* body, const std::string& response, const std::string& device,
     const std::optional<Sight>& sight = {});
-  bool take(PreparedTouch& made);
-  bool begin(PreparedTouch& made);
-  bool change(const PreparedTouch& made);
+  bool take(PreparedLiveTouch& made);
+  bool begin(PreparedLiveTouch& made);
+  bool change(const PreparedLiveTouch& made);
   void putDown();
   bool fail(const std::string& error);
 
@@ -95,7 +95,7 @@ private:
   std::string Device;
   TouchHandle Handle;
   Sight View;
-  TouchPlace Place;
+  LiveTouchPlace Place;
   double Peak = 0.0;
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkContactTool> Tool;
@@ -105,7 +105,7 @@ private:
   /// Bodies the other thread may be reading; only this thread counts references to them.
   std::deque<vtkSmartPointer<vtkPolyData>> Held;
   /// Last, so that it is destroyed first.
-  NewestRequest<TouchRequest, PreparedTouch> Background{ prepareTouch };
+  NewestRequest<LiveTouchRequest, PreparedLiveTouch> Background{ prepareLiveTouch };
 };
 } // namespace palpate
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LiveTouch.h"
+#include "HapticWindow.h"
 
 #include "CollectingWindow.h"
 #include "PictureSize.h"
@@ -80,8 +80,8 @@ void styleHelp(vtkTextActor* help, double red, double green, double blue)
 }
 } // namespace
 
-LiveTouch::LiveTouch(
-  const ViewerOptions& options, const TouchScene& scene, const ResponseSet& responses)
+HapticWindow::HapticWindow(
+  const ViewerOptions& options, const ViewerScene& scene, const ResponseSet& responses)
   : Options(options)
   , Scene(scene)
   , Responses(responses)
@@ -134,7 +134,7 @@ LiveTouch::LiveTouch(
     });
 }
 
-void LiveTouch::showHelp(const std::string& text)
+void HapticWindow::showHelp(const std::string& text)
 {
   this->HelpText = text;
   this->placeHelp();
@@ -142,7 +142,7 @@ void LiveTouch::showHelp(const std::string& text)
 }
 
 /// One line lower while there is a hint, which disappears once it has been followed.
-void LiveTouch::placeHelp()
+void HapticWindow::placeHelp()
 {
   if (this->Style->HasWheelPressed())
   {
@@ -152,7 +152,7 @@ void LiveTouch::placeHelp()
   this->Help->SetInput((hinted ? "\n" + this->HelpText : this->HelpText).c_str());
 }
 
-void LiveTouch::open()
+void HapticWindow::open()
 {
   bool followsMouse = false;
   for (int hand = this->Session->GetNumberOfDevices() - 1; hand >= 0; --hand)
@@ -186,7 +186,7 @@ void LiveTouch::open()
   std::fflush(stdout);
 }
 
-std::string LiveTouch::run()
+std::string HapticWindow::run()
 {
   this->onFrame(
     [this]
@@ -207,38 +207,38 @@ std::string LiveTouch::run()
   return error.empty() ? unrecorded : error;
 }
 
-std::string LiveTouch::end()
+std::string HapticWindow::end()
 {
   this->Session->Stop();
   this->printSummary();
   return this->writeRecords();
 }
 
-void LiveTouch::onTool(std::function<void(int)> action)
+void HapticWindow::onTool(std::function<void(int)> action)
 {
   this->Actions.add(this->Panel, vtkContactPanel::ToolShownEvent,
     [action = std::move(action)](void* tool) { action(*static_cast<const int*>(tool)); });
 }
 
-void LiveTouch::onNumber(std::function<void(int)> action)
+void HapticWindow::onNumber(std::function<void(int)> action)
 {
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [action = std::move(action)](void* number) { action(*static_cast<const int*>(number)); });
 }
 
-void LiveTouch::onFrame(std::function<void()> action)
+void HapticWindow::onFrame(std::function<void()> action)
 {
   this->Actions.add(
     this->Clock, vtkFrameClock::FrameEvent, [action = std::move(action)](void*) { action(); });
 }
 
-void LiveTouch::onSpace(std::function<void()> action)
+void HapticWindow::onSpace(std::function<void()> action)
 {
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::SwitchEvent,
     [action = std::move(action)](void*) { action(); });
 }
 
-void LiveTouch::usePanel(vtkContactSetup* setup)
+void HapticWindow::usePanel(vtkContactSetup* setup)
 {
   this->HasPanel = true;
   this->Window->AddRenderer(this->PanelRenderer);
@@ -265,7 +265,7 @@ void LiveTouch::usePanel(vtkContactSetup* setup)
 }
 
 /// The panel has a constant width in pixels for any size of the window.
-void LiveTouch::arrange()
+void HapticWindow::arrange()
 {
   if (!this->HasPanel)
   {
@@ -281,7 +281,7 @@ void LiveTouch::arrange()
   this->ChartRenderer->SetDraw(hasCharts);
 }
 
-void LiveTouch::printSummary()
+void HapticWindow::printSummary()
 {
   std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
     static_cast<long long>(this->Session->GetNumberOfTicks()),
@@ -297,7 +297,7 @@ void LiveTouch::printSummary()
     this->Session->GetRecorder()->GetStatisticsText().c_str());
 }
 
-std::string LiveTouch::writeRecords()
+std::string HapticWindow::writeRecords()
 {
   const QuietScope quiet;
   const bool isWritten = !this->Files->IsRecording() || !this->Files->WriteRecording().empty();

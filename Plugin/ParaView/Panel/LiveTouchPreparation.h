@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchPreparation_h
-#define palpate_TouchPreparation_h
+#ifndef palpate_LiveTouchPreparation_h
+#define palpate_LiveTouchPreparation_h
 
 #include "Interaction/Session/BodyKernels.h"
 #include "Haptics/Devices/HapticDevice.h"
@@ -17,7 +17,7 @@ namespace palpate
 {
 /// The body and device of a touch. Only read by the preparing thread; the caller keeps the body
 /// alive and unchanged.
-struct TouchRequest
+struct LiveTouchRequest
 {
   vtkPolyData* body = nullptr;
   std::string response;       ///< prefix of its arrays
@@ -26,9 +26,9 @@ struct TouchRequest
 };
 
 /// The results that take time: the search structure of the body, and a device that answers.
-struct PreparedTouch
+struct PreparedLiveTouch
 {
-  TouchRequest request;
+  LiveTouchRequest request;
   BodyKernels kernels;
   Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< the start, if requested
   double range = 0.0;                              ///< largest Range of the response, mm
@@ -40,7 +40,8 @@ struct PreparedTouch
 
 /// Cost: about 1 s for a million triangles, up to 2 s for a bridge that does not answer. On any
 /// thread.
-PreparedTouch prepareTouch(const TouchRequest& request, const std::function<bool()>& stale);
+PreparedLiveTouch prepareLiveTouch(
+  const LiveTouchRequest& request, const std::function<bool()>& stale);
 } // namespace palpate
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchScene_h
-#define palpate_TouchScene_h
+#ifndef palpate_ViewerScene_h
+#define palpate_ViewerScene_h
 
 #include "ViewerOptions.h"
 
@@ -17,7 +17,7 @@ namespace palpate
 using Direction = std::array<double, 3>;
 
 /// The input of a session: a body, its material, its tools and the places to touch.
-struct TouchScene
+struct ViewerScene
 {
   std::string title;
   vtkSmartPointer<vtkPolyData> body;
@@ -46,13 +46,13 @@ struct TouchScene
 };
 
 /// Makes the scene of the options; returns an error that names the missing or wrong thing, or "".
-std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene);
+std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene);
 
-// One maker per kind of scene; makeTouchScene chooses.
-std::string makeHeadScene(const ViewerOptions& options, TouchScene& scene);
-std::string makeCylinderScene(const ViewerOptions& options, TouchScene& scene);
-std::string makePhantomScene(const ViewerOptions& options, TouchScene& scene);
-std::string makeUserScene(const ViewerOptions& options, TouchScene& scene);
+// One maker per kind of scene; makeViewerScene chooses.
+std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene);
+std::string makeCylinderScene(const ViewerOptions& options, ViewerScene& scene);
+std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene);
+std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate
 
 #endif

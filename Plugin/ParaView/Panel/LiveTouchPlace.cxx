@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchPlace.h"
+#include "LiveTouchPlace.h"
 
 #include "Contact/ContactBody.h"
 
 namespace palpate
 {
-TouchPlace findPlace(const ContactBody& body, const TouchHandle& handle)
+LiveTouchPlace findPlace(const ContactBody& body, const TouchHandle& handle)
 {
-  TouchPlace place;
+  LiveTouchPlace place;
   place.tip = place.surface = handle.position;
   const SurfacePoint nearest = body.tree.closest(handle.position);
   if (nearest.triangle < 0)

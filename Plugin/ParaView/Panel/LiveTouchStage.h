@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef palpate_TouchStage_h
-#define palpate_TouchStage_h
+#ifndef palpate_LiveTouchStage_h
+#define palpate_LiveTouchStage_h
 
-#include "TouchPlace.h"
+#include "LiveTouchPlace.h"
 
 #include "vtkHandleWidget.h"
 #include "vtkHapticToolRepresentation.h"
@@ -14,19 +14,19 @@ class vtkObject;
 
 namespace palpate
 {
-class TouchSession;
+class LiveTouchSession;
 
 /**
  * Tool, force arrow and, if wanted, a handle in a view of ParaView: drawn by the client over the
  * server's picture, as ParaView's own widgets are. Not part of the pipeline, nor of a state file.
  */
-class TouchStage
+class LiveTouchStage
 {
 public:
-  TouchStage();
-  ~TouchStage() { this->leave(); }
-  TouchStage(const TouchStage&) = delete;
-  TouchStage& operator=(const TouchStage&) = delete;
+  LiveTouchStage();
+  ~LiveTouchStage() { this->leave(); }
+  LiveTouchStage(const LiveTouchStage&) = delete;
+  LiveTouchStage& operator=(const LiveTouchStage&) = delete;
 
   /// Enters a view, and leaves the previous one.
   void enter(pqRenderView* view);
@@ -34,16 +34,16 @@ public:
   pqRenderView* view() const { return this->View; }
 
   /// Fits tool and arrow to the body, and shows the tool above its place.
-  void prepare(TouchSession& touch);
+  void prepare(LiveTouchSession& touch);
   /// Moves tool and arrow to the newest tick. False if they have not moved visibly.
-  bool show(TouchSession& touch);
+  bool show(LiveTouchSession& touch);
 
   ///@{
   /// Its own handle, which the user drags; on release it jumps to the surface.
   void showHandle(const Eigen::Vector3d& position);
   bool hasHandle() const;
   Eigen::Vector3d handle() const;
-  void settleHandle(const TouchPlace& place);
+  void settleHandle(const LiveTouchPlace& place);
   ///@}
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchStage.h"
+#include "LiveTouchStage.h"
 
-#include "TouchSession.h"
+#include "LiveTouchSession.h"
 
 #include "pqRenderView.h"
 #include "vtkCallbackCommand.h"
@@ -27,7 +27,7 @@ vtkRenderer* rendererOf(pqRenderView* view)
 }
 } // namespace
 
-TouchStage::TouchStage()
+LiveTouchStage::LiveTouchStage()
 {
   this->Cross->AllOff();
   this->Cross->GetProperty()->SetColor(0.95, 0.75, 0.1);
@@ -35,22 +35,22 @@ TouchStage::TouchStage()
   this->Widget->SetRepresentation(this->Cross);
   vtkNew<vtkCallbackCommand> released;
   released->SetClientData(this);
-  released->SetCallback(&TouchStage::onRelease);
+  released->SetCallback(&LiveTouchStage::onRelease);
   this->Widget->AddObserver(vtkCommand::EndInteractionEvent, released);
 }
 
-void TouchStage::onRelease(vtkObject*, unsigned long, void* stage, void*)
+void LiveTouchStage::onRelease(vtkObject*, unsigned long, void* stage, void*)
 {
-  static_cast<TouchStage*>(stage)->Released = true;
+  static_cast<LiveTouchStage*>(stage)->Released = true;
 }
 
-void TouchStage::enter(pqRenderView* view)
+void LiveTouchStage::enter(pqRenderView* view)
 {
   this->leave();
   this->View = view;
 }
 
-void TouchStage::leave()
+void LiveTouchStage::leave()
 {
   if (!this->View)
   {
@@ -69,7 +69,7 @@ void TouchStage::leave()
   this->View = nullptr;
 }
 
-void TouchStage::prepare(TouchSession& touch)
+void LiveTouchStage::prepare(LiveTouchSession& touch)
 {
   vtkRenderer* renderer = this->View ? rendererOf(this->View) : nullptr;
   if (!renderer || !touch.tool())
@@ -80,14 +80,14 @@ void TouchStage::prepare(TouchSession& touch)
   this->Tool->SetTool(touch.tool());
   this->Tool->SetToolLength(ToolShare * size);
   this->Tool->SetForceScale(touch.peakForce() > 0.0 ? ArrowShare * size / touch.peakForce() : 1.0);
-  const TouchPlace& place = touch.place();
+  const LiveTouchPlace& place = touch.place();
   const double none[3] = { 0.0, 0.0, 0.0 };
   this->Tool->SetContact(place.surface.data(), place.normal.data(), place.surface.data(), none);
   renderer->AddViewProp(this->Tool); // a repeated call adds nothing
   this->ShowsNothing = true;
 }
 
-bool TouchStage::show(TouchSession& touch)
+bool LiveTouchStage::show(LiveTouchSession& touch)
 {
   vtkHapticSession* session = touch.session();
   if (!session || !this->View || session->GetNumberOfTicks() == 0)
@@ -121,7 +121,7 @@ bool TouchStage::show(TouchSession& touch)
   return true;
 }
 
-void TouchStage::showHandle(const Eigen::Vector3d& position)
+void LiveTouchStage::showHandle(const Eigen::Vector3d& position)
 {
   vtkRenderer* renderer = this->View ? rendererOf(this->View) : nullptr;
   if (!renderer)
@@ -139,19 +139,19 @@ void TouchStage::showHandle(const Eigen::Vector3d& position)
   this->Released = false;
 }
 
-bool TouchStage::hasHandle() const
+bool LiveTouchStage::hasHandle() const
 {
   return this->Widget->GetEnabled() != 0;
 }
 
-Eigen::Vector3d TouchStage::handle() const
+Eigen::Vector3d LiveTouchStage::handle() const
 {
   Eigen::Vector3d position;
   this->Cross->GetWorldPosition(position.data());
   return position;
 }
 
-void TouchStage::settleHandle(const TouchPlace& place)
+void LiveTouchStage::settleHandle(const LiveTouchPlace& place)
 {
   if (this->Released)
   {

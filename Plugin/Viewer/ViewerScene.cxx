@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchScene.h"
+#include "ViewerScene.h"
 
 #include "Response/BodyConversion.h"
 #include "BodyFile.h"
@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 /// --voxel, --solid: the scene's surface as a solid.
-std::string fillBody(const ViewerOptions& options, TouchScene& scene)
+std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored)
   {
@@ -31,7 +31,7 @@ std::string fillBody(const ViewerOptions& options, TouchScene& scene)
 }
 } // namespace
 
-std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
+std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string error;
   if (!options.body.empty())
@@ -101,7 +101,7 @@ std::string makeTouchScene(const ViewerOptions& options, TouchScene& scene)
   return options.measured.empty() ? std::string() : attachMeasured(options, scene);
 }
 
-std::string makeUserScene(const ViewerOptions& options, TouchScene& scene)
+std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)
 {
   BodyFileOptions file;
   file.lengthScale = options.lengthScale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DisplayLoss.h"
+#include "DisplayServer.h"
 
 #include <utility>
 
@@ -32,6 +32,25 @@ int onLoss(Display* display)
 }
 #endif
 } // namespace
+
+std::string displayProblem()
+{
+#ifdef PALPATE_X11
+  const char* name = std::getenv("DISPLAY");
+  if (!name)
+  {
+    return "pictures need an X server, and DISPLAY is not set; run under xvfb-run";
+  }
+  Display* display = XOpenDisplay(name);
+  if (!display)
+  {
+    return "pictures need an X server, and DISPLAY='" + std::string(name) +
+      "' does not answer; run under xvfb-run";
+  }
+  XCloseDisplay(display);
+#endif
+  return {};
+}
 
 void endWithDisplay()
 {

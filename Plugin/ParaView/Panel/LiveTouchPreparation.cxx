@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TouchPreparation.h"
+#include "LiveTouchPreparation.h"
 
 #include "Response/BodyConversion.h"
 #include "Haptics/Devices/BridgeDevice.h"
@@ -22,7 +22,7 @@ std::string after(const std::string& kind, const std::string& text)
   return text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : std::string();
 }
 
-void openDevice(PreparedTouch& made)
+void openDevice(PreparedLiveTouch& made)
 {
   const std::string bridge = after("bridge:", made.request.device);
   const std::string hid = after("hid:", made.request.device);
@@ -40,7 +40,7 @@ void openDevice(PreparedTouch& made)
   }
 }
 
-void makeKernel(PreparedTouch& made)
+void makeKernel(PreparedLiveTouch& made)
 {
   vtkPolyData* body = made.request.body;
   const std::string& name = made.request.response;
@@ -75,9 +75,10 @@ void makeKernel(PreparedTouch& made)
 }
 } // namespace
 
-PreparedTouch prepareTouch(const TouchRequest& request, const std::function<bool()>& stale)
+PreparedLiveTouch prepareLiveTouch(
+  const LiveTouchRequest& request, const std::function<bool()>& stale)
 {
-  PreparedTouch made;
+  PreparedLiveTouch made;
   made.request = request;
   openDevice(made);
   if (made.error.empty() && !stale())
