@@ -10,7 +10,7 @@
 namespace palpate
 {
 /// To be raised when the body or its solution changes, so that no outdated cache is used.
-constexpr int PhantomRevision = 1;
+constexpr int PhantomRevision = 2;
 
 /// A hard ball in the phantom, mm; the skin is the plane z = 0.
 struct PhantomNodule

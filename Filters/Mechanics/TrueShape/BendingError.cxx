@@ -2,6 +2,7 @@
 #include "Mechanics/TrueShape/BendingError.h"
 
 #include "Mechanics/FiniteElements/EnergyError.h"
+#include "Mechanics/TrueShape/SubtractedLoad.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #ifndef palpate_BendingError_h
 #define palpate_BendingError_h
 
-#include "Mechanics/TrueShape/SubtractedLoad.h"
+#include "Mechanics/FiniteElements/ElasticBody.h"
 
 #include <functional>
 #include <vector>

@@ -121,7 +121,7 @@ def write_cover(files, output):
 def write_solid(files, fixed, finer, output):
     import true_shape
     with open(output / "solid.csv", "w", encoding="utf-8") as stream:
-        stream.write("body,points,tool,share_within_5_percent,beyond_stated,compared,median_error,rest_by_largest_part\n")
+        stream.write("body,points,tool,share_within_5_percent,beyond_stated,compared,median_error,median_surface_error,rest_by_limit\n")
         for name, body in bodies(files):
             if name == "head" and len(files) > 0:
                 continue  # its own layers, not a solid
@@ -131,8 +131,9 @@ def write_solid(files, fixed, finer, output):
                 share, rest = true_shape.cover(made, tool)
                 judged = true_shape.beyond(made, better, tool) if better else ("", "", "")
                 words = "; ".join("{} {:.3f}".format(*part) for part in sorted(rest.items(), key=lambda part: -part[1]))
-                stream.write("{},{},{},{:.3f},{},{},{},{}\n".format(
-                    name, body.GetNumberOfPoints(), tool, share, *("{:.4g}".format(v) if v != "" else v for v in judged), words))
+                stream.write("{},{},{},{:.3f},{},{},{},{:.3f},{}\n".format(
+                    name, body.GetNumberOfPoints(), tool, share, *("{:.4g}".format(v) if v != "" else v for v in judged),
+                    true_shape.surface_error(made, tool), words))
                 print("{}, {}: {:.1%} ({}); beyond what is stated, of, median error: {}".format(
                     name, tool, share, words, judged), flush=True)
 

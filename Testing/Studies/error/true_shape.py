@@ -49,12 +49,18 @@ def array(made, tool, name):
 
 
 def cover(made, tool, depth=1.0, tolerance=0.05):
-    """The share of the area that is not held where the stated error at the depth is within the tolerance, and the rest."""
+    """The share of the area that is not held where the stated error at the depth is within the tolerance, and the rest by what
+    limits validity: what is largest where the error first passes the tolerance, seen from below."""
     free = np.where(array(made, tool, "Status") != HELD, areas(made), 0.0)
     reached = array(made, tool, "Range") > 0.999 * depth  # a curve that ends before is not covered
     share, rest = shares(made, tool, np.where(reached, free, 0.0), tolerance)
     part = free[reached].sum() / free.sum()
     return share * part, dict({name: value * part for name, value in rest.items()}, **{"ends before": float(1.0 - part)})
+
+
+def surface_error(made, tool):
+    """The median of what may lie between the surface's own points, relative: no part of the stated error."""
+    return float(np.nanmedian(array(made, tool, "SurfaceError")))
 
 
 def beyond(made, finer, tool, depth=1.0):
