@@ -101,7 +101,7 @@ Compared compare(const BodyOf& bodyOf, double radius)
       const IndentationPoint found = here.evaluate(depth);
       const ContactSample errors = here.errorsAt(depth);
       const double tilt = LeftOfTilt * errors.harmonics * found.stiffness * depth / found.force;
-      const double stated = Eigen::Vector3d(errors.mesh, errors.truncation, tilt).norm();
+      const double stated = std::hypot(std::abs(errors.mesh) + std::abs(errors.truncation), tilt);
       const double better = there.evaluate(depth).force;
       const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // of second order
       ++compared.all;
