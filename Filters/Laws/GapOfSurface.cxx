@@ -34,7 +34,6 @@ public:
   {
     this->Found.surface.setConstant(NotANumber);
     this->Found.facets.setConstant(NotANumber);
-    this->Found.uneven.setZero();
     for (int j = 0; j < SurfaceGap::Angles; ++j)
     {
       const double angle = 2.0 * Pi * j / SurfaceGap::Angles;

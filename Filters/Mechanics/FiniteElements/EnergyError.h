@@ -9,7 +9,7 @@ namespace palpate
 {
 /**
  * The difference of the elements' stresses σ from smooth ones, for each displacement of all nodes
- * (3 × nodes, mm): ∫ (σ* - σ): D⁻¹: (σ* - σ) dV, N mm, with σ* interpolated from the mean at each
+ * (3 × nodes, mm): ∫ (σ* - σ) : D⁻¹ : (σ* - σ) dV, N mm, with σ* interpolated from the mean at each
  * node over elements of about one modulus (Zienkiewicz and Zhu 1987). It estimates the square of
  * the error in the energy norm: under a force of 1 N, the error of the compliance in mm/N.
  *

@@ -15,13 +15,14 @@ constexpr std::size_t SampledBlocks = 12;
 constexpr std::size_t OfBlock = 4; ///< sources of one that is sampled
 } // namespace
 
-void BendingError::sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
-  const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
-  const BendingOf& bendingOf, std::vector<Sample>& samples)
+std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body, std::size_t block,
+  std::size_t blocks, const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
+  const BendingOf& bendingOf)
 {
+  std::vector<Sample> samples;
   if (block % std::max<std::size_t>(1, blocks / SampledBlocks) != 0)
   {
-    return;
+    return samples;
   }
   std::vector<std::pair<std::size_t, double>> bent;
   for (std::size_t s = 0; s < sources.size(); ++s)
@@ -41,15 +42,16 @@ void BendingError::sample(const ElasticBody& body, std::size_t block, std::size_
     moved.push_back(regularDisplacement(body, source, smooth.col(static_cast<Eigen::Index>(s))));
     samples.push_back({ source.origin, bending, 0.0 });
   }
-  if (moved.empty())
+  if (samples.empty())
   {
-    return;
+    return samples; // energyErrors() would still visit every element
   }
   const std::vector<double> energies = energyErrors(body, moved);
-  for (std::size_t k = 0; k < energies.size(); ++k)
+  for (std::size_t k = 0; k < samples.size(); ++k)
   {
-    samples[samples.size() - energies.size() + k].energy = energies[k];
+    samples[k].energy = energies[k];
   }
+  return samples;
 }
 
 BendingError::BendingError(std::vector<Sample> samples)

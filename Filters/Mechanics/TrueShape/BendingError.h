@@ -35,13 +35,13 @@ public:
     double energy = 0.0;
   };
 
-  /// Adds some of a block of solved sources, one block in so many that there are about fifty of
-  /// all. `sources`: their surface points; `smooth`: w by unknowns, a column each; `bendingOf` a
+  /// Samples of a block of solved sources: a few of one block in so many that there are about fifty
+  /// in all. `sources`: their surface points; `smooth`: w by unknowns, a column each; `bendingOf` a
   /// place in them: see Sample, NaN where it is not known. Cost: 40 µs per element of the body.
   using BendingOf = std::function<double(std::size_t)>;
-  static void sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
+  static std::vector<Sample> sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
     const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
-    const BendingOf& bendingOf, std::vector<Sample>& samples);
+    const BendingOf& bendingOf);
 
   explicit BendingError(std::vector<Sample> samples);
 

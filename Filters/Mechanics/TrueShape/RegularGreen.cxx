@@ -283,8 +283,8 @@ void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t block)
   };
   if (smooth.size() > 0)
   {
-    BendingError::sample(
-      this->Body, block, this->Bending.size(), sources, smooth, bendingOf, this->Bending[block]);
+    this->Bending[block] =
+      BendingError::sample(this->Body, block, this->Bending.size(), sources, smooth, bendingOf);
   }
 }
 
