@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The data contract: names, content and meaning of the arrays of a response. All code that
+/** @file
+ * The data contract: names, content and meaning of the arrays of a response. All code that
  * reads, writes, copies or checks them uses this table; `palpate.contract` is tested against it.
  */
 #ifndef palpate_ResponseContract_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The number of threads for loops of the kernels: building bodies, finite elements,
+/** @file
+ * The number of threads for loops of the kernels: building bodies, finite elements,
  * reduction. The servo tick uses none. No result depends on it.
  *
  * One per core, or PALPATE_THREADS of the environment, which is read once; within a ThreadLimit its

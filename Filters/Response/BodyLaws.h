@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The functions of Filters/Laws, called on a body: each fetches and checks the arrays, calls,
+/** @file
+ * The functions of Filters/Laws, called on a body: each fetches and checks the arrays, calls,
  * and attaches the result. Filters make these calls in a pipeline, other code directly. They return
  * what is wrong, or "".
  */

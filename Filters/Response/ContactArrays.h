@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
+/** @file
+ * The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
  * Deflection, Normal, ContactPoint, ContactCell, ContactState, and of a body that relaxes
  * MemoryForce, of tools whose axis is known Torque and Tilt. Their meaning: see
  * vtkToolContactProbe.h.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The motion of a whole body, whatever point is pressed: a Green function of low rank.
+/** @file
+ * The motion of a whole body, whatever point is pressed: a Green function of low rank.
  *
  * H(x,X) is the motion of the surface at x per force at X, less the dent (RegularField). It is
  * symmetric, H(x,X) = H(X,x)ᵀ (Betti), and smooth, so that a few products approximate it:

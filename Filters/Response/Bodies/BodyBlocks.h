@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The parts of a user's body: the blocks of a composite, each a data set or the partitions of
+/** @file
+ * The parts of a user's body: the blocks of a composite, each a data set or the partitions of
  * one. Empty parts are skipped.
  */
 #ifndef BodyBlocks_h

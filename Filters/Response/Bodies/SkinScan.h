@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file Grey levels of a scan, low in air and high in tissue, prepared for the contour of the outer
+/** @file
+ * Grey levels of a scan, low in air and high in tissue, prepared for the contour of the outer
  * skin: openings closed, cavities filled. The grey levels at the skin itself survive, so that a
  * contour keeps its sub-voxel position.
  *

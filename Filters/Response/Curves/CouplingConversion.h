@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The arrays of a response by which contacts on its body feel one another: Coupling,
+/** @file
+ * The arrays of a response by which contacts on its body feel one another: Coupling,
  * CouplingModulus, CouplingThickness, CouplingModes of Contact/ResponseContract.h. Without them
  * each contact is alone.
  */

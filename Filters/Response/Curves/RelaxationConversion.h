@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The arrays of a response by which its body relaxes: RelaxationStrength, RelaxationTime,
+/** @file
+ * The arrays of a response by which its body relaxes: RelaxationStrength, RelaxationTime,
  * LocalRelaxation, ElasticCompliance of Contact/ResponseContract.h. With them the curves of the
  * response are its slow part; without them nothing relaxes.
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file The arrays of a response with the effect of tilting its tool on the force: Tilt, TiltDrop,
+/** @file
+ * The arrays of a response with the effect of tilting its tool on the force: Tilt, TiltDrop,
  * TiltNode, TiltWeight of Contact/ResponseContract.h, the numbers of a TiltTable. Without them the
  * tool counts as upright, wherever its axis points.
  */
