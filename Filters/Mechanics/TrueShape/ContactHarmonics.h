@@ -10,12 +10,16 @@
 
 namespace palpate
 {
-/// Takes what the angle mean leaves out, to second order (ShapedContact.h), off the deflections of
-/// a curve's samples, and adds to their errors what third order and the surface between its points
-/// may do. `kernels`, `stiffness` (N/mm): beside the samples; the contact of the first `growing`
-/// widens from one to the next, that of the others keeps its radius. `modulus` is E*, MPa.
+class UnevenContact;
+
+/// Takes what the angle mean leaves out off the deflections of a curve's samples, to second order
+/// (ShapedContact.h), or where that is not enough and there is an `uneven` as that solves it. Adds
+/// to their errors what is left of it, and what the surface between its points may do. `kernels`,
+/// `stiffness` (N/mm): beside the samples; the contact of the first `growing` widens from one to
+/// the next, that of the others keeps its radius. `modulus` is E*, MPa.
 void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
-  const std::vector<ContactKernel>& kernels, const std::vector<double>& stiffness, double modulus);
+  const std::vector<ContactKernel>& kernels, const std::vector<double>& stiffness, double modulus,
+  UnevenContact* uneven);
 } // namespace palpate
 
 #endif

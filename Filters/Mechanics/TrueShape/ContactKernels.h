@@ -56,6 +56,9 @@ public:
   /// where the site is not valid, or for a radius that is none.
   virtual ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const = 0;
 
+  /// The surface around the point, where its shape is known beyond the angle mean; or null.
+  virtual const SurfaceGap* surface() const { return nullptr; }
+
 protected:
   ContactKernels() = default;
   ContactKernels(const ContactKernels&) = default;

@@ -77,6 +77,7 @@ public:
 
   /// `largestOrder`: as it is known, or anything below for one less.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
+  const SurfaceGap* surface() const override { return &this->Gap; }
 
 private:
   /// How values at the landmarks become one at the place.

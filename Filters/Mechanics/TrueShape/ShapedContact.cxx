@@ -5,12 +5,14 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/TrueShape/ContactHarmonics.h"
+#include "Mechanics/TrueShape/UnevenContact.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace palpate
@@ -190,6 +192,8 @@ struct ClosedDepth
   double depth;
   double left;
 };
+constexpr std::array<double, 10> PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7,
+  0.85, 1.0 };
 constexpr std::array<ClosedDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
   { 1.5, 0.01 }, { 5.0, 0.003 } } };
 } // namespace
@@ -203,8 +207,8 @@ ShapedContact::ShapedContact(
 {
 }
 
-ShapedContact::Contact ShapedContact::at(
-  double radius, const ContactKernel& kernel, double reducedModulus, double deflection) const
+ShapedContact::Contact ShapedContact::at(double radius, const ContactKernel& kernel,
+  double reducedModulus, std::optional<double> deflection) const
 {
   // In t = x/a: moments of φ_m φ_n, of φ_m, and of φ_m g, each over a.
   Eigen::Matrix4d products;
@@ -232,10 +236,9 @@ ShapedContact::Contact ShapedContact::at(
   Contact contact;
   contact.stiffness = 2.0 * reducedModulus * radius * flat[0];
   contact.stable = 1.0 - rim.dot(flat) > 0.0 && contact.stiffness > 0.0;
-  contact.deflection = deflection > 0.0
-    ? deflection
-    : (this->Tool.reducedProfile(radius) + kernel.gap.drop.dot(reducedPowers(1.0)) -
-        rim.dot(profile)) /
+  contact.deflection = deflection ? *deflection
+                                  : (this->Tool.reducedProfile(radius) +
+                                      kernel.gap.drop.dot(reducedPowers(1.0)) - rim.dot(profile)) /
       (1.0 - rim.dot(flat));
   contact.force = 2.0 * reducedModulus * radius * (contact.deflection * flat[0] - profile[0]);
   return contact;
@@ -250,10 +253,10 @@ struct ShapedContact::Course
   std::vector<double> stiffness;
 };
 
-/// Adds the contact of a radius, at a given deflection if that is positive; false where the kernel
-/// lets none grow to it.
-bool ShapedContact::takeSample(double radius, double deflection, const ContactKernels& kernels,
-  int largestOrder, Course& course) const
+/// Adds the contact of a radius, or of the tool's wall at a given deflection; false where the
+/// kernel lets none grow to it.
+bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
+  const ContactKernels& kernels, int largestOrder, Course& course) const
 {
   const double modulus = kernels.site().reducedModulus;
   const ContactKernel kernel = kernels.at(radius, largestOrder);
@@ -270,7 +273,8 @@ bool ShapedContact::takeSample(double radius, double deflection, const ContactKe
     sample.deflection = contact.deflection;
     sample.force = contact.force;
     const bool isFirst = course.samples.empty();
-    const double depthBefore = isFirst ? 0.0 : course.samples.back().deflection;
+    const double least = deflection ? -Infinity : 0.0; // what is uneven is not in it yet
+    const double depthBefore = isFirst ? least : course.samples.back().deflection;
     const double forceBefore = isFirst ? 0.0 : course.samples.back().force;
     if (!(sample.deflection > depthBefore && sample.force > forceBefore))
     {
@@ -343,7 +347,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   const bool isPunch = isFlat(this->Tool);
   bool grows = true;
   bool isTaken = true; // the last one
-  const auto take = [&](double radius, double deflection, double open)
+  const auto take = [&](double radius, std::optional<double> deflection, double open)
   {
     const std::size_t before = course.samples.size();
     grows = grows && this->takeSample(radius, deflection, kernels, largestOrder, course);
@@ -358,16 +362,32 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
     const double largest = std::min(std::nextafter(wall, 0.0), site.largestRadius);
     for (const double radius : contactRadii(smallest, largest, touch.touch, this->Count))
     {
-      take(radius, 0.0, 0.0);
+      take(radius, {}, 0.0);
     }
   }
   const std::size_t growing = course.samples.size();
   if (isPunch)
   {
     const double last = touch.touch == Touch::Flat ? 0.0 : ClosedDepths.back().depth * touch.closed;
+    const bool isShapeKnown = kernels.surface() != nullptr;
+    if (last > 0.0 && isShapeKnown)
+    {
+      const Contact closed = this->at(wall, kernels.at(wall), site.reducedModulus, touch.closed);
+      const double force = course.samples.empty() ? 0.0 : course.samples.back().force;
+      for (const double part : PartsOfClosing)
+      {
+        if (part * closed.force > force)
+        {
+          take(wall, touch.closed - (1.0 - part) * closed.force / closed.stiffness, 0.0);
+        }
+      }
+    }
     for (std::size_t i = 0; last > 0.0 && i < ClosedDepths.size(); ++i)
     {
-      take(wall, ClosedDepths[i].depth * touch.closed, ClosedDepths[i].left);
+      if (!isShapeKnown || ClosedDepths[i].depth > 1.0)
+      {
+        take(wall, ClosedDepths[i].depth * touch.closed, isShapeKnown ? 0.0 : ClosedDepths[i].left);
+      }
     }
     for (const double depth : PunchDepths)
     {
@@ -378,7 +398,13 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
     }
   }
   std::vector<ContactSample>& samples = course.samples;
-  addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus);
+  std::optional<UnevenContact> uneven;
+  if (kernels.surface() != nullptr)
+  {
+    uneven.emplace(this->Tool, *kernels.surface());
+  }
+  addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus,
+    uneven ? &*uneven : nullptr);
   this->addStrain(kernels, course);
   const bool beginsFlat = touch.touch == Touch::Flat && !isPunch;
   end = leaveRising(samples, beginsFlat) || !grows || !isTaken ? CurveEnd::Unstable : end;

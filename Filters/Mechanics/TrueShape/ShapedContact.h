@@ -7,13 +7,17 @@
  * Dimensionality reduction turns r^{2m} into φ_m(x) = κ_m x^{2m}, κ = 1, 2, 8/3, 16/5, on both
  * sides of the kernel, so that the contact of radius a is y(x) + 2E* Σ c_mn φ_m(x) Y_n = δ - g(x),
  * Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth, the integral equation of a half-space
- * with a kernel of rank N. g is that of the tool plus the angle mean of the surface's drop. What
- * that leaves is added to second order: by its own shape the surface leans by s and waves
- * (SurfaceGap), and next to an edge it turns by βF under the force, so that U*(F) is less by ½ E*
- * ∫_0^a (|2x(s + βF)|² + Σ g_m²) dx and δ -= ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T,  T
- * = (4/3) E* a³. Linear elasticity at small strain; finite strain multiplies what is local of a
- * contact, as it does on a half-space under the same force (StrainCorrection), and what the body
- * gives way otherwise grows with that.
+ * with a kernel of rank N. g is that of the tool plus the angle mean of the surface's drop.
+ *
+ * What that leaves is added. By its own shape the surface leans by s and waves (SurfaceGap), and
+ * next to an edge it turns by βF under the force; to second order U*(F) is less by ½ E* ∫_0^a
+ * (|2x(s
+ * + βF)|² + Σ g_m²) dx and δ -= ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T,  T = (4/3) E*
+ * a³. Where the shape does more than that describes, its part is solved for (UnevenContact).
+ *
+ * Linear elasticity at small strain; finite strain multiplies what is local of a contact, as it
+ * does on a half-space under the same force (StrainCorrection), and what the body gives way
+ * otherwise grows with that.
  */
 #ifndef palpate_ShapedContact_h
 #define palpate_ShapedContact_h
@@ -23,6 +27,8 @@
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/TrueShape/ContactCurve.h"
 #include "Mechanics/TrueShape/ContactKernels.h"
+
+#include <optional>
 
 namespace palpate
 {
@@ -50,15 +56,14 @@ public:
     double stiffness = 0.0;  ///< 2E* Y₀ of a unit flat: dF/dδ while the kernel stays; N/mm
     bool stable = false;     ///< the kernel lets δ rise
   };
-  /// `deflection` > 0 for a contact that has reached the tool's wall, or of a flat: it is given
-  /// then.
+  /// `deflection` for a contact that has reached the tool's wall, or of a flat: it is given then.
   Contact at(double radius, const ContactKernel& kernel, double reducedModulus,
-    double deflection = 0.0) const;
+    std::optional<double> deflection = {}) const;
 
 private:
   struct Course;
-  bool takeSample(double radius, double deflection, const ContactKernels& kernels, int largestOrder,
-    Course& course) const;
+  bool takeSample(double radius, std::optional<double> deflection, const ContactKernels& kernels,
+    int largestOrder, Course& course) const;
 
   void addStrain(const ContactKernels& kernels, Course& course) const;
 

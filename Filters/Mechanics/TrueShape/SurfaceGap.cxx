@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace palpate
 {
@@ -53,6 +54,7 @@ double SurfaceGap::ring(int k)
 SurfaceGap::SurfaceGap(double radius, const Heights& heights)
   : Radius(radius)
   , Known(std::clamp(heights.known, 0, Rings))
+  , Surface(heights.surface)
 {
   for (int k = 0; k < this->Known; ++k)
   {
@@ -76,6 +78,78 @@ SurfaceGap::SurfaceGap(double radius, const Heights& heights)
     }
     this->Left[at] = rest.squaredNorm() / Angles;
   }
+}
+
+Eigen::Vector2d SurfaceGap::place(int k, int j) const
+{
+  const double angle = 2.0 * Pi * j / Angles;
+  return this->Radius * ring(k) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+SurfaceGap::Spectrum::Spectrum(const SurfaceGap& gap)
+  : Radius(gap.Radius)
+  , Known(gap.Known)
+{
+  Eigen::Matrix<double, Angles, Angles> waves;
+  for (int j = 0; j < Angles; ++j)
+  {
+    for (int m = 0; m <= Angles / 2; ++m)
+    {
+      const double angle = 2.0 * Pi * m * j / Angles;
+      const double part = (m == 0 || m == Angles / 2 ? 1.0 : 2.0) / Angles;
+      waves(std::max(0, 2 * m - 1), j) = part * std::cos(angle);
+      if (m > 0 && m < Angles / 2)
+      {
+        waves(2 * m, j) = part * std::sin(angle);
+      }
+    }
+  }
+  this->Amplitudes.setZero();
+  this->Amplitudes.leftCols(this->Known) = waves * gap.Surface.topRows(this->Known).transpose();
+}
+
+SurfaceGap::Spectrum::Between SurfaceGap::Spectrum::between(double r) const
+{
+  const double t = r / this->Radius;
+  if (!(t > ring(0)))
+  {
+    return { 0, 0, t * t / (ring(0) * ring(0)) };
+  }
+  const int outer = Rings - 1 - static_cast<int>(std::log(t) / std::log(RingRatio));
+  const int high = std::min(this->Known - 1, outer);
+  const int low = std::max(0, high - 1);
+  const double before = ring(low) * ring(low);
+  return { low, high, (t * t - before) / (ring(high) * ring(high) - before) };
+}
+
+double SurfaceGap::Spectrum::amplitude(int i, const Between& rings) const
+{
+  const double from = rings.low < rings.high ? this->Amplitudes(i, rings.low) : 0.0;
+  return from + rings.part * (this->Amplitudes(i, rings.high) - from);
+}
+
+double SurfaceGap::Spectrum::mean(double r) const
+{
+  return this->Known > 0 ? this->amplitude(0, this->between(r)) : 0.0;
+}
+
+double SurfaceGap::Spectrum::around(const Eigen::Vector2d& place) const
+{
+  const double r = place.norm();
+  if (!(r > 0.0) || this->Known == 0)
+  {
+    return 0.0;
+  }
+  const Between rings = this->between(r);
+  const std::complex<double> turn(place[0] / r, place[1] / r);
+  std::complex<double> wave = turn;
+  double sum = 0.0;
+  for (int m = 1; m < Angles / 2; ++m, wave *= turn)
+  {
+    sum +=
+      this->amplitude(2 * m - 1, rings) * wave.real() + this->amplitude(2 * m, rings) * wave.imag();
+  }
+  return sum + this->amplitude(Angles - 1, rings) * wave.real();
 }
 
 double SurfaceGap::reach() const

@@ -75,11 +75,41 @@ public:
   /// Under a contact of radius a, mm; of one beyond reach() as far as it is known.
   GapTerms at(double a) const;
 
+  /// Heights below the tangent plane within reach(), mm: in harmonics of the angle, straight in r²
+  /// from ring to ring.
+  class PALPATE_EXPORT Spectrum
+  {
+  public:
+    explicit Spectrum(const SurfaceGap& gap);
+    /// The angle mean at a distance of the point.
+    double mean(double r) const;
+    /// What the surface lies below that at a place.
+    double around(const Eigen::Vector2d& place) const;
+
+  private:
+    struct Between
+    {
+      int low; ///< the same ring as `high` inside the first
+      int high;
+      double part;
+    };
+    Between between(double r) const;
+    double amplitude(int i, const Between& rings) const;
+
+    double Radius;
+    int Known;
+    Eigen::Matrix<double, Angles, Rings> Amplitudes; ///< 1, cos θ, sin θ, cos 2θ, ... cos 8θ
+  };
+
+  /// Where the height of a ring and an angle is told, mm.
+  Eigen::Vector2d place(int k, int j) const;
+
 private:
   static constexpr int Harmonics = 4;
 
   double Radius = 0.0;
   int Known = 0;
+  Eigen::Matrix<double, Rings, Angles> Surface = Eigen::Matrix<double, Rings, Angles>::Zero();
   std::array<double, Rings> Mean{};
   std::array<double, Rings> Between{}; ///< mean square of surface less facets
   std::array<double, Rings> Uneven{};  ///< mean square
