@@ -183,8 +183,17 @@ MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& gr
   const ShapedTerms& terms, const ResponseSpans& spans, const std::function<bool(double)>& goOn)
 {
   const auto points = static_cast<std::size_t>(green.body().surface().pointTotal());
-  const auto fitAt = [&green](std::size_t i)
-  { return std::make_unique<ContactKernelFit>(green, static_cast<std::int32_t>(i)); };
+  const auto fitAt = [&](std::size_t i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
+    auto fit = std::make_unique<ContactKernelFit>(green, point);
+    if (terms.meshes)
+    {
+      const BodySurface& surface = green.body().surface();
+      fit->setMissed(terms.meshes->at(surface.position(point), surface.normal(point)));
+    }
+    return fit;
+  };
   MadeResponse made = fillAll(tool, points, fitAt, terms, spans, goOn);
   if (made.complete)
   {
@@ -201,7 +210,12 @@ MadeResponse shapedResponse(const AxisymmetricTool& tool, const LandmarkKernels&
   const auto blendAt = [&](std::size_t i)
   {
     const LandmarkSpot spot = surface.spotAt(i);
-    return std::make_unique<BlendedKernels>(landmarks, spot.surface, spot.around);
+    auto blend = std::make_unique<BlendedKernels>(landmarks, spot.surface, spot.around);
+    if (terms.meshes)
+    {
+      blend->setMissed(terms.meshes->at(spot.surface.place, spot.surface.normal));
+    }
+    return blend;
   };
   MadeResponse made = fillAll(tool, surface.edges.points, blendAt, terms, spans, goOn);
   if (made.complete)

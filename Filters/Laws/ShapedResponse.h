@@ -5,7 +5,7 @@
 #include "Laws/CurvesOnEdges.h"
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/TrueShape/LandmarkKernels.h"
+#include "Mechanics/TrueShape/MeshDifference.h"
 
 #include <cstddef>
 #include <functional>
@@ -23,6 +23,8 @@ struct ShapedTerms
   /// curve is known.
   double errorTolerance = 0.05;
   const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
+  /// What the elements miss, by a second mesh; null: by what they let expect.
+  const MeshDifference* meshes = nullptr;
   /// One value per point, what lies between the points of the surface may change of the force at
   /// the end of its range: relative, in 95 of 100 cases. It is the surface's error, not one of the
   /// contact on it, and no part of validity. Null: not kept.

@@ -6,6 +6,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/CoarserBody.h"
 #include "Response/Bodies/SimplerLaw.h"
 #include "Response/Bodies/SolvedBody.h"
 #include "Response/BodyConversion.h"
@@ -33,6 +34,7 @@ namespace
 {
 // Of the work, as progress tells it.
 constexpr double SolvedShare = 0.9;
+constexpr double BodyShare = 0.75; // where a coarser one is solved, too
 constexpr double RespondedShare = 0.95;
 } // namespace
 
@@ -41,7 +43,7 @@ vtkStandardNewMacro(vtkElasticContactResponse);
 vtkElasticContactResponse::vtkElasticContactResponse()
   : Kept(std::make_unique<palpate::SolvedBody>())
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 vtkElasticContactResponse::~vtkElasticContactResponse() = default;
 
@@ -70,7 +72,7 @@ int vtkElasticContactResponse::FillInputPortInformation(int port, vtkInformation
   const bool isSurface = port == 1;
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isSurface ? "vtkPolyData" : "vtkUnstructuredGrid");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), isSurface ? 1 : 0);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0 ? 1 : 0);
   return 1;
 }
 
@@ -82,6 +84,16 @@ void vtkElasticContactResponse::SetSurfaceConnection(vtkAlgorithmOutput* output)
 void vtkElasticContactResponse::SetSurfaceData(vtkPolyData* surface)
 {
   this->SetInputData(1, surface);
+}
+
+void vtkElasticContactResponse::SetCoarserConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(2, output);
+}
+
+void vtkElasticContactResponse::SetCoarserData(vtkUnstructuredGrid* coarser)
+{
+  this->SetInputData(2, coarser);
 }
 
 int vtkElasticContactResponse::RequestData(
@@ -98,9 +110,11 @@ int vtkElasticContactResponse::RequestData(
   const palpate::FilterThreads threads;
   bool isEnded = false;
   vtkPolyData* finer = vtkPolyData::GetData(inputVector[1]);
+  vtkUnstructuredGrid* coarser = vtkUnstructuredGrid::GetData(inputVector[2]);
   std::string fault = this->CheckProperties();
   fault = fault.empty() && finer ? this->CheckSurface(finer) : fault;
-  fault = fault.empty() ? this->Solve(grid, isEnded) : fault;
+  fault = fault.empty() && coarser ? palpate::checkCoarser(grid, coarser) : fault;
+  fault = fault.empty() ? this->Solve(grid, coarser, isEnded) : fault;
   fault = fault.empty() && !isEnded ? this->Respond(grid, finer, vtkPolyData::GetData(outputVector))
                                     : fault;
   if (!fault.empty())
@@ -145,33 +159,60 @@ std::string vtkElasticContactResponse::CheckSurface(vtkPolyData* finer) const
   return fault.empty() ? fault : "Wrong input: Surface: " + fault;
 }
 
-/// Sees to it that what the tool needs is in Kept.
-std::string vtkElasticContactResponse::Solve(vtkUnstructuredGrid* grid, bool& ended)
+/// The settings of a solution, with the arrays of this grid.
+std::string vtkElasticContactResponse::FindMaterials(
+  vtkUnstructuredGrid* grid, palpate::SolveRequest& request)
 {
-  palpate::SolveRequest request;
   request.factor.material = { this->YoungsModulus, this->PoissonRatio };
   request.factor.solver = this->Solver;
   request.factor.memoryLimit = this->MemoryLimit;
+  request.radius = std::max(
+    palpate::neededRadius(this->Tool, this->MaximumDeflection), this->LargestContactRadius);
+  request.spacing = this->SourceSpacing;
   std::string fault = palpate::checkFactorRequest(request.factor);
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
   fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.factor.young) : fault;
-  fault =
-    fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.factor.poisson) : fault;
+  return fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.factor.poisson)
+                       : fault;
+}
+
+/// Sees to it that what the tool needs is in Kept and Coarser.
+std::string vtkElasticContactResponse::Solve(
+  vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended)
+{
+  palpate::SolveRequest request;
+  std::string fault = this->FindMaterials(grid, request);
   vtkDataArray* thickness = nullptr;
   if (fault.empty() && this->AutomaticTerms)
   {
+    const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
     fault = palpate::findPointArray(this, grid, 2, find, thickness);
   }
   this->ThicknessName = thickness ? thickness->GetName() : "";
+  palpate::SolveRequest ofCoarser;
+  if (fault.empty() && coarser)
+  {
+    fault = this->FindMaterials(coarser, ofCoarser);
+    fault = fault.empty() ? fault : "Coarser: " + fault;
+  }
   if (!fault.empty())
   {
     return fault;
   }
-  request.radius = std::max(
-    palpate::neededRadius(this->Tool, this->MaximumDeflection), this->LargestContactRadius);
-  request.spacing = this->SourceSpacing;
+  if (!coarser)
+  {
+    this->Coarser.reset();
+  }
+  const double solved = coarser ? BodyShare : SolvedShare;
   palpate::SolveCost cost;
-  fault = this->Kept->solve(grid, request, palpate::FilterStage{ this, 0.0, SolvedShare }, cost);
+  fault = this->Kept->solve(grid, request, palpate::FilterStage{ this, 0.0, solved }, cost);
+  if (fault.empty() && !cost.ended && coarser)
+  {
+    this->Coarser =
+      this->Coarser ? std::move(this->Coarser) : std::make_unique<palpate::CoarserBody>();
+    fault = this->Coarser->compare(
+      coarser, ofCoarser, *this->Kept, palpate::FilterStage{ this, solved, SolvedShare }, cost);
+  }
   this->MemoryEstimate = cost.memory;
   this->NumberOfSolutions = cost.solutions;
   ended = cost.ended;
@@ -199,7 +240,8 @@ std::string vtkElasticContactResponse::Respond(
     return fault;
   }
   vtkNew<vtkFloatArray> surfaceError;
-  palpate::ShapedTerms terms{ this->MaximumDeflection, this->ErrorTolerance, strain.get() };
+  palpate::ShapedTerms terms{ this->MaximumDeflection, this->ErrorTolerance, strain.get(),
+    this->Coarser ? this->Coarser->difference() : nullptr };
   if (finer)
   {
     surfaceError->SetName((this->ResponseName + "SurfaceError").c_str());

@@ -18,8 +18,8 @@
  * `Status` 5 Edge where there is no contact before: the curve is taken from the points around, as
  * much softer as the edge is, within some 15 %, its validity 0; 4 OutOfReach where the point is
  * held or not `Pressed`, 1 Degenerate: no curve. `Validity` and `Limit` by the estimated error: 1
- * small strain, 5 what an edge nearby does beyond its tilt, 7 the elements and the order of the
- * kernel.
+ * small strain, 5 what an edge nearby does beyond its tilt, 7 the elements (what cells of their
+ * length let expect, or what a second mesh tells) and the order of the kernel.
  *
  * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, the elements
  * solve for what is left, which is smooth (palpate::RegularGreen). H, averaged over angles on a
@@ -61,7 +61,9 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
+class CoarserBody;
 class SolvedBody;
+struct SolveRequest;
 struct ResponseStorage;
 } // namespace palpate
 
@@ -84,6 +86,18 @@ public:
    * AutomaticTerms. */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
+  ///@}
+
+  ///@{
+  /** The same body in coarser cells, one and a half to twice as long at the surface, held in the
+   * same places and with the same arrays: a vtkUnstructuredGrid as the input. What the cells'
+   * length does to the force is then told from how far the two meshes differ
+   * (palpate::MeshDifference), in place of what cells of that length let expect, which is several
+   * times too wide on most bodies. The forces are the same. One with no cells, of another extent
+   * than the body, or with cells that are not longer, is an error. Costs its own factor and
+   * solutions, a tenth of the body's where its cells are twice as long. Optional. */
+  void SetCoarserConnection(vtkAlgorithmOutput* output);
+  void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}
 
   ///@{
@@ -276,13 +290,15 @@ private:
   void operator=(const vtkElasticContactResponse&) = delete;
 
   std::string CheckProperties();
-  std::string Solve(vtkUnstructuredGrid* grid, bool& ended);
+  std::string FindMaterials(vtkUnstructuredGrid* grid, palpate::SolveRequest& request);
+  std::string Solve(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended);
   void WarnOfSurface(vtkFloatArray* error);
   std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
   std::string CheckSurface(vtkPolyData* finer) const;
   std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
+  std::unique_ptr<palpate::CoarserBody> Coarser; ///< null: there is none
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;

@@ -36,6 +36,8 @@ constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
 /// Sources are nodes, including those in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
+/// Spacing of the second mesh, which tells the error of the first: a tenth of its cost.
+constexpr double CoarserRatio = 2.0;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
 {
@@ -83,11 +85,20 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
 /// results.
 std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
-  constexpr int Revision = 4;
+  constexpr int Revision = 5;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
     '|', options.fixedFaces, '|', options.strainGiven && !scene.terms.automatic, '|',
     static_cast<int>(scene.terms.strain.model), ':', scene.terms.strain.parameter,
     contentOf(scene.body));
+}
+
+/// The body filled with tetrahedra; returns what is wrong, or "".
+std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vtkGradedBody* filled)
+{
+  filled->SetInputData(body);
+  filled->SetSurfaceSpacing(spacing);
+  filled->SetFixedFaces(fixed);
+  return updateQuietly(filled);
 }
 
 /// Fills the scene's body and presses its tools; sets body and notes.
@@ -112,18 +123,26 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
   const SolidSizes sizes = chooseSizes(scene.body, options.solidSpacing, radii[order.front()]);
   auto begin = std::chrono::steady_clock::now();
   vtkNew<vtkGradedBody> filled;
-  filled->SetInputData(scene.body);
-  filled->SetSurfaceSpacing(sizes.spacing);
-  filled->SetFixedFaces(options.fixedFaces);
-  std::string error = updateQuietly(filled);
+  std::string error = fill(scene.body, sizes.spacing, options.fixedFaces, filled);
   if (!error.empty())
   {
     return error;
   }
+  vtkNew<vtkGradedBody> coarser;
+  const std::string lost =
+    fill(scene.body, CoarserRatio * sizes.spacing, options.fixedFaces, coarser);
   const double filledIn = secondsSince(begin);
   begin = std::chrono::steady_clock::now();
   vtkNew<vtkElasticContactResponse> pressed;
   pressed->SetInputConnection(filled->GetOutputPort());
+  if (lost.empty())
+  {
+    pressed->SetCoarserConnection(coarser->GetOutputPort());
+  }
+  else
+  {
+    scene.notes.push_back("no second mesh to tell the error of the first: " + lost);
+  }
   pressed->SetYoungsModulus(scene.youngsModulus);
   pressed->SetPoissonRatio(scene.poissonsRatio);
   pressed->SetMaximumDeflection(options.maximumDeflection);

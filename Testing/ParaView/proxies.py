@@ -71,8 +71,8 @@ PROPERTIES = {                                              # of each proxy: lab
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Store Error": 1,
         "Maximum Tilt (degrees)": 0.0, "Response Name": "Response"},
     ("filters", "ElasticContactResponse"): {
-        "Input": None, "Surface": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
-        "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
+        "Input": None, "Surface": None, "Coarser": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1,
+        "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
         "Number Of Samples": 8, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Relaxations": None, "Error Tolerance": 0.05,
         "Store Error": 1, "Store Motion": 1,
         "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Strain Model": 0,

@@ -6,6 +6,9 @@
 #include "Mechanics/TrueShape/RegularGreen.h"
 #include "Mechanics/TrueShape/SurfaceGap.h"
 
+#include <utility>
+#include <vector>
+
 namespace palpate
 {
 /**
@@ -27,6 +30,18 @@ struct ContactKernel
   GapTerms gap;
 };
 
+/// What the elements miss of c₀₀, mm/N, by contact radius, where a second mesh tells it
+/// (MeshDifference).
+struct MissedCompliance
+{
+  std::vector<double> radii;  ///< ascending, mm
+  std::vector<double> values; ///< beside them; empty: not told
+
+  bool isKnown() const { return !this->values.empty(); }
+  /// Linear in ln a; beyond the radii as at the last one.
+  double at(double radius) const;
+};
+
 /// A point of a body, as its kernels are known there.
 struct KernelSite
 {
@@ -39,6 +54,7 @@ struct KernelSite
   double nearestSource = 0.0; ///< mm
   double spacing = 0.0;       ///< of the elements' nodes, mm
   ExpectedError elements;
+  MissedCompliance missed; ///< where it is known, in place of `elements`
 };
 
 /// Kernels of contacts at one point, of any radius.
@@ -51,6 +67,7 @@ public:
   static constexpr double FirstRadius = 1.0 / 40.0;
 
   const KernelSite& site() const { return this->Site; }
+  void setMissed(MissedCompliance missed) { this->Site.missed = std::move(missed); }
 
   /// The kernel of the largest order that is known, but not above `largestOrder` >= 1. Of order 0
   /// where the site is not valid, or for a radius that is none.

@@ -26,6 +26,8 @@ public:
   /// The surface points that are landmarks, ascending.
   const std::vector<std::int32_t>& points() const { return this->Points; }
   const RegularGreen& green() const { return this->Green; }
+  /// Contact radii that were fitted, ascending, mm.
+  const std::vector<double>& radii() const { return this->Radii; }
   /// Of the body at the landmark in a place of points().
   const ElasticMaterial& material(std::size_t i) const { return this->Landmarks[i].site.material; }
 

@@ -35,9 +35,14 @@ constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from fa
 /// (ElementError), less of a contact wider than they are, as they err most next to the source; of
 /// what bends (BendingError); of facets on a curved surface, which is the same everywhere (measured
 /// on a ball); and of what lies between the places where H is known. They know nothing of each
-/// other. What the moduli of mixed cells do is not in it.
+/// other. A second mesh that was compared with tells all but the last. What the moduli of mixed
+/// cells do is not in it.
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
+  if (site.missed.isKnown())
+  {
+    return std::hypot(site.missed.at(radius), kernel.spread);
+  }
   const double self = std::abs(kernel.coefficients(0, 0));
   const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
   return Eigen::Vector4d(site.elements.error * site.spacing / (site.spacing + radius),

@@ -67,6 +67,8 @@ struct SolvedBody::Kept
   SurfaceMotion Motion;                       ///< without points: not requested
   double Spacing = 0.0;                       ///< of sources, mm
   double Radius = 0.0;                        ///< mm; 0: nothing solved yet
+  double FactorMemory = 0.0;                  ///< MiB
+  double GreenMemory = 0.0;                   ///< MiB
   vtkSmartPointer<vtkUnstructuredGrid>
     Grid; ///< holds its arrays, so that no new one can have the address of a freed one
   vtkMTimeType GridTime = 0;
@@ -128,6 +130,7 @@ std::string SolvedBody::solve(
     this->Now->Grid->ShallowCopy(grid);
     this->Now->GridTime = grid->GetMTime();
     this->Now->Factor = request.factor;
+    this->Now->FactorMemory = cost.memory;
   }
   Kept& kept = *this->Now;
   std::vector<std::int32_t> points;
@@ -138,6 +141,7 @@ std::string SolvedBody::solve(
   }
   const double bytes = kept.Green.memoryForecast(points, request.radius, request.spacing);
   cost.memory += bytes / Mebibyte;
+  kept.GreenMemory = bytes / Mebibyte;
   const double allowed = allowedMemory(request.factor.memoryLimit);
   if (bytes > allowed)
   {
@@ -167,6 +171,25 @@ std::string SolvedBody::solve(
 const RegularGreen& SolvedBody::green() const
 {
   return this->Now->Green;
+}
+
+double SolvedBody::memory() const
+{
+  return this->Now->FactorMemory + this->Now->GreenMemory;
+}
+
+const LandmarkKernels* SolvedBody::landmarks(const FilterStage& stage)
+{
+  std::unique_ptr<LandmarkKernels>& kept = this->Now->Landmarks;
+  if (!kept)
+  {
+    kept = std::make_unique<LandmarkKernels>(this->Now->Green, stage);
+    if (!kept->isComplete())
+    {
+      kept.reset();
+    }
+  }
+  return kept.get();
 }
 
 vtkSmartPointer<vtkPolyData> SolvedBody::surface(vtkUnstructuredGrid* grid) const
@@ -205,23 +228,17 @@ std::string SolvedBody::respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid,
   {
     return "Wrong input: Surface: " + fault;
   }
-  Kept& kept = *this->Now;
   const double fitted =
-    kept.Landmarks ? stage.from : stage.from + FittedShare * (stage.to - stage.from);
-  if (!kept.Landmarks)
+    this->Now->Landmarks ? stage.from : stage.from + FittedShare * (stage.to - stage.from);
+  const LandmarkKernels* known = this->landmarks(FilterStage{ stage.filter, stage.from, fitted });
+  if (!known)
   {
-    kept.Landmarks = std::make_unique<LandmarkKernels>(
-      kept.Green, FilterStage{ stage.filter, stage.from, fitted });
-    if (!kept.Landmarks->isComplete())
-    {
-      kept.Landmarks.reset();
-      return {};
-    }
+    return {};
   }
   const vtkSmartPointer<vtkPolyData> solid = this->surface(grid);
   const FinerSurface surface(
-    finer, storage.Normal->GetPointer(0), solid, *kept.Landmarks, neededRadius(tool, terms.range));
-  made = shapedResponse(*tool->GetKernel(), *kept.Landmarks, surface.view(), terms, storage.spans(),
+    finer, storage.Normal->GetPointer(0), solid, *known, neededRadius(tool, terms.range));
+  made = shapedResponse(*tool->GetKernel(), *known, surface.view(), terms, storage.spans(),
     FilterStage{ stage.filter, fitted, stage.to });
   return {};
 }

@@ -21,6 +21,7 @@ class vtkPolyData;
 
 namespace palpate
 {
+class LandmarkKernels;
 class StrainCorrection;
 struct ShapedTerms;
 struct StrainLaw;
@@ -66,6 +67,10 @@ public:
     const FilterStage& stage, SolveCost& cost);
 
   const RegularGreen& green() const;
+  double memory() const; ///< estimate of what is kept, MiB
+
+  /// Its kernels at the sources, fitted once for all tools; null after an abort.
+  const LandmarkKernels* landmarks(const FilterStage& stage);
 
   /// The surface, with the grid's point arrays and `OriginalPointIds`.
   vtkSmartPointer<vtkPolyData> surface(vtkUnstructuredGrid* grid) const;
@@ -76,7 +81,7 @@ public:
     const FilterStage& stage, ResponseStorage& storage, MadeResponse& made) const;
 
   /// The same at the points of another surface of the body, which has passed checkTriangles and may
-  /// be finer (FinerSurface). The landmarks are fitted once for all tools.
+  /// be finer (FinerSurface).
   std::string respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid, vtkContactTool* tool,
     const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);

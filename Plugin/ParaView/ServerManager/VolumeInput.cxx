@@ -100,23 +100,39 @@ vtkInformationVector** VolumeInput::replace(
   }
   this->First = withData(given, this->Kept);
   this->Inputs[0] = this->First;
-  this->Inputs[1] = ports > 1 ? inputs[1] : nullptr;
-  if (vtkDataObject* second = ports > 1 ? vtkDataObject::GetData(inputs[1]) : nullptr)
+  for (int port = 1; port < ports; ++port)
   {
-    const auto scaled = vtkSmartPointer<vtkDataObject>::Take(second->NewInstance());
-    scaled->ShallowCopy(second);
-    if (auto* image = vtkImageData::SafeDownCast(scaled))
+    this->Inputs[port] = this->scaled(inputs[port], this->Others[port - 1]);
+  }
+  return this->Inputs;
+}
+
+vtkInformationVector* VolumeInput::scaled(vtkInformationVector* inputs, Other& other) const
+{
+  vtkDataObject* data = vtkDataObject::GetData(inputs);
+  if (!data)
+  {
+    other = {};
+    return inputs;
+  }
+  if (other.MadeOf != data || other.MadeFrom != data->GetMTime() || other.Unit != this->LengthUnit)
+  {
+    other.Made = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+    other.Made->ShallowCopy(data);
+    other.MadeOf = data;
+    other.MadeFrom = data->GetMTime();
+    other.Unit = this->LengthUnit;
+    if (auto* image = vtkImageData::SafeDownCast(other.Made))
     {
       scaleImage(image, this->LengthUnit);
     }
-    else if (auto* surface = vtkPointSet::SafeDownCast(scaled))
+    else if (auto* points = vtkPointSet::SafeDownCast(other.Made))
     {
-      scalePoints(surface, this->LengthUnit);
+      scalePoints(points, this->LengthUnit);
     }
-    this->Second = withData(inputs[1]->GetInformationObject(0), scaled);
-    this->Inputs[1] = this->Second;
   }
-  return this->Inputs;
+  other.Inputs = withData(inputs->GetInformationObject(0), other.Made);
+  return other.Inputs;
 }
 
 std::string VolumeInput::makeMesh(vtkDataObject* data)

@@ -24,21 +24,32 @@ public:
   /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
   int LengthUnit = 0;
 
-  /// The inputs of `ports` ports, the first one's data as one mesh in mm (blocks and partitions are
-  /// joined where their points coincide exactly), a surface or image on the second in mm; null
-  /// after an error, with what is wrong in `fault`. The same mesh for the same data and unit.
+  /// The inputs of up to three ports, the first one's data as one mesh in mm (blocks and partitions
+  /// are joined where their points coincide exactly), a surface, image or mesh on the others in mm;
+  /// null after an error, with what is wrong in `fault`. The same data for the same data and unit.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:
+  /// What another port has, in mm.
+  struct Other
+  {
+    vtkSmartPointer<vtkDataObject> Made;
+    vtkSmartPointer<vtkDataObject> MadeOf;
+    vtkMTimeType MadeFrom = 0;
+    int Unit = 0;
+    vtkSmartPointer<vtkInformationVector> Inputs;
+  };
+
   std::string makeMesh(vtkDataObject* data);
+  vtkInformationVector* scaled(vtkInformationVector* inputs, Other& other) const;
 
   vtkSmartPointer<vtkUnstructuredGrid> Kept;
   vtkSmartPointer<vtkDataObject> KeptData;
   vtkMTimeType KeptFrom = 0;
   int KeptUnit = 0;
   vtkSmartPointer<vtkInformationVector> First;
-  vtkSmartPointer<vtkInformationVector> Second;
-  vtkInformationVector* Inputs[2] = { nullptr, nullptr };
+  Other Others[2];
+  vtkInformationVector* Inputs[3] = { nullptr, nullptr, nullptr };
 };
 } // namespace palpate
 

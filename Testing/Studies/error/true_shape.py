@@ -9,21 +9,27 @@ from cover import areas, shares
 TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the others share its solutions
 HELD = 4  # of Status
 CELLS = 20000  # as palpate --solid
+COARSER = 2  # cells of the second mesh, by those of the first
 
 
-def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45):
-    """The surface with what each tool feels of the body, held at `fixed`; arrays are called by the tools."""
+def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER):
+    """The surface with what each tool feels of the body, held at `fixed`; arrays are called by the tools. `coarser` 0: without a
+    second mesh, which tells nothing but the error."""
     area = areas(body).sum()
     tools = {text: palpate.vtkContactTool() for text in TOOLS}
     for text, tool in tools.items():
         tool.SetSpecification(text)
     radius = max(tool.GetContactRadius(depth) for tool in tools.values())
     spacing = np.sqrt(8.7 * area / cells)
-    filled, pressed = palpate.vtkGradedBody(), palpate.vtkElasticContactResponse()
-    filled.SetInputData(body)
-    filled.SetSurfaceSpacing(max(spacing, 0.5 * radius) if cells == CELLS else spacing)
-    filled.SetFixedFaces(fixed)
-    pressed.SetInputConnection(filled.GetOutputPort())
+    side = max(spacing, 0.5 * radius) if cells == CELLS else spacing
+    pressed = palpate.vtkElasticContactResponse()
+    for longer, connect in ((1, pressed.SetInputConnection), (coarser, pressed.SetCoarserConnection)):
+        if longer:
+            filled = palpate.vtkGradedBody()
+            filled.SetInputData(body)
+            filled.SetSurfaceSpacing(longer * side)
+            filled.SetFixedFaces(fixed)
+            connect(filled.GetOutputPort())
     pressed.SetYoungsModulus(0.05)
     pressed.SetPoissonRatio(poisson)
     pressed.SetMaximumDeflection(depth)
