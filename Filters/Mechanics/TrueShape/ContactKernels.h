@@ -32,7 +32,7 @@ struct ContactKernel
 
 /// What the elements miss of c₀₀, mm/N, by contact radius, where a second mesh tells it
 /// (MeshDifference).
-struct MissedCompliance
+struct PALPATE_EXPORT MissedCompliance
 {
   std::vector<double> radii;  ///< ascending, mm
   std::vector<double> values; ///< beside them; empty: not told

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace palpate
 {
@@ -14,29 +16,39 @@ namespace
 constexpr std::size_t BlendedLandmarks = 6;
 constexpr double FacingCosine = 0.5; ///< those that face the same way: within 60°
 
-/// Of the spacing of the coarser mesh: how far around a place its landmarks are taken.
-constexpr double ReachOfMean = 3.0;
+/// How far around a place landmarks of the coarser mesh are taken, in spacings of its nodes.
+constexpr double ReachOfMean = 2.0;
 constexpr std::size_t LeastOfMean = 6; ///< or as far as so many of them are
-/// Times what second order leaves.
-constexpr double Safety = 2.0;
+constexpr double BeyondLeast = 2.0;    ///< whose weight is not to be nothing; of a square
+/// Of what first order leaves: what 19 of 20 kernels lie within, on balls, plates and scans.
+constexpr double Within = 1.5;
 constexpr double LeastRatio = 1.25; ///< k; below it a difference of meshes tells little
-constexpr double LeastPart = 5e-4; ///< of c₀₀
+constexpr double LeastPart = 5e-4;  ///< of c₀₀
 
-/// Places of those that face the same way, nearest first, no more than `count`.
-template <class Positions>
-std::vector<std::pair<double, std::size_t>> nearestFacing(const Positions& landmarkAt,
-  std::size_t total, const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
+/// A landmark that faces the same way: the square of its distance, its place among all.
+using Facing = std::pair<double, std::size_t>;
+
+/// The landmarks nearest to a place of the surface, nearest first.
+std::vector<std::size_t> landmarksAround(const LandmarkKernels& landmarks,
+  const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
 {
-  std::vector<std::pair<double, std::size_t>> found;
-  for (std::size_t i = 0; i < total; ++i)
+  const BodySurface& surface = landmarks.green().body().surface();
+  std::vector<Facing> facing;
+  for (std::size_t i = 0; i < landmarks.points().size(); ++i)
   {
-    const auto [at, outward] = landmarkAt(i);
-    if (outward.dot(normal) >= FacingCosine)
+    const std::int32_t point = landmarks.points()[i];
+    if (surface.normal(point).dot(normal) >= FacingCosine)
     {
-      found.emplace_back((at - place).squaredNorm(), i);
+      facing.emplace_back((surface.position(point) - place).squaredNorm(), i);
     }
   }
-  return found;
+  std::sort(facing.begin(), facing.end());
+  std::vector<std::size_t> around;
+  for (std::size_t k = 0; k < std::min(BlendedLandmarks, facing.size()); ++k)
+  {
+    around.push_back(facing[k].second);
+  }
+  return around;
 }
 } // namespace
 
@@ -60,95 +72,76 @@ double MissedCompliance::at(double radius) const
 MeshDifference::MeshDifference(const LandmarkKernels& body, const LandmarkKernels& coarser)
   : Radii(body.radii())
 {
-  const BodySurface& surface = body.green().body().surface();
-  const BodySurface& coarseSurface = coarser.green().body().surface();
-  this->Samples.resize(coarser.points().size());
-  shareWork(this->Samples.size(),
-    [&](std::size_t i)
+  std::vector<Sample> all(coarser.points().size());
+  shareWork(all.size(), [&](std::size_t i) { all[i] = this->sample(body, coarser, i); });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(this->Samples),
+    [](const Sample& sample) { return !sample.missed.empty(); });
+}
+
+/// At a landmark of the coarser mesh; empty where there is no kernel of both.
+MeshDifference::Sample MeshDifference::sample(
+  const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const
+{
+  const BodySurface& surface = coarser.green().body().surface();
+  const std::int32_t point = coarser.points()[i];
+  Sample sample{ surface.position(point), surface.normal(point), 0.0, {} };
+  const SurfaceSpot spot{ sample.place, sample.normal, {} };
+  const BlendedKernels there(coarser, spot, { i });
+  const BlendedKernels here(body, spot, landmarksAround(body, sample.place, sample.normal));
+  if (here.site().status != PatchStatus::Valid || there.site().status != PatchStatus::Valid)
+  {
+    return sample;
+  }
+  sample.spacing = there.site().spacing;
+  const double ratio = std::max(LeastRatio, sample.spacing / here.site().spacing);
+  const double known = std::min(here.site().limit, there.site().limit);
+  for (const double radius : this->Radii)
+  {
+    if (!sample.missed.empty() && radius > known)
     {
-      Sample& sample = this->Samples[i];
-      const std::int32_t point = coarser.points()[i];
-      sample.place = coarseSurface.position(point);
-      sample.normal = coarseSurface.normal(point);
-      sample.missed.assign(this->Radii.size(), NotANumber);
-      const BlendedKernels there(coarser, { sample.place, sample.normal, {} }, { i });
-      auto near = nearestFacing(
-        [&](std::size_t k)
-        {
-          const std::int32_t other = body.points()[k];
-          return std::pair<const Eigen::Vector3d&, const Eigen::Vector3d&>(
-            surface.position(other), surface.normal(other));
-        },
-        body.points().size(), sample.place, sample.normal);
-      const std::size_t taken = std::min(BlendedLandmarks, near.size());
-      std::partial_sort(
-        near.begin(), near.begin() + static_cast<std::ptrdiff_t>(taken), near.end());
-      std::vector<std::size_t> around;
-      for (std::size_t k = 0; k < taken; ++k)
-      {
-        around.push_back(near[k].second);
-      }
-      const BlendedKernels here(body, { sample.place, sample.normal, {} }, around);
-      sample.spacing = there.site().spacing;
-      if (here.site().status != PatchStatus::Valid || there.site().status != PatchStatus::Valid)
-      {
-        return;
-      }
-      const double ratio = std::max(LeastRatio, sample.spacing / here.site().spacing);
-      double last = NotANumber;
-      for (std::size_t r = 0; r < this->Radii.size(); ++r)
-      {
-        if (r == 0 || this->Radii[r] <= std::min(here.site().limit, there.site().limit))
-        {
-          const double self = here.at(this->Radii[r]).coefficients(0, 0);
-          const double other = there.at(this->Radii[r]).coefficients(0, 0);
-          last = std::hypot(
-            Safety * (self - other) / (ratio * ratio - 1.0), LeastPart * self);
-        }
-        sample.missed[r] = last;
-      }
-    });
+      sample.missed.push_back(sample.missed.back());
+      continue;
+    }
+    const double self = here.at(radius).coefficients(0, 0);
+    const double other = there.at(radius).coefficients(0, 0);
+    sample.missed.push_back(
+      std::hypot(Within * (self - other) / (ratio - 1.0), LeastPart * self));
+  }
+  return sample;
 }
 
 MissedCompliance MeshDifference::at(
   const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const
 {
-  auto near = nearestFacing(
-    [this](std::size_t i)
+  std::vector<Facing> facing;
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    if (this->Samples[i].normal.dot(normal) >= FacingCosine)
     {
-      return std::pair<const Eigen::Vector3d&, const Eigen::Vector3d&>(
-        this->Samples[i].place, this->Samples[i].normal);
-    },
-    this->Samples.size(), place, normal);
-  near.erase(std::remove_if(near.begin(), near.end(),
-               [this](const auto& at) { return std::isnan(this->Samples[at.second].missed[0]); }),
-    near.end());
+      facing.emplace_back((this->Samples[i].place - place).squaredNorm(), i);
+    }
+  }
   MissedCompliance told;
-  if (near.empty())
+  if (facing.empty())
   {
     return told;
   }
-  const std::size_t least = std::min(LeastOfMean, near.size()) - 1;
-  std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(least), near.end());
-  const auto nearest = std::min_element(near.begin(), near.end());
-  const double reach = ReachOfMean * this->Samples[nearest->second].spacing;
-  const double square = std::max(reach * reach, 2.0 * near[least].first);
-  std::sort(near.begin(), near.end());
+  const std::size_t least = std::min(LeastOfMean, facing.size());
+  std::partial_sort(
+    facing.begin(), facing.begin() + static_cast<std::ptrdiff_t>(least), facing.end());
+  const double reach = ReachOfMean * this->Samples[facing.front().second].spacing;
+  const double square = std::max(reach * reach, BeyondLeast * facing[least - 1].first);
   told.radii = this->Radii;
   told.values.assign(this->Radii.size(), 0.0);
   double weights = 0.0;
-  for (const auto& [distance, i] : near)
+  for (const auto& [distance, i] : facing)
   {
-    if (distance >= square)
+    const double left = std::max(0.0, 1.0 - distance / square);
+    for (std::size_t r = 0; left > 0.0 && r < told.values.size(); ++r)
     {
-      break;
+      told.values[r] += left * left * this->Samples[i].missed[r] * this->Samples[i].missed[r];
     }
-    const double weight = (1.0 - distance / square) * (1.0 - distance / square);
-    weights += weight;
-    for (std::size_t r = 0; r < told.values.size(); ++r)
-    {
-      told.values[r] += weight * this->Samples[i].missed[r] * this->Samples[i].missed[r];
-    }
+    weights += left * left;
   }
   for (double& value : told.values)
   {

@@ -9,14 +9,15 @@
 namespace palpate
 {
 /**
- * What the elements of a body miss of its kernels, measured by a second, coarser mesh of the same
- * body: elements converge by second order, so that of two meshes whose sides are as 1 to k the
- * finer one misses 1/(k² - 1) of what lies between them (Richardson 1911).
+ * What the elements of a body miss of its kernels, told by a second, coarser mesh of the same body.
  *
- * c₀₀ of both is compared at the landmarks of the coarser one, radius by radius; k is that of the
- * surfaces there. One such difference may be nothing by chance, where it changes its sign, so that
- * what is told at a place is the root of the mean square of those around it that face the same way.
- * How often it holds: MeshDifferenceTest.
+ * c₀₀ of both is compared at the landmarks of the coarser one, radius by radius. Of two meshes
+ * whose sides are as 1 to k the finer one misses 1/(k^p - 1) of what lies between them (Richardson
+ * 1911). Where H is smooth p is 2, but the stress at the edge of what is held is singular, and how
+ * the body bends about it converges with p = 1, which is what is taken; k is that of the surfaces
+ * there. One such difference may be nothing by chance, where it changes its sign, so that what is
+ * told at a place is one and a half of the root of the mean square of those around it that face the
+ * same way. How often it holds: MeshDifferenceTest.
  */
 class PALPATE_EXPORT MeshDifference
 {
@@ -35,9 +36,12 @@ private:
   {
     Eigen::Vector3d place;
     Eigen::Vector3d normal;
-    double spacing = 0.0;          ///< of the coarser mesh, mm
-    std::vector<double> missed;    ///< beside Radii, mm/N; NaN: not known
+    double spacing = 0.0;       ///< of the coarser mesh's nodes, mm
+    std::vector<double> missed; ///< beside Radii, mm/N
   };
+
+  Sample sample(
+    const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const;
 
   std::vector<double> Radii; ///< ascending, mm
   std::vector<Sample> Samples;
