@@ -19,7 +19,7 @@
  * much softer as the edge is, within some 15 %, its validity 0; 4 OutOfReach where the point is
  * held or not `Pressed`, 1 Degenerate: no curve. `Validity` and `Limit` by the estimated error: 1
  * small strain, 5 what an edge nearby does beyond its tilt, 7 the elements (what cells of their
- * length let expect, or what a second mesh tells) and the order of the kernel.
+ * length let expect, and what a second mesh tells) and the order of the kernel.
  *
  * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, the elements
  * solve for what is left, which is smooth (palpate::RegularGreen). H, averaged over angles on a
@@ -90,12 +90,12 @@ public:
 
   ///@{
   /** The same body in coarser cells, one and a half to twice as long at the surface, held in the
-   * same places and with the same arrays: a vtkUnstructuredGrid as the input. What the cells'
-   * length does to the force is then told from how far the two meshes differ
-   * (palpate::MeshDifference), in place of what cells of that length let expect, which is several
-   * times too wide on most bodies. The forces are the same. One with no cells, of another extent
-   * than the body, or with cells that are not longer, is an error. Costs its own factor and
-   * solutions, a tenth of the body's where its cells are twice as long. Optional. */
+   * same places and with the same arrays: a vtkUnstructuredGrid as the input. How far the two
+   * meshes differ then tells, beside what cells of that length let expect, what their length does
+   * to the force (palpate::MeshDifference): its stated error is several times narrower on bodies
+   * that the cells follow well. The forces are the same. One with no cells, of another extent than
+   * the body, or with cells that are not longer, is an error. Costs its own factor and solutions, a
+   * tenth of the body's where its cells are twice as long. Optional. */
   void SetCoarserConnection(vtkAlgorithmOutput* output);
   void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}

@@ -40,6 +40,10 @@ struct PALPATE_EXPORT MissedCompliance
   bool isKnown() const { return !this->values.empty(); }
   /// Linear in ln a; beyond the radii as at the last one.
   double at(double radius) const;
+  /// What it and another estimate, >= 0, that knows nothing of it, tell together: the root of the
+  /// harmonic mean of their squares, which the lesser of both weighs most in, but not by more than
+  /// √2: either may be nothing by chance, or far too much.
+  double beside(double expected, double radius) const;
 };
 
 /// A point of a body, as its kernels are known there.
@@ -54,7 +58,7 @@ struct KernelSite
   double nearestSource = 0.0; ///< mm
   double spacing = 0.0;       ///< of the elements' nodes, mm
   ExpectedError elements;
-  MissedCompliance missed; ///< where it is known, in place of `elements`
+  MissedCompliance missed; ///< where it is known, beside `elements`
 };
 
 /// Kernels of contacts at one point, of any radius.

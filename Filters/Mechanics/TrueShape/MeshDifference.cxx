@@ -20,17 +20,15 @@ constexpr double FacingCosine = 0.5; ///< those that face the same way: within 6
 constexpr double ReachOfMean = 2.0;
 constexpr std::size_t LeastOfMean = 6; ///< or as far as so many of them are
 constexpr double BeyondLeast = 2.0;    ///< whose weight is not to be nothing; of a square
-/// Of what first order leaves: what 19 of 20 kernels lie within, on balls, plates and scans.
-constexpr double Within = 1.5;
-constexpr double LeastRatio = 1.25; ///< k; below it a difference of meshes tells little
-constexpr double LeastPart = 5e-4;  ///< of c₀₀
+constexpr double LeastRatio = 1.25;    ///< k; below it a difference of meshes tells little
+constexpr double LeastPart = 5e-4;     ///< of c₀₀
 
 /// A landmark that faces the same way: the square of its distance, its place among all.
 using Facing = std::pair<double, std::size_t>;
 
 /// The landmarks nearest to a place of the surface, nearest first.
-std::vector<std::size_t> landmarksAround(const LandmarkKernels& landmarks,
-  const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
+std::vector<std::size_t> landmarksAround(
+  const LandmarkKernels& landmarks, const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
 {
   const BodySurface& surface = landmarks.green().body().surface();
   std::vector<Facing> facing;
@@ -64,9 +62,16 @@ double MissedCompliance::at(double radius) const
     return this->values.back();
   }
   const auto high = static_cast<std::size_t>(above - this->radii.begin());
-  const double part = std::log(radius / this->radii[high - 1]) /
-    std::log(this->radii[high] / this->radii[high - 1]);
+  const double part =
+    std::log(radius / this->radii[high - 1]) / std::log(this->radii[high] / this->radii[high - 1]);
   return (1.0 - part) * this->values[high - 1] + part * this->values[high];
+}
+
+double MissedCompliance::beside(double expected, double radius) const
+{
+  const double told = this->at(radius);
+  const double both = std::hypot(expected, told);
+  return both > 0.0 ? std::sqrt(2.0) * expected * told / both : 0.0;
 }
 
 MeshDifference::MeshDifference(const LandmarkKernels& body, const LandmarkKernels& coarser)
@@ -104,8 +109,7 @@ MeshDifference::Sample MeshDifference::sample(
     }
     const double self = here.at(radius).coefficients(0, 0);
     const double other = there.at(radius).coefficients(0, 0);
-    sample.missed.push_back(
-      std::hypot(Within * (self - other) / (ratio - 1.0), LeastPart * self));
+    sample.missed.push_back(std::hypot((self - other) / (ratio - 1.0), LeastPart * self));
   }
   return sample;
 }

@@ -16,7 +16,7 @@ namespace palpate
  * 1911). Where H is smooth p is 2, but the stress at the edge of what is held is singular, and how
  * the body bends about it converges with p = 1, which is what is taken; k is that of the surfaces
  * there. One such difference may be nothing by chance, where it changes its sign, so that what is
- * told at a place is one and a half of the root of the mean square of those around it that face the
+ * told at a place is the root of the mean square of those around it that face the
  * same way. How often it holds: MeshDifferenceTest.
  */
 class PALPATE_EXPORT MeshDifference
@@ -40,8 +40,7 @@ private:
     std::vector<double> missed; ///< beside Radii, mm/N
   };
 
-  Sample sample(
-    const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const;
+  Sample sample(const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const;
 
   std::vector<double> Radii; ///< ascending, mm
   std::vector<Sample> Samples;

@@ -32,23 +32,19 @@ Eigen::Vector4d reducedPowers(double t)
 constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from facet to facet
 
 /// What the elements let expect of the error of a contact's compliance, mm/N: by its place
-/// (ElementError), less of a contact wider than they are, as they err most next to the source; of
-/// what bends (BendingError); of facets on a curved surface, which is the same everywhere (measured
-/// on a ball); and of what lies between the places where H is known. They know nothing of each
-/// other. A second mesh that was compared with tells all but the last. What the moduli of mixed
-/// cells do is not in it.
+/// (ElementError), less of a contact wider than they are; of what bends (BendingError); of facets
+/// on a curved surface (measured on a ball): all these as a second mesh tells, too; and of what
+/// lies between the places where H is known. Not what the moduli of mixed cells do.
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
-  if (site.missed.isKnown())
-  {
-    return std::hypot(site.missed.at(radius), kernel.spread);
-  }
   const double self = std::abs(kernel.coefficients(0, 0));
   const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
-  return Eigen::Vector4d(site.elements.error * site.spacing / (site.spacing + radius),
+  const Eigen::Vector4d parts(site.elements.error * site.spacing / (site.spacing + radius),
     site.elements.bending * std::max(0.0, self - site.elements.direct),
-    self * OfFacets * std::min(1.0, turn * turn), kernel.spread)
-    .norm();
+    self * OfFacets * std::min(1.0, turn * turn), kernel.spread);
+  return site.missed.isKnown()
+    ? std::hypot(site.missed.beside(parts.head<3>().norm(), radius), kernel.spread)
+    : parts.norm();
 }
 
 /// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for

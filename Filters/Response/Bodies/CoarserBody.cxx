@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastRatio = 1.2;  // of the cells' lengths
+constexpr double LeastRatio = 1.2;   // of the cells' lengths
 constexpr double LargestShift = 2.0; // of the box's sides, in coarser cells
 constexpr double LeastMemory = 1e-3; // MiB; 0 would be all there is
 constexpr double SolvedPart = 0.7;

@@ -18,9 +18,9 @@ std::string checkCoarser(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser
 class CoarserBody
 {
 public:
-  /// Solves it, within what `body` leaves of the memory limit, for what the request needs and compares it with `body`, which has been solved for
-  /// the same: what of that is not there yet. Adds to the cost, whose solutions tell whether the
-  /// body is new. Returns what is wrong, or "".
+  /// Solves it, within what `body` leaves of the memory limit, for what the request needs and
+  /// compares it with `body`, which has been solved for the same: what of that is not there yet.
+  /// Adds to the cost, whose solutions tell whether the body is new. Returns what is wrong, or "".
   std::string compare(vtkUnstructuredGrid* coarser, const SolveRequest& request, SolvedBody& body,
     const FilterStage& stage, SolveCost& cost);
 

@@ -13,7 +13,7 @@ namespace
 using namespace palpate;
 using palpate::testing::tool;
 
-constexpr double Radius = 2.5;     // mm, of the widest contact
+constexpr double Radius = 1.8;     // mm, of the widest contact
 constexpr double LeftOfTilt = 0.2; // of the tilt's part, as in shapedResponse()
 
 /// A body whose elements are 1/finer of the coarsest, which are 2 mm.
@@ -25,7 +25,8 @@ struct Solved
   ElasticBody body;
   std::unique_ptr<RegularGreen> green;
 
-  explicit Solved(ElasticBodyInput input, const std::vector<Eigen::Vector3d>& places = {})
+  explicit Solved(
+    ElasticBodyInput input, const std::vector<Eigen::Vector3d>& places = {}, double spacing = 0.0)
   {
     EXPECT_EQ(this->body.assemble(std::move(input)), "");
     EXPECT_EQ(this->body.analyse(StiffnessFactor::Kind::Automatic), "");
@@ -40,13 +41,14 @@ struct Solved
     {
       points.push_back(i);
     }
-    EXPECT_EQ(this->green->solve(points, Radius, [](double) { return true; }), "");
+    EXPECT_EQ(this->green->solve(
+                points, Radius, [](double) { return true; }, spacing),
+      "");
   }
 
   ContactKernelFit at(const Eigen::Vector3d& place) const
   {
-    return ContactKernelFit(
-      *this->green, palpate::testing::pointAt(this->body.surface(), place));
+    return ContactKernelFit(*this->green, palpate::testing::pointAt(this->body.surface(), place));
   }
 };
 
@@ -82,8 +84,9 @@ Compared compare(BodyOf bodyOf)
 {
   const Solved coarse(bodyOf(1));
   const Solved fine(bodyOf(2));
-  const std::vector<Eigen::Vector3d> places = drawn(fine.body, 24);
-  const Solved truth(bodyOf(4), places);
+  const std::vector<Eigen::Vector3d> places = drawn(fine.body, 12);
+  // Of as many sources, so that the elements alone differ.
+  const Solved truth(bodyOf(4), places, fine.body.surface().spacing(0));
   const MeshDifference meshes(LandmarkKernels(*fine.green), LandmarkKernels(*coarse.green));
   std::mt19937 random(3);
   Compared compared;
@@ -91,8 +94,8 @@ Compared compare(BodyOf bodyOf)
   {
     const ContactKernelFit without = fine.at(place);
     ContactKernelFit with = without;
-    with.setMissed(meshes.at(place,
-      fine.body.surface().normal(palpate::testing::pointAt(fine.body.surface(), place))));
+    with.setMissed(meshes.at(
+      place, fine.body.surface().normal(palpate::testing::pointAt(fine.body.surface(), place))));
     EXPECT_TRUE(with.site().missed.isKnown());
     for (const char* name : { "sphere:4", "flat:0.8", "cone:70" })
     {
@@ -119,7 +122,7 @@ Compared compare(BodyOf bodyOf)
       compared.expected += contact.curve(without).errorsAt(depth).mesh;
     }
   }
-  EXPECT_GT(compared.all, 30);
+  EXPECT_GT(compared.all, 20);
   std::cout << compared.beyond << " of " << compared.all << " beyond what is stated; error "
             << compared.error / compared.all << ", stated " << compared.stated / compared.all
             << " in place of " << compared.expected / compared.all << "\n";
@@ -149,15 +152,15 @@ ElasticBodyInput thinPlate(int finer)
 /// Of two layers of them.
 ElasticBodyInput plate(int finer)
 {
-  return heldAtTheEnds(palpate::testing::quadratic(palpate::testing::tetrahedra(
-                         palpate::testing::hexahedronBlock(5 * finer, 5 * finer, finer, 2.0 / finer))),
+  return heldAtTheEnds(
+    palpate::testing::quadratic(palpate::testing::tetrahedra(
+      palpate::testing::hexahedronBlock(5 * finer, 5 * finer, finer, 2.0 / finer))),
     10.0);
 }
 
 ElasticBodyInput heldBlock(int finer)
 {
-  VolumeMesh mesh =
-    palpate::testing::hexahedronBlock(5 * finer, 4 * finer, 3 * finer, 2.0 / finer);
+  VolumeMesh mesh = palpate::testing::hexahedronBlock(5 * finer, 4 * finer, 3 * finer, 2.0 / finer);
   std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
   return { std::move(mesh), { { 0.1, 0.4 } }, fixed };
 }
@@ -180,7 +183,7 @@ ElasticBodyInput heldCap(int finer)
 }
 } // namespace
 
-// In 95 of 100 cases, and the narrower where elements were expected to miss more than they do.
+// In 95 of 100 cases; and narrower where elements were expected to miss several times what they do.
 TEST(MeshDifference, BoundsWhatFinerElementsChange)
 {
   Compared all;
@@ -189,10 +192,24 @@ TEST(MeshDifference, BoundsWhatFinerElementsChange)
     const Compared compared = compare(bodyOf);
     all.all += compared.all;
     all.beyond += compared.beyond;
-    if (bodyOf == &heldBlock || bodyOf == &heldCap)
+    EXPECT_LT(compared.stated, std::sqrt(2.0) * compared.expected);
+    if (compared.expected > 3.0 * compared.error)
     {
       EXPECT_LT(compared.stated, compared.expected);
     }
   }
   EXPECT_LE(all.beyond, 0.05 * all.all);
+}
+
+// Two estimates weigh together as their squares' harmonic mean.
+TEST(MeshDifference, StandsBesideAnotherEstimate)
+{
+  const MissedCompliance told{ { 0.5, 2.0 }, { 3.0, 4.0 } };
+  EXPECT_DOUBLE_EQ(told.at(0.1), 3.0);
+  EXPECT_DOUBLE_EQ(told.at(1.0), 3.5);
+  EXPECT_DOUBLE_EQ(told.at(9.0), 4.0);
+  EXPECT_DOUBLE_EQ(told.beside(4.0, 0.1), std::sqrt(2.0) * 12.0 / 5.0);
+  EXPECT_DOUBLE_EQ(told.beside(0.0, 1.0), 0.0);
+  EXPECT_NEAR(told.beside(1e9, 1.0), std::sqrt(2.0) * 3.5, 1e-6);
+  EXPECT_FALSE(MissedCompliance{}.isKnown());
 }

@@ -58,7 +58,8 @@ vtkDataArray* array(vtkElasticContactResponse* filter, const char* name)
 
 bool isSame(vtkDataArray* a, vtkDataArray* b)
 {
-  bool same = a && b && a->GetNumberOfValues() > 0 && a->GetNumberOfValues() == b->GetNumberOfValues();
+  bool same =
+    a && b && a->GetNumberOfValues() > 0 && a->GetNumberOfValues() == b->GetNumberOfValues();
   for (vtkIdType i = 0; same && i < a->GetNumberOfValues(); ++i)
   {
     const double x = a->GetVariantValue(i).ToDouble();
@@ -92,13 +93,12 @@ void checkLayer()
   exact->SetLayerThickness(Height);
   exact->SetMaximumDeflection(0.6);
   exact->Update();
-  const vtkIdType point =
-    with->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height);
+  const vtkIdType point = with->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height);
   vtkDataArray* forces = exact->GetOutput()->GetPointData()->GetArray("ResponseForce");
   for (int k = 1; k < 8; ++k)
   {
-    const double error =
-      std::abs(array(with, "ResponseForce")->GetComponent(point, k) / forces->GetComponent(40, k) - 1.0);
+    const double error = std::abs(
+      array(with, "ResponseForce")->GetComponent(point, k) / forces->GetComponent(40, k) - 1.0);
     const double stated = array(with, "ResponseError")->GetComponent(point, k);
     const double expected = array(without, "ResponseError")->GetComponent(point, k);
     std::cout << "off by " << error << ", stated " << stated << ", without " << expected << "\n";
@@ -164,8 +164,8 @@ void checkThreads()
 void checkErrors()
 {
   const Grid grid = cellsOf(1.0, 8, 4);
-  const auto fails = [&grid](vtkUnstructuredGrid* coarser, auto&& change,
-                       std::initializer_list<const char*> words)
+  const auto fails =
+    [&grid](vtkUnstructuredGrid* coarser, auto&& change, std::initializer_list<const char*> words)
   {
     const ElasticFilter filter = press(grid, coarser);
     Messages messages(filter.Get());
