@@ -79,11 +79,11 @@ public:
    * vtkPolyData of triangles, mm, beside the solid's. The output is then that surface with its
    * arrays: at each of its points H is that of the six solved ones around that face the same way
    * (a plane through their values), and the gap under the tool is its own shape there, whatever it
-   * is (palpate::SurfaceGap), smooth between its points. What may lie between them is the surface's
-   * error, not the contact's: the point array `<name>SurfaceError` (float) tells by how much it may
-   * change the force at the end of the range, relative, in 95 of 100 cases; there is a warning
-   * where that is more than ErrorTolerance at a tenth of the points. Optional; not with
-   * AutomaticTerms. */
+   * is (palpate::SurfaceGap, palpate::UnevenContact), smooth between its points. What may lie
+   * between them is the surface's error, not the contact's: the point array `<name>SurfaceError`
+   * (float) tells by how much it may change the force at the end of the range, relative, in 95 of
+   * 100 cases; there is a warning where that is more than ErrorTolerance at a tenth of the points.
+   * Optional; not with AutomaticTerms. */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
@@ -95,7 +95,7 @@ public:
    * to the force (palpate::MeshDifference): its stated error is several times narrower on bodies
    * that the cells follow well. The forces are the same. One with no cells, of another extent than
    * the body, or with cells that are not longer, is an error. Costs its own factor and solutions, a
-   * tenth of the body's where its cells are twice as long. Optional. */
+   * sixth of the body's where its cells are twice as long. Optional. */
   void SetCoarserConnection(vtkAlgorithmOutput* output);
   void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}

@@ -36,7 +36,7 @@ constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
 /// Sources are nodes, including those in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
-/// Spacing of the second mesh, which tells the error of the first: a tenth of its cost.
+/// Spacing of the second mesh, which tells the error of the first: a sixth of its cost.
 constexpr double CoarserRatio = 2.0;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
