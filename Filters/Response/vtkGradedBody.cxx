@@ -351,7 +351,8 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
   {
     fault = palpate::fillSurface(
       wanted, this->CellEstimate, palpate::FilterStage{ this, 0.0, MeshedShare }, mesh);
-    wanted.deviation *= mesh.isTooRough ? RoughStep : 1.0;
+    wanted.deviation *= mesh.isTooRough && !wanted.isManifold ? RoughStep : 1.0;
+    wanted.isManifold = wanted.isManifold && !mesh.isTooRough;
   } while (mesh.isTooRough && wanted.deviation < this->SurfaceSpacing);
   if (mesh.isTooRough)
   {

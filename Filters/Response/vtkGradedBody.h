@@ -91,7 +91,9 @@ public:
   ///@{
   /** How far facets may lie off the surface, mm, or 0 (default): a twentieth of SurfaceSpacing,
    * which shortens edges where the surface's radius is below two and a half SurfaceSpacings; up to
-   * nine times that on a surface whose roughness would take several times the cells. */
+   * nine times that on a surface whose roughness would take several times the cells. There, and
+   * where sheets of the surface nearly touch, the outside may meet itself at a corner or an edge.
+   */
   vtkSetMacro(Deviation, double);
   vtkGetMacro(Deviation, double);
   ///@}

@@ -140,8 +140,7 @@ void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
     ContactSample& s = samples[i];
     if (s.force > 0.0)
     {
-      s.gap +=
-        stiffness[i] / s.force * shape[i].left + shape[i].cells +
+      s.gap += stiffness[i] / s.force * shape[i].left + shape[i].cells +
         LeftOfSlope * (shape[i].slope + meanSlope(kernels[i].gap.drop, s.radius));
       s.deflection -= tilts[i] + shape[i].depth;
     }

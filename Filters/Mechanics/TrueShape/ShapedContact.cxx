@@ -193,6 +193,8 @@ struct ClosedDepth
   double depth;
   double left;
 };
+/// Forces on a flat punch that touches only in part, over the one from which on it touches all
+/// over: where the surface's shape is known, what is open at each is solved for (UnevenContact).
 constexpr std::array<double, 10> PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7,
   0.85, 1.0 };
 constexpr std::array<ClosedDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },

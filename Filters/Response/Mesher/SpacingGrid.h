@@ -29,6 +29,9 @@ struct MeshedSurface
   double growth = 0.0;      ///< of the spacing per length from the surface inwards
   double deviation = 0.0;   ///< how far a facet may lie off the surface
   double sharpAngle = 45.0; ///< edges by which the surface turns more are kept, degrees
+  /// The outside meets itself nowhere. Where the surface nearly does, that may take cells without
+  /// end.
+  bool isManifold = true;
 };
 
 /**

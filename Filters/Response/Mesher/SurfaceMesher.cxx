@@ -288,8 +288,10 @@ std::string fillSurface(
     const Criteria criteria(Criteria::Edge_criteria(RadiusField{ &spacing, 1.0 }),
       Criteria::Facet_criteria(FacetAngle, RadiusField{ &spacing, FacetRadius }, wanted.deviation),
       Criteria::Cell_criteria(RadiusEdge, RadiusField{ &spacing, CellRadius }));
-    auto complex = CGAL::make_mesh_3<Complex>(domain, criteria, CGAL::parameters::manifold(),
-      CGAL::parameters::no_perturb(), CGAL::parameters::no_exude());
+    const auto outside =
+      wanted.isManifold ? CGAL::parameters::manifold() : CGAL::parameters::non_manifold();
+    auto complex = CGAL::make_mesh_3<Complex>(
+      domain, criteria, outside, CGAL::parameters::no_perturb(), CGAL::parameters::no_exude());
     if (observer && !observer(RefinedShare))
     {
       return {};

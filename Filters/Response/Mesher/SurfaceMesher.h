@@ -20,8 +20,8 @@ struct TetrahedralMesh
   Eigen::Matrix3Xd nodes;
   std::vector<std::array<std::int32_t, 4>> cells;
   std::vector<std::array<std::int32_t, 2>> sharpEdges; ///< the lower node first, ascending
-  /// The mesh is empty, as the surface is so rough that the deviation would need several times the
-  /// cells expected.
+  /// The mesh is empty, as the surface is so rough that the deviation, or an outside that is a
+  /// manifold, would need several times the cells expected.
   bool isTooRough = false;
 };
 

@@ -12,6 +12,7 @@
 #include "vtkCubeSource.h"
 #include "vtkElasticContactResponse.h"
 #include "vtkGradedBody.h"
+#include "vtkMassProperties.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
@@ -602,6 +603,45 @@ void checkClosedUp()
   PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact, 0.01 * exact); // facets, the lid
 }
 
+/// Two round lips, 0.4 mm apart on cells of 2 mm: an outside that meets itself nowhere would take
+/// cells without end.
+void checkSheetsThatNearlyTouch()
+{
+  constexpr double radius = 8.0;
+  constexpr double middle = 5.0;
+  constexpr double half = 0.2;
+  std::vector<std::array<double, 2>> outline;
+  const auto arc = [&outline](double r, double z, double round, double from, double to)
+  {
+    constexpr int steps = 8;
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double angle = vtkMath::RadiansFromDegrees(from + (to - from) * i / steps);
+      outline.push_back({ r + round * std::cos(angle), z + round * std::sin(angle) });
+    }
+  };
+  constexpr double round = 1.5;
+  outline.push_back({ 0.0, 2.0 * middle });
+  arc(radius - round, 2.0 * middle - round, round, 90.0, 0.0);
+  arc(radius - round, middle + half + round, round, 0.0, -90.0);
+  outline.push_back({ 3.0, middle + half });
+  outline.push_back({ 3.0 - 1.8 * half, middle });
+  outline.push_back({ 3.0, middle - half });
+  arc(radius - round, middle - half - round, round, 90.0, 0.0);
+  arc(radius - round, round, round, 0.0, -90.0);
+  outline.push_back({ 0.0, 0.0 });
+  const Body body = turned(outline, 48);
+  vtkNew<vtkMassProperties> exact;
+  exact->SetInputData(body);
+  const auto filter = makeFilter(body, 2.0);
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.errors().empty());
+  const Filled filled = measure(filter->GetOutput());
+  PALPATE_CHECK_NEAR(filled.volume, exact->GetVolume(), 0.02 * exact->GetVolume()); // of facets
+  PALPATE_CHECK(filled.leastJacobian > 0.0);
+}
+
 void checkAbort()
 {
   const auto filter = makeFilter(sphereBody(10.0, 5), 0.7);
@@ -630,6 +670,7 @@ int TestGradedBody(int, char* argv[])
   checkErrors();
   checkMended();
   checkClosedUp();
+  checkSheetsThatNearlyTouch();
   checkAbort();
   checkBallContact(argv[1], 2.0, 0.01);
   checkLayerContact();
