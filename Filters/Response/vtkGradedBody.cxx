@@ -36,7 +36,6 @@
 
 namespace
 {
-constexpr double GradedSharpAngle = 45.0; // degrees
 constexpr double InteriorRatio = 4.0;
 constexpr double DeviationRatio = 0.05;
 constexpr double LargestGrowth = 2.0;
@@ -345,7 +344,6 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
   wanted.growth = this->Growth;
   wanted.deviation =
     this->Deviation > 0.0 ? this->Deviation : DeviationRatio * this->SurfaceSpacing;
-  wanted.sharpAngle = GradedSharpAngle;
   palpate::TetrahedralMesh mesh;
   do
   {
@@ -372,7 +370,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
   }
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(closed.surface);
-  edges->SetFeatureAngle(GradedSharpAngle);
+  edges->SetFeatureAngle(wanted.sharpAngle);
   edges->BoundaryEdgesOff();
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();

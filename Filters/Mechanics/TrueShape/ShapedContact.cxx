@@ -5,6 +5,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/TrueShape/ContactHarmonics.h"
+#include "Mechanics/TrueShape/KernelError.h"
 #include "Mechanics/TrueShape/UnevenContact.h"
 
 #include <Eigen/LU>
@@ -27,33 +28,6 @@ Eigen::Vector4d reducedPowers(double t)
 {
   const double s = t * t;
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
-}
-
-constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from facet to facet
-
-/// What the elements let expect of the error of a contact's compliance, mm/N: by its place
-/// (ElementError), less of a contact wider than they are; of what bends (BendingError); of facets
-/// on a curved surface (measured on a ball): all these as a second mesh tells, too; and of what
-/// lies between the places where H is known. Not what the moduli of mixed cells do.
-double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
-{
-  const double self = std::abs(kernel.coefficients(0, 0));
-  const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
-  const Eigen::Vector4d parts(site.elements.error * site.spacing / (site.spacing + radius),
-    site.elements.bending * std::max(0.0, self - site.elements.direct),
-    self * OfFacets * std::min(1.0, turn * turn), kernel.spread);
-  return site.missed.isKnown()
-    ? std::hypot(site.missed.beside(parts.head<3>().norm(), radius), kernel.spread)
-    : parts.norm();
-}
-
-/// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for
-/// more: H varies by its distance, between the source and the point, and under the contact.
-double missedByOne(const ContactKernel& kernel, const KernelSite& site, double radius)
-{
-  const double under = radius / site.limit;
-  return std::abs(kernel.coefficients(0, 0)) *
-    std::min(1.0, site.nearestSource / site.limit + under * under);
 }
 
 constexpr double RoundExponent = 1.5; ///< of a bulge: F goes with δ^1.5
@@ -195,8 +169,7 @@ struct ClosedDepth
 };
 /// Forces on a flat punch that touches only in part, over the one from which on it touches all
 /// over: where the surface's shape is known, what is open at each is solved for (UnevenContact).
-constexpr std::array<double, 10> PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7,
-  0.85, 1.0 };
+constexpr std::array PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0 };
 constexpr std::array<ClosedDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
   { 1.5, 0.01 }, { 5.0, 0.003 } } };
 } // namespace
