@@ -6,12 +6,12 @@
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/TrueShape/ContactHarmonics.h"
 #include "Mechanics/TrueShape/KernelError.h"
+#include "Mechanics/TrueShape/PunchDepths.h"
 #include "Mechanics/TrueShape/UnevenContact.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -119,9 +119,6 @@ FlatTouch touchOf(
   return found;
 }
 
-/// Of a flat punch, over its radius: its line, and what strain does on it.
-constexpr std::array<double, 6> PunchDepths = { 0.05, 0.2, 0.4, 0.7, 1.0, 1.4 };
-
 /// Of what finite strain does, where a body's shape makes the contact another than that of a
 /// half-space under the same force.
 constexpr double LeftOfStrain = 0.3;
@@ -159,19 +156,6 @@ bool leaveRising(std::vector<ContactSample>& samples, bool beginsFlat)
   samples.resize(kept);
   return left;
 }
-
-/// Depths beyond the one from which on a flat punch touches all over, as parts of that, and what is
-/// open there of the shape below it. Measured like LeftOfGap.
-struct ClosedDepth
-{
-  double depth;
-  double left;
-};
-/// Forces on a flat punch that touches only in part, over the one from which on it touches all
-/// over: where the surface's shape is known, what is open at each is solved for (UnevenContact).
-constexpr std::array PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0 };
-constexpr std::array<ClosedDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
-  { 1.5, 0.01 }, { 5.0, 0.003 } } };
 } // namespace
 
 ShapedContact::ShapedContact(
@@ -344,33 +328,15 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   const std::size_t growing = course.samples.size();
   if (isPunch)
   {
-    const double last = touch.touch == Touch::Flat ? 0.0 : ClosedDepths.back().depth * touch.closed;
-    const bool isShapeKnown = kernels.surface() != nullptr;
-    if (last > 0.0 && isShapeKnown)
+    const Contact closed = this->at(wall, kernels.at(wall), site.reducedModulus, touch.closed);
+    PunchClosing closing;
+    closing.depth = touch.touch == Touch::Flat ? 0.0 : touch.closed;
+    closing.sink = closed.force / closed.stiffness;
+    closing.carried = growing > 0 ? course.samples.back().force / closed.force : 0.0;
+    closing.isSolved = kernels.surface() != nullptr;
+    for (const PunchDepth& pressed : punchDepths(wall, closing))
     {
-      const Contact closed = this->at(wall, kernels.at(wall), site.reducedModulus, touch.closed);
-      const double force = course.samples.empty() ? 0.0 : course.samples.back().force;
-      for (const double part : PartsOfClosing)
-      {
-        if (part * closed.force > force)
-        {
-          take(wall, touch.closed - (1.0 - part) * closed.force / closed.stiffness, 0.0);
-        }
-      }
-    }
-    for (std::size_t i = 0; last > 0.0 && i < ClosedDepths.size(); ++i)
-    {
-      if (!isShapeKnown || ClosedDepths[i].depth > 1.0)
-      {
-        take(wall, ClosedDepths[i].depth * touch.closed, isShapeKnown ? 0.0 : ClosedDepths[i].left);
-      }
-    }
-    for (const double depth : PunchDepths)
-    {
-      if (depth * wall > last)
-      {
-        take(wall, depth * wall, ClosedDepths.back().left * last / (depth * wall));
-      }
+      take(wall, pressed.depth, pressed.open);
     }
   }
   std::vector<ContactSample>& samples = course.samples;
