@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <regex>
 #include <string>
 
 namespace palpate
@@ -47,7 +48,8 @@ private:
   /** Some readers report an error as a warning and continue. */
   void warn(const std::string& text)
   {
-    this->failed = this->failed || text.find("Error") != std::string::npos;
+    static const std::regex isError("\\bError\\b"); // not the name of an array that ends so
+    this->failed = this->failed || std::regex_search(text, isError);
     keepFirst(this->warning, text);
   }
 

@@ -108,6 +108,26 @@ class Solid(SessionCase):
         self.assertIn("filled with", self.result.stderr)
         numpy.testing.assert_array_equal(first["Force"], broken["Force"])
 
+    def test_a_scan_of_few_points_is_felt(self):
+        """Its facets are longer than the contact, and uneven: a warning, not a failure."""
+        source = vtkSphereSource()
+        source.SetRadius(RADIUS)
+        source.SetThetaResolution(20)
+        source.SetPhiResolution(12)
+        source.Update()
+        body = source.GetOutput()
+        places = vtk_to_numpy(body.GetPoints().GetData())
+        places *= 1.0 + 0.02 * numpy.random.default_rng(1).uniform(-1.0, 1.0, len(places))[:, None]
+        saved = self.folder / "coarse-saved.vtp"
+        result = self.press(body, "coarse.vtp", "--solid", "6", "--depth", "0.5", "--save", saved)
+        if "PALPATE_USE_CGAL" in result.stderr:
+            self.skipTest("built without CGAL")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(saved))
+        reader.Update()
+        between = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("ResponseSurfaceError"))
+        self.assertGreater((between > 0.05).mean(), 0.1)  # of which the filter warns
+
     def test_what_cannot_be_filled_is_refused(self):
         half = vtkSphereSource()
         half.SetRadius(25)
