@@ -115,6 +115,10 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
 {
   const float total = static_cast<float>(load) / CellArea;
   pressures = (gap.array() < Away).select(pressures, 0.0F);
+  if (!(pressures.sum() > 0.0F)) // what touched before cannot now
+  {
+    pressures = (gap.array() < Away).cast<float>();
+  }
   pressures *= total / pressures.sum();
   Eigen::VectorXf direction = Eigen::VectorXf::Zero(gap.size());
   Eigen::VectorXf sink = sinkUnder(pressures);

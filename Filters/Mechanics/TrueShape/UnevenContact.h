@@ -17,7 +17,7 @@ namespace palpate
  * cells solve, so that most of what cells do to a contact is in neither.
  *
  * One tool at one place, contact after contact, each from the pressures of the one before; not
- * shared by threads. Cost: 0.2 to 1 ms a contact.
+ * shared by threads. Cost: 0.1 ms a contact.
  */
 class PALPATE_EXPORT UnevenContact
 {

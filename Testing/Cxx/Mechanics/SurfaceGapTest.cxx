@@ -159,8 +159,8 @@ class SurfaceGapOf : public ::testing::TestWithParam<Way>
 };
 
 INSTANTIATE_TEST_SUITE_P(Ways, SurfaceGapOf, ::testing::Values(Way::SecondOrder, Way::Solved),
-  [](const ::testing::TestParamInfo<Way>& info)
-  { return info.param == Way::Solved ? "Solved" : "SecondOrder"; });
+  [](const ::testing::TestParamInfo<Way>& way)
+  { return way.param == Way::Solved ? "Solved" : "SecondOrder"; });
 
 // A paraboloid on a plane that leans by s is one that presses deeper by R s²/2, and stands aside.
 TEST_P(SurfaceGapOf, APlaneThatLeans)
