@@ -102,7 +102,7 @@ void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing,
 
 void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
   const std::vector<ContactKernel>& kernels, const std::vector<double>& stiffness, double modulus,
-  UnevenContact* uneven)
+  const AxisymmetricTool& tool, const SurfaceGap* surface)
 {
   std::vector<double> tilts(samples.size(), 0.0);
   std::vector<Unevenness> shape(samples.size());
@@ -131,9 +131,10 @@ void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
     const double open = LeftOfFacets * std::sqrt(kernel.gap.facets * kernel.gap.uneven);
     s.surface = stiffness[i] / s.force * open;
   }
-  if (uneven != nullptr && !isEnough)
+  if (surface != nullptr && !isEnough)
   {
-    solveUneven(samples, growing, modulus, *uneven, shape);
+    UnevenContact uneven(tool, *surface);
+    solveUneven(samples, growing, modulus, uneven, shape);
   }
   for (std::size_t i = 0; i < samples.size(); ++i)
   {

@@ -7,7 +7,6 @@
 #include "Mechanics/TrueShape/ContactHarmonics.h"
 #include "Mechanics/TrueShape/KernelError.h"
 #include "Mechanics/TrueShape/PunchDepths.h"
-#include "Mechanics/TrueShape/UnevenContact.h"
 
 #include <Eigen/LU>
 
@@ -341,13 +340,8 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
     }
   }
   std::vector<ContactSample>& samples = course.samples;
-  std::optional<UnevenContact> uneven;
-  if (isShapeKnown)
-  {
-    uneven.emplace(this->Tool, *kernels.surface());
-  }
-  addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus,
-    uneven ? &*uneven : nullptr);
+  addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus, this->Tool,
+    isShapeKnown ? kernels.surface() : nullptr);
   this->addStrain(kernels, course);
   const bool beginsFlat = touch.touch == Touch::Flat && !isPunch;
   end = leaveRising(samples, beginsFlat) || !grows || !isTaken ? CurveEnd::Unstable : end;

@@ -126,7 +126,7 @@ def write_solid(files, fixed, finer, output):
             if name == "head" and len(files) > 0:
                 continue  # its own layers, not a solid
             made = true_shape.press(body, fixed)
-            better = true_shape.press(body, fixed, finer) if finer else None
+            better = true_shape.press(body, fixed, finer, coarser=0) if finer else None
             for tool in true_shape.TOOLS:
                 share, rest = true_shape.cover(made, tool)
                 judged = true_shape.beyond(made, better, tool) if better else ("", "", "")
