@@ -11,11 +11,11 @@
 namespace
 {
 using namespace palpate;
+using palpate::testing::heldAtTheEnds;
+using palpate::testing::statedOfElements;
 using palpate::testing::tool;
 
-constexpr double Radius = 1.8;     // mm, of the widest contact
-constexpr double LeftOfTilt = 0.2; // of the tilt's part, as in shapedResponse()
-
+constexpr double Radius = 1.8; // mm, of the widest contact
 /// A body whose elements are 1/finer of the coarsest, which are 2 mm.
 using BodyOf = ElasticBodyInput (*)(int finer);
 
@@ -111,8 +111,7 @@ Compared compare(BodyOf bodyOf)
       const double depth = part * std::min({ here.deepest(), there.deepest(), 1.0 });
       const IndentationPoint found = here.evaluate(depth);
       const ContactSample errors = here.errorsAt(depth);
-      const double tilt = LeftOfTilt * errors.harmonics * found.stiffness * depth / found.force;
-      const double stated = std::hypot(std::abs(errors.mesh) + std::abs(errors.truncation), tilt);
+      const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
       const double better = there.evaluate(depth).force;
       const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // of second order
       ++compared.all;
@@ -127,16 +126,6 @@ Compared compare(BodyOf bodyOf)
             << compared.error / compared.all << ", stated " << compared.stated / compared.all
             << " in place of " << compared.expected / compared.all << "\n";
   return compared;
-}
-
-ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
-{
-  std::vector<unsigned char> fixed;
-  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
-  {
-    fixed.push_back(mesh.nodes(0, i) == 0.0 || mesh.nodes(0, i) == length ? 7 : 0);
-  }
-  return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
 }
 
 /// Of quadratic tetrahedra as long as it is thick, twice as long on the coarser mesh.

@@ -67,6 +67,26 @@ inline std::vector<double> gradedDepth(double side, double fine, double ratio, d
   return heights;
 }
 
+/// A body of one material that is held at x = 0 and x = `length`.
+inline ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
+{
+  std::vector<unsigned char> fixed;
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    fixed.push_back(mesh.nodes(0, i) == 0.0 || mesh.nodes(0, i) == length ? 7 : 0);
+  }
+  return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
+}
+
+/// What elements, order and the tilt beside an edge leave open of a force, relative, as
+/// shapedResponse() states it; `exponent`: d ln F / d ln δ.
+inline double statedOfElements(const ContactSample& errors, double exponent)
+{
+  constexpr double leftOfTilt = 0.2;
+  return std::hypot(
+    std::abs(errors.mesh) + std::abs(errors.truncation), leftOfTilt * errors.harmonics * exponent);
+}
+
 /// A factorised body, its Green function solved for contacts at one place.
 struct ShapedBody
 {

@@ -13,9 +13,9 @@
 namespace
 {
 using namespace palpate;
+using palpate::testing::heldAtTheEnds;
+using palpate::testing::statedOfElements;
 using palpate::testing::tool;
-
-constexpr double LeftOfTilt = 0.2; // of the tilt's part, as in shapedResponse()
 
 /// A body solved for contacts everywhere on its surface.
 struct Solved
@@ -100,8 +100,7 @@ Compared compare(const BodyOf& bodyOf, double radius)
       const double depth = part * std::min({ here.deepest(), there.deepest(), 1.0 });
       const IndentationPoint found = here.evaluate(depth);
       const ContactSample errors = here.errorsAt(depth);
-      const double tilt = LeftOfTilt * errors.harmonics * found.stiffness * depth / found.force;
-      const double stated = std::hypot(std::abs(errors.mesh) + std::abs(errors.truncation), tilt);
+      const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
       const double better = there.evaluate(depth).force;
       const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // of second order
       ++compared.all;
@@ -132,16 +131,6 @@ ElasticBodyInput blockWithEdges(int finer)
 ElasticBodyInput barThatBends(int finer)
 {
   return heldBelow(block(5, 5, 16, finer), { { 0.1, 0.35 } });
-}
-
-ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
-{
-  std::vector<unsigned char> fixed;
-  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
-  {
-    fixed.push_back(mesh.nodes(0, i) == 0.0 || mesh.nodes(0, i) == length ? 7 : 0);
-  }
-  return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
 }
 
 /// Two elements thick, held at two ends; pressed from the side, too.

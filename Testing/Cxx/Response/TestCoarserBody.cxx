@@ -2,6 +2,7 @@
 // The second mesh of vtkElasticContactResponse: what it changes and what not, against the exact
 // layer; from one tool to the next, threads, abort, errors. How often its error holds: Mechanics,
 // MeshDifferenceTest.
+#include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "VolumeBlock.h"
@@ -193,18 +194,7 @@ void checkAbort()
 {
   for (const double at : { 0.3, 0.76, 0.8, 0.88 })
   {
-    const ElasticFilter aborted = press(cellsOf(1.0, 8, 4), cellsOf(2.0, 8, 4));
-    Messages messages(aborted.Get());
-    {
-      const AbortAfter abort(aborted, at);
-      aborted->Update();
-    }
-    PALPATE_CHECK(messages.errors().empty());
-    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() == 0);
-    aborted->AbortExecuteOff();
-    aborted->Modified();
-    aborted->Update();
-    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() > 0);
+    checkAborted(press(cellsOf(1.0, 8, 4), cellsOf(2.0, 8, 4)).Get(), at);
   }
 }
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkElasticContactResponse: against the exact layer, over an inclusion, from one tool to the next,
 // its status, its errors, abort, threads. The kernels: Mechanics, Shaped…Test.
+#include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -566,19 +567,7 @@ void checkAbort()
 {
   for (const double at : { 0.01, 0.1, 0.2, 0.92 })
   {
-    const ElasticFilter aborted = press(block(8, 3), "sphere:1.6");
-    Messages messages(aborted.Get());
-    {
-      const AbortAfter abort(aborted, at);
-      aborted->Update();
-    }
-    PALPATE_CHECK(messages.errors().empty());
-    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() == 0);
-    // And again, to its end.
-    aborted->AbortExecuteOff();
-    aborted->Modified();
-    aborted->Update();
-    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() > 0);
+    checkAborted(press(block(8, 3), "sphere:1.6").Get(), at);
   }
 }
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkNoduleDetectability: its responses against vtkElasticContactResponse, changes by brute force,
 // what is kept for the next tool, threads, what is wrong, abort. Against a table: TestNoduleTable.
+#include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
 
@@ -237,18 +238,7 @@ void checkAbort()
 {
   for (const double at : { 0.01, 0.2, 0.5, 0.7, 0.92 })
   {
-    const Detectability aborted = felt(smallBody(), "sphere:1.6", 0.4);
-    Messages messages(aborted.Get());
-    {
-      const AbortAfter abort(aborted, at);
-      aborted->Update();
-    }
-    PALPATE_CHECK(messages.errors().empty());
-    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() == 0);
-    aborted->AbortExecuteOff();
-    aborted->Modified();
-    aborted->Update();
-    PALPATE_CHECK(aborted->GetOutput()->GetNumberOfPoints() > 0);
+    checkAborted(felt(smallBody(), "sphere:1.6", 0.4).Get(), at);
   }
 }
 } // namespace

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef AbortedFilter_h
+#define AbortedFilter_h
+
+#include "FilterChecks.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkPolyData.h"
+
+namespace palpate::testing
+{
+/// A filter that is told to end where its progress passes a fraction gives nothing and no error;
+/// and again, to its end.
+template <class Filter>
+void checkAborted(Filter* filter, double progress)
+{
+  Messages messages(filter);
+  {
+    const AbortAfter abort(filter, progress);
+    filter->Update();
+  }
+  PALPATE_CHECK(messages.errors().empty());
+  PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  filter->AbortExecuteOff();
+  filter->Modified();
+  filter->Update();
+  PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() > 0);
+}
+} // namespace palpate::testing
+
+#endif
