@@ -26,21 +26,35 @@ constexpr double LeastPart = 5e-4;     ///< of c₀₀
 /// A landmark that faces the same way: the square of its distance, its place among all.
 using Facing = std::pair<double, std::size_t>;
 
+/// Those of `total` places of a surface that face as the normal does, the `nearest` of them first,
+/// in order. `placeAt`, `normalAt`: of each.
+template <class PlaceAt, class NormalAt>
+std::vector<Facing> facingAround(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
+  std::size_t total, std::size_t nearest, const PlaceAt& placeAt, const NormalAt& normalAt)
+{
+  std::vector<Facing> facing;
+  for (std::size_t i = 0; i < total; ++i)
+  {
+    if (normalAt(i).dot(normal) >= FacingCosine)
+    {
+      facing.emplace_back((placeAt(i) - place).squaredNorm(), i);
+    }
+  }
+  const auto sorted = static_cast<std::ptrdiff_t>(std::min(nearest, facing.size()));
+  std::partial_sort(facing.begin(), facing.begin() + sorted, facing.end());
+  return facing;
+}
+
 /// The landmarks nearest to a place of the surface, nearest first.
 std::vector<std::size_t> landmarksAround(
   const LandmarkKernels& landmarks, const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
 {
   const BodySurface& surface = landmarks.green().body().surface();
-  std::vector<Facing> facing;
-  for (std::size_t i = 0; i < landmarks.points().size(); ++i)
-  {
-    const std::int32_t point = landmarks.points()[i];
-    if (surface.normal(point).dot(normal) >= FacingCosine)
-    {
-      facing.emplace_back((surface.position(point) - place).squaredNorm(), i);
-    }
-  }
-  std::sort(facing.begin(), facing.end());
+  const std::vector<std::int32_t>& points = landmarks.points();
+  const std::vector<Facing> facing = facingAround(
+    place, normal, points.size(), BlendedLandmarks,
+    [&](std::size_t i) { return surface.position(points[i]); },
+    [&](std::size_t i) { return surface.normal(points[i]); });
   std::vector<std::size_t> around;
   for (std::size_t k = 0; k < std::min(BlendedLandmarks, facing.size()); ++k)
   {
@@ -117,22 +131,16 @@ MeshDifference::Sample MeshDifference::sample(
 MissedCompliance MeshDifference::at(
   const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const
 {
-  std::vector<Facing> facing;
-  for (std::size_t i = 0; i < this->Samples.size(); ++i)
-  {
-    if (this->Samples[i].normal.dot(normal) >= FacingCosine)
-    {
-      facing.emplace_back((this->Samples[i].place - place).squaredNorm(), i);
-    }
-  }
+  const std::vector<Facing> facing = facingAround(
+    place, normal, this->Samples.size(), LeastOfMean,
+    [this](std::size_t i) -> const Eigen::Vector3d& { return this->Samples[i].place; },
+    [this](std::size_t i) -> const Eigen::Vector3d& { return this->Samples[i].normal; });
   MissedCompliance told;
   if (facing.empty())
   {
     return told;
   }
   const std::size_t least = std::min(LeastOfMean, facing.size());
-  std::partial_sort(
-    facing.begin(), facing.begin() + static_cast<std::ptrdiff_t>(least), facing.end());
   const double reach = ReachOfMean * this->Samples[facing.front().second].spacing;
   const double square = std::max(reach * reach, BeyondLeast * facing[least - 1].first);
   told.radii = this->Radii;
