@@ -14,8 +14,8 @@
  * `OriginalPointIds`, and the response arrays of vtkToolContactResponse, as they are for Tool
  * pressed along the inward normal at each point, unilateral and without friction, the body linear
  * elastic. `Range` is the least of MaximumDeflection and the depth at which the contact reaches an
- * edge (the surface turns by more than 30°), a held point or another material at the surface.
- * `Status` 5 Edge where there is no contact before: the curve is taken from the points around, as
+ * edge (the surface turns by more than 40°), a held point or another material at the surface.
+ * `Status` 5 Edge where there is no contact before, or the surface turns by 30° at the point itself: the curve is taken from the points around, as
  * much softer as the edge is, within some 15 %, its validity 0; 4 OutOfReach where the point is
  * held or not `Pressed`, 1 Degenerate: no curve. `Validity` and `Limit` by the estimated error: 1
  * small strain, 5 what an edge nearby does beyond its tilt, 7 the elements (what cells of their
@@ -25,7 +25,8 @@
  * solve for what is left, which is smooth (palpate::RegularGreen). H, averaged over angles on a
  * disc that follows the contact, is a kernel of rank up to four, whose contact of any radius and
  * tool of revolution is explicit by dimensionality reduction; the drop of the surface is a gap, the
- * tilt next to an edge a second-order term (palpate::ShapedContact).
+ * tilt next to an edge a second-order term (palpate::ShapedContact). Between the places that are
+ * solved for kernels are turned to the normal of each (palpate::DirectedCompliance).
  *
  * **Accuracy.** Within 1 % of the exact law on bonded layers to contact radii of one and a half
  * thicknesses with two hexahedra through it, 0.35 % with four; within 1 % next to an edge to four

@@ -204,8 +204,10 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   }
   const auto count = static_cast<Eigen::Index>(this->Points.size());
   this->Values.resize(count, count);
+  this->Normals.resize(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
   {
+    this->Normals.col(i) = body.surface().normal(this->Points[static_cast<std::size_t>(i)].point);
     for (Eigen::Index j = 0; j <= i; ++j)
     {
       const double value = green.at(this->Points[static_cast<std::size_t>(i)].point,
@@ -234,6 +236,7 @@ ContactKernel ContactKernelFit::at(double radius, int largestOrder) const
     fit.rows * this->Values.topLeftCorner(fit.count, fit.count) * fit.rows.transpose();
   const Eigen::VectorXd scale = fit.scale(radius);
   kernel.order = fit.order;
+  kernel.normal = this->Normals.leftCols(fit.count) * fit.rows.row(0).transpose();
   kernel.coefficients.topLeftCorner(fit.order, fit.order) =
     scale.asDiagonal() * all.topLeftCorner(fit.order, fit.order) * scale.asDiagonal();
   if (this->Surface.empty())

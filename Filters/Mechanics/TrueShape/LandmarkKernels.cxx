@@ -4,6 +4,7 @@
 #include "Mechanics/FiniteElements/PatchLoad.h"
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/TrueShape/ContactKernelFit.h"
+#include "Mechanics/TrueShape/DirectedCompliance.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -49,14 +50,16 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
     const ContactKernelFit fit(this->Green, this->Points[i]);
     Landmark& made = this->Landmarks[i];
     made.site = fit.site();
-    const Eigen::Matrix<double, 3, 2> tangents =
-      tangentFrame(this->Green.body().surface().normal(this->Points[i])).leftCols<2>();
+    made.normal = this->Green.body().surface().normal(this->Points[i]);
+    made.motion = this->Green.motion(this->Points[i]);
+    const Eigen::Matrix<double, 3, 2> tangents = tangentFrame(made.normal).leftCols<2>();
     for (const double radius : this->Radii)
     {
       const ContactKernel full = fit.at(radius);
       const ContactKernel coarse = full.order > 1 ? fit.at(radius, full.order - 1) : full;
       made.entries.push_back(
-        { full.coefficients, coarse.coefficients, tangents * full.tilt, full.order });
+        { full.coefficients, coarse.coefficients, tangents * full.tilt, full.normal, coarse.normal,
+          full.order });
     }
   };
   this->Complete = shareWork(this->Points.size(), fitOne, observer);
@@ -86,7 +89,7 @@ BlendedKernels::BlendedKernels(
   }
   const Weights weights = weigh(landmarks, spot, alike);
   this->blendSites(landmarks, weights, alike);
-  this->blendKernels(landmarks, weights, alike);
+  this->blendKernels(landmarks, weights, alike, spot.normal);
   if (!this->Gap.isWhole() && this->Gap.reach() < this->Site.largestRadius)
   {
     this->Site.largestRadius = this->Gap.reach();
@@ -167,24 +170,39 @@ void BlendedKernels::blendSites(
     blend([](const KernelSite& site) { return site.elements.bending; }) };
 }
 
-void BlendedKernels::blendKernels(
-  const LandmarkKernels& landmarks, const Weights& w, const std::vector<std::size_t>& around)
+void BlendedKernels::blendKernels(const LandmarkKernels& landmarks, const Weights& w,
+  const std::vector<std::size_t>& around, const Eigen::Vector3d& normal)
 {
   this->Blends.resize(this->Radii->size());
-  Eigen::VectorXd selves(static_cast<Eigen::Index>(around.size()));
+  const auto count = static_cast<Eigen::Index>(around.size());
+  Eigen::Matrix3Xd normals(3, count);
+  Eigen::Matrix3Xd motions(3, count);
+  for (Eigen::Index k = 0; k < count; ++k)
+  {
+    const LandmarkKernels::Landmark& landmark =
+      landmarks.Landmarks[around[static_cast<std::size_t>(k)]];
+    normals.col(k) = landmark.normal;
+    motions.col(k) = landmark.motion;
+  }
+  const DirectedCompliance region(normals, motions, w.near);
+  const double here = region.along(normal);
+  Eigen::VectorXd selves(count);
   for (std::size_t r = 0; r < this->Blends.size(); ++r)
   {
     LandmarkKernels::Entry& sum = this->Blends[r].entry;
     for (std::size_t k = 0; k < around.size(); ++k)
     {
-      const LandmarkKernels::Entry& here = landmarks.Landmarks[around[k]].entries[r];
+      const LandmarkKernels::Entry& entry = landmarks.Landmarks[around[k]].entries[r];
       const auto column = static_cast<Eigen::Index>(k);
       const double weight = w.plane(0, column);
-      sum.full += weight * here.full;
-      sum.coarse += weight * here.coarse;
-      sum.tilt += weight * here.tilt;
-      sum.order = std::max(sum.order, here.order);
-      selves[column] = here.full(0, 0);
+      const double turned = here - region.along(entry.normal);
+      sum.full += weight * entry.full;
+      sum.full(0, 0) += weight * turned;
+      sum.coarse += weight * entry.coarse;
+      sum.coarse(0, 0) += weight * (here - region.along(entry.coarseNormal));
+      sum.tilt += weight * entry.tilt;
+      sum.order = std::max(sum.order, entry.order);
+      selves[column] = entry.full(0, 0) + turned;
     }
     const Eigen::Vector3d plane = w.plane * selves;
     const Eigen::VectorXd left =

@@ -40,11 +40,15 @@ private:
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
     Eigen::Vector3d tilt = Eigen::Vector3d::Zero(); ///< of the kernel, along the axes of the body
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< ContactKernel::normal of `full`
+    Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< and of `coarse`
     int order = 0;
   };
   struct Landmark
   {
     KernelSite site;
+    Eigen::Vector3d normal; ///< outward, unit
+    Eigen::Vector3d motion; ///< RegularGreen::motion()
     std::vector<Entry> entries; ///< beside Radii
   };
 
@@ -66,8 +70,8 @@ struct SurfaceSpot
 /**
  * Kernels at a place between landmarks: the plane through their values in the tangent plane, by
  * least squares, each by its inverse square distance; what that leaves is the kernel's `spread`.
- * Where they lie on a line, or all to one side, their mean. The surface falls off as the spot's gap
- * says.
+ * Where they lie on a line, or all to one side, their mean. c₀₀ of each is first turned from its
+ * normal to that of the place (DirectedCompliance). The surface falls off as the spot's gap says.
  */
 class PALPATE_EXPORT BlendedKernels : public ContactKernels
 {
@@ -99,8 +103,8 @@ private:
     const std::vector<std::size_t>& around);
   void blendSites(
     const LandmarkKernels& landmarks, const Weights& w, const std::vector<std::size_t>& around);
-  void blendKernels(
-    const LandmarkKernels& landmarks, const Weights& w, const std::vector<std::size_t>& around);
+  void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
+    const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
   const std::vector<double>* Radii = nullptr; ///< the landmarks'
   std::vector<Blend> Blends;                  ///< beside them

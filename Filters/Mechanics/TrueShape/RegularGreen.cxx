@@ -67,18 +67,33 @@ ExpectedError RegularGreen::elementError(std::int32_t point) const
   return place < this->Points.size() ? this->Errors.at(place) : ExpectedError{};
 }
 
-const double* RegularGreen::find(std::int32_t x, std::int32_t source) const
+/// Null for what is no source.
+const RegularGreen::Row* RegularGreen::row(std::int32_t source) const
 {
   const auto at = std::lower_bound(this->Sources.begin(), this->Sources.end(), source);
-  if (at == this->Sources.end() || *at != source)
+  return at != this->Sources.end() && *at == source
+    ? &this->Rows[static_cast<std::size_t>(at - this->Sources.begin())]
+    : nullptr;
+}
+
+const double* RegularGreen::find(std::int32_t x, std::int32_t source) const
+{
+  const Row* row = this->row(source);
+  if (row == nullptr)
   {
     return nullptr;
   }
-  const Row& row = this->Rows[static_cast<std::size_t>(at - this->Sources.begin())];
-  const auto found = std::lower_bound(row.points.begin(), row.points.end(), x);
-  return found != row.points.end() && *found == x
-    ? &row.values[static_cast<std::size_t>(found - row.points.begin())]
+  const auto found = std::lower_bound(row->points.begin(), row->points.end(), x);
+  return found != row->points.end() && *found == x
+    ? &row->values[static_cast<std::size_t>(found - row->points.begin())]
     : nullptr;
+}
+
+const Eigen::Vector3d& RegularGreen::motion(std::int32_t source) const
+{
+  static const Eigen::Vector3d none = Eigen::Vector3d::Constant(NotANumber);
+  const Row* row = this->row(source);
+  return row != nullptr ? row->motion : none;
 }
 
 bool RegularGreen::isSource(std::int32_t point) const
@@ -267,6 +282,7 @@ void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t block)
       }
       else
       {
+        row.motion = -moved;
         const double nu = source.material.poissonRatio;
         row.values[i] +=
           (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)) * meanCurvature(this->Body, point) / modulus;

@@ -65,6 +65,9 @@ public:
   double at(std::int32_t x, std::int32_t source) const;
   /// |H(x, X) - H(X, x)|; 0 where not both were solved.
   double asymmetry(std::int32_t x, std::int32_t source) const;
+  /// How the body moves at a source under its own newton, less Boussinesq's field, reversed so that
+  /// into the body is along the outward normal; mm/N, along the axes of the body.
+  const Eigen::Vector3d& motion(std::int32_t source) const;
   /// What the elements let expect of the error of H at one of the points asked for (ElementError;
   /// at those that are no source as at the nearest ones), mm/N; NaN for any other.
   ExpectedError elementError(std::int32_t point) const;
@@ -72,14 +75,16 @@ public:
   std::size_t sources() const { return this->Sources.size(); }
 
 private:
-  /// Surface points, ascending, and H there.
+  /// Surface points, ascending, and H there; and how the source itself moves.
   struct Row
   {
     std::vector<std::int32_t> points;
     std::vector<double> values;
+    Eigen::Vector3d motion = Eigen::Vector3d::Zero();
   };
 
   std::size_t placeOf(std::int32_t point) const;
+  const Row* row(std::int32_t source) const;
   const double* find(std::int32_t x, std::int32_t source) const;
   double discRadius(std::int32_t point) const;
   void chooseSources();
