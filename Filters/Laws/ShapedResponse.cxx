@@ -119,7 +119,7 @@ private:
       parts[ResponseLimit::Curvature] = errors.gap;
       parts[ResponseLimit::Edge] =
         LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
-      parts[ResponseLimit::Elements] = std::abs(errors.mesh) + std::abs(errors.truncation);
+      parts[ResponseLimit::Elements] = errors.elements();
       parts[ResponseLimit::None] = k > 0 ? this->storedWrong(i, k - 1, curve) : 0.0;
       // Of sources that know nothing of each other; each bounds 19 of 20 by itself.
       double error = Eigen::Map<const Eigen::VectorXd>(parts.of.data(), ResponseLimitCount).norm();

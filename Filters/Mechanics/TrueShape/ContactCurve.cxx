@@ -76,6 +76,13 @@ ContactCurve::ContactCurve(std::vector<ContactSample> samples, double exponent, 
   }
 }
 
+double ContactSample::elements() const
+{
+  const double m = std::abs(this->mesh);
+  const double t = std::abs(this->truncation);
+  return std::sqrt(m * m + t * t + 2.0 * this->beside * this->beside * m * t);
+}
+
 double ContactCurve::deepest() const
 {
   return this->Samples.empty()    ? 0.0
@@ -164,6 +171,7 @@ ContactSample ContactCurve::errorsAt(double deflection) const
   errors.surface = between(low.surface, high.surface);
   errors.strain = between(low.strain, high.strain);
   errors.mesh = between(low.mesh, high.mesh);
+  errors.beside = between(low.beside, high.beside);
   return errors;
 }
 } // namespace palpate

@@ -254,6 +254,7 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
     }
   }
   sample.mesh = contact.stiffness * meshError(kernel, kernels.site(), radius);
+  sample.beside = std::min(1.0, kernels.site().spacing / kernels.site().limit);
   course.samples.push_back(sample);
   course.kernels.push_back(kernel);
   course.stiffness.push_back(contact.stiffness);

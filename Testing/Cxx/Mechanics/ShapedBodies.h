@@ -83,8 +83,7 @@ inline ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
 inline double statedOfElements(const ContactSample& errors, double exponent)
 {
   constexpr double leftOfTilt = 0.2;
-  return std::hypot(
-    std::abs(errors.mesh) + std::abs(errors.truncation), leftOfTilt * errors.harmonics * exponent);
+  return std::hypot(errors.elements(), leftOfTilt * errors.harmonics * exponent);
 }
 
 /// A factorised body, its Green function solved for contacts at one place.
