@@ -8,16 +8,18 @@ namespace palpate
 {
 namespace
 {
-constexpr double OfFacets = 0.8; ///< of H, times the square of the turn from facet to facet
+/// Of what of H is no bending, times the square of the turn from facet to facet.
+constexpr double OfFacets = 0.8;
 } // namespace
 
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius)
 {
   const double self = std::abs(kernel.coefficients(0, 0));
   const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
+  const double direct = std::min(self, site.elements.direct);
   const Eigen::Vector4d parts(site.elements.error * site.spacing / (site.spacing + radius),
-    site.elements.bending * std::max(0.0, self - site.elements.direct),
-    self * OfFacets * std::min(1.0, turn * turn), kernel.spread);
+    site.elements.bending * (self - direct), direct * OfFacets * std::min(1.0, turn * turn),
+    kernel.spread);
   return site.missed.isKnown()
     ? std::hypot(site.missed.beside(parts.head<3>().norm(), radius), kernel.spread)
     : parts.norm();
