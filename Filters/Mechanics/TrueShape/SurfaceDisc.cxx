@@ -26,6 +26,10 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
+/// cos 40°: how far the surface may turn under a contact: less than the normals at the edge of a block
+/// do. At its own middle it may turn by less (PatchTurn), as a contact on an edge has no normal.
+constexpr double ContactTurn = 0.76604444311897803520;
+
 constexpr double AlikeModulus = 0.05; ///< by a fraction
 constexpr double AlikeRatio = 0.01;
 
@@ -83,7 +87,7 @@ public:
         {
           continue;
         }
-        if (this->Surface.triangleNormal(*t).dot(this->Surface.normal(this->Centre)) < PatchTurn)
+        if (this->Surface.triangleNormal(*t).dot(this->Surface.normal(this->Centre)) < ContactTurn)
         {
           limit(disc, away, PatchStatus::Edge);
           continue;
@@ -135,7 +139,7 @@ private:
       this->Frame.transpose() * (smoothPosition(this->Body, point) - this->Origin);
     const double away = at.head<2>().norm();
     if (away > this->Radius ||
-      this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < PatchTurn)
+      this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < ContactTurn)
     {
       return; // on an edge, whose other side limits the disc
     }

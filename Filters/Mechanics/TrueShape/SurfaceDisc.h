@@ -23,9 +23,9 @@ struct DiscPoint
 
 /**
  * The points of the surface around a point X, up to a radius and as far as the surface is fit for a
- * contact: connected to X without a triangle that turns by more than 30° from the normal at X, free
- * to move along their normal, and of the material of X: E within 5 %, ν within 0.01 of the mean of
- * the elements at X.
+ * contact: connected to X without a triangle that turns by more than 40° from the normal at X (30°
+ * at X itself), free to move along their normal, and of the material of X: E within 5 %, ν within
+ * 0.01 of the mean of the elements at X.
  *
  * `status` says what is wrong with X itself; `limit` how far from X the first edge, held point or
  * other material lies, and `limitedBy` which it is.
