@@ -26,9 +26,9 @@ namespace palpate
 {
 namespace
 {
-// Two minutes on two cores: a factor of a hundred thousand unknowns, five thousand solutions.
+// Two minutes on two cores: a factor of a hundred thousand unknowns, ten thousand solutions.
 constexpr double UsualCells = 20000.0;
-constexpr double UsualSources = 5000.0;
+constexpr double UsualSources = 10000.0;
 /// Cells of vtkGradedBody per squared spacing of the surface.
 constexpr double CellsPerSquare = 8.7;
 /// No finer than a tool's contact needs, no coarser than the body's shape needs.
@@ -85,7 +85,7 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
 /// results.
 std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
-  constexpr int Revision = 5;
+  constexpr int Revision = 6;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
     '|', options.fixedFaces, '|', options.strainGiven && !scene.terms.automatic, '|',
     static_cast<int>(scene.terms.strain.model), ':', scene.terms.strain.parameter,

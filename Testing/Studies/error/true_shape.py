@@ -8,7 +8,8 @@ from cover import areas, shares
 
 TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the others share its solutions
 HELD = 4  # of Status
-CELLS = 20000  # as palpate --solid
+CELLS = 20000  # as palpate --solid, and so are the sources
+SOURCES = 10000
 COARSER = 2  # cells of the second mesh, by those of the first
 
 
@@ -37,7 +38,7 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
     pressed.SetStoreMotion(False)
     pressed.SetStrainModelToNeoHooke()
     pressed.SetLargestContactRadius(1.42 * radius)
-    pressed.SetSourceSpacing(max(0.5 * spacing, np.sqrt(area / (CELLS / 4))))
+    pressed.SetSourceSpacing(max(0.5 * spacing, np.sqrt(area / SOURCES)))
     made = body
     for text, tool in tools.items():
         pressed.SetTool(tool)
