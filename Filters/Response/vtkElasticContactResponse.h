@@ -15,11 +15,12 @@
  * pressed along the inward normal at each point, unilateral and without friction, the body linear
  * elastic. `Range` is the least of MaximumDeflection and the depth at which the contact reaches an
  * edge (the surface turns by more than 40°), a held point or another material at the surface.
- * `Status` 5 Edge where there is no contact before, or the surface turns by 30° at the point itself: the curve is taken from the points around, as
- * much softer as the edge is, within some 15 %, its validity 0; 4 OutOfReach where the point is
- * held or not `Pressed`, 1 Degenerate: no curve. `Validity` and `Limit` by the estimated error: 1
- * small strain, 5 what an edge nearby does beyond its tilt, 7 the elements (what cells of their
- * length let expect, and what a second mesh tells) and the order of the kernel.
+ * `Status` 5 Edge where there is no contact before, or the surface turns by 30° at the point
+ * itself: the curve is taken from the points around, as much softer as the edge is, within some
+ * 15 %, its validity 0; 4 OutOfReach where the point is held or not `Pressed`, 1 Degenerate: no
+ * curve. `Validity` and `Limit` by the estimated error: 1 small strain, 5 what an edge nearby does
+ * beyond its tilt, 7 the elements (what cells of their length let expect, and what a second mesh
+ * tells) and the order of the kernel.
  *
  * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, the elements
  * solve for what is left, which is smooth (palpate::RegularGreen). H, averaged over angles on a
