@@ -12,7 +12,11 @@ namespace palpate
 namespace
 {
 constexpr std::size_t SampledBlocks = 12;
-constexpr std::size_t OfBlock = 4; ///< sources of one that is sampled
+constexpr std::size_t OfBlock = 16; ///< sources of one that is sampled
+
+/// Samples that count alike for the median around a place.
+constexpr std::size_t OfMedian = 8;
+constexpr double MostOfMedian = 3.0;
 } // namespace
 
 std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body, std::size_t block,
@@ -59,19 +63,58 @@ BendingError::BendingError(std::vector<Sample> samples)
 {
 }
 
+/// Of e over bending, weighted by bending and, beyond the nearest, by inverse square distance.
+double BendingError::medianAround(const Eigen::Vector3d& place) const
+{
+  std::vector<double> squares;
+  for (const Sample& sample : this->Samples)
+  {
+    squares.push_back((sample.place - place).squaredNorm());
+  }
+  std::vector<double> nearest = squares;
+  const auto last = static_cast<std::ptrdiff_t>(std::min(OfMedian, nearest.size())) - 1;
+  std::nth_element(nearest.begin(), nearest.begin() + last, nearest.end());
+  const double alike = std::max(nearest[static_cast<std::size_t>(last)], 1e-300);
+  std::vector<std::pair<double, double>> weighted; // of a ratio
+  double total = 0.0;
+  for (std::size_t i = 0; i < squares.size(); ++i)
+  {
+    const Sample& sample = this->Samples[i];
+    const double weight = sample.bending / std::max(squares[i], alike);
+    weighted.emplace_back(sample.energy / sample.bending, weight);
+    total += weight;
+  }
+  std::sort(weighted.begin(), weighted.end());
+  double below = 0.0;
+  for (const auto& [ratio, weight] : weighted)
+  {
+    below += weight;
+    if (below >= 0.5 * total)
+    {
+      return ratio;
+    }
+  }
+  return weighted.back().first;
+}
+
 double BendingError::at(const Eigen::Vector3d& place) const
 {
+  if (this->Samples.empty())
+  {
+    return Assumed;
+  }
+  const double most = MostOfMedian * this->medianAround(place);
   double bends = 0.0;
   double missed = 0.0;
   for (const Sample& sample : this->Samples)
   {
+    if (sample.energy > most * sample.bending)
+    {
+      continue;
+    }
     const double weight = 1.0 / std::max((sample.place - place).squaredNorm(), 1e-300);
     bends += weight * sample.bending;
     missed += weight * BoundOfEnergy * sample.energy;
-  }
-  if (!(bends > 0.0))
-  {
-    return Assumed;
   }
   // The smooth stresses miss the same part of what is missed, and so on: x + x² + ...
   return missed < bends ? std::clamp(missed / (bends - missed), Least, Most) : Most;

@@ -72,3 +72,19 @@ TEST(BendingError, IsCarriedByDistanceAndBending)
   EXPECT_EQ(BendingError({ { at(0.0), 1.0, 0.0 } }).at(at(1.0)), BendingError::Least);
   EXPECT_EQ(BendingError({ { at(0.0), 1.0, 10.0 } }).at(at(1.0)), BendingError::Most);
 }
+
+// Single sources whose own field is a hundred times what bending makes of it, at the place itself
+// as well.
+TEST(BendingError, LeavesOutWhatIsNoBending)
+{
+  std::vector<BendingError::Sample> samples;
+  for (int i = 0; i < 20; ++i)
+  {
+    samples.push_back({ Eigen::Vector3d(i, 0.0, 0.0), 2.0, i % 4 == 1 ? 1.0 : 0.01 });
+  }
+  const BendingError bending(samples);
+  for (const double x : { 0.0, 1.0, 7.3, 19.0 })
+  {
+    EXPECT_NEAR(bending.at(Eigen::Vector3d(x, 0.0, 0.0)), 0.02 / 0.98, 1e-12) << x;
+  }
+}
