@@ -38,8 +38,9 @@ public:
   };
 
   /// Samples of a block of solved sources: some of one block in so many that there are about two
-  /// hundred in all. `sources`: their surface points; `smooth`: w by unknowns, a column each; `bendingOf` a
-  /// place in them: see Sample, NaN where it is not known. Cost: 50 µs per element of the body.
+  /// hundred in all. `sources`: their surface points; `smooth`: w by unknowns, a column each;
+  /// `bendingOf` a place in them: see Sample, NaN where it is not known. Cost: 50 µs per element of
+  /// the body.
   using BendingOf = std::function<double(std::size_t)>;
   static std::vector<Sample> sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
     const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,

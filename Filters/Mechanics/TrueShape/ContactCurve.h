@@ -22,11 +22,11 @@ struct PALPATE_EXPORT ContactSample
   double strain = 0.0;  ///< of the force, a fraction: what small strain, or its correction, lacks
   double mesh = 0.0;    ///< of the force, a fraction: what the elements' size lets expect
 
-  double beside = 0.0;  ///< the elements' size over the distance of what limits contacts, up to 1
+  double beside = 0.0; ///< the elements' size over the distance of what limits contacts, up to 1
 
-  /// Of the force, a fraction: what the elements and the kernels made of them lack. The one comes of
-  /// cells, the other of the places that are solved for: apart from each other but beside an edge,
-  /// where both come of too few elements up to it.
+  /// Of the force, a fraction: what the elements and the kernels made of them lack. The one comes
+  /// of cells, the other of the places that are solved for: apart from each other but beside an
+  /// edge, where both come of too few elements up to it.
   double elements() const;
 };
 

@@ -35,7 +35,7 @@ private:
   double Asymmetry = 0.0;
   std::vector<DiscPoint> Points;  ///< sources
   std::vector<DiscPoint> Surface; ///< all; empty: the same
-  Eigen::Matrix3Xd Normals; ///< beside Points
+  Eigen::Matrix3Xd Normals;       ///< beside Points
   Eigen::MatrixXd Values;
 };
 } // namespace palpate

@@ -26,7 +26,8 @@ struct ContactKernel
   Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
   /// β = ∇_s H₀ at X, 1/N, in the tangent frame: how the surface turns under 1 N.
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
-  /// The mean of the surface's normals that c₀₀ belongs to, outward; shorter than 1 on a curved one.
+  /// The mean of the surface's normals that c₀₀ belongs to, outward; shorter than 1 on a curved
+  /// one.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double spread = 0.0; ///< what is open of c₀₀ between the places it is known at, mm/N
   GapTerms gap;

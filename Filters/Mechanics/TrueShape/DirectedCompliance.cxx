@@ -24,8 +24,8 @@ Eigen::Matrix<double, 3, 6> motionOfEntries(const Eigen::Vector3d& n)
 }
 } // namespace
 
-DirectedCompliance::DirectedCompliance(const Eigen::Matrix3Xd& normals,
-  const Eigen::Matrix3Xd& motions, const Eigen::VectorXd& weights)
+DirectedCompliance::DirectedCompliance(
+  const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& motions, const Eigen::VectorXd& weights)
 {
   Eigen::Matrix<double, 6, 6> system = Damping * Eigen::Matrix<double, 6, 6>::Identity();
   Entries right = Entries::Zero();

@@ -57,9 +57,8 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
     {
       const ContactKernel full = fit.at(radius);
       const ContactKernel coarse = full.order > 1 ? fit.at(radius, full.order - 1) : full;
-      made.entries.push_back(
-        { full.coefficients, coarse.coefficients, tangents * full.tilt, full.normal, coarse.normal,
-          full.order });
+      made.entries.push_back({ full.coefficients, coarse.coefficients, tangents * full.tilt,
+        full.normal, coarse.normal, full.order });
     }
   };
   this->Complete = shareWork(this->Points.size(), fitOne, observer);

@@ -39,16 +39,16 @@ private:
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
-    Eigen::Vector3d tilt = Eigen::Vector3d::Zero(); ///< of the kernel, along the axes of the body
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< ContactKernel::normal of `full`
+    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< of the kernel, along the axes of the body
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `full`
     Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< and of `coarse`
     int order = 0;
   };
   struct Landmark
   {
     KernelSite site;
-    Eigen::Vector3d normal; ///< outward, unit
-    Eigen::Vector3d motion; ///< RegularGreen::motion()
+    Eigen::Vector3d normal;     ///< outward, unit
+    Eigen::Vector3d motion;     ///< RegularGreen::motion()
     std::vector<Entry> entries; ///< beside Radii
   };
 

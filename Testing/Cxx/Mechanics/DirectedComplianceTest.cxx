@@ -32,11 +32,9 @@ TEST(DirectedCompliance, IsFoundFromMotions)
   Eigen::Matrix3Xd normals(3, 6);
   for (Eigen::Index i = 0; i < normals.cols(); ++i)
   {
-    normals.col(i) =
-      Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    normals.col(i) = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
   }
-  const DirectedCompliance found(
-    normals, truth * normals, Eigen::VectorXd::Constant(6, 1.0 / 6.0));
+  const DirectedCompliance found(normals, truth * normals, Eigen::VectorXd::Constant(6, 1.0 / 6.0));
   EXPECT_LT((found.matrix() - truth).norm(), 0.02 * truth.norm());
   EXPECT_EQ(found.matrix(), found.matrix().transpose());
 }
@@ -55,8 +53,7 @@ TEST(DirectedCompliance, TurnsByTheMotionOfOneNormal)
 
 TEST(DirectedCompliance, OfNoMotionIsNone)
 {
-  const DirectedCompliance none(
-    Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xd(3, 0), Eigen::VectorXd(0));
+  const DirectedCompliance none(Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xd(3, 0), Eigen::VectorXd(0));
   EXPECT_TRUE(none.matrix().isZero());
 }
 
@@ -87,8 +84,9 @@ TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
   const auto at = std::find(points.begin(), points.end(), point);
   ASSERT_NE(at, points.end());
   const std::vector<std::size_t> around = { static_cast<std::size_t>(at - points.begin()) };
-  const auto along = [&](const Eigen::Vector3d& normal)
-  { return BlendedKernels(landmarks, { place, normal, {} }, around).at(1.0).coefficients(0, 0); };
+  const auto along = [&](const Eigen::Vector3d& normal) {
+    return BlendedKernels(landmarks, { place, normal, {} }, around).at(1.0).coefficients(0, 0);
+  };
   const double level = along(tilted(0.0));
   // Of 1.5 mm around the place on a flat side: what the damping takes, alone.
   EXPECT_NEAR(level, ContactKernelFit(green, point).at(1.0).coefficients(0, 0), 2e-3 * level);
