@@ -272,13 +272,15 @@ def feel_a_nodule():
 
 def press_a_horn():
     # The sphere on the ball that the back is of, whose curvature the mesh tells to some per cent. A horn is as long as it
-    # is thick at its root: it gives way as a beam on top, by more than the dent. How much at its tip turns with the normal there,
-    # by a seventh for 5 degrees: solved at every node of 3 mm cells, 0.085 to 0.12 N within 1.5 mm and 10 degrees.
+    # is thick at its root: it gives way as a beam on top, by more than the dent. At its tip by 9.7 mm/N beside the dent, which is
+    # plain elements of 0.3 to 3 mm under Hertz's pressure of 1 to 1.5 mm; with a dent on 8 mm or on a plane 0.097 to 0.101 N.
+    # The normal turns that by 3 % a degree.
     back, root, tip = [numbers(line) for line in run("press_a_horn.py", OUTPUT / "horn.png")]
     on_ball = sphere(3, 0.99 * 1.5, 0.1 / (1 - 0.45**2), 25)
     close(back[1], on_ball, 0.05 * on_ball)
     close(back[0], on_ball, 0.15 * on_ball)                # the ball gives way as a whole, 0.46 a/R_b, and on its bottom
-    assert back[0] < back[1] and root[0] < 0.5 * root[1] and 0.085 < tip[0] < 0.12, (back, root, tip)
+    close(tip[0], 0.099, 0.12 * 0.099)
+    assert back[0] < back[1] and root[0] < 0.5 * root[1] and tip[0] < 0.8 * root[0], (back, root, tip)
     assert (OUTPUT / "horn.png").stat().st_size > 20000
 
 
