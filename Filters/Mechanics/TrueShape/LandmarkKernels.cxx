@@ -50,9 +50,8 @@ LandmarkKernels::LandmarkKernels(const RegularGreen& green, const WorkObserver& 
     const ContactKernelFit fit(this->Green, this->Points[i]);
     Landmark& made = this->Landmarks[i];
     made.site = fit.site();
-    made.normal = this->Green.body().surface().normal(this->Points[i]);
-    made.motion = this->Green.motion(this->Points[i]);
-    const Eigen::Matrix<double, 3, 2> tangents = tangentFrame(made.normal).leftCols<2>();
+    const Eigen::Matrix<double, 3, 2> tangents =
+      tangentFrame(this->Green.body().surface().normal(this->Points[i])).leftCols<2>();
     for (const double radius : this->Radii)
     {
       const ContactKernel full = fit.at(radius);
@@ -178,10 +177,9 @@ void BlendedKernels::blendKernels(const LandmarkKernels& landmarks, const Weight
   Eigen::Matrix3Xd motions(3, count);
   for (Eigen::Index k = 0; k < count; ++k)
   {
-    const LandmarkKernels::Landmark& landmark =
-      landmarks.Landmarks[around[static_cast<std::size_t>(k)]];
-    normals.col(k) = landmark.normal;
-    motions.col(k) = landmark.motion;
+    const std::int32_t point = landmarks.Points[around[static_cast<std::size_t>(k)]];
+    normals.col(k) = landmarks.green().body().surface().normal(point);
+    motions.col(k) = landmarks.green().motion(point);
   }
   const DirectedCompliance region(normals, motions, w.near);
   const double here = region.along(normal);

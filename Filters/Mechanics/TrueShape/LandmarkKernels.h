@@ -47,8 +47,6 @@ private:
   struct Landmark
   {
     KernelSite site;
-    Eigen::Vector3d normal;     ///< outward, unit
-    Eigen::Vector3d motion;     ///< RegularGreen::motion()
     std::vector<Entry> entries; ///< beside Radii
   };
 

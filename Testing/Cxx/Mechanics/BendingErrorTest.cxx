@@ -14,14 +14,10 @@ ElasticBodyInput plate(double side)
 {
   const int along = static_cast<int>(10.0 / side + 0.5);
   const int through = static_cast<int>(2.0 / side + 0.5);
-  VolumeMesh mesh = palpate::testing::quadratic(
-    palpate::testing::tetrahedra(palpate::testing::hexahedronBlock(along, along, through, side)));
-  std::vector<unsigned char> fixed;
-  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
-  {
-    fixed.push_back(mesh.nodes(0, i) == 0.0 || mesh.nodes(0, i) == 10.0 ? 7 : 0);
-  }
-  return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
+  return palpate::testing::heldAtTheEnds(
+    palpate::testing::quadratic(
+      palpate::testing::tetrahedra(palpate::testing::hexahedronBlock(along, along, through, side))),
+    10.0);
 }
 
 /// H at a place on the plate, and what is told of it.

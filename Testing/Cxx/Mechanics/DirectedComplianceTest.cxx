@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -67,16 +68,14 @@ TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
   {
     fixed.push_back(mesh.nodes(0, i) == 0.0 ? 7 : 0);
   }
-  ElasticBody body;
-  ASSERT_EQ(body.assemble({ std::move(mesh), { { 0.1, 0.45 } }, fixed }), "");
-  ASSERT_EQ(body.analyse(StiffnessFactor::Kind::Automatic), "");
-  ASSERT_EQ(body.factorise(), "");
   const Eigen::Vector3d place(17.0, 4.0, 2.0);
-  const std::int32_t point = palpate::testing::pointAt(body.surface(), place);
-  RegularGreen green(body);
-  ASSERT_EQ(green.solve({ point }, 1.5, [](double) { return true; }), "");
+  const palpate::testing::ShapedBody beam(
+    { std::move(mesh), { { 0.1, 0.45 } }, fixed }, place, 1.5);
+  const BodySurface& surface = beam.body.surface();
+  const RegularGreen& green = *beam.green;
+  const std::int32_t point = palpate::testing::pointAt(surface, place);
   const double self = green.at(point, point);
-  EXPECT_NEAR(green.motion(point).dot(body.surface().normal(point)), self, 1e-12 * self);
+  EXPECT_NEAR(green.motion(point).dot(surface.normal(point)), self, 1e-12 * self);
   EXPECT_TRUE(green.motion(-1).hasNaN());
 
   const LandmarkKernels landmarks(green);
@@ -89,7 +88,7 @@ TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
   };
   const double level = along(tilted(0.0));
   // Of 1.5 mm around the place on a flat side: what the damping takes, alone.
-  EXPECT_NEAR(level, ContactKernelFit(green, point).at(1.0).coefficients(0, 0), 2e-3 * level);
+  EXPECT_NEAR(level, beam.fit->at(1.0).coefficients(0, 0), 2e-3 * level);
   for (const double degrees : { 10.0, 25.0, 40.0 })
   {
     const double cosine = std::cos(degrees * Pi / 180.0);
