@@ -64,17 +64,12 @@ BendingError::BendingError(std::vector<Sample> samples)
 }
 
 /// Of e over bending, weighted by bending and, beyond the nearest, by inverse square distance.
-double BendingError::medianAround(const Eigen::Vector3d& place) const
+double BendingError::medianAround(const std::vector<double>& squares) const
 {
-  std::vector<double> squares;
-  for (const Sample& sample : this->Samples)
-  {
-    squares.push_back((sample.place - place).squaredNorm());
-  }
   std::vector<double> nearest = squares;
   const auto last = static_cast<std::ptrdiff_t>(std::min(OfMedian, nearest.size())) - 1;
   std::nth_element(nearest.begin(), nearest.begin() + last, nearest.end());
-  const double alike = std::max(nearest[static_cast<std::size_t>(last)], 1e-300);
+  const double alike = nearest[static_cast<std::size_t>(last)];
   std::vector<std::pair<double, double>> weighted; // of a ratio
   double total = 0.0;
   for (std::size_t i = 0; i < squares.size(); ++i)
@@ -85,16 +80,18 @@ double BendingError::medianAround(const Eigen::Vector3d& place) const
     total += weight;
   }
   std::sort(weighted.begin(), weighted.end());
+  double median = 0.0;
   double below = 0.0;
   for (const auto& [ratio, weight] : weighted)
   {
+    median = ratio;
     below += weight;
     if (below >= 0.5 * total)
     {
-      return ratio;
+      break;
     }
   }
-  return weighted.back().first;
+  return median;
 }
 
 double BendingError::at(const Eigen::Vector3d& place) const
@@ -103,16 +100,22 @@ double BendingError::at(const Eigen::Vector3d& place) const
   {
     return Assumed;
   }
-  const double most = MostOfMedian * this->medianAround(place);
-  double bends = 0.0;
-  double missed = 0.0;
+  std::vector<double> squares; // of the distances
   for (const Sample& sample : this->Samples)
   {
+    squares.push_back(std::max((sample.place - place).squaredNorm(), 1e-300));
+  }
+  const double most = MostOfMedian * this->medianAround(squares);
+  double bends = 0.0;
+  double missed = 0.0;
+  for (std::size_t i = 0; i < squares.size(); ++i)
+  {
+    const Sample& sample = this->Samples[i];
     if (sample.energy > most * sample.bending)
     {
       continue;
     }
-    const double weight = 1.0 / std::max((sample.place - place).squaredNorm(), 1e-300);
+    const double weight = 1.0 / squares[i];
     bends += weight * sample.bending;
     missed += weight * BoundOfEnergy * sample.energy;
   }

@@ -51,7 +51,8 @@ public:
   double at(const Eigen::Vector3d& place) const;
 
 private:
-  double medianAround(const Eigen::Vector3d& place) const;
+  /// `squares`: of the distances of all samples, at least one.
+  double medianAround(const std::vector<double>& squares) const;
 
   std::vector<Sample> Samples;
 };
