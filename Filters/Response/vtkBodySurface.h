@@ -10,6 +10,8 @@
  * Output: one vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm:
  * - a surface of triangles alone comes out as it is, with all its arrays;
  * - polygons and triangle strips are cut into triangles, vertices and lines left out;
+ * - triangles that occur twice, or with their reverse, as at the seams of merged scans, are left
+ *   out, where they are a tenth of the surface at most; points stay;
  * - of a volume (unstructured, structured, rectilinear, image) the outer surface is taken. Of an
  *   image that is its box; the skin of a scan is vtkSkinSurface's;
  * - partitions of one data set (vtkPartitionedDataSet, vtkMultiPieceDataSet) are joined where their
@@ -34,8 +36,8 @@
  * the seams of a volume are removed: they are recognised by ghost cells (one level is requested),
  * by the extent of a structured grid, or as faces that occur twice.
  *
- * Cost: a pass over the points for a surface of triangles, its cells and coordinates shared with
- * the input if they are in mm; without normals a second one with the edges.
+ * Cost: a pass over the points and a sort of the triangles for a surface of these, its cells and
+ * coordinates shared with the input if they are in mm; without normals a pass over the edges.
  *
  * Single-threaded; the output is the same on every run. Abort is ignored.
  *

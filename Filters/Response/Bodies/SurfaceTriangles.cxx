@@ -2,6 +2,7 @@
 #include "Response/Bodies/SurfaceTriangles.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Bodies/SurfaceFlaps.h"
 #include "Mechanics/JoinedText.h"
 
 #include "vtkAppendFilter.h"
@@ -259,6 +260,17 @@ void cutSurface(SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces)
     made.surface = nullptr;
     made.fault = withoutTriangles(pieces);
     made.isEmpty = true;
+    return;
+  }
+  vtkIdType leftOut = 0;
+  if (!made.isOfVolume)
+  {
+    made.surface = withoutFlaps(made.surface, leftOut);
+  }
+  if (leftOut > 0)
+  {
+    made.notes.push_back(
+      joined(leftOut, " triangles that occur twice, or with their reverse, left out"));
   }
 }
 

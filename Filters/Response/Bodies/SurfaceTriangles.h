@@ -2,7 +2,7 @@
 /** @file
  * One data set, whole or in partitions, as triangles.
  *
- * A surface of triangles alone comes out unchanged. Polygons and strips are cut, vertices and lines
+ * A surface of triangles alone comes out unchanged, but for flaps. Polygons and strips are cut, vertices and lines
  * left out; of a volume the outer surface is taken. Partitions are joined where their points
  * coincide exactly, and ghost cells are left out.
  */
@@ -33,7 +33,8 @@ struct SurfaceTriangles
 /// points.
 SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const int* wholeExtent);
 
-/// Cuts it into triangles; a fault if there are none.
+/// Cuts it into triangles, and leaves out those of a surface that enclose nothing (withoutFlaps); a
+/// fault if there are none.
 void cutSurface(SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces);
 
 /// Names of point arrays that some of the data sets have and others lack, comma-separated: those

@@ -5,9 +5,11 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkBodySurface.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -226,6 +228,57 @@ void checkSurfaces()
     enclosedVolume(reverse->GetOutput()), -volume, Exact * volume); // the input is as it was
 }
 
+/** Triangles that enclose nothing are left out; the two sides of a sheet are not. */
+void checkFlaps()
+{
+  const Body ball = sphereBody(30.0, 2);
+  const vtkIdType own = ball->GetNumberOfPolys();
+  vtkNew<vtkPolyData> merged;
+  merged->DeepCopy(ball);
+  const auto add = [&merged](vtkIdType a, vtkIdType b, vtkIdType c) {
+    merged->GetPolys()->InsertNextCell({ a, b, c });
+  };
+  vtkNew<vtkIdList> once;
+  ball->GetCellPoints(0, once);
+  add(once->GetId(1), once->GetId(2), once->GetId(0)); // twice
+  vtkNew<vtkIdList> both;
+  ball->GetCellPoints(5, both);
+  add(both->GetId(2), both->GetId(0), both->GetId(1)); // twice, and reversed
+  add(both->GetId(1), both->GetId(0), both->GetId(2));
+  add(once->GetId(0), once->GetId(1), both->GetId(0)); // a flap across the ball
+  add(once->GetId(1), once->GetId(0), both->GetId(0));
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType i = 0; i < merged->GetPolys()->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<double>(i));
+  }
+  merged->GetCellData()->AddArray(numbers);
+  Made made;
+  make(made, merged);
+  PALPATE_CHECK(isSilent(made));
+  PALPATE_CHECK(made.body->GetNumberOfPolys() == own);
+  PALPATE_CHECK(made.body->GetNumberOfPoints() == ball->GetNumberOfPoints());
+  PALPATE_CHECK_NEAR(enclosedVolume(made.body), enclosedVolume(ball), Exact * enclosedVolume(ball));
+  vtkDataArray* kept = made.body->GetCellData()->GetArray("Number");
+  PALPATE_CHECK(kept && kept->GetNumberOfTuples() == own);
+  PALPATE_CHECK(kept && kept->GetRange()[1] == static_cast<double>(own - 1)); // the first of each
+  PALPATE_CHECK(made.filter->GetNumberOfNotes() == 1);
+  PALPATE_CHECK_TEXT(made.filter->GetNote(0), "5 triangles that occur twice");
+  PALPATE_CHECK(merged->GetPolys()->GetNumberOfCells() == own + 5); // the input is as it was
+
+  vtkNew<vtkPolyData> sheet;
+  sheet->DeepCopy(ball);
+  for (vtkIdType i = 0; i < own; ++i)
+  {
+    ball->GetCellPoints(i, once);
+    sheet->GetPolys()->InsertNextCell({ once->GetId(1), once->GetId(0), once->GetId(2) });
+  }
+  Made sides;
+  make(sides, sheet);
+  PALPATE_CHECK(sides.body->GetNumberOfPolys() == 2 * own);
+}
+
 /** A ball in two partitions, each with its own seam points, and in two blocks. */
 void checkComposites()
 {
@@ -407,6 +460,7 @@ void checkErrors()
 int TestBodySurface(int, char*[])
 {
   checkSurfaces();
+  checkFlaps();
   checkVolumes();
   checkComposites();
   checkUnits();
