@@ -14,7 +14,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double RingRatio = 0.82; ///< so that sixteen rings go down to a twentieth
+constexpr double RingRatio = 0.82;
+constexpr int RingsBeyond = 3; ///< the largest contact; the others go down to a twentieth of it
 
 /// Fewest rings that a contact's gap is told from: a smaller contact has that of these.
 constexpr int LeastRings = 5;
@@ -35,6 +36,11 @@ double powerUnderContact(int n)
 Eigen::Matrix3d SurfaceGap::frame(const Eigen::Vector3d& outwardNormal)
 {
   return tangentFrame(outwardNormal);
+}
+
+double SurfaceGap::reachFor(double radius)
+{
+  return radius / ring(Rings - 1 - RingsBeyond);
 }
 
 double SurfaceGap::ring(int k)

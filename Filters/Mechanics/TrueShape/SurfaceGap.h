@@ -44,8 +44,12 @@ struct GapTerms
 class PALPATE_EXPORT SurfaceGap
 {
 public:
-  static constexpr int Rings = 16;
+  static constexpr int Rings = 19;
   static constexpr int Angles = 16;
+
+  /// How far the surface is to be known, for contacts up to a radius: three rings more, since on an
+  /// uneven surface they reach beyond those on the mean of it.
+  static double reachFor(double radius);
 
   /// The tangent plane's axes and the inward normal, in which heights and slopes are told.
   static Eigen::Matrix3d frame(const Eigen::Vector3d& outwardNormal);

@@ -17,7 +17,7 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
   : Landmarks(landmarks)
   , Normals(normals)
   , Mesh(makeBodyMesh(surface))
-  , Reach(a)
+  , Reach(SurfaceGap::reachFor(a))
   , OnSolid(solid,
       [&landmarks](vtkIdType id)
       {

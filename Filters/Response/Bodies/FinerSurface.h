@@ -37,7 +37,7 @@ private:
   const LandmarkKernels& Landmarks;
   const float* Normals;
   BodyMesh Mesh;
-  double Reach;                                 ///< mm
+  double Reach;                                 ///< of the surface that a contact sees, mm
   FacingPoints OnSolid;                         ///< landmarks alone
   FacingPoints AllOfSolid;                      ///< to find out what is held
   FacingPoints OnSurface;                       ///< all points

@@ -259,6 +259,12 @@ TEST(UnevenContact, TheEndOfTheSurfaceIsTold)
   EXPECT_TRUE(UnevenContact(*pressed, wide).at(1.5, load).isInside);
   const SurfaceGap narrow = surfaceOf(leaning, 2.0);
   EXPECT_FALSE(UnevenContact(*pressed, narrow).at(1.5, load).isInside);
+  const Height uneven = [](const Eigen::Vector2d& at)
+  { return 0.1 * at[0] + 0.02 * (at[0] * at[0] - at[1] * at[1]); };
+  const SurfaceGap enough = surfaceOf(uneven, SurfaceGap::reachFor(1.5));
+  EXPECT_TRUE(UnevenContact(*pressed, enough).at(1.5, load).isInside);
+  const SurfaceGap under = surfaceOf(uneven, 1.5); // just the contact on the mean surface
+  EXPECT_FALSE(UnevenContact(*pressed, under).at(1.5, load).isInside);
 }
 
 // Surfaces of six waves each, 1.5 to 12 mm long and more, that change the force by up to a half.
