@@ -2,9 +2,9 @@
 /** @file
  * One data set, whole or in partitions, as triangles.
  *
- * A surface of triangles alone comes out unchanged, but for flaps. Polygons and strips are cut, vertices and lines
- * left out; of a volume the outer surface is taken. Partitions are joined where their points
- * coincide exactly, and ghost cells are left out.
+ * A surface of triangles alone comes out unchanged, but for flaps. Polygons and strips are cut,
+ * vertices and lines left out; of a volume the outer surface is taken. Partitions are joined where
+ * their points coincide exactly, and ghost cells are left out.
  */
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
