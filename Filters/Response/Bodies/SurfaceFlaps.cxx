@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -27,16 +28,17 @@ struct Triangle
   }
 };
 
-std::vector<Triangle> sortedTriangles(vtkPolyData* surface)
+/// Calls visit(triangle) for each one, in the order of the cells.
+template <class Visit>
+void visitTriangles(vtkPolyData* surface, const Visit& visit)
 {
-  std::vector<Triangle> all;
-  all.reserve(static_cast<std::size_t>(surface->GetNumberOfPolys()));
   vtkCellArray* polygons = surface->GetPolys();
   vtkIdType count = 0;
   const vtkIdType* ids = nullptr;
-  for (polygons->InitTraversal(); polygons->GetNextCell(count, ids);)
+  vtkIdType cell = 0;
+  for (polygons->InitTraversal(); polygons->GetNextCell(count, ids); ++cell)
   {
-    Triangle made{ { ids[0], ids[1], ids[2] }, 1, static_cast<vtkIdType>(all.size()) };
+    Triangle made{ { ids[0], ids[1], ids[2] }, 1, cell };
     for (const auto& [low, high] : { std::pair(0U, 1U), std::pair(1U, 2U), std::pair(0U, 1U) })
     {
       if (made.corners[low] > made.corners[high])
@@ -45,17 +47,67 @@ std::vector<Triangle> sortedTriangles(vtkPolyData* surface)
         made.side = -made.side;
       }
     }
-    all.push_back(made);
+    visit(made);
   }
-  std::sort(all.begin(), all.end());
-  return all;
+}
+
+/// The same for the same corners, and seldom for others.
+std::uint64_t keyOf(const Triangle& triangle)
+{
+  std::uint64_t key = 0;
+  for (const vtkIdType corner : triangle.corners)
+  {
+    key = (key ^ static_cast<std::uint64_t>(corner)) * 0x9e3779b97f4a7c15ULL; // Knuth
+    key ^= key >> 32U;
+  }
+  return key;
+}
+
+/// Keys that more than one triangle has, ascending.
+std::vector<std::uint64_t> sharedKeys(vtkPolyData* surface)
+{
+  std::vector<std::uint64_t> keys;
+  keys.reserve(static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  visitTriangles(surface, [&keys](const Triangle& made) { keys.push_back(keyOf(made)); });
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint64_t> shared;
+  for (std::size_t i = 1; i < keys.size(); ++i)
+  {
+    if (keys[i] == keys[i - 1] && (shared.empty() || shared.back() != keys[i]))
+    {
+      shared.push_back(keys[i]);
+    }
+  }
+  return shared;
+}
+
+/// Those with such keys, sorted.
+std::vector<Triangle> sortedTriangles(
+  vtkPolyData* surface, const std::vector<std::uint64_t>& shared)
+{
+  std::vector<Triangle> found;
+  visitTriangles(surface,
+    [&](const Triangle& made)
+    {
+      if (std::binary_search(shared.begin(), shared.end(), keyOf(made)))
+      {
+        found.push_back(made);
+      }
+    });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 } // namespace
 
 vtkSmartPointer<vtkPolyData> withoutFlaps(vtkPolyData* surface, vtkIdType& leftOut)
 {
   leftOut = 0;
-  const std::vector<Triangle> all = sortedTriangles(surface);
+  const std::vector<std::uint64_t> shared = sharedKeys(surface);
+  if (shared.empty())
+  {
+    return surface;
+  }
+  const std::vector<Triangle> all = sortedTriangles(surface, shared);
   std::vector<vtkIdType> flaps;
   for (auto first = all.begin(); first != all.end();)
   {
@@ -81,7 +133,8 @@ vtkSmartPointer<vtkPolyData> withoutFlaps(vtkPolyData* surface, vtkIdType& leftO
     first = last;
   }
   if (flaps.empty() ||
-    static_cast<double>(flaps.size()) > LargestShare * static_cast<double>(all.size()))
+    static_cast<double>(flaps.size()) >
+      LargestShare * static_cast<double>(surface->GetNumberOfPolys()))
   {
     return surface;
   }

@@ -13,7 +13,7 @@ namespace palpate
 /// their seams: both of two with the same corners that face opposite ways, and all but one of those
 /// that face the same way. Point ids stay. A surface of which that is more than a tenth is a sheet
 /// with two sides, and is returned itself, as is one without any. `surface`: triangles alone.
-/// `leftOut`: how many. Cost: a sort of the triangles, 0.2 s per million.
+/// `leftOut`: how many. Cost: a sort of the triangles, 0.1 s per million.
 vtkSmartPointer<vtkPolyData> withoutFlaps(vtkPolyData* surface, vtkIdType& leftOut);
 } // namespace palpate
 
