@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 constexpr double RingRatio = 0.82;
-constexpr int RingsBeyond = 3; ///< the largest contact; the others go down to a twentieth of it
+constexpr int RingsBeyond = 3; ///< outside the largest contact; inside down to a twentieth of it
 
 /// Fewest rings that a contact's gap is told from: a smaller contact has that of these.
 constexpr int LeastRings = 5;

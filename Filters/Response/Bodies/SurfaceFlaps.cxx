@@ -3,6 +3,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <array>
@@ -99,9 +100,8 @@ std::vector<Triangle> sortedTriangles(
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> withoutFlaps(vtkPolyData* surface, vtkIdType& leftOut)
+vtkSmartPointer<vtkPolyData> withoutFlaps(vtkPolyData* surface)
 {
-  leftOut = 0;
   const std::vector<std::uint64_t> shared = sharedKeys(surface);
   if (shared.empty())
   {
@@ -146,7 +146,6 @@ vtkSmartPointer<vtkPolyData> withoutFlaps(vtkPolyData* surface, vtkIdType& leftO
     cleaned->DeleteCell(cell);
   }
   cleaned->RemoveDeletedCells();
-  leftOut = static_cast<vtkIdType>(flaps.size());
   return cleaned;
 }
 } // namespace palpate

@@ -262,15 +262,16 @@ void cutSurface(SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces)
     made.isEmpty = true;
     return;
   }
-  vtkIdType leftOut = 0;
   if (!made.isOfVolume)
   {
-    made.surface = withoutFlaps(made.surface, leftOut);
-  }
-  if (leftOut > 0)
-  {
-    made.notes.push_back(
-      joined(leftOut, " triangles that occur twice, or with their reverse, left out"));
+    const vtkIdType all = made.surface->GetNumberOfPolys();
+    made.surface = withoutFlaps(made.surface);
+    const vtkIdType leftOut = all - made.surface->GetNumberOfPolys();
+    if (leftOut > 0)
+    {
+      made.notes.push_back(
+        joined(leftOut, " triangles that occur twice, or with their reverse, left out"));
+    }
   }
 }
 
