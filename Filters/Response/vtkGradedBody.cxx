@@ -5,24 +5,20 @@
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Response/Bodies/ClosedSurface.h"
 #include "Response/FilterStage.h"
-#include "Response/Mesher/CurvedTetrahedra.h"
+#include "Response/Mesher/MeshConversion.h"
+#include "Response/Mesher/OutsideReach.h"
+#include "Response/Mesher/SurfaceCut.h"
 #include "Response/Mesher/SurfaceMesher.h"
 #include "Response/Mesher/SurfaceRepair.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellType.h"
-#include "vtkFeatureEdges.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -48,6 +44,9 @@ constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 
 /// Facets cut off about a hundredth of the volume; a larger loss is a part of the body.
 constexpr double LostVolume = 0.1;
+/// Parts that a cut leaves are left out below the cube of this, in spacings.
+constexpr double LeastPart = 0.5;
+constexpr double OnCut = 1e-6; // of the spacing
 constexpr double MeshedShare = 0.9; // of the work
 constexpr double RoughStep = 3.0;   // of the deviation, where a surface is too rough for it
 
@@ -72,79 +71,6 @@ double expectedCells(const palpate::FineBall& ball, double l, double growth)
   return CellsPerCube * 4.0 * vtkMath::Pi() * (inside + around);
 }
 
-/// The closest point of lines or triangles.
-class ClosestPlace
-{
-public:
-  explicit ClosestPlace(vtkPolyData* data)
-    : IsEmpty(data->GetNumberOfCells() == 0)
-  {
-    if (!this->IsEmpty)
-    {
-      this->Locator->SetDataSet(data);
-      this->Locator->BuildLocator();
-    }
-  }
-
-  Eigen::Vector3d operator()(const Eigen::Vector3d& place) const
-  {
-    Eigen::Vector3d at = place;
-    if (!this->IsEmpty)
-    {
-      Eigen::Vector3d from = place;
-      vtkIdType id = -1;
-      int part = 0;
-      double square = 0.0;
-      this->Locator->FindClosestPoint(from.data(), at.data(), this->Cell, id, part, square);
-    }
-    return at;
-  }
-
-private:
-  bool IsEmpty;
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
-};
-
-palpate::MeshedSurface convertSurfaceToMesh(vtkPolyData* surface)
-{
-  palpate::MeshedSurface made;
-  made.points.resize(3, surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    surface->GetPoint(i, made.points.col(i).data());
-  }
-  vtkNew<vtkIdList> ids;
-  vtkCellArray* cells = surface->GetPolys();
-  for (cells->InitTraversal(); cells->GetNextCell(ids);)
-  {
-    made.triangles.push_back({ static_cast<std::int32_t>(ids->GetId(0)),
-      static_cast<std::int32_t>(ids->GetId(1)), static_cast<std::int32_t>(ids->GetId(2)) });
-  }
-  return made;
-}
-
-vtkSmartPointer<vtkPolyData> convertMeshToSurface(const palpate::MeshedSurface& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(mesh.points.cols());
-  for (Eigen::Index i = 0; i < mesh.points.cols(); ++i)
-  {
-    points->SetPoint(i, mesh.points.col(i).data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    const std::array<vtkIdType, 3> corners = { a, b, c };
-    triangles->InsertNextCell(3, corners.data());
-  }
-  const auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  return surface;
-}
-
 double volumeOf(const palpate::TetrahedralMesh& mesh)
 {
   double volume = 0.0;
@@ -161,27 +87,6 @@ double volumeOf(const palpate::TetrahedralMesh& mesh)
   return volume;
 }
 
-void convertTetrahedra(const palpate::CurvedTetrahedra& curved, vtkUnstructuredGrid* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(VTK_DOUBLE);
-  points->SetNumberOfPoints(curved.nodes.cols());
-  for (vtkIdType i = 0; i < curved.nodes.cols(); ++i)
-  {
-    points->SetPoint(i, curved.nodes.col(i).data());
-  }
-  vtkNew<vtkCellArray> cells;
-  const auto count = static_cast<vtkIdType>(curved.cells.size());
-  cells->AllocateExact(count, 10 * count);
-  for (const auto& cell : curved.cells)
-  {
-    std::array<vtkIdType, 10> ids{};
-    std::copy(cell.begin(), cell.end(), ids.begin());
-    cells->InsertNextCell(10, ids.data());
-  }
-  output->SetPoints(points);
-  output->SetCells(VTK_QUADRATIC_TETRA, cells);
-}
 } // namespace
 
 vtkStandardNewMacro(vtkGradedBody);
@@ -283,7 +188,7 @@ std::string vtkGradedBody::TakeSurface(vtkPolyData* body, palpate::ClosedSurface
   {
     return fault;
   }
-  palpate::MeshedSurface surface = convertSurfaceToMesh(closed.surface);
+  palpate::MeshedSurface surface = palpate::convertSurfaceToMesh(closed.surface);
   palpate::ClosedUp done;
   const std::string open = palpate::closeSurface(surface, done);
   if (!open.empty())
@@ -294,7 +199,47 @@ std::string vtkGradedBody::TakeSurface(vtkPolyData* body, palpate::ClosedSurface
                   << " points where it touched itself, and " << done.holes
                   << " holes were filled, the widest " << done.widest << " mm.");
   closed = {};
-  return palpate::takeClosedSurface(convertMeshToSurface(surface), closed);
+  return palpate::takeClosedSurface(palpate::convertMeshToSurface(surface), closed);
+}
+
+/// Cuts off what is held to a given depth, so that it ends there and not at the next cell. Returns
+/// the planes; none where the surface cannot be cut.
+std::vector<palpate::CutPlane> vtkGradedBody::CutHeld(
+  palpate::HeldFaces& faces, palpate::MeshedSurface& wanted, palpate::ClosedSurface& closed)
+{
+  std::vector<palpate::CutPlane> planes;
+  const Eigen::Vector3d lowest = wanted.points.rowwise().minCoeff();
+  const Eigen::Vector3d highest = wanted.points.rowwise().maxCoeff();
+  for (std::size_t side = 0; side < faces.size(); ++side)
+  {
+    const auto axis = static_cast<Eigen::Index>(side / 2);
+    const bool isUpper = side % 2 == 1;
+    if (faces[side].isGiven)
+    {
+      planes.push_back({ axis, isUpper,
+        isUpper ? highest[axis] - faces[side].depth : lowest[axis] + faces[side].depth });
+    }
+  }
+  palpate::ClosedSurface cut;
+  std::string fault;
+  if (!planes.empty())
+  {
+    fault = palpate::cutSurface(
+      wanted, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
+    fault =
+      fault.empty() ? palpate::takeClosedSurface(palpate::convertMeshToSurface(wanted), cut) : fault;
+    if (!fault.empty())
+    {
+      vtkWarningMacro(<< "What is held ends at whole cells, since " << fault << ".");
+      return {};
+    }
+    closed = cut;
+    for (palpate::HeldFace& face : faces)
+    {
+      face.depth = face.isGiven ? OnCut * this->SurfaceSpacing : face.depth;
+    }
+  }
+  return planes;
 }
 
 std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
@@ -326,7 +271,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
       available / palpate::Mebibyte, " MiB are available, and more than ", MostCells,
       " are too many");
   }
-  palpate::MeshedSurface wanted = convertSurfaceToMesh(closed.surface);
+  palpate::MeshedSurface wanted = palpate::convertSurfaceToMesh(closed.surface);
   std::size_t mended = 0;
   fault = palpate::mendSurface(wanted, mended);
   if (!fault.empty())
@@ -338,6 +283,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
     vtkWarningMacro(<< "The surface cut itself at " << mended
                     << " pairs of triangles; it was mended there before it was filled.");
   }
+  const std::vector<palpate::CutPlane> cuts = this->CutHeld(faces, wanted, closed);
   wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), this->SurfaceSpacing);
   wanted.balls = balls;
   wanted.interiorSpacing = inside;
@@ -368,19 +314,9 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
       " mm³ inside the surface: SurfaceSpacing ", this->SurfaceSpacing,
       " mm is too coarse for some part of it");
   }
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(closed.surface);
-  edges->SetFeatureAngle(wanted.sharpAngle);
-  edges->BoundaryEdgesOff();
-  edges->NonManifoldEdgesOff();
-  edges->ColoringOff();
-  edges->Update();
-  const ClosestPlace onSurface(closed.surface);
-  const ClosestPlace onEdge(edges->GetOutput());
-  const palpate::CurvedTetrahedra curved = palpate::curveTetrahedra(mesh,
-    [&](const Eigen::Vector3d& middle, bool isSharp)
-    { return isSharp ? onEdge(middle) : onSurface(middle); });
-  convertTetrahedra(curved, output);
+  const palpate::CurvedTetrahedra curved = palpate::curveTetrahedra(
+    mesh, palpate::outsideReach(closed.surface, wanted, cuts));
+  palpate::convertTetrahedra(curved, output);
   output->GetPointData()->AddArray(palpate::holdFaces(curved.nodes, faces));
   this->UpdateProgress(1.0);
   return {};

@@ -90,7 +90,7 @@ public:
         }
         if (this->Surface.triangleNormal(*t).dot(this->Surface.normal(this->Centre)) < ContactTurn)
         {
-          limit(disc, away, PatchStatus::Edge);
+          limit(disc, away, this->isHeld(*t) ? PatchStatus::OutOfReach : PatchStatus::Edge);
           continue;
         }
         for (const std::int32_t next : this->Surface.triangle(*t))
@@ -115,6 +115,13 @@ private:
       disc.limit = away;
       disc.limitedBy = by;
     }
+  }
+
+  bool isHeld(std::int32_t triangle) const
+  {
+    const auto& corners = this->Surface.triangle(triangle);
+    return std::all_of(corners.begin(), corners.end(),
+      [this](std::int32_t point) { return this->Body.isHeld(this->Surface.node(point)); });
   }
 
   Eigen::Vector3d inFrame(std::int32_t point) const

@@ -63,7 +63,7 @@ std::string readHeldFaces(const std::string& text, double usual, HeldFaces& face
   std::string words = text;
   std::replace(words.begin(), words.end(), ',', ' ');
   std::istringstream stream(words);
-  faces.fill(0.0);
+  faces.fill({});
   std::string word;
   while (stream >> word)
   {
@@ -73,17 +73,18 @@ std::string readHeldFaces(const std::string& text, double usual, HeldFaces& face
     {
       return "FixedFaces knows x-, x+, y-, y+, z- and z+, but not '" + side + "'";
     }
-    double depth = usual;
-    if (side.size() < word.size())
+    HeldFace held{ usual, side.size() < word.size() };
+    if (held.isGiven)
     {
       std::istringstream number(word.substr(side.size() + 1));
-      if (!(number >> depth) || !number.eof() || !(depth > 0.0) || !std::isfinite(depth))
+      if (!(number >> held.depth) || !number.eof() || !(held.depth > 0.0) ||
+        !std::isfinite(held.depth))
       {
         return "FixedFaces: how deep a side holds must be positive (mm), as in 'z-:5', but is '" +
           word + "'";
       }
     }
-    faces[2 * axis + (side[1] == '+' ? 1 : 0)] = depth;
+    faces[2 * axis + (side[1] == '+' ? 1 : 0)] = held;
   }
   return {};
 }
@@ -102,8 +103,8 @@ vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const auto a = static_cast<Eigen::Index>(axis);
-      held = held || nodes(a, i) < lowest[a] + faces[2 * axis] ||
-        nodes(a, i) > highest[a] - faces[2 * axis + 1];
+      held = held || nodes(a, i) < lowest[a] + faces[2 * axis].depth ||
+        nodes(a, i) > highest[a] - faces[2 * axis + 1].depth;
     }
     fixed->SetValue(i, held ? 7 : 0);
   }

@@ -26,9 +26,15 @@ struct ClosedSurface
 /// Returns what is wrong - no triangles, open, inside out - or "".
 std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed);
 
-/// Sides of a box that hold the body, -x, +x, -y, +y, -z, +z: the depth of each from the outermost
-/// node, mm; 0: not held.
-using HeldFaces = std::array<double, 6>;
+/// A side of a box that holds the body.
+struct HeldFace
+{
+  double depth = 0.0;   ///< from the outermost place, mm; 0: not held
+  bool isGiven = false; ///< the depth is not the usual one
+};
+
+/// -x, +x, -y, +y, -z, +z.
+using HeldFaces = std::array<HeldFace, 6>;
 
 /// Reads "z-, x+:2.5": a side, and its depth where that is not `usual` (mm). Returns what is wrong,
 /// or "".

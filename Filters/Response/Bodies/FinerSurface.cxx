@@ -24,7 +24,12 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
         const std::vector<std::int32_t>& all = landmarks.points();
         return std::binary_search(all.begin(), all.end(), static_cast<std::int32_t>(id));
       })
-  , AllOfSolid(solid, [](vtkIdType) { return true; })
+  , Held(solid,
+      [&landmarks](vtkIdType id)
+      {
+        const SurfaceDisc* disc = landmarks.green().disc(static_cast<std::int32_t>(id));
+        return disc != nullptr && disc->status == PatchStatus::OutOfReach;
+      })
   , OnSurface(surface, [](vtkIdType) { return true; })
   , Around(this->Mesh.pointCount())
   , Turns(this->Around.size(), 0.0F)
@@ -70,17 +75,14 @@ void FinerSurface::findTurns()
 std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
 {
   std::vector<std::size_t> found;
-  const auto solid = this->AllOfSolid.nearBy(this->Mesh.coordinates() + 3 * i, this->normal(i));
-  const SurfaceDisc* nearest = solid.empty()
-    ? nullptr
-    : this->Landmarks.green().disc(static_cast<std::int32_t>(solid.front().first));
-  if (nearest != nullptr && nearest->status == PatchStatus::OutOfReach)
+  const double* place = this->Mesh.coordinates() + 3 * i;
+  if (this->Held.contain(place))
   {
     return found;
   }
   const std::vector<std::int32_t>& all = this->Landmarks.points();
   // The nearest first.
-  for (const auto& part : this->OnSolid.nearBy(this->Mesh.coordinates() + 3 * i, this->normal(i)))
+  for (const auto& part : this->OnSolid.nearBy(place, this->normal(i)))
   {
     const auto at = std::lower_bound(all.begin(), all.end(), static_cast<std::int32_t>(part.first));
     found.push_back(static_cast<std::size_t>(at - all.begin()));

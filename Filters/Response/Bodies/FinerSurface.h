@@ -4,6 +4,7 @@
 
 #include "Laws/ShapedResponse.h"
 #include "Response/Bodies/FacingPoints.h"
+#include "Response/Bodies/HeldPlaces.h"
 #include "Contact/BodyMesh.h"
 
 #include <vector>
@@ -39,7 +40,7 @@ private:
   BodyMesh Mesh;
   double Reach;                                 ///< of the surface that a contact sees, mm
   FacingPoints OnSolid;                         ///< landmarks alone
-  FacingPoints AllOfSolid;                      ///< to find out what is held
+  HeldPlaces Held;                              ///< of the solid
   FacingPoints OnSurface;                       ///< all points
   std::vector<std::vector<std::size_t>> Around; ///< landmarks of each point
   std::vector<float> Turns;                     ///< of the surface at each point, rad

@@ -43,6 +43,28 @@ inline std::string toCgal(const MeshedSurface& from, CgalSurface& surface)
   }
   return {};
 }
+
+/// The points and triangles of a surface without garbage; all else of `to` stays.
+inline void fromCgal(const CgalSurface& surface, MeshedSurface& to)
+{
+  to.points.resize(3, static_cast<Eigen::Index>(surface.number_of_vertices()));
+  for (const CgalSurface::Vertex_index v : surface.vertices())
+  {
+    const CgalPoint& at = surface.point(v);
+    to.points.col(static_cast<Eigen::Index>(v.idx())) << at.x(), at.y(), at.z();
+  }
+  to.triangles.clear();
+  for (const CgalSurface::Face_index face : surface.faces())
+  {
+    std::array<std::int32_t, 3> corners{};
+    std::size_t i = 0;
+    for (const CgalSurface::Vertex_index v : surface.vertices_around_face(surface.halfedge(face)))
+    {
+      corners[i++ % 3] = static_cast<std::int32_t>(v.idx());
+    }
+    to.triangles.push_back(corners);
+  }
+}
 } // namespace palpate
 
 #endif

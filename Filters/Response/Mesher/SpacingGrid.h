@@ -23,6 +23,8 @@ struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
   std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise seen from outside
+  /// Edges of triangles that cells follow, however little the surface turns there.
+  std::vector<std::array<std::int32_t, 2>> rims;
   std::vector<double> spacing;                        ///< of the cells wanted at each point
   std::vector<FineBall> balls;                        ///< that are to be finer, anywhere
   double interiorSpacing = 0.0;                       ///< the largest there is

@@ -20,6 +20,7 @@ std::string fillSurface(const MeshedSurface&, double, const WorkObserver&, Tetra
 
 #include "Mechanics/JoinedText.h"
 #include "Response/Mesher/CgalSurface.h"
+#include "Response/Mesher/FollowedEdges.h"
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -56,7 +57,6 @@ constexpr double CellRadius = 0.80;  ///< of the ball around a cell, in spacings
 constexpr double FacetAngle = 25.0;  ///< least of a facet, degrees: at most 30 (CGAL)
 constexpr double RadiusEdge = 2.0;   ///< of a cell: its ball over its shortest edge
 constexpr double SliverAngle = 10.0; ///< least between two faces that is sought, degrees
-constexpr double OwnEdge = 3.0;      ///< least length of an edge of the body, in spacings
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
@@ -155,48 +155,6 @@ private:
   std::vector<Point> Seeds;
 };
 
-/// Whether the sharp edges of a surface are those of the body, lines several spacings long, and not
-/// the many short ones that a scan's noise has.
-bool hasOwnEdges(const Surface& surface, const MeshedSurface& wanted)
-{
-  const double least = std::cos(wanted.sharpAngle * CGAL_PI / 180.0);
-  std::vector<Surface::Vertex_index> root(surface.vertices().begin(), surface.vertices().end());
-  const auto rootOf = [&root](Surface::Vertex_index v)
-  {
-    while (root[v.idx()] != v)
-    {
-      v = root[v.idx()] = root[root[v.idx()].idx()];
-    }
-    return v;
-  };
-  const auto normalOf = [&surface](Surface::Halfedge_index h)
-  {
-    return CGAL::unit_normal(surface.point(surface.source(h)), surface.point(surface.target(h)),
-      surface.point(surface.target(surface.next(h))));
-  };
-  std::vector<std::pair<Surface::Vertex_index, double>> sharp; // one end, length
-  for (const Surface::Edge_index edge : surface.edges())
-  {
-    const Surface::Halfedge_index h = surface.halfedge(edge);
-    if (normalOf(h) * normalOf(surface.opposite(h)) < least)
-    {
-      root[rootOf(surface.source(h)).idx()] = rootOf(surface.target(h));
-      sharp.emplace_back(surface.source(h),
-        std::sqrt(CGAL::squared_distance(
-          surface.point(surface.source(h)), surface.point(surface.target(h)))));
-    }
-  }
-  std::map<Surface::Vertex_index, double> lengths;
-  for (const auto& [end, length] : sharp)
-  {
-    lengths[rootOf(end)] += length;
-  }
-  const double enough = OwnEdge * (wanted.spacing.empty() ? 0.0 : wanted.spacing.front());
-  const auto own = std::count_if(
-    lengths.begin(), lengths.end(), [enough](const auto& line) { return line.second >= enough; });
-  return 2 * static_cast<std::size_t>(own) > lengths.size();
-}
-
 /// Centres of triangles spread over each part of the surface.
 std::vector<Point> spreadSeeds(Surface& surface)
 {
@@ -280,10 +238,12 @@ std::string fillSurface(
   try
   {
     SeededDomain domain(surface, spreadSeeds(surface));
-    if (hasOwnEdges(surface, wanted))
+    const FollowedEdges followed = followedEdges(surface, wanted);
+    if (followed.areDetected)
     {
       domain.detect_features(wanted.sharpAngle);
     }
+    domain.add_features(followed.lines.begin(), followed.lines.end());
     SpacingField spacing(wanted, cells, observer);
     const Criteria criteria(Criteria::Edge_criteria(RadiusField{ &spacing, 1.0 }),
       Criteria::Facet_criteria(FacetAngle, RadiusField{ &spacing, FacetRadius }, wanted.deviation),

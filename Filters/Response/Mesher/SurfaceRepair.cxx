@@ -52,27 +52,6 @@ constexpr double WidestHole = 0.2;      ///< of the body's own box
 constexpr double LeastFragment = 0.001; ///< of all triangles
 constexpr double MostCrossing = 0.01;   ///< of the triangles: more are not a defect of scanning
 
-void fromCgal(const CgalSurface& surface, MeshedSurface& to)
-{
-  to.points.resize(3, static_cast<Eigen::Index>(surface.number_of_vertices()));
-  for (const CgalSurface::Vertex_index v : surface.vertices())
-  {
-    const CgalPoint& at = surface.point(v);
-    to.points.col(static_cast<Eigen::Index>(v.idx())) << at.x(), at.y(), at.z();
-  }
-  to.triangles.clear();
-  for (const CgalSurface::Face_index face : surface.faces())
-  {
-    std::array<std::int32_t, 3> corners{};
-    std::size_t i = 0;
-    for (const CgalSurface::Vertex_index v : surface.vertices_around_face(surface.halfedge(face)))
-    {
-      corners[i++ % 3] = static_cast<std::int32_t>(v.idx());
-    }
-    to.triangles.push_back(corners);
-  }
-}
-
 double diagonalOf(const CGAL::Bbox_3& box)
 {
   return std::hypot(box.x_span(), box.y_span(), box.z_span());

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A source of its own for CGAL, as SurfaceMesher.
+#include "Response/Mesher/SurfaceCut.h"
+
+#ifndef PALPATE_WITH_CGAL
+namespace palpate
+{
+std::string cutSurface(MeshedSurface&, const std::vector<CutPlane>&, double)
+{
+  return "this build has no mesher (CGAL) to cut it";
+}
+} // namespace palpate
+#else
+
+#include "Mechanics/JoinedText.h"
+#include "Response/Mesher/CgalSurface.h"
+
+#include <CGAL/Polygon_mesh_processing/clip.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace palpate
+{
+namespace
+{
+namespace meshes = CGAL::Polygon_mesh_processing;
+
+constexpr double OnPlane = 1e-9; ///< of the body's size: what constructions round
+
+std::string nameOf(const CutPlane& plane)
+{
+  return joined("xyz"[plane.axis], " = ", plane.at, " mm");
+}
+
+CgalKernel::Plane_3 convertPlane(const CutPlane& plane)
+{
+  const double sign = plane.isUpper ? 1.0 : -1.0; // CGAL keeps the negative side
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  normal[plane.axis] = sign;
+  return { normal.x(), normal.y(), normal.z(), -sign * plane.at };
+}
+
+/// Moves points to the plane that lie on it but for rounding.
+void roundTo(const CutPlane& plane, MeshedSurface& surface)
+{
+  const double size =
+    (surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff()).maxCoeff();
+  for (double& at : surface.points.row(plane.axis))
+  {
+    at = std::abs(at - plane.at) <= OnPlane * size ? plane.at : at;
+  }
+}
+
+/// Adds the edges of only one of the triangles in the plane.
+void addRims(const CutPlane& plane, MeshedSurface& surface)
+{
+  const auto isOn = [&](std::int32_t i) { return surface.points(plane.axis, i) == plane.at; };
+  std::vector<std::array<std::int32_t, 2>> edges;
+  for (const std::array<std::int32_t, 3>& corners : surface.triangles)
+  {
+    if (std::all_of(corners.begin(), corners.end(), isOn))
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+        edges.push_back({ low, high });
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (i + 1 < edges.size() && edges[i] == edges[i + 1])
+    {
+      ++i; // both sides of it
+      continue;
+    }
+    surface.rims.push_back(edges[i]);
+  }
+}
+
+/// Returns what is wrong, or "".
+std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
+{
+  try
+  {
+    if (!meshes::clip(mesh, convertPlane(plane), CGAL::parameters::clip_volume(true)))
+    {
+      return joined("the surface touches itself where it is cut at ", nameOf(plane));
+    }
+  }
+  catch (const std::exception& failed)
+  {
+    return joined("the surface cannot be cut at ", nameOf(plane), " (", failed.what(), ")");
+  }
+  return {};
+}
+} // namespace
+
+std::string cutSurface(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least)
+{
+  CgalSurface mesh;
+  std::string fault = toCgal(surface, mesh);
+  for (std::size_t i = 0; i < planes.size() && fault.empty(); ++i)
+  {
+    fault = cutAt(planes[i], mesh);
+  }
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  meshes::remove_connected_components_of_negligible_size(
+    mesh, CGAL::parameters::area_threshold(0.0).volume_threshold(least));
+  mesh.collect_garbage();
+  if (mesh.number_of_faces() == 0)
+  {
+    return "nothing of the body is left";
+  }
+  MeshedSurface made = surface;
+  made.rims.clear();
+  fromCgal(mesh, made);
+  for (const CutPlane& plane : planes)
+  {
+    roundTo(plane, made);
+  }
+  for (const CutPlane& plane : planes)
+  {
+    addRims(plane, made);
+  }
+  std::sort(made.rims.begin(), made.rims.end());
+  made.rims.erase(std::unique(made.rims.begin(), made.rims.end()), made.rims.end());
+  surface = std::move(made);
+  return {};
+}
+} // namespace palpate
+#endif

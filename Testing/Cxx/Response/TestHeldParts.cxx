@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies held to a given depth: vtkGradedBody cuts them there exactly, and what is pressed on a
+// surface of its own knows where it is held.
+#include "FilterChecks.h"
+#include "TestBodies.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkElasticContactResponse.h"
+#include "vtkGradedBody.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTetra.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+using namespace palpate::testing;
+using Place = std::array<double, 3>;
+
+constexpr double Rounding = 1e-9; // mm: nodes on a plane
+
+vtkSmartPointer<vtkGradedBody> fill(vtkPolyData* body, double spacing, const char* held)
+{
+  auto filter = vtkSmartPointer<vtkGradedBody>::New();
+  filter->SetInputData(body);
+  filter->SetSurfaceSpacing(spacing);
+  filter->SetFixedFaces(held);
+  return filter;
+}
+
+Place placeOf(vtkDataSet* data, vtkIdType i)
+{
+  Place at{};
+  data->GetPoint(i, at.data());
+  return at;
+}
+
+bool isHeld(vtkUnstructuredGrid* grid, vtkIdType i)
+{
+  return grid->GetPointData()->GetArray("Fixed")->GetTuple1(i) == 7.0;
+}
+
+/// Of the tetrahedra with straight edges.
+double volumeOf(vtkUnstructuredGrid* grid)
+{
+  double volume = 0.0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    vtkNew<vtkIdList> ids;
+    grid->GetCellPoints(c, ids);
+    std::array<Place, 4> at{};
+    for (int k = 0; k < 4; ++k)
+    {
+      at[static_cast<std::size_t>(k)] = placeOf(grid, ids->GetId(k));
+    }
+    volume += vtkTetra::ComputeVolume(at[0].data(), at[1].data(), at[2].data(), at[3].data());
+  }
+  return volume;
+}
+
+Body moved(vtkPolyData* body, double x, double y, double z)
+{
+  vtkNew<vtkTransform> way;
+  way->Translate(x, y, z);
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetTransform(way);
+  filter->SetInputData(body);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// Held at two sides: exactly the block that is left, and held exactly on its sides.
+void checkBlock()
+{
+  const auto filter = fill(boxBody(6.0, 4.0, 3.0, 2), 2.0, "z-:1,x+:2");
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.none());
+  vtkUnstructuredGrid* grid = filter->GetOutput();
+  PALPATE_CHECK_NEAR(volumeOf(grid), 10.0 * 8.0 * 5.0, 1e-6);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const Place at = placeOf(grid, i);
+    PALPATE_CHECK(at[2] > -2.0 - Rounding && at[0] < 4.0 + Rounding);
+    const bool isOnCut = at[2] < -2.0 + Rounding || at[0] > 4.0 - Rounding;
+    PALPATE_CHECK(isHeld(grid, i) == isOnCut);
+  }
+}
+
+/// A ball: the rim is the circle in which the plane cuts its facets, whatever the cells.
+void checkBall(double spacing)
+{
+  constexpr double Radius = 10.0;
+  constexpr double Depth = 3.0;
+  const auto filter = fill(sphereBody(Radius, 4), spacing, "z-:3");
+  filter->Update();
+  vtkUnstructuredGrid* grid = filter->GetOutput();
+  const double rim = std::sqrt(Depth * (2.0 * Radius - Depth));
+  const double facet = 0.02; // mm: how far facets of that ball, 3.4 degrees wide, lie off it
+  double widest = 0.0;
+  int onRim = 0;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const Place at = placeOf(grid, i);
+    PALPATE_CHECK(at[2] > Depth - Radius - Rounding);
+    const bool isOnCut = at[2] < Depth - Radius + Rounding;
+    PALPATE_CHECK(isHeld(grid, i) == isOnCut);
+    const double away = std::hypot(at[0], at[1]);
+    widest = isOnCut ? std::max(widest, away) : widest;
+    onRim += isOnCut && away > rim - 2.0 * facet ? 1 : 0;
+  }
+  PALPATE_CHECK_NEAR(widest, rim, 2.0 * facet);
+  // Cells' edges follow it, and so do the nodes in the middle of each.
+  PALPATE_CHECK(onRim * 0.5 * spacing > 0.8 * 2.0 * vtkMath::Pi() * rim);
+  const double whole = 4.0 / 3.0 * vtkMath::Pi() * std::pow(Radius, 3);
+  const double cap = vtkMath::Pi() * Depth * Depth * (3.0 * Radius - Depth) / 3.0;
+  // Facets of side a cut off a²/8R in the mean; the circle around one is 0.72 spacings wide or less.
+  const double side = 0.72 * std::sqrt(3.0) * spacing;
+  PALPATE_CHECK_NEAR(
+    volumeOf(grid) / (whole - cap), 1.0, 3.0 * side * side / (8.0 * Radius * Radius));
+}
+
+/// Two balls whose rims come within a fortieth of the cells to each other.
+void checkRimsThatNearlyTouch()
+{
+  const Body ball = sphereBody(10.0, 4);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(ball);
+  both->AddInputData(moved(ball, 20.05, 0.0, 0.0));
+  both->Update();
+  const auto filter = fill(both->GetOutput(), 2.0, "z-:10");
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.errors().empty());
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0; // two halves
+  PALPATE_CHECK_NEAR(volumeOf(filter->GetOutput()) / exact, 1.0, 0.03); // straight edges
+}
+
+/// Nothing is left of it: held as a whole, with a warning.
+void checkHeldAsAWhole()
+{
+  const auto filter = fill(boxBody(6.0, 4.0, 3.0, 2), 2.0, "z-:100");
+  Messages messages(filter.Get());
+  filter->Update();
+  PALPATE_CHECK(messages.errors().empty());
+  PALPATE_CHECK_TEXT(messages.warnings(), "whole cells", "nothing of the body is left");
+  vtkUnstructuredGrid* grid = filter->GetOutput();
+  PALPATE_CHECK(grid->GetNumberOfCells() > 0);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    PALPATE_CHECK(isHeld(grid, i));
+  }
+}
+
+/// A bonded layer that is what a cut leaves of a block, by the exact integral equation.
+void checkLayer()
+{
+  constexpr double Height = 4.0;
+  const auto filter = fill(boxBody(12.0, 12.0, 3.0, 2), 1.33, "z-:2");
+  vtkNew<vtkElasticContactResponse> pressed;
+  pressed->SetInputConnection(filter->GetOutputPort());
+  pressed->SetYoungsModulus(1.0);
+  pressed->SetPoissonRatio(0.45);
+  pressed->SetMaximumDeflection(0.6);
+  pressed->SetNumberOfSamples(2);
+  pressed->SetTool(makeTool("sphere:1.6"));
+  Messages messages(pressed.Get()); // the sides have no response
+  pressed->Update();
+  vtkNew<vtkToolContactResponse> exact;
+  exact->SetInputData(planeBody(30.0, 8));
+  exact->SetTool(makeTool("sphere:1.6"));
+  exact->SetYoungsModulus(1.0);
+  exact->SetPoissonRatio(0.45);
+  exact->SetLayerThickness(Height);
+  exact->SetMaximumDeflection(0.6);
+  exact->SetNumberOfSamples(2);
+  exact->Update();
+  const auto forceAt = [](vtkAlgorithm* from, vtkIdType i)
+  {
+    return vtkPolyData::SafeDownCast(from->GetOutputDataObject(0))
+      ->GetPointData()
+      ->GetArray("ResponseForce")
+      ->GetComponent(i, 1);
+  };
+  const double force =
+    forceAt(pressed, pressed->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, 3.0));
+  PALPATE_CHECK_NEAR(force / forceAt(exact, 40), 1.0, 0.01); // three cells through the layer
+
+  // On the whole block's surface what was cut off is held, and nothing above it is.
+  const Body surface = boxBody(12.0, 12.0, 3.0, 24);
+  pressed->SetSurfaceData(surface);
+  pressed->Update();
+  vtkPointData* felt = pressed->GetOutput()->GetPointData();
+  // √(1.6 mm · 0.6 mm), on a half-space; on a thin layer √2 times that.
+  constexpr double Contact = 0.98;
+  int free = 0;
+  int ended = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const Place at = placeOf(surface, i);
+    const bool isInside = std::abs(at[0]) < 11.5 && std::abs(at[1]) < 11.5 && at[2] > 2.9;
+    const bool isOnWall = std::abs(at[1]) < 10.0 && at[0] > 11.9 && at[2] < 1.5;
+    const double status = felt->GetArray("ResponseStatus")->GetTuple1(i);
+    PALPATE_CHECK((status == 4.0) == (at[2] < -1.0 + Rounding));
+    if (isOnWall && at[2] > -1.0 + 1.42 * Contact)
+    {
+      PALPATE_CHECK_NEAR(felt->GetArray("ResponseRange")->GetTuple1(i), 0.6, 1e-5);
+      ++free;
+    }
+    else if (isOnWall && at[2] > -1.0 + Rounding && at[2] < -1.0 + 0.8 * Contact)
+    {
+      PALPATE_CHECK(felt->GetArray("ResponseRange")->GetTuple1(i) < 0.6);
+      ++ended;
+    }
+    free += isInside && status == 0.0 ? 1 : 0;
+  }
+  PALPATE_CHECK(free > 100 && ended > 10);
+}
+} // namespace
+
+int TestHeldParts(int, char*[])
+{
+  if (!vtkGradedBody::IsAvailable())
+  {
+    return palpate::testing::result(); // TestGradedBody tells
+  }
+  checkBlock();
+  checkBall(2.0);
+  checkBall(3.5);
+  checkRimsThatNearlyTouch();
+  checkHeldAsAWhole();
+  checkLayer();
+  return palpate::testing::result();
+}
