@@ -46,7 +46,7 @@ constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 constexpr double LostVolume = 0.1;
 /// Parts that a cut leaves are left out below the cube of this, in spacings.
 constexpr double LeastPart = 0.5;
-constexpr double OnCut = 1e-6; // of the spacing
+constexpr double OnCut = 1e-6;      // of the spacing
 constexpr double MeshedShare = 0.9; // of the work
 constexpr double RoughStep = 3.0;   // of the deviation, where a surface is too rough for it
 
@@ -224,10 +224,9 @@ std::vector<palpate::CutPlane> vtkGradedBody::CutHeld(
   std::string fault;
   if (!planes.empty())
   {
-    fault = palpate::cutSurface(
-      wanted, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
-    fault =
-      fault.empty() ? palpate::takeClosedSurface(palpate::convertMeshToSurface(wanted), cut) : fault;
+    fault = palpate::cutSurface(wanted, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
+    fault = fault.empty() ? palpate::takeClosedSurface(palpate::convertMeshToSurface(wanted), cut)
+                          : fault;
     if (!fault.empty())
     {
       vtkWarningMacro(<< "What is held ends at whole cells, since " << fault << ".");
@@ -314,8 +313,8 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
       " mm³ inside the surface: SurfaceSpacing ", this->SurfaceSpacing,
       " mm is too coarse for some part of it");
   }
-  const palpate::CurvedTetrahedra curved = palpate::curveTetrahedra(
-    mesh, palpate::outsideReach(closed.surface, wanted, cuts));
+  const palpate::CurvedTetrahedra curved =
+    palpate::curveTetrahedra(mesh, palpate::outsideReach(closed.surface, wanted, cuts));
   palpate::convertTetrahedra(curved, output);
   output->GetPointData()->AddArray(palpate::holdFaces(curved.nodes, faces));
   this->UpdateProgress(1.0);

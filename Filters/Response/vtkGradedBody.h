@@ -19,8 +19,12 @@
  * are kept, unless most of them are shorter than three SurfaceSpacings, as the noise of a scan is.
  * Mid-edge nodes of the outside lie on the true surface, or its sharp edges, except where that
  * would spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the
- * points within half a SurfaceSpacing, or the given depth, of the output's outermost point on each
- * of the FixedFaces, 0 elsewhere.
+ * points within half a SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0
+ * elsewhere. One of a given depth is cut off there instead: what does not move is no part of the
+ * output, and points are held on the cut. Cells follow its rim, except where that comes within a
+ * SurfaceSpacing to itself or to an edge, so that what is held does not depend on their size. A
+ * surface that cannot be cut - nothing would be left, or it touches itself there - gets a warning,
+ * and is held within the depth.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
  * the filter is an error. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell,
@@ -102,7 +106,8 @@ public:
   ///@}
 
   ///@{
-  /** Which sides of the bounding box hold the body, as in vtkVoxelBody. Default "z-". */
+  /** Which sides of the bounding box hold the body, as in vtkVoxelBody; one with a depth, as in
+   * "z-:5", is cut off. Default "z-". */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}

@@ -4,6 +4,7 @@
 #include "Contact/BodyMesh.h"
 #include "Mechanics/SharedWork.h"
 #include "Response/Bodies/FacingPoints.h"
+#include "Response/Bodies/HeldPlaces.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
 
@@ -146,7 +147,21 @@ void attachMotion(
     };
   };
   const FacingPoints all(solid, [](vtkIdType) { return true; });
-  fillModes(motion.modes, from(all), surface);
+  const HeldPlaces held(solid,
+    [&motion](vtkIdType id)
+    {
+      return std::all_of(motion.modes.fields.begin(), motion.modes.fields.end(),
+        [id](const auto& field) { return field.col(id).isZero(0.0); });
+    });
+  fillModes(
+    motion.modes,
+    [&, moving = from(all)](std::size_t i)
+    {
+      return held.contain(mesh.point(static_cast<std::int32_t>(i)).data())
+        ? std::vector<std::pair<vtkIdType, double>>()
+        : moving(i);
+    },
+    surface);
   const FacingPoints sources = sourcesOf(motion, solid);
   fillNear(motion, from(sources), surface);
 }

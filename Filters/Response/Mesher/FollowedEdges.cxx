@@ -78,9 +78,9 @@ Edges rimsOf(const CgalSurface& surface, const MeshedSurface& wanted)
   Edges found;
   for (const auto& [from, to] : wanted.rims)
   {
-    const CgalSurface::Halfedge_index h = surface.halfedge(
-      CgalSurface::Vertex_index(static_cast<CgalSurface::size_type>(from)),
-      CgalSurface::Vertex_index(static_cast<CgalSurface::size_type>(to)));
+    const CgalSurface::Halfedge_index h =
+      surface.halfedge(CgalSurface::Vertex_index(static_cast<CgalSurface::size_type>(from)),
+        CgalSurface::Vertex_index(static_cast<CgalSurface::size_type>(to)));
     found.push_back(surface.edge(h));
   }
   std::sort(found.begin(), found.end());

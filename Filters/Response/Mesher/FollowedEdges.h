@@ -17,8 +17,8 @@ struct FollowedEdges
 };
 
 /**
- * The rims, and the sharp edges where those are the body's own: lines several spacings long, and not
- * the many short ones that a scan's noise has.
+ * The rims, and the sharp edges where those are the body's own: lines several spacings long, and
+ * not the many short ones that a scan's noise has.
  */
 FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wanted);
 } // namespace palpate

@@ -89,8 +89,7 @@ EdgeReach outsideReach(
   return [=](const Eigen::Vector3d& middle, bool isSharp)
   {
     const bool isOnCut = std::any_of(cuts.begin(), cuts.end(),
-      [&](const CutPlane& cut)
-      {
+      [&](const CutPlane& cut) {
         return std::abs(middle[cut.axis] - cut.at) <= OnCut * (std::abs(cut.at) + middle.norm());
       });
     return !isSharp ? (*onSurface)(middle) : isOnCut ? (*onRim)(middle) : (*onEdge)(middle);

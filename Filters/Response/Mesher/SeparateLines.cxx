@@ -10,10 +10,11 @@ namespace palpate
 {
 namespace
 {
+// In lengths of the cells.
 constexpr double LeastSide = 0.25;
-constexpr double LeastDistance = 0.5; // both in lengths
-constexpr double LeastOfPath = 0.5;   // distance of two places, over the way along the lines
-constexpr double LeastPart = 1.5;     // in lengths
+constexpr double LeastDistance = 1.0;
+constexpr double LeastPart = 3.0;
+constexpr double LeastOfPath = 0.5; // distance of two places, over the way along the lines
 
 /// Without points closer than `least` to the one before; the ends stay.
 Line withoutShortSides(const Line& line, double least)
@@ -73,7 +74,8 @@ public:
       double total = 0.0;
       const auto end = [&]()
       {
-        if (total >= LeastPart * this->Length)
+        const bool isOpenLine = part.size() == line.size() && line.front() != line.back();
+        if (isOpenLine || total >= LeastPart * this->Length)
         {
           made.push_back(part);
         }
@@ -123,8 +125,8 @@ private:
   /// The way along the lines from one place to another; infinite if they do not meet.
   double path(const Place& a, const Place& b) const
   {
-    double least = a.line == b.line ? std::abs(a.along - b.along)
-                                    : std::numeric_limits<double>::infinity();
+    double least =
+      a.line == b.line ? std::abs(a.along - b.along) : std::numeric_limits<double>::infinity();
     const Line& one = this->Lines[a.line];
     const Line& other = this->Lines[b.line];
     for (const bool fromBack : { false, true })

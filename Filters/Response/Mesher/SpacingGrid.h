@@ -25,12 +25,12 @@ struct MeshedSurface
   std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise seen from outside
   /// Edges of triangles that cells follow, however little the surface turns there.
   std::vector<std::array<std::int32_t, 2>> rims;
-  std::vector<double> spacing;                        ///< of the cells wanted at each point
-  std::vector<FineBall> balls;                        ///< that are to be finer, anywhere
-  double interiorSpacing = 0.0;                       ///< the largest there is
-  double growth = 0.0;      ///< of the spacing per length from the surface inwards
-  double deviation = 0.0;   ///< how far a facet may lie off the surface
-  double sharpAngle = 45.0; ///< edges by which the surface turns more are kept, degrees
+  std::vector<double> spacing;  ///< of the cells wanted at each point
+  std::vector<FineBall> balls;  ///< that are to be finer, anywhere
+  double interiorSpacing = 0.0; ///< the largest there is
+  double growth = 0.0;          ///< of the spacing per length from the surface inwards
+  double deviation = 0.0;       ///< how far a facet may lie off the surface
+  double sharpAngle = 45.0;     ///< edges by which the surface turns more are kept, degrees
   /// The outside meets itself nowhere. Where the surface nearly does, that may take cells without
   /// end.
   bool isManifold = true;

@@ -117,7 +117,7 @@ std::string cutSurface(MeshedSurface& surface, const std::vector<CutPlane>& plan
   mesh.collect_garbage();
   if (mesh.number_of_faces() == 0)
   {
-    return "nothing of the body is left";
+    return "nothing of the body would be left";
   }
   MeshedSurface made = surface;
   made.rims.clear();

@@ -17,16 +17,15 @@ struct CutPlane
 };
 
 /**
- * Cuts off what lies beyond planes of a closed surface that does not intersect itself, and closes it
- * along them (CGAL's Polygon Mesh Processing): points there lie on the plane to the bit. Parts
+ * Cuts off what lies beyond planes of a closed surface that does not intersect itself, and closes
+ * it along them (CGAL's Polygon Mesh Processing): points there lie on the plane to the bit. Parts
  * smaller than `least` (mm³) are left out. `rims` become the edges between the planes and the rest.
  * Returns what is wrong - nothing is left, the cut touches itself, no mesher in this build - and
  * leaves the surface unchanged, or "".
  *
  * Cost: 1 s per 100 thousand triangles.
  */
-std::string cutSurface(
-  MeshedSurface& surface, const std::vector<CutPlane>& planes, double least);
+std::string cutSurface(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least);
 } // namespace palpate
 
 #endif

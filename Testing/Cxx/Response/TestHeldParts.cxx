@@ -120,7 +120,8 @@ void checkBall(double spacing)
   PALPATE_CHECK(onRim * 0.5 * spacing > 0.8 * 2.0 * vtkMath::Pi() * rim);
   const double whole = 4.0 / 3.0 * vtkMath::Pi() * std::pow(Radius, 3);
   const double cap = vtkMath::Pi() * Depth * Depth * (3.0 * Radius - Depth) / 3.0;
-  // Facets of side a cut off a²/8R in the mean; the circle around one is 0.72 spacings wide or less.
+  // Facets of side a cut off a²/8R in the mean; the circle around one is 0.72 spacings wide or
+  // less.
   const double side = 0.72 * std::sqrt(3.0) * spacing;
   PALPATE_CHECK_NEAR(
     volumeOf(grid) / (whole - cap), 1.0, 3.0 * side * side / (8.0 * Radius * Radius));
@@ -138,7 +139,8 @@ void checkRimsThatNearlyTouch()
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
-  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0; // two halves
+  PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() < filter->GetCellEstimate()); // not cut
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;                            // two halves
   PALPATE_CHECK_NEAR(volumeOf(filter->GetOutput()) / exact, 1.0, 0.03); // straight edges
 }
 
@@ -149,7 +151,7 @@ void checkHeldAsAWhole()
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
-  PALPATE_CHECK_TEXT(messages.warnings(), "whole cells", "nothing of the body is left");
+  PALPATE_CHECK_TEXT(messages.warnings(), "whole cells", "nothing of the body would be left");
   vtkUnstructuredGrid* grid = filter->GetOutput();
   PALPATE_CHECK(grid->GetNumberOfCells() > 0);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
@@ -188,8 +190,7 @@ void checkLayer()
       ->GetArray("ResponseForce")
       ->GetComponent(i, 1);
   };
-  const double force =
-    forceAt(pressed, pressed->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, 3.0));
+  const double force = forceAt(pressed, pressed->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, 3.0));
   PALPATE_CHECK_NEAR(force / forceAt(exact, 40), 1.0, 0.01); // three cells through the layer
 
   // On the whole block's surface what was cut off is held, and nothing above it is.

@@ -125,8 +125,12 @@ def write_solid(files, fixed, finer, output):
         for name, body in bodies(files):
             if name == "head" and len(files) > 0:
                 continue  # its own layers, not a solid
-            made = true_shape.press(body, fixed)
-            better = true_shape.press(body, fixed, finer, coarser=0) if finer else None
+            try:
+                made = true_shape.press(body, fixed)
+                better = true_shape.press(body, fixed, finer, coarser=0) if finer else None
+            except ValueError as fault:
+                print("{} {}.".format(name, fault), file=sys.stderr, flush=True)
+                continue
             for tool in true_shape.TOOLS:
                 share, rest = true_shape.cover(made, tool)
                 judged = true_shape.beyond(made, better, tool) if better else ("", "", "")

@@ -37,6 +37,13 @@ class Committed(unittest.TestCase):
             error = abs(float(row["exact_N"]) / float(row["force_N"]) - 1.0)
             self.assertAlmostEqual(error, float(row["error"]), delta=2e-5)  # six and five digits
 
+    def test_the_bound_holds_in_95_of_100_on_a_true_shape(self):
+        rows = run.read(DATA / "solid.csv")
+        self.assertEqual({row["tool"] for row in rows}, {"sphere:6.35", "flat:1.6", "sphere:1.6"})
+        for row in rows:
+            self.assertGreater(int(row["compared"]), 1000)
+            self.assertLess(float(row["beyond_stated"]), 0.05, row)
+
 
 if __name__ == "__main__":
     unittest.main()

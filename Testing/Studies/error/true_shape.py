@@ -15,7 +15,7 @@ COARSER = 2  # cells of the second mesh, by those of the first
 
 def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER):
     """The surface with what each tool feels of the body, held at `fixed`; arrays are called by the tools. `coarser` 0: without a
-    second mesh, which tells nothing but the error."""
+    second mesh, which tells nothing but the error. ValueError where the body cannot be filled or pressed; VTK has said why."""
     area = areas(body).sum()
     tools = {text: palpate.vtkContactTool() for text in TOOLS}
     for text, tool in tools.items():
@@ -30,6 +30,9 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
             filled.SetInputData(body)
             filled.SetSurfaceSpacing(longer * side)
             filled.SetFixedFaces(fixed)
+            filled.Update()
+            if filled.GetOutput().GetNumberOfCells() == 0:
+                raise ValueError("cannot be filled with cells of {:.3g} mm".format(longer * side))
             connect(filled.GetOutputPort())
     pressed.SetYoungsModulus(0.05)
     pressed.SetPoissonRatio(poisson)
@@ -45,6 +48,8 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
         pressed.SetResponseName(text)
         pressed.SetSurfaceData(made)
         pressed.Update()
+        if not pressed.GetOutput().GetPointData().HasArray(text + "Force"):
+            raise ValueError("cannot be pressed by {}".format(text))
         felt = type(body)()
         felt.ShallowCopy(pressed.GetOutput())
         made = felt
