@@ -2,11 +2,15 @@
 #include "Response/Bodies/HeldPlaces.h"
 
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace palpate
@@ -21,6 +25,7 @@ HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHe
   , Locator(vtkSmartPointer<vtkStaticCellLocator>::New())
   , IsHeld(std::move(isHeld))
 {
+  surface->BuildCells(); // so that threads only read
   this->Locator->SetDataSet(surface);
   this->Locator->BuildLocator();
 }
@@ -28,6 +33,10 @@ HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHe
 bool HeldPlaces::contain(const double place[3]) const
 {
   const std::array<double, 3> from = { place[0], place[1], place[2] };
+  if (!std::isfinite(place[0] + place[1] + place[2]))
+  {
+    return false; // VTK's triangles have no closest place to that
+  }
   std::array<double, 3> at{};
   vtkNew<vtkGenericCell> cell;
   vtkIdType id = -1;
@@ -38,14 +47,20 @@ bool HeldPlaces::contain(const double place[3]) const
   {
     return false;
   }
-  this->Surface->GetCell(id, cell);
-  std::array<double, 3> within{};
-  std::array<double, 3> shares{};
-  cell->EvaluatePosition(at.data(), nullptr, part, within.data(), square, shares.data());
-  for (int corner = 0; corner < 3; ++corner)
+  vtkNew<vtkIdList> corners;
+  this->Surface->GetCellPoints(id, corners);
+  std::array<Eigen::Vector3d, 3> away;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    if (shares[static_cast<std::size_t>(corner)] > LeastShare &&
-      !this->IsHeld(cell->GetPointId(corner)))
+    this->Surface->GetPoint(corners->GetId(static_cast<vtkIdType>(k)), away[k].data());
+    away[k] -= Eigen::Map<const Eigen::Vector3d>(at.data());
+  }
+  // A corner's share is the area of the triangle that the others make with the place.
+  const Eigen::Vector3d shares(away[1].cross(away[2]).norm(), away[2].cross(away[0]).norm(),
+    away[0].cross(away[1]).norm());
+  for (Eigen::Index k = 0; k < 3; ++k)
+  {
+    if (shares[k] >= LeastShare * shares.sum() && !this->IsHeld(corners->GetId(k)))
     {
       return false;
     }

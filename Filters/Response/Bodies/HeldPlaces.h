@@ -20,8 +20,8 @@ public:
   /// The surface, of triangles, and which of its points are held.
   HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld);
 
-  /// Whether the closest place of the surface is a held point, or between such. From any number of
-  /// threads.
+  /// Whether the closest place of the surface is a held point, or between such; never for a place
+  /// that is not finite. From any number of threads.
   bool contain(const double place[3]) const;
 
 private:
