@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace
@@ -86,7 +87,6 @@ double volumeOf(const palpate::TetrahedralMesh& mesh)
   }
   return volume;
 }
-
 } // namespace
 
 vtkStandardNewMacro(vtkGradedBody);
@@ -220,23 +220,27 @@ std::vector<palpate::CutPlane> vtkGradedBody::CutHeld(
         isUpper ? highest[axis] - faces[side].depth : lowest[axis] + faces[side].depth });
     }
   }
-  palpate::ClosedSurface cut;
-  std::string fault;
-  if (!planes.empty())
+  if (planes.empty())
   {
-    fault = palpate::cutSurface(wanted, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
-    fault = fault.empty() ? palpate::takeClosedSurface(palpate::convertMeshToSurface(wanted), cut)
-                          : fault;
-    if (!fault.empty())
-    {
-      vtkWarningMacro(<< "What is held ends at whole cells, since " << fault << ".");
-      return {};
-    }
-    closed = cut;
-    for (palpate::HeldFace& face : faces)
-    {
-      face.depth = face.isGiven ? OnCut * this->SurfaceSpacing : face.depth;
-    }
+    return planes;
+  }
+  palpate::MeshedSurface left = wanted;
+  palpate::ClosedSurface closedLeft;
+  std::string fault =
+    palpate::cutSurface(left, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
+  fault = fault.empty()
+    ? palpate::takeClosedSurface(palpate::convertMeshToSurface(left), closedLeft)
+    : fault;
+  if (!fault.empty())
+  {
+    vtkWarningMacro(<< "What is held ends at whole cells, since " << fault << ".");
+    return {};
+  }
+  wanted = std::move(left);
+  closed = closedLeft;
+  for (palpate::HeldFace& face : faces)
+  {
+    face.depth = face.isGiven ? OnCut * this->SurfaceSpacing : face.depth;
   }
   return planes;
 }
