@@ -56,8 +56,8 @@ bool HeldPlaces::contain(const double place[3]) const
     away[k] -= Eigen::Map<const Eigen::Vector3d>(at.data());
   }
   // A corner's share is the area of the triangle that the others make with the place.
-  const Eigen::Vector3d shares(away[1].cross(away[2]).norm(), away[2].cross(away[0]).norm(),
-    away[0].cross(away[1]).norm());
+  const Eigen::Vector3d shares(
+    away[1].cross(away[2]).norm(), away[2].cross(away[0]).norm(), away[0].cross(away[1]).norm());
   for (Eigen::Index k = 0; k < 3; ++k)
   {
     if (shares[k] >= LeastShare * shares.sum() && !this->IsHeld(corners->GetId(k)))
