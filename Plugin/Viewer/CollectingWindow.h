@@ -9,8 +9,11 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdio>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -33,16 +36,28 @@ public:
       return; // of an array with a NaN: only its range is lost
     }
     this->failed = true;
-    if (all.find("returned failure for request") == std::string::npos) // adds no information
+    if (this->error.empty() &&
+      all.find("returned failure for request") == std::string::npos) // adds no information
     {
-      keepFirst(this->error, all);
+      this->error = messageOf(all);
     }
   }
 
   bool hasFailed() const { return this->failed; }
   /** The first error or, if there is none, the first warning. */
-  const std::string& reason() const { return this->error.empty() ? this->warning : this->error; }
-  const std::string& firstWarning() const { return this->warning; }
+  std::string reason() const { return this->error.empty() ? this->firstWarning() : this->error; }
+  std::string firstWarning() const
+  {
+    return this->different.empty() ? std::string() : this->different.front();
+  }
+  /** Each once, in their order; of hundreds the first few. */
+  void printWarnings() const
+  {
+    for (const std::string& warning : this->different)
+    {
+      std::fprintf(stderr, "palpate: warning: %s\n", warning.c_str());
+    }
+  }
 
 private:
   /** Some readers report an error as a warning and continue. */
@@ -50,30 +65,35 @@ private:
   {
     static const std::regex isError("\\bError\\b"); // not the name of an array that ends so
     this->failed = this->failed || std::regex_search(text, isError);
-    keepFirst(this->warning, text);
+    const std::string message = messageOf(text);
+    if (this->different.size() < MostWarnings &&
+      std::find(this->different.begin(), this->different.end(), message) == this->different.end())
+    {
+      this->different.push_back(message);
+    }
   }
 
   /**
    * The message of "ERROR: In file, line n\nclass (address): message\n\n", as VTK passes only the
    * whole text.
    */
-  static void keepFirst(std::string& kept, const std::string& text)
+  static std::string messageOf(const std::string& text)
   {
-    if (kept.empty())
-    {
-      const std::size_t address = text.find("): ");
-      const std::size_t line = text.find('\n');
-      kept = address != std::string::npos ? text.substr(address + 3)
-        : line != std::string::npos       ? text.substr(line + 1)
-                                          : text;
-      std::replace(kept.begin(), kept.end(), '\n', ' ');
-      kept.erase(kept.find_last_not_of(" .") + 1);
-    }
+    const std::size_t address = text.find("): ");
+    const std::size_t line = text.find('\n');
+    std::string message = address != std::string::npos ? text.substr(address + 3)
+      : line != std::string::npos                      ? text.substr(line + 1)
+                                                       : text;
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    message.erase(message.find_last_not_of(" .") + 1);
+    return message;
   }
+
+  static constexpr std::size_t MostWarnings = 8;
 
   bool failed = false;
   std::string error;
-  std::string warning;
+  std::vector<std::string> different; ///< warnings
 };
 
 /** While this lives, VTK's output goes to a CollectingWindow and not to the console. */

@@ -6,8 +6,6 @@
 #include "vtkContactSetup.h"
 #include "vtkToolContactResponse.h"
 
-#include <cstdio>
-
 namespace palpate
 {
 namespace
@@ -86,10 +84,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene
     {
       return quiet.window->reason();
     }
-    if (!quiet.window->firstWarning().empty())
-    {
-      std::fprintf(stderr, "palpate: warning: %s\n", quiet.window->firstWarning().c_str());
-    }
+    quiet.window->printWarnings();
   }
   responses.body = setup->GetOutput();
   return writeResponses(options, responses);

@@ -43,7 +43,7 @@ std::string updateQuietly(vtkAlgorithm* algorithm)
 {
   const QuietScope quiet;
   algorithm->Update();
-  warn(quiet.window->firstWarning());
+  quiet.window->printWarnings();
   return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 

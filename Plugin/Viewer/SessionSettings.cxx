@@ -6,7 +6,6 @@
 
 #include "vtkHapticSession.h"
 
-#include <cstdio>
 #include <sstream>
 
 namespace palpate
@@ -81,9 +80,9 @@ std::string startQuietly(vtkHapticSession* session)
 {
   const QuietScope quiet;
   const bool started = session->Start();
-  if (started && !quiet.window->firstWarning().empty())
+  if (started)
   {
-    std::fprintf(stderr, "palpate: warning: %s\n", quiet.window->firstWarning().c_str());
+    quiet.window->printWarnings();
   }
   return started ? std::string() : quiet.window->reason();
 }

@@ -2,6 +2,7 @@
 #include "SolidBody.h"
 
 #include "BodyCache.h"
+#include "CollectingWindow.h"
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
@@ -101,6 +102,17 @@ std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vt
   return updateQuietly(filled);
 }
 
+/// The same with longer cells; what is wrong with the surface has been told by then.
+std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
+{
+  coarser->SetInputData(first->GetInput());
+  coarser->SetSurfaceSpacing(CoarserRatio * first->GetSurfaceSpacing());
+  coarser->SetFixedFaces(first->GetFixedFaces());
+  const QuietScope quiet;
+  coarser->Update();
+  return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
+}
+
 /// Fills the scene's body and presses its tools; sets body and notes.
 std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 {
@@ -129,8 +141,7 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
     return error;
   }
   vtkNew<vtkGradedBody> coarser;
-  const std::string lost =
-    fill(scene.body, CoarserRatio * sizes.spacing, options.fixedFaces, coarser);
+  const std::string lost = fillAgain(filled, coarser);
   const double filledIn = secondsSince(begin);
   begin = std::chrono::steady_clock::now();
   vtkNew<vtkElasticContactResponse> pressed;

@@ -128,6 +128,17 @@ class Solid(SessionCase):
         between = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("ResponseSurfaceError"))
         self.assertGreater((between > 0.05).mean(), 0.1)  # of which the filter warns
 
+    def test_all_warnings_are_told(self):
+        body = bodies.sphere(RADIUS)
+        body.BuildCells()
+        for cell in (700, 701):
+            body.DeleteCell(cell)
+        body.RemoveDeletedCells()
+        path = bodies.write(body, self.folder / "hole.vtp")
+        result = self.refuse(path, "--solid", "5", "--fixed", "z-:1000", words=("every point of the body is fixed",))
+        for warning in ("holes were filled", "held ends at whole cells, since nothing of the body would be left"):
+            self.assertEqual(result.stderr.count(warning), 1, result.stderr)
+
     def test_what_cannot_be_filled_is_refused(self):
         half = vtkSphereSource()
         half.SetRadius(25)
