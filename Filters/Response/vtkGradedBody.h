@@ -21,10 +21,10 @@
  * would spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the
  * points within half a SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0
  * elsewhere. One of a given depth is cut off there instead: what does not move is no part of the
- * output, and points are held on the cut. Cells follow its rim, except where that comes within a
- * SurfaceSpacing to itself or to an edge, so that what is held does not depend on their size. A
- * surface that cannot be cut - nothing would be left, or it touches itself there - gets a warning,
- * and is held within the depth.
+ * output, and points are held on the cut. Cells follow its rim, so that what is held does not
+ * depend on their size; on a scan, whose edges are not kept, except where the rim comes within a
+ * SurfaceSpacing to itself. A surface that cannot be cut - nothing would be left, or it touches
+ * itself there - gets a warning, and is held within the depth.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
  * the filter is an error. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell,

@@ -160,7 +160,12 @@ FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wan
   {
     followed.insert(followed.end(), sharp.begin(), sharp.end());
   }
-  for (const Line& line : separateLines(linesOf(surface, followed), wanted.spacing.front()))
+  std::vector<Line> lines = linesOf(surface, followed);
+  if (!areOwn)
+  {
+    lines = separateLines(lines, wanted.spacing.front()); // a scan's rims are as rough as it is
+  }
+  for (const Line& line : lines)
   {
     made.lines.emplace_back();
     for (const Eigen::Vector3d& at : line)

@@ -74,8 +74,7 @@ public:
       double total = 0.0;
       const auto end = [&]()
       {
-        const bool isOpenLine = part.size() == line.size() && line.front() != line.back();
-        if (isOpenLine || total >= LeastPart * this->Length)
+        if (total >= LeastPart * this->Length)
         {
           made.push_back(part);
         }

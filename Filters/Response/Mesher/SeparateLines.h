@@ -14,8 +14,8 @@ using Line = std::vector<Eigen::Vector3d>;
 /**
  * Of lines what cells of a given length can follow: without sides shorter than a quarter of it,
  * without what comes within it to another line, or to itself by a detour of twice that, and without
- * closed lines, and parts of lines, shorter than three times it. Along the rest a mesher that
- * separates lines would need cells without end. Lines may meet at their ends.
+ * what is left in parts shorter than three times it. Along the rest a mesher that separates lines
+ * would need cells without end. Lines may meet at their ends.
  */
 std::vector<Line> separateLines(const std::vector<Line>& lines, double length);
 } // namespace palpate

@@ -5,18 +5,22 @@
 #include "TestBodies.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkElasticContactResponse.h"
 #include "vtkGradedBody.h"
+#include "vtkLinearExtrusionFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTetra.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -91,6 +95,60 @@ void checkBlock()
     const bool isOnCut = at[2] < -2.0 + Rounding || at[0] > 4.0 - Rounding;
     PALPATE_CHECK(isHeld(grid, i) == isOnCut);
   }
+}
+
+/// A profile in x and z, 8 mm along y.
+Body extruded(const std::vector<std::array<double, 2>>& profile)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> outline;
+  outline->InsertNextCell(static_cast<int>(profile.size()));
+  for (const auto& [x, z] : profile)
+  {
+    outline->InsertCellPoint(points->InsertNextPoint(x, 0.0, z));
+  }
+  vtkNew<vtkPolyData> flat;
+  flat->SetPoints(points);
+  flat->SetPolys(outline);
+  vtkNew<vtkTriangleFilter> inTriangles;
+  inTriangles->SetInputData(flat);
+  vtkNew<vtkLinearExtrusionFilter> along;
+  along->SetInputConnection(inTriangles->GetOutputPort());
+  along->SetExtrusionTypeToVectorExtrusion();
+  along->SetVector(0.0, 8.0, 0.0);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(along->GetOutputPort());
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkPolyDataNormals> outward;
+  outward->SetInputConnection(joined->GetOutputPort());
+  outward->AutoOrientNormalsOn();
+  outward->SplittingOff();
+  outward->Update();
+  return outward->GetOutput();
+}
+
+/// A step that lies in the plane, one that lies half a cell above it, and a table cut at its legs
+/// and right under its top.
+void checkSteps()
+{
+  const Body step = extruded(
+    { { 0.0, 0.0 }, { 10.0, 0.0 }, { 10.0, 1.0 }, { 5.0, 1.0 }, { 5.0, 6.0 }, { 0.0, 6.0 } });
+  const Body table = extruded({ { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 3.0 }, { 8.0, 3.0 },
+    { 8.0, 0.0 }, { 10.0, 0.0 }, { 10.0, 6.0 }, { 0.0, 6.0 } });
+  const auto volumeLeft = [](vtkPolyData* body, const char* held)
+  {
+    const auto filter = fill(body, 1.0, held);
+    Messages messages(filter.Get());
+    filter->Update();
+    PALPATE_CHECK(messages.none());
+    return volumeOf(filter->GetOutput());
+  };
+  PALPATE_CHECK_NEAR(volumeLeft(step, "z-:1"), 8.0 * 5.0 * 5.0, 1e-6);
+  PALPATE_CHECK_NEAR(volumeLeft(step, "z-:0.5"), 8.0 * (5.0 * 5.5 + 5.0 * 0.5), 1e-6);
+  PALPATE_CHECK_NEAR(volumeLeft(table, "z-:1"), 8.0 * (10.0 * 3.0 + 2.0 * 2.0 * 2.0), 1e-6);
+  PALPATE_CHECK_NEAR(volumeLeft(table, "z-:3"), 8.0 * 10.0 * 3.0, 1e-6);
 }
 
 /// A ball: the rim is the circle in which the plane cuts its facets, whatever the cells.
@@ -232,6 +290,7 @@ int TestHeldParts(int, char*[])
     return palpate::testing::result(); // TestGradedBody tells
   }
   checkBlock();
+  checkSteps();
   checkBall(2.0);
   checkBall(3.5);
   checkRimsThatNearlyTouch();
