@@ -136,7 +136,7 @@ def write_solid(files, fixed, finer, output):
                 judged = true_shape.beyond(made, better, tool) if better else ("", "", "")
                 words = "; ".join("{} {:.3f}".format(*part) for part in sorted(rest.items(), key=lambda part: -part[1]))
                 stream.write("{},{},{},{:.3f},{},{},{},{:.3f},{}\n".format(
-                    name, body.GetNumberOfPoints(), tool, share, *("{:.4g}".format(v) if v != "" else v for v in judged),
+                    name, body.GetNumberOfPoints(), tool, share, *("{:.4g}".format(v) if isinstance(v, float) else v for v in judged),
                     true_shape.surface_error(made, tool), words))
                 print("{}, {}: {:.1%} ({}); beyond what is stated, of, median error: {}".format(
                     name, tool, share, words, judged), flush=True)
