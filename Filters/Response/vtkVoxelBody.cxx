@@ -3,6 +3,7 @@
 
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Response/Bodies/ClosedSurface.h"
+#include "Response/Bodies/ClosestPlace.h"
 #include "Response/FilterStage.h"
 #include "Response/Bodies/VoxelGrid.h"
 
@@ -10,7 +11,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkFeatureEdges.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -68,18 +68,6 @@ palpate::VoxelGrid gridOver(const vtkBoundingBox& box, const Eigen::Array3d& vox
     grid.spacing[axis] = box.GetLength(axis) / voxels[axis];
   }
   return grid;
-}
-
-Eigen::Vector3d closestPoint(vtkStaticCellLocator* locator, const Eigen::Vector3d& x)
-{
-  vtkNew<vtkGenericCell> cell;
-  Eigen::Vector3d from = x;
-  Eigen::Vector3d at = x;
-  vtkIdType id = -1;
-  int part = 0;
-  double square = 0.0;
-  locator->FindClosestPoint(from.data(), at.data(), cell, id, part, square);
-  return at;
 }
 } // namespace
 
@@ -182,7 +170,7 @@ int vtkVoxelBody::RequestData(
   // To a sharp edge that lies outwards, otherwise to the closest point.
   const auto reach = [&](const Eigen::Vector3d& x, const Eigen::Vector3d& outward)
   {
-    const Eigen::Vector3d near = closestPoint(locator, x);
+    const Eigen::Vector3d near = palpate::closestPlace(locator, x).at;
     Eigen::Vector3d from = x;
     Eigen::Vector3d to = x + LongestReach * (near - x).norm() * outward;
     Eigen::Vector3d at = near;
@@ -193,7 +181,7 @@ int vtkVoxelBody::RequestData(
       locator->IntersectWithLine(from.data(), to.data(), PickTolerance * this->Spacing, along,
         at.data(), coordinates.data(), part))
     {
-      const Eigen::Vector3d edge = closestPoint(edgeLocator, at);
+      const Eigen::Vector3d edge = palpate::closestPlace(edgeLocator, at).at;
       if ((edge - at).norm() < 0.5 * this->Spacing)
       {
         return edge;
@@ -208,7 +196,7 @@ int vtkVoxelBody::RequestData(
     {
       Eigen::Vector3d x;
       nodes->GetPoint(static_cast<vtkIdType>(i), x.data());
-      depth[i] = (closestPoint(locator, x) - x).norm();
+      depth[i] = (palpate::closestPlace(locator, x).at - x).norm();
     }
   }
   palpate::takeCore(grid, depth, this->Conform ? LayerDepth * grid.spacing.minCoeff() : 0.0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/HeldPlaces.h"
 
-#include "vtkGenericCell.h"
+#include "Response/Bodies/ClosestPlace.h"
+
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -10,7 +11,6 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace palpate
@@ -32,28 +32,23 @@ HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHe
 
 bool HeldPlaces::contain(const double place[3]) const
 {
-  const std::array<double, 3> from = { place[0], place[1], place[2] };
-  if (!std::isfinite(place[0] + place[1] + place[2]))
+  const Eigen::Vector3d from(place);
+  if (!from.allFinite())
   {
     return false; // VTK's triangles have no closest place to that
   }
-  std::array<double, 3> at{};
-  vtkNew<vtkGenericCell> cell;
-  vtkIdType id = -1;
-  int part = 0;
-  double square = 0.0;
-  this->Locator->FindClosestPoint(from.data(), at.data(), cell, id, part, square);
-  if (id < 0)
+  const ClosestPlace closest = closestPlace(this->Locator, from);
+  if (closest.cell < 0)
   {
     return false;
   }
   vtkNew<vtkIdList> corners;
-  this->Surface->GetCellPoints(id, corners);
+  this->Surface->GetCellPoints(closest.cell, corners);
   std::array<Eigen::Vector3d, 3> away;
   for (std::size_t k = 0; k < 3; ++k)
   {
     this->Surface->GetPoint(corners->GetId(static_cast<vtkIdType>(k)), away[k].data());
-    away[k] -= Eigen::Map<const Eigen::Vector3d>(at.data());
+    away[k] -= closest.at;
   }
   // A corner's share is the area of the triangle that the others make with the place.
   const Eigen::Vector3d shares(

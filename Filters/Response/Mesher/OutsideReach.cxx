@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Mesher/OutsideReach.h"
 
+#include "Response/Bodies/ClosestPlace.h"
+
 #include "vtkCellArray.h"
 #include "vtkFeatureEdges.h"
-#include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace palpate
 {
@@ -19,39 +20,18 @@ namespace
 {
 constexpr double OnCut = 1e-9; ///< of a coordinate's size: how nodes on a cut are rounded
 
-/// The closest point of lines or triangles.
-class ClosestPlace
+/// Of lines or triangles; null: there are none.
+vtkSmartPointer<vtkStaticCellLocator> locatorOf(vtkPolyData* data)
 {
-public:
-  explicit ClosestPlace(vtkPolyData* data)
-    : IsEmpty(data->GetNumberOfCells() == 0)
+  if (data->GetNumberOfCells() == 0)
   {
-    if (!this->IsEmpty)
-    {
-      this->Locator->SetDataSet(data);
-      this->Locator->BuildLocator();
-    }
+    return nullptr;
   }
-
-  Eigen::Vector3d operator()(const Eigen::Vector3d& place) const
-  {
-    Eigen::Vector3d at = place;
-    if (!this->IsEmpty)
-    {
-      Eigen::Vector3d from = place;
-      vtkIdType id = -1;
-      int part = 0;
-      double square = 0.0;
-      this->Locator->FindClosestPoint(from.data(), at.data(), this->Cell, id, part, square);
-    }
-    return at;
-  }
-
-private:
-  bool IsEmpty;
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
-};
+  auto made = vtkSmartPointer<vtkStaticCellLocator>::New();
+  made->SetDataSet(data);
+  made->BuildLocator();
+  return made;
+}
 
 vtkSmartPointer<vtkPolyData> linesOf(const MeshedSurface& wanted)
 {
@@ -83,16 +63,17 @@ EdgeReach outsideReach(
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();
   edges->Update();
-  const auto onSurface = std::make_shared<ClosestPlace>(surface);
-  const auto onEdge = std::make_shared<ClosestPlace>(edges->GetOutput());
-  const auto onRim = std::make_shared<ClosestPlace>(linesOf(wanted));
+  const auto onSurface = locatorOf(surface);
+  const auto onEdge = locatorOf(edges->GetOutput());
+  const auto onRim = locatorOf(linesOf(wanted));
   return [=](const Eigen::Vector3d& middle, bool isSharp)
   {
     const bool isOnCut = std::any_of(cuts.begin(), cuts.end(),
       [&](const CutPlane& cut) {
         return std::abs(middle[cut.axis] - cut.at) <= OnCut * (std::abs(cut.at) + middle.norm());
       });
-    return !isSharp ? (*onSurface)(middle) : isOnCut ? (*onRim)(middle) : (*onEdge)(middle);
+    vtkStaticCellLocator* lies = !isSharp ? onSurface : isOnCut ? onRim : onEdge;
+    return lies ? closestPlace(lies, middle).at : middle;
   };
 }
 } // namespace palpate
