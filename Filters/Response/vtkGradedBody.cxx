@@ -226,8 +226,7 @@ std::vector<palpate::CutPlane> vtkGradedBody::CutHeld(
   }
   palpate::MeshedSurface left = wanted;
   palpate::ClosedSurface closedLeft;
-  std::string fault =
-    palpate::cutSurface(left, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
+  std::string fault = palpate::cutOff(left, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
   fault = fault.empty()
     ? palpate::takeClosedSurface(palpate::convertMeshToSurface(left), closedLeft)
     : fault;

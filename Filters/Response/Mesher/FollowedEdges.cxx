@@ -66,7 +66,7 @@ bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSur
     lengths[rootOf(surface.vertex(edge, 0))] += std::sqrt(CGAL::squared_distance(
       surface.point(surface.vertex(edge, 0)), surface.point(surface.vertex(edge, 1))));
   }
-  const double enough = OwnEdge * (wanted.spacing.empty() ? 0.0 : wanted.spacing.front());
+  const double enough = OwnEdge * wanted.spacing.front();
   const auto own = std::count_if(
     lengths.begin(), lengths.end(), [enough](const auto& line) { return line.second >= enough; });
   return 2 * static_cast<std::size_t>(own) > lengths.size();

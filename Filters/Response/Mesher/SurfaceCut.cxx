@@ -5,7 +5,7 @@
 #ifndef PALPATE_WITH_CGAL
 namespace palpate
 {
-std::string cutSurface(MeshedSurface&, const std::vector<CutPlane>&, double)
+std::string cutOff(MeshedSurface&, const std::vector<CutPlane>&, double)
 {
   return "this build has no mesher (CGAL) to cut it";
 }
@@ -100,7 +100,7 @@ std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
 }
 } // namespace
 
-std::string cutSurface(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least)
+std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least)
 {
   CgalSurface mesh;
   std::string fault = toCgal(surface, mesh);

@@ -25,7 +25,7 @@ struct CutPlane
  *
  * Cost: 1 s per 100 thousand triangles.
  */
-std::string cutSurface(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least);
+std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least);
 } // namespace palpate
 
 #endif

@@ -232,13 +232,9 @@ void checkLayer()
   pressed->SetTool(makeTool("sphere:1.6"));
   Messages messages(pressed.Get()); // the sides have no response
   pressed->Update();
-  vtkNew<vtkToolContactResponse> exact;
-  exact->SetInputData(planeBody(30.0, 8));
-  exact->SetTool(makeTool("sphere:1.6"));
+  const auto exact = filterOf(planeBody(30.0, 8), "sphere:1.6", 0.6);
   exact->SetYoungsModulus(1.0);
-  exact->SetPoissonRatio(0.45);
   exact->SetLayerThickness(Height);
-  exact->SetMaximumDeflection(0.6);
   exact->SetNumberOfSamples(2);
   exact->Update();
   const auto forceAt = [](vtkAlgorithm* from, vtkIdType i)
