@@ -113,6 +113,7 @@ Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
 /// The pressures that carry the load on a gap, from those that are given; how deep they sink.
 double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressures)
 {
+  const ContactCells& cells = contactCells();
   const float total = static_cast<float>(load) / CellArea;
   pressures = (gap.array() < Away).select(pressures, 0.0F);
   if (!(pressures.sum() > 0.0F)) // what touched before cannot now
@@ -139,15 +140,17 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     const Eigen::VectorXf rise = raw.array() - meanUnder(touching, raw);
     const float along = open.dot(direction);
     const float against = rise.dot(direction);
-    if (!(along > 0.0F && against > 0.0F))
+    const bool isBalanced = !(along > 0.0F && against > 0.0F); // as a single cell always is
+    // Those that would pull let go, those that the surface has come into take part.
+    const auto enters = touching == 0.0F && open.array() < 0.0F;
+    if (isBalanced && !enters.any())
     {
       break; // nothing is left to move
     }
-    const float length = along / against;
+    const float length = isBalanced ? 1.0F / cells.sink(0, 0) : along / against;
+    direction *= isBalanced ? 0.0F : 1.0F;
     const Eigen::VectorXf before = pressures;
     pressures -= length * direction;
-    // Those that would pull let go, those that the surface has come into take part.
-    const auto enters = touching == 0.0F && open.array() < 0.0F;
     isConjugate = !enters.any();
     const bool isSame = isConjugate && pressures.minCoeff() >= 0.0F;
     pressures = enters.select(-length * open, pressures.cwiseMax(0.0F));

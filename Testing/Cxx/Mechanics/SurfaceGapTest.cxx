@@ -249,6 +249,26 @@ TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
   EXPECT_NEAR(UnevenContact(*pressed, round).at(2.0, 3.0).deflection, 0.0, 1e-6);
 }
 
+// A flat end on a plane that leans by s touches with a cell of its rim, s a before its middle is
+// down, and from a depth of 2 s a on as if the plane were level.
+TEST(UnevenContact, APunchThatBeginsAtOnePointOfItsRimCloses)
+{
+  const auto pressed = tool("flat:1.6");
+  const double radius = std::nextafter(1.6, 0.0);
+  const Eigen::Vector2d slope = 0.3 * Eigen::Vector2d(std::cos(0.4), std::sin(0.4));
+  const SurfaceGap gap = surfaceOf([&](const Eigen::Vector2d& at) { return slope.dot(at); }, 4.0);
+  UnevenContact uneven(*pressed, gap);
+  double before = -0.3 * 1.6;
+  for (const double depth : { 0.001, 0.01, 0.05, 0.2, 0.5 })
+  {
+    const double later = uneven.at(radius, 2.0 * 1.6 * depth).deflection;
+    EXPECT_GT(later, before) << depth;
+    before = later;
+  }
+  EXPECT_LT(before, 0.0);
+  EXPECT_NEAR(uneven.at(radius, 2.0 * 1.6 * 1.1).deflection, 0.0, 1e-4); // solved in floats
+}
+
 // A contact that slides off the surface that is known says so.
 TEST(UnevenContact, TheEndOfTheSurfaceIsTold)
 {
