@@ -88,9 +88,14 @@ public:
         {
           continue;
         }
+        if (this->isHeld(*t)) // begins at its edge, which may be nearer than its corners
+        {
+          limit(disc, away, PatchStatus::OutOfReach);
+          continue;
+        }
         if (this->Surface.triangleNormal(*t).dot(this->Surface.normal(this->Centre)) < ContactTurn)
         {
-          limit(disc, away, this->isHeld(*t) ? PatchStatus::OutOfReach : PatchStatus::Edge);
+          limit(disc, away, PatchStatus::Edge);
           continue;
         }
         for (const std::int32_t next : this->Surface.triangle(*t))

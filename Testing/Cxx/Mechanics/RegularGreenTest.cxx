@@ -277,6 +277,27 @@ TEST(RegularGreen, SeesPastABodyThatStandsOverItself)
   }
 }
 
+// Aslant through the facets of a block's top, between whose corners it is nearer than they are.
+TEST(SurfaceDisc, EndsAtTheEdgeOfWhatIsHeld)
+{
+  constexpr int cells = 6;
+  ElasticBodyInput input;
+  input.mesh = palpate::testing::tetrahedra(hexahedronBlock(cells, cells, 2, 1.0));
+  input.materials = { { 1.0, 0.3 } };
+  for (Eigen::Index i = 0; i < input.mesh.nodes.cols(); ++i)
+  {
+    const Eigen::Vector3d at = input.mesh.nodes.col(i);
+    input.fixed.push_back(at[2] == 2.0 && at[0] - at[1] > 1.5 ? 7 : 0);
+  }
+  ElasticBody body;
+  ASSERT_EQ(body.assemble(std::move(input)), "");
+  const SurfaceDisc disc =
+    surfaceDisc(body, pointAt(body.surface(), Eigen::Vector3d(3.0, 2.0, 2.0)), 3.0);
+  EXPECT_EQ(disc.status, PatchStatus::Valid);
+  EXPECT_EQ(disc.limitedBy, PatchStatus::OutOfReach);
+  EXPECT_NEAR(disc.limit, std::sqrt(0.5), 1e-12); // the corners are 1 away
+}
+
 // Rows are what a contact needs, and the forecast is above what they take, but not by far.
 TEST(RegularGreen, ForecastsItsMemory)
 {
