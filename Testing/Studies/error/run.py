@@ -13,10 +13,14 @@ Cover: the share of the surface where a tool's error at 1 mm is stated to be at 
 and Neo-Hooke, nu = 0.45: on the head of Debian's mricron-data if it is installed, and on each FILE (.stl .ply .obj
 .vtp ...), scaled so that its longest side is LENGTH mm. Leaves cover.csv. What is missing is said.
 
-    ./run study error --solid SIDES --body FILE[:LENGTH] ... [--finer CELLS]
+    ./run study error --solid SIDES --body FILE[:LENGTH] ... [--finer CELLS | --direct N [--smooth TIMES]]
 
 Cover by finite elements of true shape of each FILE, a closed surface held at SIDES (as y-:4), and, with --finer, how
 often the stated error holds against CELLS tetrahedra. Leaves solid.csv. Minutes for a body.
+
+With --direct instead: how far it holds against direct contact on a finer mesh of its own at N random places for each
+tool and each range of the stated error (direct.py), the surface refined smoothly TIMES over. Leaves direct.csv. A dozen
+seconds for a place.
 """
 import argparse
 import csv
@@ -142,6 +146,11 @@ def write_solid(files, fixed, finer, output):
                     name, tool, share, words, judged), flush=True)
 
 
+def write_direct(files, fixed, count, times, output):
+    import direct
+    direct.write((found for found in bodies(files) if found[0] != "head"), fixed, count, times, output)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("build/studies/error"))
@@ -151,8 +160,13 @@ def main():
     parser.add_argument("--no-cover", action="store_true")
     parser.add_argument("--solid", metavar="SIDES")
     parser.add_argument("--finer", type=int, metavar="CELLS")
+    parser.add_argument("--direct", type=int, metavar="N")
+    parser.add_argument("--smooth", type=int, metavar="TIMES", default=2)
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
+    if options.solid and options.direct:
+        write_direct(options.body, options.solid, options.direct, options.smooth, options.output)
+        return
     if options.solid:
         write_solid(options.body, options.solid, options.finer, options.output)
         return

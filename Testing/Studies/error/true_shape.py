@@ -13,9 +13,11 @@ SOURCES = 10000
 COARSER = 2  # cells of the second mesh, by those of the first
 
 
-def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER):
+def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER,
+          finite=True):
     """The surface with what each tool feels of the body, held at `fixed`; arrays are called by the tools. `coarser` 0: without a
-    second mesh, which tells nothing but the error. ValueError where the body cannot be filled or pressed; VTK has said why."""
+    second mesh, which tells nothing but the error; `finite`: with Neo-Hooke's strain. ValueError where the body cannot be filled or
+    pressed; VTK has said why."""
     area = areas(body).sum()
     tools = {text: palpate.vtkContactTool() for text in TOOLS}
     for text, tool in tools.items():
@@ -39,7 +41,8 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
     pressed.SetMaximumDeflection(depth)
     pressed.SetErrorTolerance(tolerance)
     pressed.SetStoreMotion(False)
-    pressed.SetStrainModelToNeoHooke()
+    if finite:
+        pressed.SetStrainModelToNeoHooke()
     pressed.SetLargestContactRadius(1.42 * radius)
     pressed.SetSourceSpacing(max(0.5 * spacing, np.sqrt(area / SOURCES)))
     made = body

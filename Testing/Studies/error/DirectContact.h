@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace palpate::testing
+{
+
+/// Where a tool is pressed: a point of the surface, mm, and the way there, a unit vector.
+struct DirectPlace
+{
+  Eigen::Vector3d place;
+  Eigen::Vector3d inward;
+};
+
+/// Which way pressures act.
+enum class Pushed
+{
+  TogetherAlongTheMean, ///< of the normals, by what each carries
+  EachAlongItsOwn
+};
+
+/**
+ * A tool pressed straight into an elastic body of hexahedra or tetrahedra: no Green function, no
+ * half-space, no law of contact.
+ *
+ * Pressures are linear on the body's facets between their corners, and so are the gaps that must
+ * not close: each corner's mean of them over the facets around it. Gaps are told along the tool's
+ * axis. Linear in displacements and gaps, unilateral, without friction. The mesh must be fine under
+ * the tool: with four quadratic facets over the contact's radius the force of a sphere is within
+ * 1 % (DirectContactTest).
+ *
+ * Without friction pressures act along the normal, which turns from the body's to the tool's while
+ * it is pressed. What that does to second order, with all else that is of this order, finite strain
+ * tells (pressTool): on balls and in cavities down to three contact radii it is within 1 % of
+ * pressures along the mean normal, and up to 4 % above those each along its own. Where walls on
+ * several sides are touched these are more likely. How far both differ tells how far either can be
+ * trusted.
+ *
+ * Cost: one to three solutions per corner that may touch.
+ */
+class DirectContact
+{
+public:
+  /// The body, factorised, and the tool must stay. `deepest` (mm) of the depths to be asked for, at
+  /// which the mean is told.
+  DirectContact(const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at,
+    double deepest, Pushed pushed = Pushed::TogetherAlongTheMean);
+
+  /// How many corners may touch.
+  int corners() const { return static_cast<int>(this->Corners.size()); }
+
+  /// The force along the way in, N; NaN where no contact was found that settles.
+  double force(double deflection) const;
+
+private:
+  /// A piece of the surface, seen from the tool.
+  struct Piece
+  {
+    double depth;  ///< along its axis inwards, mm
+    double away;   ///< from its axis, mm
+    double weight; ///< of the corner's mean
+  };
+  /// What moves, and carries pressure, as one.
+  struct Corner
+  {
+    std::vector<Piece> pieces;
+    std::vector<std::pair<std::int32_t, double>> nodes; ///< and their shares
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< inwards, 1 along the axis
+    Eigen::Vector3d push = Eigen::Vector3d::Zero();     ///< what a force of 1 along the axis is
+  };
+
+  /// Of the surface, in the tool's frame.
+  struct Facet
+  {
+    int corners = 0;
+    std::vector<std::int32_t> nodes; ///< the corners first
+    Eigen::Matrix3Xd places;         ///< of them, mm
+    Eigen::Vector3d area;            ///< outwards, mm²
+  };
+
+  Facet facet(const VolumeMesh& mesh, const BoundaryFace& boundary) const;
+  bool mayTouch(const Facet& facet, double deepest) const;
+  std::vector<Facet> facetsUnder(const ElasticBody& body, double deepest) const;
+  void takeCorners(const std::vector<Facet>& facets);
+  void findCompliance(const ElasticBody& body);
+  /// On the corners, along the axis, N; a NaN where no contact was found that settles.
+  Eigen::VectorXd forces(double deflection) const;
+
+  const AxisymmetricTool& Tool;
+  DirectPlace At;
+  Eigen::Matrix3d Frame; ///< columns: two across, one inwards
+  double Wall;           ///< beyond which the tool is not
+  std::vector<Corner> Corners;
+  Eigen::MatrixXd Compliance; ///< corner by corner, along their pushes, mm/N
+};
+
+} // namespace palpate::testing

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contacts of true shape against direct contact on a finer mesh, at places chosen at random.
+
+Each place gets a mesh of its own, fine under the tool, on which palpateDirectContact presses it: no Green function, no law
+of contact. Both are told the same smooth surface, with four triangles for one of the body's (Dyn, Levin and Gregory 1990),
+as often as is asked for and for the direct contact, which takes facets as they are, once more: what lies between the points
+of a scan is not judged here. Small strain in both; what is stated is what is stated with Neo-Hooke's, where small strain is
+no part of it.
+"""
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import palpate
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+import true_shape
+from cover import LIMITS, areas, poly
+
+PROGRAM = pathlib.Path(__file__).resolve().parents[3] / "build" / "release" / "bin" / "palpateDirectContact"
+CELLS = 30000      # of the surface away from the tool
+FACETS = 0.3       # under the tool, by the contact's radius: a ball's pole is within 1 %
+RIM = 0.12         # at a flat end's rim, likewise: within 2 %
+AROUND = 1.4       # of the contact's radius has such facets
+OWN = 0.01         # what is left of the direct contact's own error, besides what its two ways differ by (`open`)
+RANGES = ((0.0, 0.05), (0.05, 0.1), (0.1, 0.3))  # of the stated error
+COLUMNS = ("body", "tool", "point", "x", "y", "z", "stated", "limit", "force_N", "direct_N", "open", "error")
+
+
+def smooth(body, times):
+    """The body with four triangles for one, `times` over; its points stay the first."""
+    if times == 0:
+        return body
+    finer = vtkButterflySubdivisionFilter()
+    finer.SetInputData(body)
+    finer.SetNumberOfSubdivisions(times)
+    finer.Update()
+    return finer.GetOutput()
+
+
+def filled(body, fixed, spacing, tool, place, inward):
+    """The body in tetrahedra, fine around the place."""
+    law = palpate.vtkContactTool()
+    law.SetSpecification(tool)
+    radius = law.GetContactRadius(1.0)
+    made = palpate.vtkGradedBody()
+    made.SetInputData(body)
+    made.SetSurfaceSpacing(spacing)
+    made.SetFixedFaces(fixed)
+    made.AddFineBall(*place, AROUND * radius, FACETS * radius)
+    if tool.startswith("flat"):
+        across = np.linalg.svd(inward[None])[2][1:]
+        for angle in np.arange(32) * np.pi / 16:
+            rim = place + radius * (np.cos(angle) * across[0] + np.sin(angle) * across[1])
+            made.AddFineBall(*rim, RIM * radius, RIM * radius)
+    made.Update()
+    return made.GetOutput()
+
+
+def direct_forces(grid, tool, place, inward, young=0.05, poisson=0.45, depth=1.0):
+    """The forces of the direct contact, N, pushed along the mean normal and along each its own; NaN where it fails."""
+    with tempfile.NamedTemporaryFile(suffix=".vtu") as file:
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(file.name)
+        writer.SetInputData(grid)
+        writer.SetDataModeToBinary()
+        writer.SetCompressorTypeToNone()
+        writer.Write()
+        words = [file.name, young, poisson, tool, depth, *place, *inward]
+        done = subprocess.run([str(PROGRAM), *(str(word) for word in words)], stdout=subprocess.PIPE, text=True, check=False)
+        return np.array([float(line.split()[0]) for line in done.stdout.splitlines()] if done.returncode == 0 else [np.nan] * 2)
+
+
+def block(half=25.0, height=10.0):
+    """A block as a closed surface, its top at z = 0."""
+    corners = np.array([(x, y, z) for z in (-height, 0.0) for y in (-half, half) for x in (-half, half)])
+    sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6))
+    triangles = [(a, b, c) for a, b, c, _ in sides] + [(a, c, d) for a, _, c, d in sides]
+    return poly(corners, np.array(triangles))
+
+
+def own_error(tool):
+    """What the direct contact makes of a tool's force on a bonded layer, over the exact: what its facets do."""
+    layer = palpate.response((np.array([(x, y, 0.0) for x in (-90, 0, 90) for y in (-90, 0, 90)]),
+                              np.array([(a, a + 3, a + 4) for a in (0, 1, 3, 4)] + [(a, a + 4, a + 1) for a in (0, 1, 3, 4)])),
+                             tool, young=0.05, poisson=0.45, layer=10.0, curvature=False, maximum_deflection=1.0, error_tolerance=0)
+    exact = layer.GetPointData().GetArray("ResponseForce")
+    place, inward = np.zeros(3), np.array((0.0, 0.0, -1.0))
+    direct = direct_forces(filled(block(), "z-", 2.5, tool, place, inward), tool, place, inward)[0]
+    return direct / exact.GetComponent(4, exact.GetNumberOfComponents() - 1)
+
+
+def drawn(made, tool, area, count, random):
+    """Points with a curve to the end, by area: `count` from each range of the stated error."""
+    error = true_shape.array(made, tool, "Error")[:len(area), -1]
+    usable = (true_shape.array(made, tool, "Status")[:len(area)] == 0) & (true_shape.array(made, tool, "Range")[:len(area)] > 0.999)
+    for low, high in RANGES:
+        found = np.flatnonzero(usable & (area > 0) & (error > low) & (error <= high))
+        if len(found):
+            weights = area[found] / area[found].sum()
+            yield from random.choice(found, min(count, len(found)), replace=False, p=weights)
+
+
+def judge(name, body, fixed, count, times, seed=5):
+    """Rows of COLUMNS."""
+    surface = smooth(body, times)
+    made = true_shape.press(surface, fixed)
+    small = true_shape.press(surface, fixed, coarser=0, finite=False)
+    facets = smooth(body, times + 1)  # left 1.5 mm long on the bunny they take 2 % off a force
+    places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    spacing = np.sqrt(8.7 * areas(surface).sum() / CELLS)
+    random = np.random.default_rng(seed)
+    cases = [(tool, int(point)) for tool in true_shape.TOOLS for point in drawn(made, tool, areas(body), count, random)]
+
+    own = {tool: own_error(tool) for tool in true_shape.TOOLS}
+
+    def one(case):
+        tool, point = case
+        inward = -true_shape.array(made, tool, "Normal")[point].astype(float)
+        inward /= np.linalg.norm(inward)
+        return direct_forces(filled(facets, fixed, spacing, tool, places[point], inward), tool, places[point], inward) / own[tool]
+
+    with ThreadPoolExecutor(2) as threads:
+        for (tool, point), both in zip(cases, threads.map(one, cases)):
+            direct = both.mean()
+            force = float(true_shape.array(small, tool, "Force")[point, -1])
+            stated = float(true_shape.array(made, tool, "Error")[point, -1])
+            limit = LIMITS[int(true_shape.array(made, tool, "Limit")[point])]
+            yield (name, tool, point, *("{:.2f}".format(x) for x in places[point]), "{:.4f}".format(stated), limit,
+                   "{:.5g}".format(force), "{:.5g}".format(direct), "{:.4f}".format(np.ptp(both) / 2 / direct), "{:.4f}".format(force / direct - 1))
+
+
+def summary(rows):
+    """By body, tool and range of the stated error: how many, how many of them hold, the median error."""
+    for body, tool in sorted({(row["body"], row["tool"]) for row in rows}):
+        for low, high in RANGES:
+            found = [(float(row["stated"]) + OWN + float(row["open"]), abs(float(row["error"]))) for row in rows
+                     if (row["body"], row["tool"]) == (body, tool) and low < float(row["stated"]) <= high]
+            if found:
+                held = sum(error <= bound for bound, error in found)
+                yield body, tool, low, high, len(found), held, sorted(error for _, error in found)[len(found) // 2]
+
+
+def write(bodies, fixed, count, times, output):
+    rows = []
+    with open(output / "direct.csv", "w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(COLUMNS)
+        for name, body in bodies:
+            try:
+                for row in judge(name, body, fixed, count, times):
+                    table.writerow(row)
+                    file.flush()
+                    rows.append(dict(zip(COLUMNS, row)))
+                    print(*row, flush=True)
+            except ValueError as fault:
+                print("{} {}.".format(name, fault), file=sys.stderr, flush=True)
+    for found in summary(rows):
+        print("{}, {}, stated {:.0%} to {:.0%}: {} of {} hold, median error {:.2%}".format(*found[:4], found[5], found[4], found[6]))
