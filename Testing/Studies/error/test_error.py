@@ -16,6 +16,8 @@ sys.path.insert(0, str(HERE))
 
 import run  # noqa: E402
 
+DIRECT = 0.01  # what direct contact's own force may be off, besides what its two ways differ by
+
 
 class Committed(unittest.TestCase):
     def setUp(self):
@@ -43,6 +45,13 @@ class Committed(unittest.TestCase):
         for row in rows:
             self.assertGreater(int(row["compared"]), 1000)
             self.assertLess(float(row["beyond_stated"]), 0.05, row)
+
+    def test_the_bound_of_what_is_covered_holds_against_direct_contact(self):
+        rows = [row for row in run.read(DATA / "direct.csv") if float(row["stated"]) <= 0.05]
+        self.assertEqual({row["tool"] for row in rows}, {"sphere:6.35", "flat:1.6", "sphere:1.6"})
+        self.assertGreaterEqual(len(rows), 18)
+        held = sum(abs(float(row["error"])) <= float(row["stated"]) + DIRECT + float(row["open"]) for row in rows)
+        self.assertGreaterEqual(held, 0.95 * len(rows))
 
 
 if __name__ == "__main__":
