@@ -21,8 +21,7 @@ const std::vector<Corners>& splitOf(int nodes)
   return nodes == 3 ? triangle : nodes == 4 ? quadrilateral : quadratic;
 }
 
-/// The nodes of a face in its own coordinates: (ξ, η) of the square [-1, 1]² or of the triangle
-/// (0,0), (1,0), (0,1).
+/// The nodes of a face in the coordinates of faceShapes().
 Eigen::Vector2d faceCoordinates(int nodes, int i)
 {
   constexpr std::array<std::array<double, 2>, 4> square = { { { -1, -1 }, { 1, -1 }, { 1, 1 },
@@ -33,6 +32,7 @@ Eigen::Vector2d faceCoordinates(int nodes, int i)
     nodes == 4 ? square[static_cast<std::size_t>(i)] : triangle[static_cast<std::size_t>(i)];
   return { c[0], c[1] };
 }
+} // namespace
 
 std::array<double, 6> faceShapes(int nodes, const Eigen::Vector2d& xi)
 {
@@ -50,7 +50,6 @@ std::array<double, 6> faceShapes(int nodes, const Eigen::Vector2d& xi)
   }
   return { a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b, 4 * b * c, 4 * c * a };
 }
-} // namespace
 
 BodySurface::BodySurface(const VolumeMesh& mesh, const MeshTopology& topology)
   : Points(static_cast<std::size_t>(mesh.nodeTotal()), -1)

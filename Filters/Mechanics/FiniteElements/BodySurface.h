@@ -23,6 +23,10 @@ struct SurfacePlace
   std::array<double, 6> shape{};
 };
 
+/// The shapes of a face of 3, 4 or 6 nodes at a place in it: (ξ, η) of the triangle (0,0), (1,0),
+/// (0,1) or of the square [-1, 1]². Those of the nodes that it does not have are 0.
+PALPATE_EXPORT std::array<double, 6> faceShapes(int nodes, const Eigen::Vector2d& xi);
+
 /// The outer surface of a mesh: its points, triangles and the faces that they are part of.
 class PALPATE_EXPORT BodySurface
 {

@@ -113,7 +113,6 @@ Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
 /// The pressures that carry the load on a gap, from those that are given; how deep they sink.
 double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressures)
 {
-  const ContactCells& cells = contactCells();
   const float total = static_cast<float>(load) / CellArea;
   pressures = (gap.array() < Away).select(pressures, 0.0F);
   if (!(pressures.sum() > 0.0F)) // what touched before cannot now
@@ -147,10 +146,12 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     {
       break; // nothing is left to move
     }
-    const float length = isBalanced ? 1.0F / cells.sink(0, 0) : along / against;
-    direction *= isBalanced ? 0.0F : 1.0F;
+    const float length = isBalanced ? 1.0F / contactCells().sink(0, 0) : along / against;
     const Eigen::VectorXf before = pressures;
-    pressures -= length * direction;
+    if (!isBalanced)
+    {
+      pressures -= length * direction;
+    }
     isConjugate = !enters.any();
     const bool isSame = isConjugate && pressures.minCoeff() >= 0.0F;
     pressures = enters.select(-length * open, pressures.cwiseMax(0.0F));

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectContact.h"
 
+#include "DenseNodes.h"
+#include "Mechanics/FiniteElements/PatchLoad.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/SharedWork.h"
-#include "UnilateralContact.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace palpate::testing
@@ -29,117 +28,42 @@ constexpr int Turns = 2;
 /// A corner of which the tool covers less is left out.
 constexpr double LeastPart = 0.02;
 
-/// A facet's shapes at a place in it: of its nodes, and of its corners.
-struct FacetShapes
-{
-  Eigen::VectorXd nodes;
-  Eigen::VectorXd corners;
-};
-
-FacetShapes triangleShapes(double s, double t, int nodes)
-{
-  FacetShapes made;
-  const Eigen::Vector3d l(1.0 - s - t, s, t);
-  made.corners = l;
-  made.nodes = l;
-  if (nodes == 6)
-  {
-    made.nodes.resize(6);
-    made.nodes << l.array() * (2.0 * l.array() - 1.0), 4.0 * l[0] * l[1], 4.0 * l[1] * l[2],
-      4.0 * l[2] * l[0];
-  }
-  return made;
-}
-
-FacetShapes squareShapes(double s, double t)
-{
-  FacetShapes made;
-  made.corners = Eigen::Vector4d((1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t);
-  made.nodes = made.corners;
-  return made;
-}
-
-/// Calls visit(shapes) in the middle of equal parts of a facet; returns how many there are.
+/// Calls visit() with places in the middle of equal parts of a facet, in the coordinates of
+/// faceShapes().
 template <class Visit>
-void visitParts(int corners, int nodes, const Visit& visit)
+void visitParts(int corners, const Visit& visit)
 {
   constexpr double step = 1.0 / Divisions;
   for (int i = 0; i < Divisions; ++i)
   {
     for (int j = 0; j < Divisions; ++j)
     {
-      const double s = step * i;
-      const double t = step * j;
+      const Eigen::Vector2d at = step * Eigen::Vector2d(i, j);
       if (corners == 4)
       {
-        visit(squareShapes(s + 0.5 * step, t + 0.5 * step));
+        visit(Eigen::Vector2d(2.0 * at.array() + step - 1.0));
         continue;
       }
       if (i + j < Divisions)
       {
-        visit(triangleShapes(s + step / 3.0, t + step / 3.0, nodes));
+        visit(Eigen::Vector2d(at.array() + step / 3.0));
       }
       if (i + j < Divisions - 1)
       {
-        visit(triangleShapes(s + 2.0 * step / 3.0, t + 2.0 * step / 3.0, nodes));
+        visit(Eigen::Vector2d(at.array() + 2.0 * step / 3.0));
       }
     }
   }
 }
-
-Eigen::Matrix3d frameAlong(const Eigen::Vector3d& inward)
-{
-  Eigen::Matrix3d frame;
-  frame.col(0) = inward.unitOrthogonal();
-  frame.col(1) = inward.cross(frame.col(0));
-  frame.col(2) = inward;
-  return frame;
-}
-
-/// Corners by their compliance along the directions in which they are pushed.
-class PushedCorners : public CompliantNodes
-{
-public:
-  explicit PushedCorners(const Eigen::MatrixXd& compliance)
-    : Compliance(compliance)
-  {
-  }
-
-  void press(
-    const std::vector<int>& active, const Eigen::VectorXd& wanted, Eigen::VectorXd& forces) override
-  {
-    forces.setZero(wanted.size());
-    if (active.empty())
-    {
-      return;
-    }
-    const Eigen::MatrixXd some = this->Compliance(active, active);
-    const Eigen::VectorXd right = wanted(active);
-    const Eigen::VectorXd found = some.ldlt().solve(right);
-    forces(active) = found;
-  }
-
-  void move(const std::vector<int>&, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override
-  {
-    moved = this->Compliance * forces;
-  }
-
-private:
-  const Eigen::MatrixXd& Compliance;
-};
 } // namespace
 
 DirectContact::DirectContact(const ElasticBody& body, const AxisymmetricTool& tool,
   const DirectPlace& at, double deepest, Pushed pushed)
   : Tool(tool)
   , At(at)
-  , Frame(frameAlong(at.inward))
+  , Frame(tangentFrame(-at.inward))
   , Wall(tool.largestContactRadius())
 {
-  for (double r = 1e3; r > 1e-3 && this->Wall == Infinity; r *= 0.99)
-  {
-    this->Wall = std::isfinite(tool.profile(r)) ? r : this->Wall;
-  }
   this->takeCorners(this->facetsUnder(body, deepest));
   for (Corner& corner : this->Corners)
   {
@@ -190,29 +114,27 @@ std::vector<DirectContact::Facet> DirectContact::facetsUnder(
     }
     facets.push_back(std::move(facet));
   }
-  std::vector<Facet> near;
   std::vector<bool> isTaken(facets.size(), false);
-  std::vector<std::size_t> front;
+  std::vector<std::size_t> taken;
   const auto take = [&](std::size_t next)
   {
     if (!isTaken[next])
     {
       isTaken[next] = true;
-      front.push_back(next);
-      near.push_back(facets[next]);
+      taken.push_back(next);
     }
   };
   if (!facets.empty())
   {
     take(first);
   }
-  while (!front.empty())
+  std::vector<Facet> near;
+  for (std::size_t i = 0; i < taken.size(); ++i)
   {
-    const Facet facet = facets[front.back()];
-    front.pop_back();
-    for (int i = 0; i < facet.corners; ++i)
+    near.push_back(std::move(facets[taken[i]]));
+    for (int k = 0; k < near.back().corners; ++k)
     {
-      const std::vector<std::size_t>& beside = around[facet.nodes[static_cast<std::size_t>(i)]];
+      const auto& beside = around[near.back().nodes[static_cast<std::size_t>(k)]];
       std::for_each(beside.begin(), beside.end(), take);
     }
   }
@@ -267,26 +189,30 @@ void DirectContact::takeCorners(const std::vector<Facet>& facets)
   {
     const double area = -facet.area[2] / (Divisions * Divisions);
     const Eigen::Vector3d normal = facet.area / facet.area[2];
-    visitParts(facet.corners, static_cast<int>(facet.nodes.size()),
-      [&](const FacetShapes& shapes)
+    const auto nodes = static_cast<int>(facet.nodes.size());
+    visitParts(facet.corners,
+      [&](const Eigen::Vector2d& at)
       {
-        const Eigen::Vector3d place = facet.places * shapes.nodes;
+        const std::array<double, 6> shapes = faceShapes(nodes, at);
+        const std::array<double, 6> ofCorners = faceShapes(facet.corners, at);
+        const Eigen::Vector3d place =
+          facet.places * Eigen::Map<const Eigen::VectorXd>(shapes.data(), nodes);
         const double r = place.head<2>().norm();
         if (!(r < (isFlat ? 1.0 : NearWall) * this->Wall))
         {
           return;
         }
-        for (int i = 0; i < facet.corners; ++i)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(facet.corners); ++i)
         {
-          Part& part = parts[facet.nodes[static_cast<std::size_t>(i)]];
-          const double weight = shapes.corners[i] * area;
+          Part& part = parts[facet.nodes[i]];
+          const double weight = ofCorners[i] * area;
           part.corner.pieces.push_back({ place[2], r, weight });
           part.corner.normal += weight * normal;
           part.weight += weight;
           sum += weight;
           for (std::size_t n = 0; n < facet.nodes.size(); ++n)
           {
-            part.nodes[facet.nodes[n]] += weight * shapes.nodes[static_cast<Eigen::Index>(n)];
+            part.nodes[facet.nodes[n]] += weight * shapes[n];
           }
         }
       });
@@ -365,7 +291,7 @@ Eigen::VectorXd DirectContact::forces(double deflection) const
       wanted[i] += piece.weight * (deflection - this->Tool.profile(r) - piece.depth);
     }
   }
-  PushedCorners corners(this->Compliance);
+  DenseNodes corners(this->Compliance);
   UnilateralContact contact;
   std::vector<int> active;
   Eigen::VectorXd found;

@@ -2,13 +2,12 @@
 // Direct contact, on meshes small enough for a test: against the exact law of a bonded layer,
 // straight and aslant, and however the body lies in space.
 #include "DirectContact.h"
-#include "ElasticBlocks.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
-#include "Mechanics/Tools/ToolSpecification.h"
+#include "Mechanics/ShapedBodies.h"
+#include "Mechanics/TestTools.h"
 
 #include <Eigen/Geometry>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
@@ -22,38 +21,12 @@ constexpr double Young = 1.0;
 constexpr double Poisson = 0.45;
 constexpr double Thickness = 4.0;
 
-/// Half as many steps on the other side of 0: equal up to `fine`, then growing to `end`.
-std::vector<double> steps(double side, double fine, double end)
-{
-  std::vector<double> half = { 0.0 };
-  for (double step = side; half.back() < end; step *= half.back() < fine ? 1.0 : 1.5)
-  {
-    half.push_back(std::min(end, half.back() + step));
-  }
-  std::vector<double> line;
-  for (std::size_t i = half.size() - 1; i > 0; --i)
-  {
-    line.push_back(-half[i]);
-  }
-  line.insert(line.end(), half.begin(), half.end());
-  return line;
-}
-
-/// A layer on a rigid base, its surface at z = 0; five times as wide as thick, its facets `side`
-/// long around the middle.
+/// A layer on a rigid base at z = 0; five times as wide as thick, its facets `side` long around the
+/// middle.
 VolumeMesh layer(double side, bool isOfTetrahedra)
 {
-  const std::vector<double> across = steps(side, 1.75, 2.5 * Thickness);
-  const std::vector<double> both = steps(side, 0.7, Thickness);
-  const std::vector<double> down(
-    both.begin(), both.begin() + static_cast<std::ptrdiff_t>(both.size() / 2) + 1);
-  VolumeMesh mesh = hexahedronBlock(static_cast<int>(across.size()) - 1,
-    static_cast<int>(across.size()) - 1, static_cast<int>(down.size()) - 1, 1.0);
-  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
-  {
-    const auto at = [&](int axis) { return static_cast<std::size_t>(mesh.nodes(axis, i) + 0.5); };
-    mesh.nodes.col(i) << across[at(0)], across[at(1)], down[at(2)];
-  }
+  const std::vector<double> across = gradedLine(side, 1.75, 1.5, 2.5 * Thickness);
+  const VolumeMesh mesh = gridBlock(across, across, gradedDepth(side, 0.7, 1.5, Thickness));
   return isOfTetrahedra ? quadratic(tetrahedra(mesh)) : mesh;
 }
 
@@ -64,10 +37,7 @@ struct Layer
   {
     ElasticBodyInput input;
     input.mesh = layer(side, isOfTetrahedra);
-    for (Eigen::Index i = 0; i < input.mesh.nodes.cols(); ++i)
-    {
-      input.fixed.push_back(input.mesh.nodes(2, i) < 1e-9 - Thickness ? 7 : 0);
-    }
+    input.fixed = heldBelow(input.mesh);
     input.mesh.nodes = turn * input.mesh.nodes;
     input.materials = { { Young, Poisson } };
     EXPECT_EQ(this->Body.assemble(std::move(input)), "");
@@ -77,14 +47,6 @@ struct Layer
   ElasticBody Body;
 };
 
-std::unique_ptr<AxisymmetricTool> tool(const char* text)
-{
-  ToolSpecification specification;
-  std::string error;
-  EXPECT_TRUE(parseTool(text, specification, error)) << error;
-  return makeTool(specification);
-}
-
 double exact(const AxisymmetricTool& pressed, double depth)
 {
   const LayerContact contact(
@@ -92,7 +54,8 @@ double exact(const AxisymmetricTool& pressed, double depth)
   return contact.evaluate(depth, reducedModulus(Young, Poisson)).force;
 }
 
-const DirectPlace Straight{ Eigen::Vector3d::Zero(), -Eigen::Vector3d::UnitZ() };
+const Eigen::Vector3d Top(0.0, 0.0, Thickness);
+const DirectPlace Straight{ Top, -Eigen::Vector3d::UnitZ() };
 
 /// The sheet's nodal contact has +0.5 to 1 % with five facets over the contact's radius; linear
 /// ones need more.
@@ -102,7 +65,7 @@ TEST(DirectContact, SphereOnALayer)
   const Layer tetrahedra(0.4, true);
   const DirectContact onTetrahedra(tetrahedra.Body, *sphere, Straight, 0.4);
   EXPECT_NEAR(onTetrahedra.force(0.4) / exact(*sphere, 0.4), 1.0, 0.01);
-  const Layer hexahedra(0.25);
+  const Layer hexahedra(0.2);
   const DirectContact contact(hexahedra.Body, *sphere, Straight, 0.4);
   for (const double depth : { 0.2, 0.4 })
   {
@@ -129,8 +92,7 @@ TEST(DirectContact, TurnedInSpace)
   const Layer layer(0.4);
   const Layer turned(0.4, false, turn);
   const DirectContact one(layer.Body, *sphere, Straight, 0.3);
-  const DirectContact other(
-    turned.Body, *sphere, { Eigen::Vector3d::Zero(), turn * Straight.inward }, 0.3);
+  const DirectContact other(turned.Body, *sphere, { turn * Top, turn * Straight.inward }, 0.3);
   EXPECT_EQ(one.corners(), other.corners());
   EXPECT_NEAR(other.force(0.3) / one.force(0.3), 1.0, 1e-8);
 }
@@ -150,7 +112,7 @@ TEST(DirectContact, Aslant)
     // The point that touches first comes to lie in the fine middle.
     const Eigen::Vector3d inward(std::sin(aslant), 0.0, -std::cos(aslant));
     const Eigen::Vector3d place((radius - depth) * -std::sin(aslant), 0.0, 0.0);
-    const DirectPlace at{ -place, inward };
+    const DirectPlace at{ Top - place, inward };
     const double deep = radius - (radius - depth) * std::cos(aslant);
     const double expected = std::cos(aslant) * exact(*sphere, deep);
     for (const Pushed pushed : { Pushed::TogetherAlongTheMean, Pushed::EachAlongItsOwn })
@@ -166,7 +128,7 @@ TEST(DirectContact, NothingTouches)
   const auto sphere = tool("sphere:6.35");
   const Layer layer(0.5);
   const DirectContact contact(
-    layer.Body, *sphere, { Eigen::Vector3d(0.0, 0.0, 5.0), -Eigen::Vector3d::UnitZ() }, 1.0);
+    layer.Body, *sphere, { Top + Eigen::Vector3d(0.0, 0.0, 5.0), Straight.inward }, 1.0);
   EXPECT_EQ(contact.corners(), 0);
   EXPECT_EQ(contact.force(1.0), 0.0);
 }

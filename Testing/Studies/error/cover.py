@@ -22,6 +22,16 @@ def poly(points, triangles):
     return body
 
 
+def force_on_layer(tool, height, deflection, young, poisson):
+    """The exact force, N, of a tool on an endless layer that is bonded to a rigid base."""
+    points = np.array([[x, y, 0.0] for x in (-90, 0, 90) for y in (-90, 0, 90)])
+    triangles = np.array([[a, a + 3, a + 4] for a in (0, 1, 3, 4)] + [[a, a + 4, a + 1] for a in (0, 1, 3, 4)])
+    layer = palpate.response((points, triangles), tool, young=young, poisson=poisson, layer=height, curvature=False,
+                             maximum_deflection=deflection, error_tolerance=0)
+    force = layer.GetPointData().GetArray("ResponseForce")
+    return force.GetComponent(4, force.GetNumberOfComponents() - 1)
+
+
 def read_head(scan):
     """The skin of a head's scan, as the demo has it."""
     from vtkmodules.vtkIOImage import vtkNIFTIImageReader

@@ -21,14 +21,13 @@ from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 import true_shape
-from cover import LIMITS, areas, poly
+from cover import LIMITS, areas, force_on_layer, poly
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[3] / "build" / "release" / "bin" / "palpateDirectContact"
 CELLS = 30000      # of the surface away from the tool
 FACETS = 0.3       # under the tool, by the contact's radius: a ball's pole is within 1 %
 RIM = 0.12         # at a flat end's rim, likewise: within 2 %
 AROUND = 1.4       # of the contact's radius has such facets
-OWN = 0.01         # what is left of the direct contact's own error, besides what its two ways differ by (`open`)
 RANGES = ((0.0, 0.05), (0.05, 0.1), (0.1, 0.3))  # of the stated error
 COLUMNS = ("body", "tool", "point", "x", "y", "z", "stated", "limit", "force_N", "direct_N", "open", "error")
 
@@ -48,9 +47,7 @@ def smooth(body, times):
 
 def filled(body, fixed, spacing, tool, place, inward):
     """The body in tetrahedra, fine around the place."""
-    law = palpate.vtkContactTool()
-    law.SetSpecification(tool)
-    radius = law.GetContactRadius(1.0)
+    radius = true_shape.contact_tool(tool).GetContactRadius(1.0)
     made = palpate.vtkGradedBody()
     made.SetInputData(body)
     made.SetSurfaceSpacing(spacing)
@@ -89,13 +86,9 @@ def block(half=25.0, height=10.0):
 
 def own_error(tool):
     """What the direct contact makes of a tool's force on a bonded layer, over the exact: what its facets do."""
-    layer = palpate.response((np.array([(x, y, 0.0) for x in (-90, 0, 90) for y in (-90, 0, 90)]),
-                              np.array([(a, a + 3, a + 4) for a in (0, 1, 3, 4)] + [(a, a + 4, a + 1) for a in (0, 1, 3, 4)])),
-                             tool, young=0.05, poisson=0.45, layer=10.0, curvature=False, maximum_deflection=1.0, error_tolerance=0)
-    exact = layer.GetPointData().GetArray("ResponseForce")
     place, inward = np.zeros(3), np.array((0.0, 0.0, -1.0))
     direct = direct_forces(filled(block(), "z-", 2.5, tool, place, inward), tool, place, inward)[0]
-    return direct / exact.GetComponent(4, exact.GetNumberOfComponents() - 1)
+    return direct / force_on_layer(tool, 10.0, 1.0, 0.05, 0.45)
 
 
 def drawn(made, tool, area, count, random):
@@ -109,18 +102,15 @@ def drawn(made, tool, area, count, random):
             yield from random.choice(found, min(count, len(found)), replace=False, p=weights)
 
 
-def judge(name, body, fixed, count, times, seed=5):
-    """Rows of COLUMNS."""
+def judge(name, body, fixed, count, times, own, seed=5):
+    """Rows of COLUMNS; `own`: own_error() of each tool."""
     surface = smooth(body, times)
-    made = true_shape.press(surface, fixed)
-    small = true_shape.press(surface, fixed, coarser=0, finite=False)
+    made = true_shape.press(surface, fixed, small=True)
     facets = smooth(body, times + 1 if times else 0)  # left 1.5 mm long on the bunny they take 2 % off a force
     places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     spacing = np.sqrt(8.7 * areas(surface).sum() / CELLS)
     random = np.random.default_rng(seed)
     cases = [(tool, int(point)) for tool in true_shape.TOOLS for point in drawn(made, tool, areas(body), count, random)]
-
-    own = {tool: own_error(tool) for tool in true_shape.TOOLS}
 
     def one(case):
         tool, point = case
@@ -131,37 +121,37 @@ def judge(name, body, fixed, count, times, seed=5):
     with ThreadPoolExecutor(2) as threads:
         for (tool, point), both in zip(cases, threads.map(one, cases)):
             direct = both.mean()
-            force = float(true_shape.array(small, tool, "Force")[point, -1])
+            force = float(true_shape.array(made, true_shape.SMALL + tool, "Force")[point, -1])
             stated = float(true_shape.array(made, tool, "Error")[point, -1])
             limit = LIMITS[int(true_shape.array(made, tool, "Limit")[point])]
             yield (name, tool, point, *("{:.2f}".format(x) for x in places[point]), "{:.4f}".format(stated), limit,
                    "{:.5g}".format(force), "{:.5g}".format(direct), "{:.4f}".format(np.ptp(both) / 2 / direct), "{:.4f}".format(force / direct - 1))
 
 
-def summary(rows):
+def summary(rows, holds):
     """By body, tool and range of the stated error: how many, how many of them hold, the median error."""
     for body, tool in sorted({(row["body"], row["tool"]) for row in rows}):
         for low, high in RANGES:
-            found = [(float(row["stated"]) + OWN + float(row["open"]), abs(float(row["error"]))) for row in rows
-                     if (row["body"], row["tool"]) == (body, tool) and low < float(row["stated"]) <= high]
+            found = [row for row in rows if (row["body"], row["tool"]) == (body, tool) and low < float(row["stated"]) <= high]
             if found:
-                held = sum(error <= bound for bound, error in found)
-                yield body, tool, low, high, len(found), held, sorted(error for _, error in found)[len(found) // 2]
+                errors = sorted(abs(float(row["error"])) for row in found)
+                yield body, tool, low, high, len(found), sum(map(holds, found)), errors[len(errors) // 2]
 
 
 def write(bodies, fixed, count, times, output):
+    """Leaves direct.csv; returns its rows."""
     rows = []
+    own = {tool: own_error(tool) for tool in true_shape.TOOLS}
     with open(output / "direct.csv", "w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(COLUMNS)
         for name, body in bodies:
             try:
-                for row in judge(name, body, fixed, count, times):
+                for row in judge(name, body, fixed, count, times, own):
                     table.writerow(row)
                     file.flush()
                     rows.append(dict(zip(COLUMNS, row)))
                     print(*row, flush=True)
             except ValueError as fault:
                 print("{} {}.".format(name, fault), file=sys.stderr, flush=True)
-    for found in summary(rows):
-        print("{}, {}, stated {:.0%} to {:.0%}: {} of {} hold, median error {:.2%}".format(*found[:4], found[5], found[4], found[6]))
+    return rows

@@ -19,6 +19,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "accuracy-s
 import palpate  # noqa: E402
 import shape_bodies  # noqa: E402
 
+from cover import force_on_layer  # noqa: E402
+
 DEPTH = 30.0
 CASES = {0.3: (2.0, 4.0, 8.0), 0.45: (1.0, 2.0, 4.0, 8.0, 16.0)}
 
@@ -51,11 +53,7 @@ def factor(poisson, distance):
     elements.AddObserver("WarningEvent", lambda *_: None)   # most points are not pressed
     elements.Update()
     beside = last(elements.GetOutput(), elements.GetOutput().FindPoint(distance, 0, 0))
-    points = np.array([[x, y, 0.0] for x in (-90, 0, 90) for y in (-90, 0, 90)])
-    triangles = np.array([[a, a + 3, a + 4] for a in (0, 1, 3, 4)] + [[a, a + 4, a + 1] for a in (0, 1, 3, 4)])
-    layer = palpate.response((points, triangles), tool, young=1.0, poisson=poisson, layer=DEPTH, curvature=False,
-                             maximum_deflection=deflection, error_tolerance=0)
-    return beside / last(layer, 4)
+    return beside / force_on_layer(tool, DEPTH, deflection, 1.0, poisson)
 
 
 def main():

@@ -4,7 +4,8 @@
  *   palpateDirectContact BODY.vtu YOUNG POISSON TOOL DEPTH X Y Z NX NY NZ
  *
  * BODY as vtkGradedBody makes it; the tool is pressed at X Y Z, DEPTH mm along the unit vector N.
- * Prints the force in N and how many corners of facets might touch.
+ * Prints the force in N and how many corners of facets might touch: of pressures along the mean
+ * normal, and of those each along its own.
  */
 #include "DirectContact.h"
 #include "Mechanics/Tools/ToolSpecification.h"

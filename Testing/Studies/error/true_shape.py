@@ -10,18 +10,23 @@ TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the other
 HELD = 4  # of Status
 CELLS = 20000  # as palpate --solid, and so are the sources
 SOURCES = 10000
+SMALL = "Small"  # what responses at small strain are called by
 COARSER = 2  # cells of the second mesh, by those of the first
 
 
+def contact_tool(text):
+    tool = palpate.vtkContactTool()
+    tool.SetSpecification(text)
+    return tool
+
+
 def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER,
-          finite=True):
-    """The surface with what each tool feels of the body, held at `fixed`; arrays are called by the tools. `coarser` 0: without a
-    second mesh, which tells nothing but the error; `finite`: with Neo-Hooke's strain. ValueError where the body cannot be filled or
-    pressed; VTK has said why."""
+          small=False):
+    """The surface with what each tool feels of the body, held at `fixed`, with Neo-Hooke's strain; arrays are called by the tools.
+    `coarser` 0: without a second mesh, which tells nothing but the error; `small`: also at small strain, called SMALL and the tool.
+    ValueError where the body cannot be filled or pressed; VTK has said why."""
     area = areas(body).sum()
-    tools = {text: palpate.vtkContactTool() for text in TOOLS}
-    for text, tool in tools.items():
-        tool.SetSpecification(text)
+    tools = {text: contact_tool(text) for text in TOOLS}
     radius = max(tool.GetContactRadius(depth) for tool in tools.values())
     spacing = np.sqrt(8.7 * area / cells)
     side = max(spacing, 0.5 * radius) if cells == CELLS else spacing
@@ -41,21 +46,21 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
     pressed.SetMaximumDeflection(depth)
     pressed.SetErrorTolerance(tolerance)
     pressed.SetStoreMotion(False)
-    if finite:
-        pressed.SetStrainModelToNeoHooke()
     pressed.SetLargestContactRadius(1.42 * radius)
     pressed.SetSourceSpacing(max(0.5 * spacing, np.sqrt(area / SOURCES)))
     made = body
     for text, tool in tools.items():
         pressed.SetTool(tool)
-        pressed.SetResponseName(text)
-        pressed.SetSurfaceData(made)
-        pressed.Update()
-        if not pressed.GetOutput().GetPointData().HasArray(text + "Force"):
-            raise ValueError("cannot be pressed by {}".format(text))
-        felt = type(body)()
-        felt.ShallowCopy(pressed.GetOutput())
-        made = felt
+        for name in (text, SMALL + text) if small else (text,):
+            pressed.SetStrainModel(pressed.NeoHooke if name == text else pressed.SmallStrain)
+            pressed.SetResponseName(name)
+            pressed.SetSurfaceData(made)
+            pressed.Update()
+            if not pressed.GetOutput().GetPointData().HasArray(name + "Force"):
+                raise ValueError("cannot be pressed by {}".format(text))
+            felt = type(body)()
+            felt.ShallowCopy(pressed.GetOutput())
+            made = felt
     return made
 
 

@@ -4,6 +4,7 @@
 // and the full solution against the condensed one.
 #include "Agreement.h"
 #include "CondensedContact.h"
+#include "DenseNodes.h"
 #include "FullSolve.h"
 #include "LoveSquare.h"
 #include "Mechanics/Tools/ToolSpecification.h"
@@ -49,44 +50,6 @@ double press(ContactMethod& method, double x, double y, double depth)
   EXPECT_EQ(force.y(), 0.0);
   return force.z();
 }
-
-class DenseNodes : public CompliantNodes
-{
-public:
-  explicit DenseNodes(Eigen::MatrixXd matrix)
-    : Matrix(std::move(matrix))
-  {
-  }
-  void press(
-    const std::vector<int>& active, const Eigen::VectorXd& wanted, Eigen::VectorXd& forces) override
-  {
-    const auto count = static_cast<Eigen::Index>(active.size());
-    Eigen::MatrixXd dense(count, count);
-    Eigen::VectorXd right(count);
-    for (Eigen::Index j = 0; j < count; ++j)
-    {
-      for (Eigen::Index i = 0; i < count; ++i)
-      {
-        dense(i, j) =
-          this->Matrix(active[static_cast<std::size_t>(i)], active[static_cast<std::size_t>(j)]);
-      }
-      right[j] = wanted[active[static_cast<std::size_t>(j)]];
-    }
-    const Eigen::VectorXd found = dense.llt().solve(right);
-    forces.setZero(wanted.size());
-    for (Eigen::Index j = 0; j < count; ++j)
-    {
-      forces[active[static_cast<std::size_t>(j)]] = found[j];
-    }
-  }
-  void move(const std::vector<int>&, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override
-  {
-    moved = this->Matrix * forces;
-  }
-
-private:
-  Eigen::MatrixXd Matrix;
-};
 
 /// Force (N) by depth (mm) of a curve of the CalculiX study, carried to another modulus.
 std::vector<std::pair<double, double>> fromCalculix(const std::string& name, double reducedModulus)
