@@ -116,7 +116,7 @@ private:
       const ContactSample errors = curve.errorsAt(depth);
       ErrorParts parts;
       parts[ResponseLimit::Strain] = errors.strain;
-      parts[ResponseLimit::Curvature] = errors.gap;
+      parts[ResponseLimit::Curvature] = std::hypot(errors.gap, errors.direction);
       parts[ResponseLimit::Edge] =
         LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = errors.elements();

@@ -168,6 +168,7 @@ ContactSample ContactCurve::errorsAt(double deflection) const
   errors.truncation = between(low.truncation, high.truncation);
   errors.harmonics = between(low.harmonics, high.harmonics);
   errors.gap = between(low.gap, high.gap);
+  errors.direction = between(low.direction, high.direction);
   errors.surface = between(low.surface, high.surface);
   errors.strain = between(low.strain, high.strain);
   errors.mesh = between(low.mesh, high.mesh);

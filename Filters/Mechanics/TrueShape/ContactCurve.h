@@ -18,9 +18,10 @@ struct PALPATE_EXPORT ContactSample
   double truncation = 0.0; ///< the force with one order less over this one, less 1
   double harmonics = 0.0;  ///< the tilt's part of δ, a fraction
   double gap = 0.0; ///< of the force, a fraction: what its treatment of the surface's shape leaves
-  double surface = 0.0; ///< of the force, a fraction: what lies between the surface's own points
-  double strain = 0.0;  ///< of the force, a fraction: what small strain, or its correction, lacks
-  double mesh = 0.0;    ///< of the force, a fraction: what the elements' size lets expect
+  double direction = 0.0; ///< of the force, a fraction: what that it leans may do
+  double surface = 0.0;   ///< of the force, a fraction: what lies between the surface's own points
+  double strain = 0.0;    ///< of the force, a fraction: what small strain, or its correction, lacks
+  double mesh = 0.0;      ///< of the force, a fraction: what the elements' size lets expect
 
   double beside = 0.0; ///< the elements' size over the distance of what limits contacts, up to 1
 

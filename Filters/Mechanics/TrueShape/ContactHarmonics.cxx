@@ -55,6 +55,14 @@ double meanSlope(const Eigen::Vector4d& drop, double radius)
   return sum / (radius * radius);
 }
 
+/// By how much more or less a body yields, mm/N, to a force that leans by the slope than to one
+/// along the normal: n·Γn of both, the signs such as add up.
+double yieldsOtherwise(const Eigen::Matrix3d& directed, const Eigen::Vector2d& slope)
+{
+  return 2.0 * slope.norm() * directed.col(2).head<2>().norm() +
+    slope.dot(directed.topLeftCorner<2, 2>() * slope);
+}
+
 /// What the surface's shape around the axis does to a contact.
 struct Unevenness
 {
@@ -100,13 +108,14 @@ void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing,
 }
 } // namespace
 
-void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
-  const std::vector<ContactKernel>& kernels, const std::vector<double>& stiffness, double modulus,
-  const AxisymmetricTool& tool, const SurfaceGap* surface)
+void addHarmonics(CurveSamples& curve, const ContactKernels& at, const AxisymmetricTool& tool)
 {
+  std::vector<ContactSample>& samples = curve.samples;
+  const double modulus = at.site().reducedModulus;
+  const SurfaceGap* surface = at.surface();
   std::vector<double> tilts(samples.size(), 0.0);
   std::vector<Unevenness> shape(samples.size());
-  bool isEnough = growing == samples.size();
+  bool isEnough = curve.growing == samples.size();
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     ContactSample& s = samples[i];
@@ -114,9 +123,9 @@ void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
     {
       continue;
     }
-    const ContactKernel& kernel = kernels[i];
+    const ContactKernel& kernel = curve.kernels[i];
     // da/dF; 0 where the radius stays.
-    const double grows = i < growing && growing > 1 ? growth(samples, i) : Infinity;
+    const double grows = i < curve.growing && curve.growing > 1 ? growth(samples, i) : Infinity;
     const double widens = grows > 0.0 ? s.radius / (s.force * grows) : 0.0;
     const double torque = 4.0 / 3.0 * modulus * s.radius * s.radius * s.radius;
     const auto leaning = [&](const Eigen::Vector2d& slope)
@@ -127,22 +136,23 @@ void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
     const double gap = leaning(kernel.gap.lean) + 0.5 * modulus * kernel.gap.waves * widens;
     const double rough = 0.5 * modulus * OfRoughness * kernel.gap.left * widens;
     shape[i] = { gap, LeftOfGap * gap + rough, 0.0, 0.0 };
-    isEnough = isEnough && stiffness[i] / s.force * shape[i].left < Enough;
+    isEnough = isEnough && curve.stiffness[i] / s.force * shape[i].left < Enough;
     const double open = LeftOfFacets * std::sqrt(kernel.gap.facets * kernel.gap.uneven);
-    s.surface = stiffness[i] / s.force * open;
+    s.surface = curve.stiffness[i] / s.force * open;
+    s.direction = curve.stiffness[i] * yieldsOtherwise(at.site().directed, turned);
   }
-  if (surface != nullptr && !isEnough)
+  if (surface != nullptr && surface->reach() > 0.0 && !isEnough)
   {
     UnevenContact uneven(tool, *surface);
-    solveUneven(samples, growing, modulus, uneven, shape);
+    solveUneven(samples, curve.growing, modulus, uneven, shape);
   }
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     ContactSample& s = samples[i];
     if (s.force > 0.0)
     {
-      s.gap += stiffness[i] / s.force * shape[i].left + shape[i].cells +
-        LeftOfSlope * (shape[i].slope + meanSlope(kernels[i].gap.drop, s.radius));
+      s.gap += curve.stiffness[i] / s.force * shape[i].left + shape[i].cells +
+        LeftOfSlope * (shape[i].slope + meanSlope(curve.kernels[i].gap.drop, s.radius));
       s.deflection -= tilts[i] + shape[i].depth;
     }
   }

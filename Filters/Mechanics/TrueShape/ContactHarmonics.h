@@ -12,15 +12,23 @@ namespace palpate
 {
 class AxisymmetricTool;
 
+/// A curve on its way: its samples, and beside each of them what it was made of.
+struct CurveSamples
+{
+  std::vector<ContactSample> samples;
+  std::vector<ContactKernel> kernels;
+  std::vector<double> stiffness; ///< N/mm
+  /// The contact of the first so many widens from one to the next, that of the others keeps its
+  /// radius.
+  std::size_t growing = 0;
+};
+
 /// Takes what the angle mean leaves out off the deflections of a curve's samples, to second order
-/// (ShapedContact.h), or where that is not enough and the `surface` is known (not null) as `tool`
-/// pressed on it solves it (UnevenContact). Adds to their errors what is left of it, and what the
-/// surface between its points may do. `kernels`, `stiffness` (N/mm): beside the samples; the
-/// contact of the first `growing` widens from one to the next, that of the others keeps its radius.
-/// `modulus` is E*, MPa.
-void addHarmonics(std::vector<ContactSample>& samples, std::size_t growing,
-  const std::vector<ContactKernel>& kernels, const std::vector<double>& stiffness, double modulus,
-  const AxisymmetricTool& tool, const SurfaceGap* surface);
+/// (ShapedContact.h), or where that is not enough and the surface is known as `tool` pressed on it
+/// solves it (UnevenContact). Adds to their errors what is left of it; what the surface between its
+/// points may do; and, as the force leans with the surface, how the body yields otherwise in that
+/// direction than along the normal.
+void addHarmonics(CurveSamples& curve, const ContactKernels& at, const AxisymmetricTool& tool);
 } // namespace palpate
 
 #endif

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/TrueShape/ContactKernelFit.h"
 
+#include "Mechanics/FiniteElements/PatchLoad.h"
 #include "Mechanics/ReducedModulus.h"
+#include "Mechanics/TrueShape/DirectedCompliance.h"
 
 #include <Eigen/QR>
 
@@ -180,6 +182,8 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   this->Site.limit = disc->limit;
   this->Site.limitedBy = disc->limit < green.radius() ? disc->limitedBy : PatchStatus::Valid;
   this->Site.largestRadius = std::min(green.radius(), disc->limit);
+  this->Site.toHeld =
+    green.held().distance(body.surface().position(point), body.surface().normal(point));
   this->Site.spacing = body.surface().spacing(point);
   this->Site.elements = green.elementError(point);
   for (const DiscPoint& at : disc->points)
@@ -221,6 +225,15 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
   if (count > 0)
   {
     this->Asymmetry /= this->Values.cwiseAbs().maxCoeff();
+    Eigen::Matrix3Xd motions(3, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      motions.col(i) = green.motion(this->Points[static_cast<std::size_t>(i)].point);
+    }
+    const Eigen::VectorXd alike =
+      Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(count));
+    this->Site.directed = DirectedCompliance(this->Normals, motions, alike)
+                            .inFrame(tangentFrame(body.surface().normal(point)));
   }
 }
 

@@ -57,9 +57,13 @@ struct KernelSite
   double reducedModulus = 0.0; ///< MPa
   double limit = Infinity;     ///< mm to the nearest edge, held point or other material
   PatchStatus limitedBy = PatchStatus::Valid; ///< which of them it is, where that ends contacts
+  double toHeld = Infinity;                   ///< mm to where what is held begins (HeldRim)
   double largestRadius = 0.0; ///< of a contact, mm: what was solved for, or up to `limit`
   double nearestSource = 0.0; ///< mm
   double spacing = 0.0;       ///< of the elements' nodes, mm
+  /// Γ around the point, in the tangent frame, mm/N: how it yields by the direction of the force
+  /// (DirectedCompliance), less Boussinesq's field.
+  Eigen::Matrix3d directed = Eigen::Matrix3d::Zero();
   ExpectedError elements;
   MissedCompliance missed; ///< where it is known, beside `elements`
 };

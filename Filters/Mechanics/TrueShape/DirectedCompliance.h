@@ -28,6 +28,11 @@ public:
   /// n·Γn for a normal, or a mean of some.
   double along(const Eigen::Vector3d& normal) const { return normal.dot(this->Matrix * normal); }
   const Eigen::Matrix3d& matrix() const { return this->Matrix; }
+  /// The same along the columns of a frame.
+  Eigen::Matrix3d inFrame(const Eigen::Matrix3d& frame) const
+  {
+    return frame.transpose() * this->Matrix * frame;
+  }
 
 private:
   Eigen::Matrix3d Matrix = Eigen::Matrix3d::Zero();

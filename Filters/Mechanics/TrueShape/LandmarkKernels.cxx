@@ -86,7 +86,7 @@ BlendedKernels::BlendedKernels(
     return;
   }
   const Weights weights = weigh(landmarks, spot, alike);
-  this->blendSites(landmarks, weights, alike);
+  this->blendSites(landmarks, spot, weights, alike);
   this->blendKernels(landmarks, weights, alike, spot.normal);
   if (!this->Gap.isWhole() && this->Gap.reach() < this->Site.largestRadius)
   {
@@ -135,8 +135,8 @@ BlendedKernels::Weights BlendedKernels::weigh(
   return w;
 }
 
-void BlendedKernels::blendSites(
-  const LandmarkKernels& landmarks, const Weights& w, const std::vector<std::size_t>& around)
+void BlendedKernels::blendSites(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
+  const Weights& w, const std::vector<std::size_t>& around)
 {
   const double largest = landmarks.green().radius();
   const KernelSite& nearest = landmarks.Landmarks[around.front()].site;
@@ -153,9 +153,14 @@ void BlendedKernels::blendSites(
   this->Site = nearest;
   this->Site.limit =
     blend([&](const KernelSite& site) { return std::min(site.limit, FarLimit * largest); });
+  PatchStatus by = nearest.limitedBy == PatchStatus::Valid ? PatchStatus::Edge : nearest.limitedBy;
+  this->Site.toHeld = landmarks.green().held().distance(spot.place, spot.normal);
+  if (this->Site.toHeld < this->Site.limit)
+  {
+    this->Site.limit = this->Site.toHeld;
+    by = PatchStatus::OutOfReach;
+  }
   this->Site.largestRadius = std::min(largest, this->Site.limit);
-  const PatchStatus by =
-    nearest.limitedBy == PatchStatus::Valid ? PatchStatus::Edge : nearest.limitedBy;
   this->Site.limitedBy = this->Site.limit < largest ? by : PatchStatus::Valid;
   if (this->Site.limit == 0.0 && by == PatchStatus::OutOfReach)
   {
@@ -182,6 +187,7 @@ void BlendedKernels::blendKernels(const LandmarkKernels& landmarks, const Weight
     motions.col(k) = landmarks.green().motion(point);
   }
   const DirectedCompliance region(normals, motions, w.near);
+  this->Site.directed = region.inFrame(tangentFrame(normal));
   const double here = region.along(normal);
   Eigen::VectorXd selves(count);
   for (std::size_t r = 0; r < this->Blends.size(); ++r)

@@ -69,7 +69,8 @@ struct SurfaceSpot
  * Kernels at a place between landmarks: the plane through their values in the tangent plane, by
  * least squares, each by its inverse square distance; what that leaves is the kernel's `spread`.
  * Where they lie on a line, or all to one side, their mean. c₀₀ of each is first turned from its
- * normal to that of the place (DirectedCompliance). The surface falls off as the spot's gap says.
+ * normal to that of the place (DirectedCompliance). The surface falls off as the spot's gap says,
+ * and what is held of it begins where it does (HeldRim), which landmarks may not tell.
  */
 class PALPATE_EXPORT BlendedKernels : public ContactKernels
 {
@@ -99,8 +100,8 @@ private:
 
   static Weights weigh(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
     const std::vector<std::size_t>& around);
-  void blendSites(
-    const LandmarkKernels& landmarks, const Weights& w, const std::vector<std::size_t>& around);
+  void blendSites(const LandmarkKernels& landmarks, const SurfaceSpot& spot, const Weights& w,
+    const std::vector<std::size_t>& around);
   void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 

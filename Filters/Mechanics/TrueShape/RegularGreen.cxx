@@ -351,6 +351,7 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
       ? "there is no point to press"
       : "no point can be pressed; the first: " + whyNotPressed(this->Body, this->Points.front());
   }
+  this->Held = HeldRim(this->Body);
   this->chooseSources();
   this->layOut();
   this->Errors = SourceErrors(this->Body, this->Points, this->Discs, this->Sources);

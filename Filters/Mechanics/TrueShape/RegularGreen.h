@@ -19,6 +19,7 @@
 #include "Mechanics/FiniteElements/ElasticBody.h"
 #include "Mechanics/FiniteElements/PatchCompliance.h"
 #include "Mechanics/PalpateExport.h"
+#include "Mechanics/TrueShape/HeldRim.h"
 #include "Mechanics/TrueShape/SourceErrors.h"
 
 namespace palpate
@@ -61,6 +62,8 @@ public:
   std::vector<std::int32_t> pressedSources() const;
   /// The surface around one of `points`; null for any other.
   const SurfaceDisc* disc(std::int32_t point) const;
+  /// Where what is held of the body begins.
+  const HeldRim& held() const { return this->Held; }
   /// H(x, X), the mean of both orders where both were solved; NaN if neither was.
   double at(std::int32_t x, std::int32_t source) const;
   /// |H(x, X) - H(X, x)|; 0 where not both were solved.
@@ -93,6 +96,7 @@ private:
   void expectBending();
 
   const ElasticBody& Body;
+  HeldRim Held;
   double Radius = 0.0;
   double Spacing = 0.0;
   std::vector<std::int32_t> Points;                       ///< asked for, ascending

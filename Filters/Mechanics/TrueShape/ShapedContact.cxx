@@ -203,13 +203,9 @@ ShapedContact::Contact ShapedContact::at(double radius, const ContactKernel& ker
   return contact;
 }
 
-/// A curve on its way.
-struct ShapedContact::Course
+struct ShapedContact::Course : CurveSamples
 {
   Touch touch = Touch::Pointed;
-  std::vector<ContactSample> samples;
-  std::vector<ContactKernel> kernels;
-  std::vector<double> stiffness;
 };
 
 /// Adds the contact of a radius, or of the tool's wall at a given deflection; false where the
@@ -326,14 +322,14 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
       take(radius, {}, 0.0);
     }
   }
-  const std::size_t growing = course.samples.size();
+  course.growing = course.samples.size();
   if (isPunch)
   {
     const Contact closed = this->at(wall, kernels.at(wall), site.reducedModulus, touch.closed);
     PunchClosing closing;
     closing.depth = touch.touch == Touch::Flat ? 0.0 : touch.closed;
     closing.sink = closed.force / closed.stiffness;
-    closing.carried = growing > 0 ? course.samples.back().force / closed.force : 0.0;
+    closing.carried = course.growing > 0 ? course.samples.back().force / closed.force : 0.0;
     closing.isSolved = isShapeKnown;
     for (const PunchDepth& pressed : punchDepths(wall, closing))
     {
@@ -341,8 +337,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
     }
   }
   std::vector<ContactSample>& samples = course.samples;
-  addHarmonics(samples, growing, course.kernels, course.stiffness, site.reducedModulus, this->Tool,
-    isShapeKnown ? kernels.surface() : nullptr);
+  addHarmonics(course, kernels, this->Tool);
   this->addStrain(kernels, course);
   const bool beginsFlat = touch.touch == Touch::Flat && !isPunch;
   end = leaveRising(samples, beginsFlat) || !grows || !isTaken ? CurveEnd::Unstable : end;

@@ -26,11 +26,6 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
-/// cos 40°: how far the surface may turn under a contact: less than the normals at the edge of a
-/// block do. At its own middle it may turn by less (PatchTurn), as a contact on an edge has no
-/// normal.
-constexpr double ContactTurn = 0.76604444311897803520;
-
 constexpr double AlikeModulus = 0.05; ///< by a fraction
 constexpr double AlikeRatio = 0.01;
 

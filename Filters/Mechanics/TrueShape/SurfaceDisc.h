@@ -11,6 +11,11 @@
 
 namespace palpate
 {
+/// cos 40°: how far the surface may turn under a contact: less than the normals at the edge of a
+/// block do. At its own middle it may turn by less (PatchTurn), as a contact on an edge has no
+/// normal.
+constexpr double ContactTurn = 0.76604444311897803520;
+
 /// A surface point near another one, seen in the tangent plane there.
 struct DiscPoint
 {

@@ -106,6 +106,39 @@ TEST(ShapedContact, AConstantKernelIsInSeries)
   EXPECT_TRUE(agrees(found.deflection, local + 0.07 * force, 1e-10));
 }
 
+// A contact that leans by s pushes aside by s of its force: beside a compliance along the normal it
+// has 2 s of what couples both ways, and s² of that aside.
+TEST(ShapedContact, SaysWhatLeaningAsideMayDo)
+{
+  static constexpr double self = 0.07;
+  static constexpr double lean = 0.1;
+  class Leaning : public ContactKernels
+  {
+  public:
+    Leaning()
+    {
+      this->Site.status = PatchStatus::Valid;
+      this->Site.material = { 1.0, 0.4 };
+      this->Site.reducedModulus = 1.2;
+      this->Site.largestRadius = 3.0;
+      this->Site.elements = { 0.0, 0.0, 0.0 };
+      this->Site.directed << 4.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.3, 0.0, self;
+    }
+    ContactKernel at(double, int) const override
+    {
+      ContactKernel kernel;
+      kernel.order = 1;
+      kernel.coefficients(0, 0) = self;
+      kernel.gap.lean = { lean, 0.0 };
+      return kernel;
+    }
+  };
+  const auto pressed = palpate::testing::tool("sphere:6.35");
+  const ContactSample last = ShapedContact(*pressed).curve(Leaning()).samples().back();
+  const double stiffness = 1.0 / (1.0 / (2.0 * 1.2 * last.radius) + self);
+  EXPECT_NEAR(last.direction, stiffness * (2.0 * lean * 0.3 + lean * lean * 4.0), 1e-12);
+}
+
 // A power of δ is a straight line in the curve's own coordinates; its stiffness is its derivative.
 TEST(ContactCurve, KeepsAPowerAndItsDerivative)
 {
@@ -296,6 +329,28 @@ TEST(SurfaceDisc, EndsAtTheEdgeOfWhatIsHeld)
   EXPECT_EQ(disc.status, PatchStatus::Valid);
   EXPECT_EQ(disc.limitedBy, PatchStatus::OutOfReach);
   EXPECT_NEAR(disc.limit, std::sqrt(0.5), 1e-12); // the corners are 1 away
+}
+
+// To the edges of what is held, not to its corners; of those only that face as the place does.
+TEST(HeldRim, IsWhereWhatIsHeldEnds)
+{
+  ElasticBodyInput input;
+  input.mesh = hexahedronBlock(6, 6, 2, 1.0);
+  input.materials = { { 1.0, 0.3 } };
+  for (Eigen::Index i = 0; i < input.mesh.nodes.cols(); ++i)
+  {
+    const Eigen::Vector3d at = input.mesh.nodes.col(i);
+    input.fixed.push_back(at[2] == 0.0 || (at[2] == 2.0 && at[0] <= 2.0) ? 7 : 0);
+  }
+  ElasticBody body;
+  ASSERT_EQ(body.assemble(std::move(input)), "");
+  const HeldRim rim(body);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(rim.distance({ 3.25, 2.6, 2.0 }, up), 1.25, 1e-12);
+  EXPECT_NEAR(rim.distance({ 5.0, 7.0, 2.0 }, up), std::sqrt(10.0), 1e-12); // past its end
+  // The base ends at the sides, which only they see.
+  EXPECT_NEAR(rim.distance({ 6.0, 3.0, 0.5 }, Eigen::Vector3d::UnitX()), 0.5, 1e-12);
+  EXPECT_EQ(HeldRim().distance({ 0.0, 0.0, 0.0 }, up), Infinity);
 }
 
 // Rows are what a contact needs, and the forecast is above what they take, but not by far.

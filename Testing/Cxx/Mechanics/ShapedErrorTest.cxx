@@ -203,7 +203,47 @@ ElasticBodyInput overANodule(int finer)
   }
   return heldBelow(std::move(mesh), materials);
 }
+/// Held below, and on its top up to x = 4 mm: beside that a contact may not spread.
+ElasticBodyInput heldOnTop(int finer)
+{
+  ElasticBodyInput input = heldBelow(block(10, 8, 5, finer), { { 0.1, 0.45 } });
+  for (std::size_t i = 0; i < input.fixed.size(); ++i)
+  {
+    const Eigen::Vector3d at = input.mesh.nodes.col(static_cast<Eigen::Index>(i));
+    input.fixed[i] = at.z() == 5.0 && at.x() < 4.01 ? 7 : input.fixed[i];
+  }
+  return input;
+}
 } // namespace
+
+// Contacts that come as near as a tenth of their radius to what is held, against elements of a
+// third of the side: what these change is a quarter, and it is stated.
+TEST(ShapedError, HoldsBesideWhatIsHeld)
+{
+  const std::vector<Eigen::Vector3d> places = { { 5.0, 4.0, 5.0 }, { 6.0, 4.0, 5.0 },
+    { 7.0, 4.0, 5.0 } };
+  const Solved coarse(heldOnTop(1), places, 2.5);
+  const Solved fine(heldOnTop(3), places, 2.5);
+  const auto pressed = tool("sphere:4");
+  double largest = 0.0;
+  for (const Eigen::Vector3d& place : places)
+  {
+    const ContactCurve here = coarse.curve(*pressed, place);
+    const ContactCurve there = fine.curve(*pressed, place);
+    ASSERT_FALSE(here.isEmpty());
+    for (const double part : { 0.3, 0.6, 0.9 })
+    {
+      const double depth = part * std::min(here.deepest(), there.deepest());
+      const IndentationPoint found = here.evaluate(depth);
+      const ContactSample errors = here.errorsAt(depth);
+      const double error = std::abs(found.force / there.evaluate(depth).force - 1.0);
+      const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
+      EXPECT_LT(error, stated) << place.x() - 4.0 << " mm, " << part;
+      largest = std::max(largest, error);
+    }
+  }
+  EXPECT_GT(largest, 0.02);
+}
 
 // In 95 of 100 cases.
 TEST(ShapedError, HoldsAtRandom)
