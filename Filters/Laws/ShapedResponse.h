@@ -41,9 +41,9 @@ struct ShapedTerms
  *
  * The error of a sample, the root of the squares of: what small strain, or its correction, lacks
  * (Strain, by the part of the compliance that is local), what is open of the surface's own shape
- * (Curvature), a fifth of what the tilt next to an edge does (Edge; that fifth is what finite
- * elements find left), elements and order of the kernel (Elements), storage, each found at the
- * sample's own contact.
+ * and of how a force yields that leans with it (Curvature), a fifth of what the tilt next to an
+ * edge does (Edge; that fifth is what finite elements find left), elements, order of the kernel and
+ * what both miss beside what is held (Elements), storage, each found at the sample's own contact.
  *
  * `goOn(fraction)` is told how much is done, and stops it by false. The same bits for any number of
  * threads. Cost: 24 to 96 small fits a point, some milliseconds of one thread.

@@ -14,6 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 RADIUS = 25.0
 BOTTOM = -15.0
 SPACING = 5.0  # a fifth of the radius
+COARSE = 8.0  # where no force is judged
 
 
 def dome():
@@ -34,9 +35,9 @@ class Solid(SessionCase):
         for file in cached():
             file.unlink()
 
-    def responses(self, *arguments):
+    def responses(self, *arguments, spacing=SPACING):
         saved = self.folder / "saved.vtp"
-        self.result = self.press(dome(), "dome.vtp", "--solid", SPACING, "--save", saved,
+        self.result = self.press(dome(), "dome.vtp", "--solid", spacing, "--save", saved,
                                  *arguments)
         if "PALPATE_USE_CGAL" in self.result.stderr:
             self.skipTest("built without CGAL")
@@ -78,7 +79,7 @@ class Solid(SessionCase):
         self.assertLess(abs(peak_force(self.result) / peak_force(series) - 1.0), 0.06)
 
     def test_several_tools_share_the_solid(self):
-        found = self.responses("--tool", "sphere:6.35", "--tool", "flat:1.6")
+        found = self.responses("--tool", "sphere:6.35", "--tool", "flat:1.6", spacing=COARSE)
         second = vtk_to_numpy(self.body.GetPointData().GetArray("Response2Force"))
         top = found["Normal"][:, 2].argmax()
         self.assertNotEqual(second[top, 1], found["Force"][top, 1])
@@ -91,20 +92,20 @@ class Solid(SessionCase):
             self.assertLess(chosen, 6.0 / 3.0)
 
     def test_the_second_time_it_is_there(self):
-        first = self.responses("--tool", "sphere:4")
+        first = self.responses("--tool", "sphere:4", spacing=COARSE)
         self.assertIn("filled with", self.result.stderr)
-        again = self.responses("--tool", "sphere:4")
+        again = self.responses("--tool", "sphere:4", spacing=COARSE)
         self.assertRegex(self.result.stderr, r"its solid's responses taken from the cache .*solid-\w+\.vtp")
         self.assertNotIn("filled with", self.result.stderr)
         for name, values in first.items():
             numpy.testing.assert_array_equal(values, again[name])
         # Held otherwise, and from a file that ends in the middle, it is solved for again.
-        self.responses("--tool", "sphere:4", "--fixed", "z-:4")
+        self.responses("--tool", "sphere:4", "--fixed", "z-:4", spacing=COARSE)
         self.assertIn("filled with", self.result.stderr)
         self.assertEqual(len(cached()), 2)
         for file in cached():
             file.write_bytes(file.read_bytes()[:5000])
-        broken = self.responses("--tool", "sphere:4")
+        broken = self.responses("--tool", "sphere:4", spacing=COARSE)
         self.assertIn("filled with", self.result.stderr)
         numpy.testing.assert_array_equal(first["Force"], broken["Force"])
 

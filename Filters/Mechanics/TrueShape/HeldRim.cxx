@@ -2,6 +2,7 @@
 #include "Mechanics/TrueShape/HeldRim.h"
 
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/SegmentDistance.h"
 #include "Mechanics/TrueShape/SurfaceDisc.h"
 
 #include <algorithm>
@@ -42,8 +43,8 @@ HeldRim::HeldRim(const ElasticBody& body)
   {
     if (sides.isHeld && !sides.free.isZero())
     {
-      const Eigen::Vector3d& from = surface.position(ends.first);
-      this->Edges.push_back({ from, surface.position(ends.second) - from, sides.free });
+      this->Edges.push_back(
+        { surface.position(ends.first), surface.position(ends.second), sides.free });
     }
   }
 }
@@ -55,9 +56,9 @@ double HeldRim::distance(const Eigen::Vector3d& place, const Eigen::Vector3d& no
   {
     if (edge.normal.dot(normal) >= ContactTurn)
     {
-      const Eigen::Vector3d from = place - edge.from;
-      const double part = std::clamp(edge.along.dot(from) / edge.along.squaredNorm(), 0.0, 1.0);
-      square = std::min(square, (from - part * edge.along).squaredNorm());
+      const Eigen::Vector3d from = edge.from - place;
+      const Eigen::Vector3d to = edge.to - place;
+      square = std::min(square, squareToSegment(from, to));
     }
   }
   return std::sqrt(square);

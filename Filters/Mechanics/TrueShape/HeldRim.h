@@ -29,8 +29,8 @@ private:
   struct Edge
   {
     Eigen::Vector3d from;
-    Eigen::Vector3d along; ///< to its other end
-    Eigen::Vector3d normal;
+    Eigen::Vector3d to;
+    Eigen::Vector3d normal; ///< of the free triangle
   };
   std::vector<Edge> Edges;
 };

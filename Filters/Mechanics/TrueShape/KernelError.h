@@ -8,9 +8,9 @@ namespace palpate
 {
 /// What the elements let expect of the error of a contact's compliance, mm/N: by its place
 /// (ElementError), less of a contact wider than they are; of what bends (BendingError); of facets
-/// on a curved surface (measured on a ball): all these as a second mesh tells, too; and of what
-/// lies between the places where H is known; and of a contact that comes near what is held, which
-/// two meshes may miss alike. Not what the moduli of mixed cells do.
+/// on a curved surface (measured on a ball): all these as a second mesh tells, too; of what lies
+/// between the places where H is known; and of a contact that comes near what is held, which two
+/// meshes may miss alike. Not what the moduli of mixed cells do.
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius);
 
 /// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for

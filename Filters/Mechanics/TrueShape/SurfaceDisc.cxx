@@ -3,6 +3,7 @@
 
 #include "Mechanics/FiniteElements/PatchLoad.h"
 #include "Mechanics/JoinedText.h"
+#include "Mechanics/Numerics/SegmentDistance.h"
 #include "Mechanics/TrueShape/SmoothSurface.h"
 
 #include <algorithm>
@@ -36,14 +37,6 @@ bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial
   const std::int32_t node = body.surface().node(point);
   return std::all_of(topology.elementsBegin(node), topology.elementsEnd(node),
     [&](std::int32_t element) { return isNearlyAlike(body.material(element), material); });
-}
-
-double distanceToSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  const Eigen::Vector2d along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp(-a.dot(along) / square, 0.0, 1.0) : 0.0;
-  return (a + t * along).norm();
 }
 
 /// One walk over the surface around a point.
@@ -137,8 +130,8 @@ private:
     {
       corner[i] = this->inFrame(this->Surface.triangle(triangle)[i]).head<2>();
     }
-    return std::min({ distanceToSegment(corner[0], corner[1]),
-      distanceToSegment(corner[1], corner[2]), distanceToSegment(corner[2], corner[0]) });
+    return std::sqrt(std::min({ squareToSegment(corner[0], corner[1]),
+      squareToSegment(corner[1], corner[2]), squareToSegment(corner[2], corner[0]) }));
   }
 
   void take(std::int32_t point, SurfaceDisc& disc)

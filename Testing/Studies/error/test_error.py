@@ -44,11 +44,13 @@ class Committed(unittest.TestCase):
             self.assertGreater(int(row["compared"]), 1000)
             self.assertLess(float(row["beyond_stated"]), 0.05, row)
 
-    def test_the_bound_of_what_is_covered_holds_against_direct_contact(self):
-        rows = [row for row in run.read(DATA / "direct.csv") if float(row["stated"]) <= 0.05]
+    def test_the_bound_of_true_shape_holds_against_direct_contact(self):
+        rows = run.read(DATA / "direct.csv")
         self.assertEqual({row["tool"] for row in rows}, {"sphere:6.35", "flat:1.6", "sphere:1.6"})
-        self.assertGreaterEqual(len(rows), 18)
-        self.assertGreaterEqual(sum(map(run.holds, rows)), 0.95 * len(rows))
+        covered = [row for row in rows if float(row["stated"]) <= 0.05]
+        self.assertGreaterEqual(len(covered), 18)
+        for those in (covered, rows):
+            self.assertGreaterEqual(sum(map(run.holds, those)), 0.95 * len(those))
 
 
 if __name__ == "__main__":

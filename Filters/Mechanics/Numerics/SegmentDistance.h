@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SegmentDistance_h
+#define palpate_SegmentDistance_h
+
+#include <algorithm>
+
+namespace palpate
+{
+/// Square of the distance of the origin from the segment between two places, of a plane or of
+/// space; of one without a length from its ends.
+template <class Vector>
+double squareToSegment(const Vector& from, const Vector& to)
+{
+  const Vector along = to - from;
+  const double square = along.squaredNorm();
+  const double part = square > 0.0 ? std::clamp(-from.dot(along) / square, 0.0, 1.0) : 0.0;
+  return (from + part * along).squaredNorm();
+}
+} // namespace palpate
+
+#endif
