@@ -3,6 +3,7 @@
 
 #include "Laws/LinkedSurface.h"
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/SegmentDistance.h"
 
 #include <Eigen/Geometry>
 
@@ -33,10 +34,7 @@ double sharpnessOf(float turn)
 
 double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& to)
 {
-  const Vector3d along = to - from;
-  const double length = along.squaredNorm();
-  const double part = length > 0.0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (point - from - part * along).norm();
+  return std::sqrt(squareToSegment(Vector3d(from - point), Vector3d(to - point)));
 }
 
 /// The middle one of the three lengths of a surface's box, mm.

@@ -141,7 +141,7 @@ void addHarmonics(CurveSamples& curve, const ContactKernels& at, const Axisymmet
     s.surface = curve.stiffness[i] / s.force * open;
     s.direction = curve.stiffness[i] * yieldsOtherwise(at.site().directed, turned);
   }
-  if (surface != nullptr && surface->reach() > 0.0 && !isEnough)
+  if (surface != nullptr && !isEnough)
   {
     UnevenContact uneven(tool, *surface);
     solveUneven(samples, curve.growing, modulus, uneven, shape);

@@ -82,7 +82,10 @@ public:
 
   /// `largestOrder`: as it is known, or anything below for one less.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
-  const SurfaceGap* surface() const override { return &this->Gap; }
+  const SurfaceGap* surface() const override
+  {
+    return this->Gap.reach() > 0.0 ? &this->Gap : nullptr;
+  }
 
 private:
   /// How values at the landmarks become one at the place.

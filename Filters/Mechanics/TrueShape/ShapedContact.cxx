@@ -301,7 +301,6 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   const FlatTouch touch = touchOf(*this, this->Tool, kernels);
   course.touch = touch.touch;
   const bool isPunch = isFlat(this->Tool);
-  const bool isShapeKnown = kernels.surface() != nullptr && kernels.surface()->reach() > 0.0;
   bool grows = true;
   bool isTaken = true; // the last one
   const auto take = [&](double radius, std::optional<double> deflection, double open)
@@ -330,7 +329,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
     closing.depth = touch.touch == Touch::Flat ? 0.0 : touch.closed;
     closing.sink = closed.force / closed.stiffness;
     closing.carried = course.growing > 0 ? course.samples.back().force / closed.force : 0.0;
-    closing.isSolved = isShapeKnown;
+    closing.isSolved = kernels.surface() != nullptr;
     for (const PunchDepth& pressed : punchDepths(wall, closing))
     {
       take(wall, pressed.depth, pressed.open);
