@@ -3,13 +3,10 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
-#include "Response/Bodies/ClosedSurface.h"
 #include "Response/FilterStage.h"
 #include "Response/Mesher/MeshConversion.h"
-#include "Response/Mesher/OutsideReach.h"
-#include "Response/Mesher/SurfaceCut.h"
+#include "Response/Mesher/PreparedSurface.h"
 #include "Response/Mesher/SurfaceMesher.h"
-#include "Response/Mesher/SurfaceRepair.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,8 +18,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -43,13 +38,7 @@ constexpr double BytesPerCell = 2000.0;
 /// Cells have ten nodes each, numbered by 32 bits.
 constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 
-/// Facets cut off about a hundredth of the volume; a larger loss is a part of the body.
-constexpr double LostVolume = 0.1;
-/// Parts that a cut leaves are left out below the cube of this, in spacings.
-constexpr double LeastPart = 0.5;
-constexpr double OnCut = 1e-6;      // of the spacing
 constexpr double MeshedShare = 0.9; // of the work
-constexpr double RoughStep = 3.0;   // of the deviation, where a surface is too rough for it
 
 /// For a body of given volume and area whose spacing grows from s to l inwards.
 double expectedCells(const palpate::ClosedSurface& closed, double s, double l, double growth)
@@ -70,22 +59,6 @@ double expectedCells(const palpate::FineBall& ball, double l, double growth)
   const double inside = std::pow(ball.radius / s, 3) / 3.0;
   const double around = (primitive(l) - primitive(s)) / std::pow(growth, 3);
   return CellsPerCube * 4.0 * vtkMath::Pi() * (inside + around);
-}
-
-double volumeOf(const palpate::TetrahedralMesh& mesh)
-{
-  double volume = 0.0;
-  for (const auto& cell : mesh.cells)
-  {
-    Eigen::Matrix3d sides;
-    for (int i = 0; i < 3; ++i)
-    {
-      sides.col(i) =
-        mesh.nodes.col(cell[static_cast<std::size_t>(i) + 1]) - mesh.nodes.col(cell[0]);
-    }
-    volume += sides.determinant() / 6.0;
-  }
-  return volume;
 }
 } // namespace
 
@@ -180,83 +153,19 @@ std::string vtkGradedBody::CheckProperties() const
   return {};
 }
 
-/// The surface, closed if it is nearly so.
-std::string vtkGradedBody::TakeSurface(vtkPolyData* body, palpate::ClosedSurface& closed)
-{
-  const std::string fault = palpate::takeClosedSurface(body, closed);
-  if (fault.empty() || !closed.isOpen)
-  {
-    return fault;
-  }
-  palpate::MeshedSurface surface = palpate::convertSurfaceToMesh(closed.surface);
-  palpate::ClosedUp done;
-  const std::string open = palpate::closeSurface(surface, done);
-  if (!open.empty())
-  {
-    return fault + " (" + open + ")";
-  }
-  vtkWarningMacro(<< "The surface was not closed: it was parted at " << done.points
-                  << " points where it touched itself, and " << done.holes
-                  << " holes were filled, the widest " << done.widest << " mm.");
-  closed = {};
-  return palpate::takeClosedSurface(palpate::convertMeshToSurface(surface), closed);
-}
-
-/// Cuts off what is held to a given depth, so that it ends there and not at the next cell. Returns
-/// the planes; none where the surface cannot be cut.
-std::vector<palpate::CutPlane> vtkGradedBody::CutHeld(
-  palpate::HeldFaces& faces, palpate::MeshedSurface& wanted, palpate::ClosedSurface& closed)
-{
-  std::vector<palpate::CutPlane> planes;
-  const Eigen::Vector3d lowest = wanted.points.rowwise().minCoeff();
-  const Eigen::Vector3d highest = wanted.points.rowwise().maxCoeff();
-  for (std::size_t side = 0; side < faces.size(); ++side)
-  {
-    const auto axis = static_cast<Eigen::Index>(side / 2);
-    const bool isUpper = side % 2 == 1;
-    if (faces[side].isGiven)
-    {
-      planes.push_back({ axis, isUpper,
-        isUpper ? highest[axis] - faces[side].depth : lowest[axis] + faces[side].depth });
-    }
-  }
-  if (planes.empty())
-  {
-    return planes;
-  }
-  palpate::MeshedSurface left = wanted;
-  palpate::ClosedSurface closedLeft;
-  std::string fault = palpate::cutOff(left, planes, std::pow(LeastPart * this->SurfaceSpacing, 3));
-  fault = fault.empty()
-    ? palpate::takeClosedSurface(palpate::convertMeshToSurface(left), closedLeft)
-    : fault;
-  if (!fault.empty())
-  {
-    vtkWarningMacro(<< "What is held ends at whole cells, since " << fault << ".");
-    return {};
-  }
-  wanted = std::move(left);
-  closed = closedLeft;
-  for (palpate::HeldFace& face : faces)
-  {
-    face.depth = face.isGiven ? OnCut * this->SurfaceSpacing : face.depth;
-  }
-  return planes;
-}
-
 std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
 {
   palpate::HeldFaces faces{};
-  palpate::ClosedSurface closed;
+  palpate::PreparedSurface prepared;
   std::string fault = palpate::readHeldFaces(this->FixedFaces, 0.5 * this->SurfaceSpacing, faces);
-  fault = fault.empty() ? this->TakeSurface(body, closed) : fault;
+  fault = fault.empty() ? palpate::takeSurface(body, prepared) : fault;
   if (!fault.empty())
   {
     return fault;
   }
   const double inside =
     this->InteriorSpacing > 0.0 ? this->InteriorSpacing : InteriorRatio * this->SurfaceSpacing;
-  this->CellEstimate = expectedCells(closed, this->SurfaceSpacing, inside, this->Growth);
+  this->CellEstimate = expectedCells(prepared.closed, this->SurfaceSpacing, inside, this->Growth);
   std::vector<palpate::FineBall> balls;
   for (const auto& [x, y, z, radius, spacing] : this->FineBalls)
   {
@@ -273,51 +182,29 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
       available / palpate::Mebibyte, " MiB are available, and more than ", MostCells,
       " are too many");
   }
-  palpate::MeshedSurface wanted = palpate::convertSurfaceToMesh(closed.surface);
-  std::size_t mended = 0;
-  fault = palpate::mendSurface(wanted, mended);
+  fault = palpate::mendAndCut(this->SurfaceSpacing, faces, prepared);
+  for (const std::string& warning : prepared.warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
   if (!fault.empty())
   {
-    return "Wrong input: " + fault;
+    return fault;
   }
-  if (mended > 0)
-  {
-    vtkWarningMacro(<< "The surface cut itself at " << mended
-                    << " pairs of triangles; it was mended there before it was filled.");
-  }
-  const std::vector<palpate::CutPlane> cuts = this->CutHeld(faces, wanted, closed);
+  palpate::MeshedSurface& wanted = prepared.wanted;
   wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), this->SurfaceSpacing);
   wanted.balls = balls;
   wanted.interiorSpacing = inside;
   wanted.growth = this->Growth;
   wanted.deviation =
     this->Deviation > 0.0 ? this->Deviation : DeviationRatio * this->SurfaceSpacing;
-  palpate::TetrahedralMesh mesh;
-  do
-  {
-    fault = palpate::fillSurface(
-      wanted, this->CellEstimate, palpate::FilterStage{ this, 0.0, MeshedShare }, mesh);
-    wanted.deviation *= mesh.isTooRough && !wanted.isManifold ? RoughStep : 1.0;
-    wanted.isManifold = wanted.isManifold && !mesh.isTooRough;
-  } while (mesh.isTooRough && wanted.deviation < this->SurfaceSpacing);
-  if (mesh.isTooRough)
-  {
-    return palpate::joined("The surface is rougher than SurfaceSpacing ", this->SurfaceSpacing,
-      " mm can follow: smooth it, or give a larger one");
-  }
+  palpate::CurvedTetrahedra curved;
+  fault = palpate::fillPrepared(prepared, this->SurfaceSpacing, this->CellEstimate,
+    palpate::FilterStage{ this, 0.0, MeshedShare }, curved);
   if (!fault.empty() || palpate::isAborted(this))
   {
-    return fault.empty() ? fault : "Wrong input: " + fault;
+    return fault;
   }
-  const double volume = volumeOf(mesh);
-  if (!(std::abs(volume / closed.volume - 1.0) < LostVolume))
-  {
-    return palpate::joined("The tetrahedra fill ", volume, " of the ", closed.volume,
-      " mm³ inside the surface: SurfaceSpacing ", this->SurfaceSpacing,
-      " mm is too coarse for some part of it");
-  }
-  const palpate::CurvedTetrahedra curved =
-    palpate::curveTetrahedra(mesh, palpate::outsideReach(closed.surface, wanted, cuts));
   palpate::convertTetrahedra(curved, output);
   output->GetPointData()->AddArray(palpate::holdFaces(curved.nodes, faces));
   this->UpdateProgress(1.0);

@@ -48,14 +48,6 @@
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-namespace palpate
-{
-struct ClosedSurface;
-struct CutPlane;
-struct HeldFace;
-struct MeshedSurface;
-} // namespace palpate
-
 class PALPATERESPONSE_EXPORT vtkGradedBody : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -127,9 +119,6 @@ private:
   void operator=(const vtkGradedBody&) = delete;
 
   std::string CheckProperties() const;
-  std::string TakeSurface(vtkPolyData* body, palpate::ClosedSurface& closed);
-  std::vector<palpate::CutPlane> CutHeld(std::array<palpate::HeldFace, 6>& faces,
-    palpate::MeshedSurface& wanted, palpate::ClosedSurface& closed);
   std::string Fill(vtkPolyData* body, vtkUnstructuredGrid* output);
 
   double SurfaceSpacing = 2.0;

@@ -78,6 +78,10 @@ PROPERTIES = {                                              # of each proxy: lab
         "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Source Spacing (mm)": 0.0, "Strain Model": 0,
         "Ogden Exponent": 2.0, "Demiray Exponent": 1.0, "Least Law That Keeps Forces": 0,
         "Term Tolerance": 0.01, "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Memory Limit (MiB)": 0.0, "Solver": 0},
+    ("filters", "DirectContactResponse"): {
+        "Input": None, "Body": None, "Coarser": None, "Shape": None, "Tool": None, "Young's Modulus (MPa)": 0.1,
+        "Poisson's Ratio": 0.45, "Deflection (mm)": 1.0, "Error Tolerance": 0.05, "Fixed Faces": "z-", "Strain Model": 0,
+        "Ogden Exponent": 2.0, "Demiray Exponent": 1.0, "Response Name": "Response"},
     ("filters", "NoduleMaterial"): {
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",
         "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Nodules (mm, MPa)": None, "Subdivisions": 8},

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/TrueShape/ShapedContact.h"
 
-#include "Mechanics/FiniteStrain/SmallStrainError.h"
-#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/TrueShape/ContactHarmonics.h"
 #include "Mechanics/TrueShape/KernelError.h"
 #include "Mechanics/TrueShape/PunchDepths.h"
+#include "Mechanics/TrueShape/StrainShare.h"
 
 #include <Eigen/LU>
 
@@ -116,25 +115,6 @@ FlatTouch touchOf(
     found.touch = Touch::Closing;
   }
   return found;
-}
-
-/// Of what finite strain does, where a body's shape makes the contact another than that of a
-/// half-space under the same force.
-constexpr double LeftOfStrain = 0.3;
-
-/// How deep the tool is pressed into a half-space by that force, mm.
-double depthUnder(const AxisymmetricTool& tool, double force, double radius, double modulus)
-{
-  double depth = radius < tool.largestContactRadius() && radius > tool.smallestContactRadius()
-    ? tool.depthAtContactRadius(radius)
-    : force / (2.0 * modulus * radius);
-  for (int i = 0; i < 8 && depth > 0.0; ++i)
-  {
-    const IndentationPoint at = tool.evaluate(depth, modulus);
-    const double next = depth - (at.force - force) / at.stiffness;
-    depth = next > 0.0 ? next : 0.5 * depth;
-  }
-  return depth;
 }
 
 /// Leaves out samples that do not rise above those before, or above zero; true if the last one did
@@ -260,30 +240,17 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
 /// What finite strain does to the samples, or may.
 void ShapedContact::addStrain(const ContactKernels& kernels, Course& course) const
 {
-  const KernelSite& site = kernels.site();
   for (std::size_t i = 0; i < course.samples.size(); ++i)
   {
     ContactSample& sample = course.samples[i];
-    if (!(sample.force > 0.0))
+    if (sample.force > 0.0)
     {
-      continue;
+      const StrainShare share = strainShare(this->Tool, this->Strain, kernels.site().material,
+        { sample.force, course.stiffness[i], sample.radius });
+      sample.force += share.force;
+      sample.deflection += share.deflection;
+      sample.strain = share.error;
     }
-    const double depth = depthUnder(this->Tool, sample.force, sample.radius, site.reducedModulus);
-    const double alone = this->Tool.stiffness(depth, site.reducedModulus);
-    const double local = course.stiffness[i] / alone;
-    if (this->Strain == nullptr)
-    {
-      const double pressure =
-        sample.force / (Pi * sample.radius * sample.radius * site.reducedModulus);
-      sample.strain = local * smallStrainError(pressure, site.material.poissonRatio, 0.0, 0.0);
-      continue;
-    }
-    const StrainFactor found = this->Strain->at(depth, site.material.poissonRatio, 0.0);
-    const double more = (found.factor - 1.0) * sample.force;
-    sample.force += more;
-    sample.deflection += (1.0 / course.stiffness[i] - 1.0 / alone) * more;
-    sample.strain =
-      local * found.error + LeftOfStrain * std::abs((found.factor - 1.0) * (1.0 - local));
   }
 }
 

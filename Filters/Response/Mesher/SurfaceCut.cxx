@@ -5,7 +5,8 @@
 #ifndef PALPATE_WITH_CGAL
 namespace palpate
 {
-std::string cutOff(MeshedSurface&, const std::vector<CutPlane>&, double)
+std::string cutOff(
+  MeshedSurface&, const std::vector<CutPlane>&, double, const std::vector<CutPlane>&)
 {
   return "this build has no mesher (CGAL) to cut it";
 }
@@ -19,8 +20,10 @@ std::string cutOff(MeshedSurface&, const std::vector<CutPlane>&, double)
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
+#include <numeric>
 
 namespace palpate
 {
@@ -82,6 +85,36 @@ void addRims(const CutPlane& plane, MeshedSurface& surface)
   }
 }
 
+/// Orders points and triangles by where they are: CGAL numbers what it cuts by addresses.
+void putInOrder(MeshedSurface& surface)
+{
+  const auto count = static_cast<std::size_t>(surface.points.cols());
+  std::vector<std::int32_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](std::int32_t i)
+  {
+    const auto at = surface.points.col(i);
+    return std::array<double, 3>{ at.x(), at.y(), at.z() };
+  };
+  std::sort(order.begin(), order.end(),
+    [&](std::int32_t a, std::int32_t b) { return place(a) < place(b); });
+  std::vector<std::int32_t> number(count);
+  Eigen::Matrix3Xd points(3, surface.points.cols());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    number[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
+    points.col(static_cast<Eigen::Index>(i)) = surface.points.col(order[i]);
+  }
+  surface.points = points;
+  for (std::array<std::int32_t, 3>& corners : surface.triangles)
+  {
+    std::transform(corners.begin(), corners.end(), corners.begin(),
+      [&](std::int32_t i) { return number[static_cast<std::size_t>(i)]; });
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  std::sort(surface.triangles.begin(), surface.triangles.end());
+}
+
 /// Returns what is wrong, or "".
 std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
 {
@@ -100,7 +133,8 @@ std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
 }
 } // namespace
 
-std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least)
+std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,
+  const std::vector<CutPlane>& before)
 {
   CgalSurface mesh;
   std::string fault = toCgal(surface, mesh);
@@ -122,11 +156,14 @@ std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, 
   MeshedSurface made = surface;
   made.rims.clear();
   fromCgal(mesh, made);
-  for (const CutPlane& plane : planes)
+  std::vector<CutPlane> all = planes;
+  all.insert(all.end(), before.begin(), before.end());
+  for (const CutPlane& plane : all)
   {
     roundTo(plane, made);
   }
-  for (const CutPlane& plane : planes)
+  putInOrder(made);
+  for (const CutPlane& plane : all)
   {
     addRims(plane, made);
   }

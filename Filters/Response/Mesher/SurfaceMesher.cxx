@@ -48,6 +48,20 @@ using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, Surface>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
 using Complex =
   CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
+} // namespace
+} // namespace palpate
+
+/// CGAL leaves what it cannot fill as files in the working directory: not ours.
+template <>
+struct CGAL::Dump_c3t3<palpate::Complex>
+{
+  void dump_c3t3(const palpate::Complex&, const std::string&) const {}
+};
+
+namespace palpate
+{
+namespace
+{
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 // The criteria bound radii; the resulting lengths of edges were measured on balls: 0.95 to 1.05 of

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Direct contact, on meshes small enough for a test: against the exact law of a bonded layer,
 // straight and aslant, and however the body lies in space.
-#include "DirectContact.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/ShapedBodies.h"
 #include "Mechanics/TestTools.h"
+#include "Mechanics/TrueShape/DirectContact.h"
 
 #include <Eigen/Geometry>
 
@@ -64,12 +64,12 @@ TEST(DirectContact, SphereOnALayer)
   const auto sphere = tool("sphere:6.35");
   const Layer tetrahedra(0.4, true);
   const DirectContact onTetrahedra(tetrahedra.Body, *sphere, Straight, 0.4);
-  EXPECT_NEAR(onTetrahedra.force(0.4) / exact(*sphere, 0.4), 1.0, 0.01);
+  EXPECT_NEAR(onTetrahedra.at(0.4).force / exact(*sphere, 0.4), 1.0, 0.01);
   const Layer hexahedra(0.2);
   const DirectContact contact(hexahedra.Body, *sphere, Straight, 0.4);
   for (const double depth : { 0.2, 0.4 })
   {
-    EXPECT_NEAR(contact.force(depth) / exact(*sphere, depth), 1.0, 0.015) << depth;
+    EXPECT_NEAR(contact.at(depth).force / exact(*sphere, depth), 1.0, 0.015) << depth;
   }
 }
 
@@ -80,7 +80,7 @@ TEST(DirectContact, FlatOnALayer)
   const auto flat = tool("flat:1.6");
   const Layer layer(0.32, true);
   const DirectContact contact(layer.Body, *flat, Straight, 0.3);
-  EXPECT_NEAR(contact.force(0.3) / exact(*flat, 0.3), 1.0, 0.03);
+  EXPECT_NEAR(contact.at(0.3).force / exact(*flat, 0.3), 1.0, 0.03);
 }
 
 /// The same however it lies in space, but for what the tool's frame has to do with the facets.
@@ -94,7 +94,7 @@ TEST(DirectContact, TurnedInSpace)
   const DirectContact one(layer.Body, *sphere, Straight, 0.3);
   const DirectContact other(turned.Body, *sphere, { turn * Top, turn * Straight.inward }, 0.3);
   EXPECT_EQ(one.corners(), other.corners());
-  EXPECT_NEAR(other.force(0.3) / one.force(0.3), 1.0, 1e-8);
+  EXPECT_NEAR(other.at(0.3).force / one.at(0.3).force, 1.0, 1e-8);
 }
 
 /// Pressed aslant by α without friction, a ball of radius R whose lowest point begins in the
@@ -115,10 +115,10 @@ TEST(DirectContact, Aslant)
     const DirectPlace at{ Top - place, inward };
     const double deep = radius - (radius - depth) * std::cos(aslant);
     const double expected = std::cos(aslant) * exact(*sphere, deep);
+    const DirectContact contact(layer.Body, *sphere, at, depth);
     for (const Pushed pushed : { Pushed::TogetherAlongTheMean, Pushed::EachAlongItsOwn })
     {
-      const DirectContact contact(layer.Body, *sphere, at, depth, pushed);
-      EXPECT_NEAR(contact.force(depth) / expected, 1.0, 0.03) << degrees;
+      EXPECT_NEAR(contact.at(depth, pushed).force / expected, 1.0, 0.03) << degrees;
     }
   }
 }
@@ -130,6 +130,6 @@ TEST(DirectContact, NothingTouches)
   const DirectContact contact(
     layer.Body, *sphere, { Top + Eigen::Vector3d(0.0, 0.0, 5.0), Straight.inward }, 1.0);
   EXPECT_EQ(contact.corners(), 0);
-  EXPECT_EQ(contact.force(1.0), 0.0);
+  EXPECT_EQ(contact.at(1.0).force, 0.0);
 }
 } // namespace

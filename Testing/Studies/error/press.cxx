@@ -7,8 +7,8 @@
  * Prints the force in N and how many corners of facets might touch: of pressures along the mean
  * normal, and of those each along its own.
  */
-#include "DirectContact.h"
 #include "Mechanics/Tools/ToolSpecification.h"
+#include "Mechanics/TrueShape/DirectContact.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -93,13 +93,12 @@ int main(int count, char** arguments)
     return 1;
   }
   const auto tool = makeTool(specification);
-  const testing::DirectPlace at{ { value[6], value[7], value[8] },
+  const DirectPlace at{ { value[6], value[7], value[8] },
     Eigen::Vector3d(value[9], value[10], value[11]).normalized() };
-  using testing::Pushed;
+  const DirectContact contact(body, *tool, at, value[5]);
   for (const Pushed pushed : { Pushed::TogetherAlongTheMean, Pushed::EachAlongItsOwn })
   {
-    const testing::DirectContact contact(body, *tool, at, value[5], pushed);
-    std::printf("%.9g %d\n", contact.force(value[5]), contact.corners());
+    std::printf("%.9g %d\n", contact.at(value[5], pushed).force, contact.corners());
   }
   return 0;
 }

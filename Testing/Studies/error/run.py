@@ -13,7 +13,7 @@ Cover: the share of the surface where a tool's error at 1 mm is stated to be at 
 and Neo-Hooke, nu = 0.45: on the head of Debian's mricron-data if it is installed, and on each FILE (.stl .ply .obj
 .vtp ...), scaled so that its longest side is LENGTH mm. Leaves cover.csv. What is missing is said.
 
-    ./run study error --solid SIDES --body FILE[:LENGTH] ... [--finer CELLS | --direct N [--smooth TIMES]]
+    ./run study error --solid SIDES --body FILE[:LENGTH] ... [--finer CELLS | --direct N | --press N] [--smooth TIMES]
 
 Cover by finite elements of true shape of each FILE, a closed surface held at SIDES (as y-:4), and, with --finer, how
 often the stated error holds against CELLS tetrahedra. Leaves solid.csv. Minutes for a body.
@@ -21,6 +21,9 @@ often the stated error holds against CELLS tetrahedra. Leaves solid.csv. Minutes
 With --direct instead: how far it holds against direct contact on a finer mesh of its own at N random places for each
 tool and each range of the stated error (direct.py), the surface refined smoothly TIMES over. Leaves direct.csv. A dozen
 seconds for a place.
+
+With --press: how much more is within 5 % where direct contact takes over (vtkDirectContactResponse), at N random places
+for each tool of what is not (pressed.py), the surface refined smoothly TIMES + 1 over. Leaves pressed.csv.
 """
 import argparse
 import csv
@@ -159,6 +162,11 @@ def write_direct(files, fixed, count, times, output):
         print("{}, {}, stated {:.0%} to {:.0%}: of {} hold {}, median error {:.2%}".format(*found))
 
 
+def write_pressed(files, fixed, count, times, output):
+    import pressed
+    pressed.write((found for found in bodies(files) if found[0] != "head"), fixed, count, times + 1 if times else 0, output)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("build/studies/error"))
@@ -169,11 +177,15 @@ def main():
     parser.add_argument("--solid", metavar="SIDES")
     parser.add_argument("--finer", type=int, metavar="CELLS")
     parser.add_argument("--direct", type=int, metavar="N")
+    parser.add_argument("--press", type=int, metavar="N")
     parser.add_argument("--smooth", type=int, metavar="TIMES", default=2)
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     if options.solid and options.direct:
         write_direct(options.body, options.solid, options.direct, options.smooth, options.output)
+        return
+    if options.solid and options.press:
+        write_pressed(options.body, options.solid, options.press, options.smooth, options.output)
         return
     if options.solid:
         write_solid(options.body, options.solid, options.finer, options.output)

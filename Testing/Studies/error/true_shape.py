@@ -20,6 +20,25 @@ def contact_tool(text):
     return tool
 
 
+def sides(body, cells=CELLS, depth=1.0):
+    """Mean length of a surface's cells for that many in all, and that which is made of it, no finer than a tool needs; mm."""
+    radius = max(contact_tool(text).GetContactRadius(depth) for text in TOOLS)
+    spacing = np.sqrt(8.7 * areas(body).sum() / cells)
+    return spacing, max(spacing, 0.5 * radius) if cells == CELLS else spacing
+
+
+def solid(body, fixed, side):
+    """The filter that has filled it. ValueError where it cannot be."""
+    filled = palpate.vtkGradedBody()
+    filled.SetInputData(body)
+    filled.SetSurfaceSpacing(side)
+    filled.SetFixedFaces(fixed)
+    filled.Update()
+    if filled.GetOutput().GetNumberOfCells() == 0:
+        raise ValueError("cannot be filled with cells of {:.3g} mm".format(side))
+    return filled
+
+
 def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER,
           small=False):
     """The surface with what each tool feels of the body, held at `fixed`, with Neo-Hooke's strain; arrays are called by the tools.
@@ -28,19 +47,11 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
     area = areas(body).sum()
     tools = {text: contact_tool(text) for text in TOOLS}
     radius = max(tool.GetContactRadius(depth) for tool in tools.values())
-    spacing = np.sqrt(8.7 * area / cells)
-    side = max(spacing, 0.5 * radius) if cells == CELLS else spacing
+    spacing, side = sides(body, cells, depth)
     pressed = palpate.vtkElasticContactResponse()
     for longer, connect in ((1, pressed.SetInputConnection), (coarser, pressed.SetCoarserConnection)):
         if longer:
-            filled = palpate.vtkGradedBody()
-            filled.SetInputData(body)
-            filled.SetSurfaceSpacing(longer * side)
-            filled.SetFixedFaces(fixed)
-            filled.Update()
-            if filled.GetOutput().GetNumberOfCells() == 0:
-                raise ValueError("cannot be filled with cells of {:.3g} mm".format(longer * side))
-            connect(filled.GetOutputPort())
+            connect(solid(body, fixed, longer * side).GetOutputPort())
     pressed.SetYoungsModulus(0.05)
     pressed.SetPoissonRatio(poisson)
     pressed.SetMaximumDeflection(depth)

@@ -4,11 +4,11 @@
 // and the full solution against the condensed one.
 #include "Agreement.h"
 #include "CondensedContact.h"
-#include "DenseNodes.h"
+#include "Mechanics/Numerics/DenseNodes.h"
 #include "FullSolve.h"
 #include "LoveSquare.h"
 #include "Mechanics/Tools/ToolSpecification.h"
-#include "UnilateralContact.h"
+#include "Mechanics/Numerics/UnilateralContact.h"
 
 #include <Eigen/Cholesky>
 

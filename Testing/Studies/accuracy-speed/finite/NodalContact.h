@@ -2,7 +2,7 @@
 #pragma once
 
 #include "FiniteMethods.h"
-#include "UnilateralContact.h"
+#include "Mechanics/Numerics/UnilateralContact.h"
 
 namespace palpate::testing
 {

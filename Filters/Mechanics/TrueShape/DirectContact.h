@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef palpate_DirectContact_h
+#define palpate_DirectContact_h
 
 #include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/FiniteElements/UnitLoads.h"
+#include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <Eigen/Core>
 
+#include <array>
+#include <utility>
 #include <vector>
 
-namespace palpate::testing
+namespace palpate
 {
-
 /// Where a tool is pressed: a point of the surface, mm, and the way there, a unit vector.
 struct DirectPlace
 {
@@ -23,6 +27,14 @@ enum class Pushed
 {
   TogetherAlongTheMean, ///< of the normals, by what each carries
   EachAlongItsOwn
+};
+
+/// A contact at a depth.
+struct DirectForce
+{
+  double force = 0.0;     ///< along the way in, N; NaN where no contact was found that settles
+  double stiffness = 0.0; ///< N/mm
+  double radius = 0.0;    ///< of a circle of the area that is touched, mm
 };
 
 /**
@@ -42,21 +54,22 @@ enum class Pushed
  * several sides are touched these are more likely. How far both differ tells how far either can be
  * trusted.
  *
- * Cost: one to three solutions per corner that may touch.
+ * The body may be a part cut out of a larger one and held on the cut: `rest` then tells how it
+ * moves with what is around it.
+ *
+ * Cost: three solutions per corner that may touch.
  */
-class DirectContact
+class PALPATE_EXPORT DirectContact
 {
 public:
-  /// The body, factorised, and the tool must stay. `deepest` (mm) of the depths to be asked for, at
-  /// which the mean is told.
+  /// The tool must stay. `deepest` (mm) of the depths to be asked for, at which the mean is told.
   DirectContact(const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at,
-    double deepest, Pushed pushed = Pushed::TogetherAlongTheMean);
+    double deepest, const UnitMotion* rest = nullptr);
 
   /// How many corners may touch.
   int corners() const { return static_cast<int>(this->Corners.size()); }
 
-  /// The force along the way in, N; NaN where no contact was found that settles.
-  double force(double deflection) const;
+  DirectForce at(double deflection, Pushed pushed = Pushed::TogetherAlongTheMean) const;
 
 private:
   /// A piece of the surface, seen from the tool.
@@ -72,7 +85,7 @@ private:
     std::vector<Piece> pieces;
     std::vector<std::pair<std::int32_t, double>> nodes; ///< and their shares
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< inwards, 1 along the axis
-    Eigen::Vector3d push = Eigen::Vector3d::Zero();     ///< what a force of 1 along the axis is
+    double area = 0.0;                                  ///< mm², across the axis
   };
 
   /// Of the surface, in the tool's frame.
@@ -88,16 +101,23 @@ private:
   bool mayTouch(const Facet& facet, double deepest) const;
   std::vector<Facet> facetsUnder(const ElasticBody& body, double deepest) const;
   void takeCorners(const std::vector<Facet>& facets);
-  void findCompliance(const ElasticBody& body);
-  /// On the corners, along the axis, N; a NaN where no contact was found that settles.
-  Eigen::VectorXd forces(double deflection) const;
+  Eigen::MatrixXd compliance(const ElasticBody& body) const;
+  void addRest(const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const;
+  /// What forces of 1 along the axis are, column by column.
+  Eigen::MatrixXd along(const Eigen::MatrixXd& compliance, const Eigen::Matrix3Xd& pushes) const;
+  void pushAlongMean(const Eigen::MatrixXd& compliance, double deepest);
+  /// On the corners, along the axis, N, and which touch; false where none settle.
+  bool solve(double deflection, const Eigen::MatrixXd& compliance, Eigen::VectorXd& forces,
+    std::vector<int>& active) const;
 
   const AxisymmetricTool& Tool;
   DirectPlace At;
   Eigen::Matrix3d Frame; ///< columns: two across, one inwards
   double Wall;           ///< beyond which the tool is not
   std::vector<Corner> Corners;
-  Eigen::MatrixXd Compliance; ///< corner by corner, along their pushes, mm/N
+  /// Corner by corner, along their pushes, mm/N; for each Pushed.
+  std::array<Eigen::MatrixXd, 2> Compliance;
 };
+} // namespace palpate
 
-} // namespace palpate::testing
+#endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef palpate_UnilateralContact_h
+#define palpate_UnilateralContact_h
 
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace palpate::testing
+namespace palpate
 {
-
 /// What yields under forces on its nodes; symmetric, positive definite.
 class CompliantNodes
 {
@@ -45,5 +45,6 @@ private:
   std::vector<unsigned char> Touching;
   int Steps = 0;
 };
+} // namespace palpate
 
-} // namespace palpate::testing
+#endif

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef palpate_DenseNodes_h
+#define palpate_DenseNodes_h
 
-#include "UnilateralContact.h"
+#include "Mechanics/Numerics/UnilateralContact.h"
 
 #include <Eigen/Cholesky>
 
 #include <utility>
 
-namespace palpate::testing
+namespace palpate
 {
-
 /// Nodes whose compliances are all known: symmetric, positive definite.
 class DenseNodes : public CompliantNodes
 {
@@ -41,5 +41,6 @@ public:
 private:
   Eigen::MatrixXd Compliance;
 };
+} // namespace palpate
 
-} // namespace palpate::testing
+#endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "UnilateralContact.h"
+#include "Mechanics/Numerics/UnilateralContact.h"
 
-namespace palpate::testing
+namespace palpate
 {
 namespace
 {
@@ -78,4 +78,4 @@ bool UnilateralContact::solve(CompliantNodes& nodes, const Eigen::VectorXd& want
   return false;
 }
 
-} // namespace palpate::testing
+} // namespace palpate

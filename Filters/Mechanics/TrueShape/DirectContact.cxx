@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DirectContact.h"
+#include "Mechanics/TrueShape/DirectContact.h"
 
-#include "DenseNodes.h"
 #include "Mechanics/FiniteElements/PatchLoad.h"
 #include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Numerics/DenseNodes.h"
 #include "Mechanics/SharedWork.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
-namespace palpate::testing
+namespace palpate
 {
 namespace
 {
 /// What may touch: no farther from the tool, pressed in, than this part of its depth.
 constexpr double TouchMargin = 0.1;
 constexpr int Divisions = 5; ///< of a facet's sides
-constexpr std::size_t CornersAtATime = 32;
+constexpr std::size_t LoadsAtATime = 96;
 /// Cosine between the tool's axis and what it is pressed on.
 constexpr double LeastFacing = 0.1;
 constexpr double NearWall = 0.995; ///< of a round tool, which is vertical there
@@ -26,7 +28,7 @@ constexpr double NearTool = 1.1;
 /// How often the mean is told anew, from the axis on.
 constexpr int Turns = 2;
 /// A corner of which the tool covers less is left out.
-constexpr double LeastPart = 0.02;
+constexpr double LeastCovered = 0.02;
 
 /// Calls visit() with places in the middle of equal parts of a facet, in the coordinates of
 /// faceShapes().
@@ -58,34 +60,49 @@ void visitParts(int corners, const Visit& visit)
 } // namespace
 
 DirectContact::DirectContact(const ElasticBody& body, const AxisymmetricTool& tool,
-  const DirectPlace& at, double deepest, Pushed pushed)
+  const DirectPlace& at, double deepest, const UnitMotion* rest)
   : Tool(tool)
   , At(at)
   , Frame(tangentFrame(-at.inward))
   , Wall(tool.largestContactRadius())
 {
   this->takeCorners(this->facetsUnder(body, deepest));
-  for (Corner& corner : this->Corners)
+  Eigen::MatrixXd compliance = this->compliance(body);
+  if (rest != nullptr)
   {
-    corner.push = pushed == Pushed::EachAlongItsOwn ? corner.normal : Eigen::Vector3d::UnitZ();
+    this->addRest(body, *rest, compliance);
   }
-  this->findCompliance(body);
-  for (int turn = 0; turn < Turns && pushed == Pushed::TogetherAlongTheMean; ++turn)
+  Eigen::Matrix3Xd normals(3, this->corners());
+  for (Eigen::Index i = 0; i < normals.cols(); ++i)
   {
-    const Eigen::VectorXd forces = this->forces(deepest);
+    normals.col(i) = this->Corners[static_cast<std::size_t>(i)].normal;
+  }
+  this->Compliance[static_cast<std::size_t>(Pushed::EachAlongItsOwn)] =
+    this->along(compliance, normals);
+  this->pushAlongMean(compliance, deepest);
+}
+
+void DirectContact::pushAlongMean(const Eigen::MatrixXd& compliance, double deepest)
+{
+  Eigen::MatrixXd& along = this->Compliance[static_cast<std::size_t>(Pushed::TogetherAlongTheMean)];
+  Eigen::Matrix3Xd pushes(3, this->corners());
+  pushes.colwise() = Eigen::Vector3d::UnitZ();
+  along = this->along(compliance, pushes);
+  for (int turn = 0; turn < Turns; ++turn)
+  {
+    Eigen::VectorXd forces;
+    std::vector<int> active;
+    if (!this->solve(deepest, along, forces, active) || !(forces.sum() > 0.0))
+    {
+      return;
+    }
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (Eigen::Index i = 0; i < forces.size(); ++i)
+    for (const int i : active)
     {
       mean += forces[i] / forces.sum() * this->Corners[static_cast<std::size_t>(i)].normal;
     }
-    if (mean.allFinite() && mean[2] > 0.0)
-    {
-      for (Corner& corner : this->Corners)
-      {
-        corner.push = mean;
-      }
-      this->findCompliance(body);
-    }
+    pushes.colwise() = mean;
+    along = this->along(compliance, pushes);
   }
 }
 
@@ -219,11 +236,12 @@ void DirectContact::takeCorners(const std::vector<Facet>& facets)
   }
   for (auto& [node, part] : parts)
   {
-    if (part.weight * static_cast<double>(parts.size()) < LeastPart * sum)
+    if (part.weight * static_cast<double>(parts.size()) < LeastCovered * sum)
     {
       continue;
     }
     part.corner.normal /= part.weight;
+    part.corner.area = part.weight;
     for (Piece& piece : part.corner.pieces)
     {
       piece.weight /= part.weight;
@@ -236,30 +254,30 @@ void DirectContact::takeCorners(const std::vector<Facet>& facets)
   }
 }
 
-void DirectContact::findCompliance(const ElasticBody& body)
+/// Of each corner's three directions in the tool's frame.
+Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
 {
   const std::size_t count = this->Corners.size();
-  const auto size = static_cast<Eigen::Index>(count);
-  this->Compliance.resize(size, size);
+  const auto size = static_cast<Eigen::Index>(3 * count);
+  Eigen::MatrixXd made(size, size);
   const auto visit = [&](std::size_t i, const auto& add)
   {
-    const Eigen::Vector3d push = this->Frame * this->Corners[i].push;
-    for (const auto& [node, share] : this->Corners[i].nodes)
+    for (const auto& [node, share] : this->Corners[i / 3].nodes)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
         const int unknown = body.unknown(node, axis);
         if (unknown >= 0)
         {
-          add(unknown, share * push[axis]);
+          add(unknown, share * this->Frame(axis, static_cast<Eigen::Index>(i % 3)));
         }
       }
     }
   };
   const auto solve = [&](std::size_t block)
   {
-    const std::size_t first = block * CornersAtATime;
-    const std::size_t last = std::min(count, first + CornersAtATime);
+    const std::size_t first = block * LoadsAtATime;
+    const std::size_t last = std::min(3 * count, first + LoadsAtATime);
     Eigen::MatrixXd loads =
       Eigen::MatrixXd::Zero(body.unknowns(), static_cast<Eigen::Index>(last - first));
     for (std::size_t i = first; i < last; ++i)
@@ -268,22 +286,71 @@ void DirectContact::findCompliance(const ElasticBody& body)
       visit(i, [&](int unknown, double share) { loads(unknown, column) += share; });
     }
     const Eigen::MatrixXd moved = body.factor().solveAll(loads);
-    for (std::size_t j = 0; j < count; ++j)
+    for (std::size_t j = 0; j < 3 * count; ++j)
     {
       Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(moved.cols());
       visit(j, [&](int unknown, double share) { sum += share * moved.row(unknown); });
-      this->Compliance.block(
-        static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(first), 1, sum.size()) = sum;
+      made.block(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(first), 1, sum.size()) =
+        sum;
     }
   };
-  shareWork((count + CornersAtATime - 1) / CornersAtATime, solve);
+  shareWork((3 * count + LoadsAtATime - 1) / LoadsAtATime, solve);
+  return made;
 }
 
-Eigen::VectorXd DirectContact::forces(double deflection) const
+/// A corner's force is one at the place and a moment about it; what they do to the part's cut moves
+/// all corners.
+void DirectContact::addRest(
+  const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const
 {
-  const auto count = static_cast<Eigen::Index>(this->Corners.size());
-  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(count);
+  Eigen::MatrixXd loads(6, compliance.cols());
+  Eigen::MatrixXd moved(compliance.rows(), 6);
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    Eigen::Matrix<double, 3, 6> moves = Eigen::Matrix<double, 3, 6>::Zero();
+    for (const auto& [node, share] : this->Corners[i].nodes)
+    {
+      at += share * (body.mesh().nodes.col(node) - rest.about);
+      for (std::size_t k = 0; k < 6; ++k)
+      {
+        moves.col(static_cast<Eigen::Index>(k)) += share * rest.nodes[k].col(node);
+      }
+    }
+    const auto first = static_cast<Eigen::Index>(3 * i);
+    moved.middleRows<3>(first) = this->Frame.transpose() * moves;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+    {
+      const Eigen::Vector3d force = this->Frame.col(axis);
+      loads.col(first + axis) << force, at.cross(force);
+    }
+  }
+  const Eigen::MatrixXd more = moved * loads;
+  compliance += 0.5 * (more + more.transpose());
+}
+
+Eigen::MatrixXd DirectContact::along(
+  const Eigen::MatrixXd& compliance, const Eigen::Matrix3Xd& pushes) const
+{
+  const Eigen::Index count = pushes.cols();
+  Eigen::MatrixXd half(compliance.rows(), count);
   for (Eigen::Index i = 0; i < count; ++i)
+  {
+    half.col(i) = compliance.middleCols<3>(3 * i) * pushes.col(i);
+  }
+  Eigen::MatrixXd made(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    made.row(i) = pushes.col(i).transpose() * half.middleRows<3>(3 * i);
+  }
+  return made;
+}
+
+bool DirectContact::solve(double deflection, const Eigen::MatrixXd& compliance,
+  Eigen::VectorXd& forces, std::vector<int>& active) const
+{
+  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(this->corners());
+  for (Eigen::Index i = 0; i < wanted.size(); ++i)
   {
     for (const Piece& piece : this->Corners[static_cast<std::size_t>(i)].pieces)
     {
@@ -291,17 +358,32 @@ Eigen::VectorXd DirectContact::forces(double deflection) const
       wanted[i] += piece.weight * (deflection - this->Tool.profile(r) - piece.depth);
     }
   }
-  DenseNodes corners(this->Compliance);
+  DenseNodes corners(compliance);
   UnilateralContact contact;
-  std::vector<int> active;
-  Eigen::VectorXd found;
-  const bool isSettled = contact.solve(corners, wanted, active, found);
-  return isSettled ? found : Eigen::VectorXd::Constant(count, NotANumber);
+  return contact.solve(corners, wanted, active, forces) && forces.allFinite();
 }
 
-double DirectContact::force(double deflection) const
+DirectForce DirectContact::at(double deflection, Pushed pushed) const
 {
-  return this->forces(deflection).sum();
+  const Eigen::MatrixXd& compliance = this->Compliance[static_cast<std::size_t>(pushed)];
+  Eigen::VectorXd forces;
+  std::vector<int> active;
+  if (!this->solve(deflection, compliance, forces, active))
+  {
+    return { NotANumber, NotANumber, NotANumber };
+  }
+  DirectForce found{ forces.sum(), 0.0, 0.0 };
+  if (!active.empty())
+  {
+    const Eigen::MatrixXd touching = compliance(active, active);
+    found.stiffness = touching.ldlt().solve(Eigen::VectorXd::Ones(touching.rows())).sum();
+    double area = 0.0;
+    for (const int i : active)
+    {
+      area += this->Corners[static_cast<std::size_t>(i)].area;
+    }
+    found.radius = std::sqrt(area / Pi);
+  }
+  return found;
 }
-
-} // namespace palpate::testing
+} // namespace palpate

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laws/DirectCurve.h"
+
+#include "Contact/ResponseContract.h"
+#include "Laws/ErrorRule.h"
+#include "Laws/TrustedDepth.h"
+#include "Mechanics/TrueShape/StrainShare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+/// What four facets over a contact's radius, and a rim in facets of an eighth of it, leave of a
+/// force that two meshes agree on (DirectContactTest).
+constexpr double OwnError = 0.01;
+
+/// A curve at a depth, and how well it is known.
+struct DirectSample
+{
+  double force = 0.0;
+  double stiffness = 0.0;
+  ErrorParts parts;
+  double error = 0.0;
+};
+
+/// A force, between those of the two ways of pushing.
+struct BothWays
+{
+  BothWays(const DirectContact& contact, double depth)
+    : mean(contact.at(depth, Pushed::TogetherAlongTheMean))
+    , own(contact.at(depth, Pushed::EachAlongItsOwn))
+  {
+  }
+  double force() const { return 0.5 * (this->mean.force + this->own.force); }
+  double stiffness() const { return 0.5 * (this->mean.stiffness + this->own.stiffness); }
+  double open() const { return 0.5 * std::abs(this->mean.force - this->own.force) / this->force(); }
+  DirectForce mean;
+  DirectForce own;
+};
+
+/// The force alone, with finite strain.
+double forceAt(const DirectContact& contact, const DirectTerms& terms, double depth)
+{
+  const BothWays both(contact, depth);
+  const StrainShare share = strainShare(*terms.tool, terms.strain, terms.material,
+    { both.force(), both.stiffness(), both.mean.radius });
+  return both.force() + share.force - both.stiffness() * share.deflection;
+}
+
+DirectSample sampleAt(
+  const DirectContact& finer, const DirectContact& coarser, const DirectTerms& terms, double depth)
+{
+  const BothWays both(finer, depth);
+  const BothWays other(coarser, depth);
+  DirectSample made;
+  if (!(both.force() > 0.0 && other.force() > 0.0 && both.stiffness() > 0.0))
+  {
+    made.error = 1.0;
+    return made;
+  }
+  const StrainShare share = strainShare(*terms.tool, terms.strain, terms.material,
+    { both.force(), both.stiffness(), both.mean.radius });
+  made.force = both.force() + share.force - both.stiffness() * share.deflection;
+  constexpr double step = 1e-3;
+  made.stiffness =
+    (forceAt(finer, terms, depth * (1.0 + step)) - forceAt(finer, terms, depth * (1.0 - step))) /
+    (2.0 * step * depth);
+  made.parts[ResponseLimit::Strain] = share.error;
+  made.parts[ResponseLimit::Curvature] = both.open();
+  made.parts[ResponseLimit::Elements] = std::hypot(other.force() / both.force() - 1.0, OwnError);
+  return made;
+}
+
+void addUp(DirectSample& sample)
+{
+  const auto& of = sample.parts.of;
+  double squares = 0.0;
+  for (const double part : of)
+  {
+    squares += part * part;
+  }
+  const bool isKnown = sample.force > 0.0 && sample.stiffness > 0.0 && std::isfinite(squares);
+  sample.error = isKnown ? std::sqrt(squares) : 1.0;
+}
+
+/// The curve that a point has.
+class FormerCurve
+{
+public:
+  FormerCurve(std::size_t point, const ResponseSampling& sampling, const ResponseSpans& spans)
+    : Sampling(sampling)
+    , Range(static_cast<double>(spans.range[point]))
+  {
+    const auto n = static_cast<std::size_t>(spans.samples);
+    const std::size_t first = n * point;
+    this->Force.assign(spans.force + first, spans.force + first + n);
+    this->Stiffness.assign(spans.stiffness + first, spans.stiffness + first + n);
+    this->Error.assign(spans.error + first, spans.error + first + n);
+  }
+
+  ResponseValue at(double depth) const
+  {
+    return this->Sampling.evaluate(
+      FloatCurve{ this->Force.data(), this->Stiffness.data() }, this->Range, depth);
+  }
+
+  /// What is stated, or by how much it is off a force that is better known.
+  double errorBeside(double force, double depth) const
+  {
+    return std::max(this->errorAt(depth), std::abs(this->at(depth).force / force - 1.0));
+  }
+
+  /// All of the force where nothing is known.
+  double errorAt(double depth) const
+  {
+    constexpr double rounding = 1.0 - 1e-6;
+    if (!(rounding * depth <= this->Range))
+    {
+      return 1.0;
+    }
+    const double place = std::sqrt(depth / this->Range) * static_cast<double>(this->Error.size());
+    const auto last = this->Error.size() - 1;
+    const auto upper =
+      std::min(static_cast<std::size_t>(std::max(std::ceil(place) - 1.0, 0.0)), last);
+    const auto error = static_cast<double>(this->Error[upper]);
+    return std::isfinite(error) ? error : 1.0;
+  }
+
+private:
+  const ResponseSampling& Sampling;
+  double Range;
+  std::vector<float> Force;
+  std::vector<float> Stiffness;
+  std::vector<float> Error;
+};
+
+/// The former curve, drawn to the first of the direct ones.
+void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& former, double depth,
+  DirectSample& sample)
+{
+  const ResponseValue was = former.at(depth);
+  const ResponseValue wasThere = former.at(depthOfFirst);
+  if (!(was.force > 0.0 && wasThere.force > 0.0))
+  {
+    const double power = first.stiffness * depthOfFirst / first.force;
+    sample.force = first.force * std::pow(depth / depthOfFirst, power);
+    sample.stiffness = power * sample.force / depth;
+    sample.error = 1.0;
+    return;
+  }
+  const double more = first.force / wasThere.force - 1.0;
+  const double share = std::sqrt(depth / depthOfFirst);
+  sample.force = was.force * (1.0 + more * share);
+  sample.stiffness =
+    was.stiffness * (1.0 + more * share) + was.force * more * share / (2.0 * depth);
+  sample.error = former.errorAt(depth);
+}
+} // namespace
+
+DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
+  const DirectContact& coarser, const DirectTerms& terms, const ResponseSampling& sampling,
+  const ResponseSpans& spans)
+{
+  const FormerCurve former(point, sampling, spans);
+  const auto n = static_cast<std::size_t>(spans.samples);
+  std::vector<DirectSample> samples(n);
+  std::size_t first = n;
+  for (std::size_t k = n; k-- > 0;)
+  {
+    const double depth = sampling.depth(static_cast<int>(k), terms.depth);
+    samples[k] = sampleAt(finer, coarser, terms, depth);
+    addUp(samples[k]);
+    if (samples[k].error >= former.errorBeside(samples[k].force, depth) ||
+      (first < n && samples[k].force >= samples[first].force))
+    {
+      break;
+    }
+    first = k;
+  }
+  if (first == n)
+  {
+    return samples.back().error >= 1.0 ? DirectOutcome::Failed : DirectOutcome::Kept;
+  }
+  float* force = spans.force + n * point;
+  float* stiffness = spans.stiffness + n * point;
+  float* errors = spans.error + n * point;
+  const double depthOfFirst = sampling.depth(static_cast<int>(first), terms.depth);
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    if (k < first)
+    {
+      leadTo(samples[first], depthOfFirst, former, sampling.depth(static_cast<int>(k), terms.depth),
+        samples[k]);
+    }
+    force[k] = static_cast<float>(samples[k].force);
+    stiffness[k] = static_cast<float>(samples[k].stiffness);
+  }
+  spans.range[point] = static_cast<float>(terms.depth);
+  spans.status[point] = static_cast<unsigned char>(ResponseStatus::Valid);
+  ResponseLimit limit = ResponseLimit::None;
+  TrustedDepth trusted(terms.depth, n, terms.errorTolerance);
+  for (std::size_t k = n; k-- > 0;)
+  {
+    if (k > first)
+    {
+      const double root = (static_cast<double>(k) + 0.5) / static_cast<double>(n);
+      const double depth = terms.depth * root * root;
+      const double stored =
+        sampling.evaluate(FloatCurve{ force, stiffness }, terms.depth, depth).force;
+      samples[k].parts[ResponseLimit::None] = std::abs(stored / forceAt(finer, terms, depth) - 1.0);
+      addUp(samples[k]);
+    }
+    errors[k] = static_cast<float>(samples[k].error);
+    if (!trusted.add(k + 1, samples[k].error))
+    {
+      limit = samples[k].parts.largest();
+    }
+  }
+  spans.validity[point] = static_cast<float>(trusted.depth());
+  spans.limit[point] = static_cast<unsigned char>(limit);
+  return DirectOutcome::Replaced;
+}
+} // namespace palpate

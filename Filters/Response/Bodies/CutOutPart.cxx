@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Bodies/CutOutPart.h"
+
+#include "Response/Mesher/MeshConversion.h"
+
+#include "vtkPolyData.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double InteriorRatio = 4.0;
+constexpr double Growth = 0.5;
+/// Where facets are fine the surface is followed closer; elsewhere no closer than this, in
+/// spacings, so that the edges of the box take few cells.
+constexpr double DeviationRatio = 0.15;
+/// Of the spacing: cells do not follow the edges of the box, which would make many of them.
+constexpr double NearSide = 0.1;
+constexpr double LeastPart = 0.02;    ///< that is kept, of the box
+constexpr double ExpectedCells = 1e4; ///< of no consequence but for what is too rough
+
+/// The sides of a box that cut anything off, those first that leave least.
+std::vector<CutPlane> planesOf(const MeshedSurface& body, const Eigen::Vector3d& place, double half)
+{
+  std::vector<CutPlane> planes;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+  {
+    const double low = place[axis] - half;
+    const double high = place[axis] + half;
+    if (body.points.row(axis).minCoeff() < low)
+    {
+      planes.push_back({ axis, false, low });
+    }
+    if (body.points.row(axis).maxCoeff() > high)
+    {
+      planes.push_back({ axis, true, high });
+    }
+  }
+  const auto left = [&](const CutPlane& plane)
+  {
+    const auto row = body.points.row(plane.axis).array();
+    return plane.isUpper ? (row < plane.at).count() : (row > plane.at).count();
+  };
+  std::sort(planes.begin(), planes.end(),
+    [&](const CutPlane& a, const CutPlane& b) { return left(a) < left(b); });
+  return planes;
+}
+
+void takeCells(
+  const CurvedTetrahedra& curved, const CutOutSurface& from, double near, CutOutPart& part)
+{
+  part.mesh.nodes = curved.nodes;
+  part.mesh.elements.clear();
+  for (const auto& cell : curved.cells)
+  {
+    VolumeElement element;
+    element.kind = ElementKind::QuadraticTetrahedron;
+    std::copy(cell.begin(), cell.end(), element.nodes.begin());
+    part.mesh.elements.push_back(element);
+  }
+  part.onCut.clear();
+  part.held.clear();
+  for (Eigen::Index i = 0; i < curved.nodes.cols(); ++i)
+  {
+    const auto beyond = [&](const CutPlane& plane)
+    { return (curved.nodes(plane.axis, i) - plane.at) * (plane.isUpper ? 1.0 : -1.0); };
+    const bool isHeld = std::any_of(from.surface.held.begin(), from.surface.held.end(),
+      [&](const CutPlane& plane) { return beyond(plane) >= 0.0; });
+    const bool isOnCut = std::any_of(from.sides.begin(), from.sides.end(),
+      [&](const CutPlane& plane) { return beyond(plane) > -near; });
+    part.held.push_back(isHeld);
+    part.onCut.push_back(isOnCut && !isHeld);
+  }
+}
+/// Cells follow the rims of what is held alone.
+void keepHeldRims(PreparedSurface& surface)
+{
+  MeshedSurface& wanted = surface.wanted;
+  const auto isOfSide = [&](const std::array<std::int32_t, 2>& rim)
+  {
+    return std::none_of(surface.cuts.begin(), surface.cuts.end(),
+      [&](const CutPlane& plane)
+      {
+        return wanted.points(plane.axis, rim[0]) == plane.at &&
+          wanted.points(plane.axis, rim[1]) == plane.at;
+      });
+  };
+  wanted.rims.erase(
+    std::remove_if(wanted.rims.begin(), wanted.rims.end(), isOfSide), wanted.rims.end());
+}
+
+/// mm³.
+double volumeInside(const MeshedSurface& surface)
+{
+  double volume = 0.0;
+  for (const std::array<std::int32_t, 3>& corners : surface.triangles)
+  {
+    Eigen::Matrix3d sides;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      sides.col(static_cast<Eigen::Index>(i)) =
+        surface.points.col(corners[i]) - surface.points.col(0);
+    }
+    volume += sides.determinant() / 6.0;
+  }
+  return volume;
+}
+} // namespace
+
+std::string cutOutAround(
+  const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part)
+{
+  part.sides = planesOf(body.wanted, place, half);
+  PreparedSurface& surface = part.surface;
+  surface = {};
+  surface.wanted = body.wanted;
+  surface.cuts = body.cuts;
+  surface.held = body.held;
+  const std::string fault =
+    cutOff(surface.wanted, part.sides, std::pow(LeastPart * half, 3), body.cuts);
+  if (fault.empty())
+  {
+    keepHeldRims(surface);
+    surface.closed.surface = convertMeshToSurface(surface.wanted);
+    surface.closed.volume = volumeInside(surface.wanted);
+  }
+  return fault;
+}
+
+std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPart& filled)
+{
+  PreparedSurface own = part.surface;
+  MeshedSurface& wanted = own.wanted;
+  wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), cells.spacing);
+  wanted.balls = cells.balls;
+  wanted.interiorSpacing = InteriorRatio * cells.spacing;
+  wanted.growth = Growth;
+  wanted.deviation = DeviationRatio * cells.spacing;
+  wanted.isManifold = false; // away from the tool it does not matter
+  CurvedTetrahedra curved;
+  const std::string fault = fillPrepared(own, cells.spacing, ExpectedCells, {}, curved);
+  if (fault.empty() && curved.cells.empty())
+  {
+    return "it has no cells";
+  }
+  takeCells(curved, part, NearSide * cells.spacing, filled);
+  return fault;
+}
+} // namespace palpate
