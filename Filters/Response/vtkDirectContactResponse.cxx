@@ -105,29 +105,14 @@ int vtkDirectContactResponse::FillInputPortInformation(int port, vtkInformation*
   return 1;
 }
 
-void vtkDirectContactResponse::SetBodyConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
 void vtkDirectContactResponse::SetBodyData(vtkUnstructuredGrid* body)
 {
   this->SetInputData(1, body);
 }
 
-void vtkDirectContactResponse::SetCoarserConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
 void vtkDirectContactResponse::SetCoarserData(vtkUnstructuredGrid* coarser)
 {
   this->SetInputData(2, coarser);
-}
-
-void vtkDirectContactResponse::SetShapeConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(3, output);
 }
 
 void vtkDirectContactResponse::SetShapeData(vtkPolyData* shape)
@@ -188,7 +173,7 @@ std::string vtkDirectContactResponse::CheckProperties()
   palpate::LawRequest request;
   request.tool = this->Tool;
   request.responseName = this->ResponseName;
-  request.deflection = this->Deflection;
+  request.deflection = this->MaximumDeflection;
   request.terms.errorTolerance = this->ErrorTolerance;
   std::string fault = palpate::checkShapedRequest(request);
   if (fault.empty() && !(this->ErrorTolerance > 0.0))
@@ -256,7 +241,7 @@ std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface
     const auto at = static_cast<std::size_t>(i);
     const auto status = static_cast<palpate::ResponseStatus>(arrays.status[at]);
     const bool isKnown = status == palpate::ResponseStatus::Valid &&
-      static_cast<double>(arrays.range[at]) >= ToTheEnd * this->Deflection &&
+      static_cast<double>(arrays.range[at]) >= ToTheEnd * this->MaximumDeflection &&
       static_cast<double>(errors->GetTypedComponent(i, last)) <= this->ErrorTolerance;
     const bool canBe = status == palpate::ResponseStatus::Valid ||
       status == palpate::ResponseStatus::Edge || status == palpate::ResponseStatus::Folded;
@@ -286,7 +271,7 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   {
     return fault;
   }
-  const double radius = this->Tool->GetKernel()->contactRadius(this->Deflection);
+  const double radius = this->Tool->GetKernel()->contactRadius(this->MaximumDeflection);
   palpate::HeldFaces faces{};
   fault = palpate::readHeldFaces(this->FixedFaces, bodies.rest.spacing(), faces);
   fault = fault.empty() ? palpate::takeSurface(shape, bodies.surface) : fault;
@@ -305,7 +290,7 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   const palpate::FilterStage stage{ this, RestsShare, RestsShare };
   fault = fault.empty() ? palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
                             palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio },
-                            this->Deflection, stage, bodies.strain)
+                            this->MaximumDeflection, stage, bodies.strain)
                         : fault;
   ended = fault.empty() && !bodies.strain;
   return fault;
@@ -334,10 +319,10 @@ std::string vtkDirectContactResponse::Press(
   std::vector<std::string> faults(points.size());
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
   const palpate::DirectTerms terms{ &tool, { this->YoungsModulus, this->PoissonRatio },
-    this->Deflection, this->ErrorTolerance, bodies.strain.get() };
+    this->MaximumDeflection, this->ErrorTolerance, bodies.strain.get() };
   const palpate::ResponseSampling sampling(arrays.samples, arrays.exponent);
   const palpate::DirectPresses presses(
-    bodies.surface, bodies.rest, bodies.coarser, tool, terms.material, this->Deflection);
+    bodies.surface, bodies.rest, bodies.coarser, tool, terms.material, this->MaximumDeflection);
   const auto press = [&](std::size_t i)
   {
     const vtkIdType point = points[i];
@@ -378,6 +363,10 @@ std::string vtkDirectContactResponse::Press(
                     << ", since " << faults[first] << ".");
   }
   output->GetPointData()->AddArray(became);
+  const std::string model = palpate::arrayName(name, ResponseArray::Model);
+  palpate::addText(output, model,
+    palpate::joined(palpate::responseText(output, name, ResponseArray::Model),
+      "; by direct contact at ", this->NumberOfReplaced, " points"));
   return {};
 }
 
@@ -387,7 +376,7 @@ void vtkDirectContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
-  os << indent << "Deflection: " << this->Deflection << " mm\n";
+  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "FixedFaces: " << this->FixedFaces << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";

@@ -5,15 +5,15 @@
  *
  * Input: a surface of triangles with response arrays `<name>Force` and so on, with `<name>Error`
  * (StoreError), as of vtkElasticContactResponse with Surface; mm. Wherever its stated error at
- * Deflection is above ErrorTolerance, or the curve ends before, the tool is pressed on a part of
- * the body of its own, which is cut out around the point and filled with cells that are fine under
- * the tool. Only where a point array `Pressed` is not 0, if there is one; never where a point is
- * held or has no normal.
+ * MaximumDeflection is above ErrorTolerance, or the curve ends before, the tool is pressed on a
+ * part of the body of its own, which is cut out around the point and filled with cells that are
+ * fine under the tool. Only where a point array `Pressed` is not 0, if there is one; never where a
+ * point is held or has no normal.
  *
  * Output: the same surface. A point whose error by direct contact is less, or less than what both
- * differ by, has that curve, to Deflection: `Force`, `Stiffness`, `Range`, `Status`, `Error`,
- * `Validity` and `Limit` are as of vtkElasticContactResponse; the others stay, bit by bit. The
- * point array `<name>Direct` (uint8) tells what became of each: 0 not pressed, 1 replaced, 2
+ * differ by, has that curve, to MaximumDeflection: `Force`, `Stiffness`, `Range`, `Status`,
+ * `Error`, `Validity` and `Limit` are as of vtkElasticContactResponse; the others stay, bit by bit.
+ * The point array `<name>Direct` (uint8) tells what became of each: 0 not pressed, 1 replaced, 2
  * pressed, but the law is better known, 3 failed (it could not be cut out or filled, or no contact
  * settled); there is a warning with the first reason.
  *
@@ -69,9 +69,9 @@ public:
   /** The solid as of vtkElasticContactResponse, a vtkUnstructuredGrid of one material with the
    * point array `Fixed`; and the same in cells one and a half to twice as long. Both are required.
    */
-  void SetBodyConnection(vtkAlgorithmOutput* output);
+  void SetBodyConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetBodyData(vtkUnstructuredGrid* body);
-  void SetCoarserConnection(vtkAlgorithmOutput* output);
+  void SetCoarserConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}
 
@@ -79,7 +79,7 @@ public:
   /** The closed surface that parts are cut out of, as of vtkGradedBody. Facets are taken as they
    * are: where those of the input are longer than a contact, give it refined smoothly. Optional; by
    * default the input. */
-  void SetShapeConnection(vtkAlgorithmOutput* output);
+  void SetShapeConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(3, output); }
   void SetShapeData(vtkPolyData* shape);
   ///@}
 
@@ -99,9 +99,10 @@ public:
   ///@}
 
   ///@{
-  /** The depth to which curves are to be known, mm, > 0. Default 1. */
-  vtkSetMacro(Deflection, double);
-  vtkGetMacro(Deflection, double);
+  /** The depth to which curves are to be known, mm, > 0: commonly that of the response. Default 2.
+   */
+  vtkSetMacro(MaximumDeflection, double);
+  vtkGetMacro(MaximumDeflection, double);
   ///@}
 
   ///@{
@@ -176,7 +177,7 @@ private:
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;
-  double Deflection = 1.0;
+  double MaximumDeflection = 2.0;
   double ErrorTolerance = 0.05;
   std::string FixedFaces = "z-";
   std::string ResponseName = "Response";

@@ -80,7 +80,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Term Tolerance": 0.01, "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Memory Limit (MiB)": 0.0, "Solver": 0},
     ("filters", "DirectContactResponse"): {
         "Input": None, "Body": None, "Coarser": None, "Shape": None, "Tool": None, "Young's Modulus (MPa)": 0.1,
-        "Poisson's Ratio": 0.45, "Deflection (mm)": 1.0, "Error Tolerance": 0.05, "Fixed Faces": "z-", "Strain Model": 0,
+        "Poisson's Ratio": 0.45, "Maximum Deflection (mm)": 2.0, "Error Tolerance": 0.05, "Fixed Faces": "z-", "Strain Model": 0,
         "Ogden Exponent": 2.0, "Demiray Exponent": 1.0, "Response Name": "Response"},
     ("filters", "NoduleMaterial"): {
         "Input": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1, "Young's Modulus Array (MPa)": "None",

@@ -43,7 +43,7 @@ constexpr double Poisson = 0.4;
 constexpr double Depth = 0.5;
 constexpr auto ToolText = "sphere:3";
 
-/// A box of x × y × z mm around the origin, its triangles some 1.5 mm long.
+/// A box of x × y × z mm around the origin, its sides in 2 · 4^n triangles.
 Surface box(double x, double y, double z, int subdivisions)
 {
   vtkNew<vtkCubeSource> cube;
@@ -116,7 +116,7 @@ Filter press(
   filter->SetTool(tool());
   filter->SetYoungsModulus(Young);
   filter->SetPoissonRatio(Poisson);
-  filter->SetDeflection(Depth);
+  filter->SetMaximumDeflection(Depth);
   filter->SetFixedFaces(held);
   filter->SetErrorTolerance(1e-3); // so that all of them are pressed
   return filter;
@@ -169,7 +169,7 @@ double whole(vtkPolyData* surface, const char* held, const Place& place, const P
 /// from the edge the contact, of 1.2 mm, hangs over. The law of a half-space is off by half there.
 void checkBar()
 {
-  const Surface surface = box(48.0, 12.0, 12.0, 5); // of which 1 mm is held
+  const Surface surface = box(48.0, 12.0, 12.0, 4); // of which 1 mm is held
   const char* held = "x-:1";
   const Place middle{ 6.0, 0.0, 6.0 };
   const Place edge{ 6.0, 5.25, 6.0 };
@@ -209,24 +209,21 @@ void checkBar()
   // The input is as it was, and one thread gives the same bits.
   PALPATE_CHECK(
     value(before, "ResponseForce", middle, -1) != value(after, "ResponseForce", middle, -1));
-  const Filter alone = press(before, body, coarser, held);
+  const Filter alone = press(felt(surface, { edge }), body, coarser, held);
   withThreads(1, [&] { alone->Update(); });
-  for (const Place& place : { middle, edge })
+  for (int k = 0; k < 8; ++k)
   {
-    for (int k = 0; k < 8; ++k)
-    {
-      PALPATE_CHECK(value(after, "ResponseForce", place, k) ==
-        value(alone->GetOutput(), "ResponseForce", place, k));
-    }
+    PALPATE_CHECK(value(after, "ResponseForce", edge, k) ==
+      value(alone->GetOutput(), "ResponseForce", edge, k));
   }
-  checkAborted(press(before, body, coarser, held).Get(), 0.03);
+  checkAborted(press(felt(surface, { edge }), body, coarser, held).Get(), 0.03);
 }
 
 /// On a bonded layer, from which the part is cut out on four sides, the exact law tells.
 void checkLayer()
 {
   constexpr double thickness = 3.0;
-  const Surface surface = box(30.0, 30.0, thickness + 1.0, 5);
+  const Surface surface = box(30.0, 30.0, thickness + 1.0, 4);
   const Place middle{ 0.0, 0.0, 0.5 * (thickness + 1.0) };
   const char* held = "z-:1";
   const Grid body = filled(surface, 1.5, held);

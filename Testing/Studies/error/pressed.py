@@ -59,7 +59,7 @@ def judge(name, body, fixed, count, times, seed=7, depth=1.0, tolerance=0.05):
         direct.SetTool(true_shape.contact_tool(tool))
         direct.SetYoungsModulus(0.05)
         direct.SetPoissonRatio(0.45)
-        direct.SetDeflection(depth)
+        direct.SetMaximumDeflection(depth)
         direct.SetFixedFaces(fixed)
         direct.SetResponseName(tool)
         direct.SetStrainModel(direct.NeoHooke)
