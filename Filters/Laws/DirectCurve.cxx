@@ -24,54 +24,52 @@ struct DirectSample
   double force = 0.0;
   double stiffness = 0.0;
   ErrorParts parts;
-  double error = 0.0;
+  double error = 1.0;
 };
 
-/// A force, between those of the two ways of pushing.
-struct BothWays
+/// A contact between those of the two ways of pushing, with finite strain.
+struct BetweenWays
 {
-  BothWays(const DirectContact& contact, double depth)
-    : mean(contact.at(depth, Pushed::TogetherAlongTheMean))
-    , own(contact.at(depth, Pushed::EachAlongItsOwn))
+  BetweenWays(const DirectContact& contact, const DirectTerms& terms, double depth)
   {
+    const DirectForce mean = contact.at(depth, Pushed::TogetherAlongTheMean);
+    const DirectForce own = contact.at(depth, Pushed::EachAlongItsOwn);
+    this->small = 0.5 * (mean.force + own.force);
+    this->open = 0.5 * std::abs(mean.force - own.force) / this->small;
+    const double stiffness = 0.5 * (mean.stiffness + own.stiffness);
+    if (!(this->small > 0.0 && stiffness > 0.0))
+    {
+      return;
+    }
+    const StrainShare share = strainShare(
+      *terms.tool, terms.strain, terms.material, { this->small, stiffness, mean.radius });
+    this->force = this->small + share.force - stiffness * share.deflection;
+    this->strain = share.error;
   }
-  double force() const { return 0.5 * (this->mean.force + this->own.force); }
-  double stiffness() const { return 0.5 * (this->mean.stiffness + this->own.stiffness); }
-  double open() const { return 0.5 * std::abs(this->mean.force - this->own.force) / this->force(); }
-  DirectForce mean;
-  DirectForce own;
+  double small = 0.0;  ///< the force at small strain, N
+  double open = 0.0;   ///< half of what the two ways differ by, relative
+  double force = 0.0;  ///< N; 0 where there is none
+  double strain = 0.0; ///< relative error of what finite strain does
 };
-
-/// The force alone, with finite strain.
-double forceAt(const DirectContact& contact, const DirectTerms& terms, double depth)
-{
-  const BothWays both(contact, depth);
-  const StrainShare share = strainShare(*terms.tool, terms.strain, terms.material,
-    { both.force(), both.stiffness(), both.mean.radius });
-  return both.force() + share.force - both.stiffness() * share.deflection;
-}
 
 DirectSample sampleAt(
   const DirectContact& finer, const DirectContact& coarser, const DirectTerms& terms, double depth)
 {
-  const BothWays both(finer, depth);
-  const BothWays other(coarser, depth);
+  const BetweenWays found(finer, terms, depth);
+  const BetweenWays other(coarser, terms, depth);
   DirectSample made;
-  if (!(both.force() > 0.0 && other.force() > 0.0 && both.stiffness() > 0.0))
+  if (!(found.force > 0.0 && other.force > 0.0))
   {
-    made.error = 1.0;
     return made;
   }
-  const StrainShare share = strainShare(*terms.tool, terms.strain, terms.material,
-    { both.force(), both.stiffness(), both.mean.radius });
-  made.force = both.force() + share.force - both.stiffness() * share.deflection;
   constexpr double step = 1e-3;
-  made.stiffness =
-    (forceAt(finer, terms, depth * (1.0 + step)) - forceAt(finer, terms, depth * (1.0 - step))) /
-    (2.0 * step * depth);
-  made.parts[ResponseLimit::Strain] = share.error;
-  made.parts[ResponseLimit::Curvature] = both.open();
-  made.parts[ResponseLimit::Elements] = std::hypot(other.force() / both.force() - 1.0, OwnError);
+  const double less = BetweenWays(finer, terms, depth * (1.0 - step)).force;
+  const double more = BetweenWays(finer, terms, depth * (1.0 + step)).force;
+  made.force = found.force;
+  made.stiffness = (more - less) / (2.0 * step * depth);
+  made.parts[ResponseLimit::Strain] = found.strain;
+  made.parts[ResponseLimit::Curvature] = found.open;
+  made.parts[ResponseLimit::Elements] = std::hypot(other.small / found.small - 1.0, OwnError);
   return made;
 }
 
@@ -122,7 +120,8 @@ public:
     {
       return 1.0;
     }
-    const double place = std::sqrt(depth / this->Range) * static_cast<double>(this->Error.size());
+    const double place =
+      std::sqrt(rounding * depth / this->Range) * static_cast<double>(this->Error.size());
     const auto last = this->Error.size() - 1;
     const auto upper =
       std::min(static_cast<std::size_t>(std::max(std::ceil(place) - 1.0, 0.0)), last);
@@ -157,7 +156,7 @@ void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& f
   sample.force = was.force * (1.0 + more * share);
   sample.stiffness =
     was.stiffness * (1.0 + more * share) + was.force * more * share / (2.0 * depth);
-  sample.error = former.errorAt(depth);
+  sample.error = std::max(former.errorAt(depth), std::abs(more) * share);
 }
 } // namespace
 
@@ -211,7 +210,8 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
       const double depth = terms.depth * root * root;
       const double stored =
         sampling.evaluate(FloatCurve{ force, stiffness }, terms.depth, depth).force;
-      samples[k].parts[ResponseLimit::None] = std::abs(stored / forceAt(finer, terms, depth) - 1.0);
+      samples[k].parts[ResponseLimit::None] =
+        std::abs(stored / BetweenWays(finer, terms, depth).force - 1.0);
       addUp(samples[k]);
     }
     errors[k] = static_cast<float>(samples[k].error);

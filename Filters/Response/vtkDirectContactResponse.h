@@ -26,10 +26,10 @@
  * displacements leave open. Finite strain multiplies what is local, as of
  * vtkElasticContactResponse.
  *
- * **Cost.** Some 3 s a point of one thread, on all threads: offline work. One factorisation each of
- * the two bodies. Abort is seen between points. The same bits for any number of threads. The
- * mesher is CGAL's, as of vtkGradedBody: without it (PALPATE_USE_CGAL) running the filter is an
- * error.
+ * **Cost.** Some 6 s a point of one thread, on all threads, and 100 MB each: offline work. One
+ * factorisation each of the two bodies. Abort is seen between points. The same bits for any number
+ * of threads. The mesher is CGAL's, as of vtkGradedBody: without it (PALPATE_USE_CGAL) running the
+ * filter is an error.
  *
  * Errors, which name what is wrong: no such response, or without errors; an input without cells or
  * `Fixed`; a property out of range; a Shape that cannot be closed.

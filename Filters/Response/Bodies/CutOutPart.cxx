@@ -77,6 +77,7 @@ void takeCells(
     part.onCut.push_back(isOnCut && !isHeld);
   }
 }
+
 /// Cells follow the rims of what is held alone.
 void keepHeldRims(PreparedSurface& surface)
 {
@@ -144,11 +145,11 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
   wanted.isManifold = false; // away from the tool it does not matter
   CurvedTetrahedra curved;
   const std::string fault = fillPrepared(own, cells.spacing, ExpectedCells, {}, curved);
-  if (fault.empty() && curved.cells.empty())
+  if (!fault.empty() || curved.cells.empty())
   {
-    return "it has no cells";
+    return fault.empty() ? "it has no cells" : fault;
   }
   takeCells(curved, part, NearSide * cells.spacing, filled);
-  return fault;
+  return {};
 }
 } // namespace palpate

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/DirectPresses.h"
 
-#include "Mechanics/TrueShape/SurfaceGap.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/TrueShape/SurfaceGap.h"
 
 #include <algorithm>
 #include <cmath>

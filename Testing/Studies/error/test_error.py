@@ -52,6 +52,16 @@ class Committed(unittest.TestCase):
         for those in (covered, rows):
             self.assertGreaterEqual(sum(map(run.holds, those)), 0.95 * len(those))
 
+    def test_direct_contact_covers_a_bunny(self):
+        rows = run.read(DATA / "pressed.csv")
+        self.assertEqual({row["tool"] for row in rows}, {"sphere:6.35", "flat:1.6", "sphere:1.6"})
+        for row in rows:
+            law, both, of_these = (float(row[name]) for name in ("share_by_law", "share_by_both", "share_of_these"))
+            self.assertGreaterEqual(int(row["pressed"]), 40)
+            self.assertLessEqual(both, law + (1.0 - law) * of_these + 1e-3)  # three digits
+            self.assertGreaterEqual(both, law)
+            self.assertTrue(row["body"] != "bunny" or both >= 0.95, row)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -51,7 +51,8 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
     pressed = palpate.vtkElasticContactResponse()
     for longer, connect in ((1, pressed.SetInputConnection), (coarser, pressed.SetCoarserConnection)):
         if longer:
-            connect(solid(body, fixed, longer * side).GetOutputPort())
+            filled = solid(body, fixed, longer * side)  # which its port does not keep
+            connect(filled.GetOutputPort())
     pressed.SetYoungsModulus(0.05)
     pressed.SetPoissonRatio(poisson)
     pressed.SetMaximumDeflection(depth)
