@@ -17,6 +17,9 @@ namespace
 /// What four facets over a contact's radius, and a rim in facets of an eighth of it, leave of a
 /// force that two meshes agree on (DirectContactTest).
 constexpr double OwnError = 0.01;
+/// Of a depth, over which stiffness is told: a contact grows corner by corner, and with each the
+/// slope of its force jumps. No more than DirectContact knows beyond its deepest.
+constexpr double Step = 0.08;
 
 /// A curve at a depth, and how well it is known.
 struct DirectSample
@@ -62,11 +65,10 @@ DirectSample sampleAt(
   {
     return made;
   }
-  constexpr double step = 1e-3;
-  const double less = BetweenWays(finer, terms, depth * (1.0 - step)).force;
-  const double more = BetweenWays(finer, terms, depth * (1.0 + step)).force;
+  const double less = BetweenWays(finer, terms, depth * (1.0 - Step)).force;
+  const double more = BetweenWays(finer, terms, depth * (1.0 + Step)).force;
   made.force = found.force;
-  made.stiffness = (more - less) / (2.0 * step * depth);
+  made.stiffness = (more - less) / (2.0 * Step * depth);
   made.parts[ResponseLimit::Strain] = found.strain;
   made.parts[ResponseLimit::Curvature] = found.open;
   made.parts[ResponseLimit::Elements] = std::hypot(other.small / found.small - 1.0, OwnError);
@@ -173,7 +175,8 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
     const double depth = sampling.depth(static_cast<int>(k), terms.depth);
     samples[k] = sampleAt(finer, coarser, terms, depth);
     addUp(samples[k]);
-    if (samples[k].error >= former.errorBeside(samples[k].force, depth) ||
+    if (samples[k].error >= 1.0 ||
+      samples[k].error >= former.errorBeside(samples[k].force, depth) ||
       (first < n && samples[k].force >= samples[first].force))
     {
       break;
@@ -187,6 +190,7 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
   float* force = spans.force + n * point;
   float* stiffness = spans.stiffness + n * point;
   float* errors = spans.error + n * point;
+  const auto formerLimit = static_cast<ResponseLimit>(spans.limit[point]);
   const double depthOfFirst = sampling.depth(static_cast<int>(first), terms.depth);
   for (std::size_t k = 0; k < n; ++k)
   {
@@ -194,6 +198,8 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
     {
       leadTo(samples[first], depthOfFirst, former, sampling.depth(static_cast<int>(k), terms.depth),
         samples[k]);
+      samples[k].parts = {};
+      samples[k].parts[formerLimit] = samples[k].error;
     }
     force[k] = static_cast<float>(samples[k].force);
     stiffness[k] = static_cast<float>(samples[k].stiffness);
