@@ -86,7 +86,7 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
 /// results.
 std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
-  constexpr int Revision = 9;
+  constexpr int Revision = 10;
   return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
     '|', options.fixedFaces, '|', options.strainGiven && !scene.terms.automatic, '|',
     static_cast<int>(scene.terms.strain.model), ':', scene.terms.strain.parameter,
