@@ -26,7 +26,7 @@
  * displacements leave open. Finite strain multiplies what is local, as of
  * vtkElasticContactResponse.
  *
- * **Cost.** Some 6 s a point of one thread, on all threads, and 100 MB each: offline work. One
+ * **Cost.** 4 to 10 s a point of one thread, on all threads, and 100 MB each: offline work. One
  * factorisation each of the two bodies. Abort is seen between points. The same bits for any number
  * of threads. The mesher is CGAL's, as of vtkGradedBody: without it (PALPATE_USE_CGAL) running the
  * filter is an error.
