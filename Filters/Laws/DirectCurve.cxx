@@ -77,14 +77,9 @@ DirectSample sampleAt(
 
 void addUp(DirectSample& sample)
 {
-  const auto& of = sample.parts.of;
-  double squares = 0.0;
-  for (const double part : of)
-  {
-    squares += part * part;
-  }
-  const bool isKnown = sample.force > 0.0 && sample.stiffness > 0.0 && std::isfinite(squares);
-  sample.error = isKnown ? std::sqrt(squares) : 1.0;
+  const double error = sample.parts.norm();
+  const bool isKnown = sample.force > 0.0 && sample.stiffness > 0.0 && std::isfinite(error);
+  sample.error = isKnown ? error : 1.0;
 }
 
 /// The curve that a point has.

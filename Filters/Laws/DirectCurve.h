@@ -24,12 +24,13 @@ struct DirectTerms
   const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
 };
 
-/// What direct contact made of a point.
+/// What direct contact made of a point: the values of the array `Direct`.
 enum class DirectOutcome : unsigned char
 {
-  Replaced, ///< the point's curve
-  Kept,     ///< the law's, which is better known
-  Failed    ///< no contact was found that settles
+  NotPressed = 0,
+  Replaced = 1, ///< the point's curve
+  Kept = 2,     ///< the law's, which is better known
+  Failed = 3    ///< no contact was found that settles
 };
 
 /**

@@ -67,6 +67,11 @@ double ErrorParts::total() const
   return std::accumulate(this->of.begin(), this->of.end(), 0.0);
 }
 
+double ErrorParts::norm() const
+{
+  return Eigen::Map<const Eigen::VectorXd>(this->of.data(), ResponseLimitCount).norm();
+}
+
 ResponseLimit ErrorParts::largest() const
 {
   return static_cast<ResponseLimit>(

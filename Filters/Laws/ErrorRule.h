@@ -23,6 +23,7 @@ struct ErrorParts
 
   double& operator[](ResponseLimit limit) { return of[static_cast<std::size_t>(limit)]; }
   double total() const;
+  double norm() const; ///< of sources that know nothing of each other
   ResponseLimit largest() const;
 };
 

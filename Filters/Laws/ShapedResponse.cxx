@@ -121,8 +121,7 @@ private:
         LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = errors.elements();
       parts[ResponseLimit::None] = k > 0 ? this->storedWrong(i, k - 1, curve) : 0.0;
-      // Of sources that know nothing of each other; each bounds 19 of 20 by itself.
-      double error = Eigen::Map<const Eigen::VectorXd>(parts.of.data(), ResponseLimitCount).norm();
+      double error = parts.norm(); // each bounds 19 of 20 by itself
       error = std::isfinite(error) ? error : 1.0;
       if (k > 0 && this->Spans.error)
       {

@@ -4,15 +4,17 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/ArrayFetch.h"
 #include "Response/Bodies/CoarserBody.h"
 #include "Response/Bodies/DirectPresses.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
+#include "Response/Curves/StoredError.h"
 #include "Response/FilterStage.h"
 #include "Response/FilterThreads.h"
+#include "Response/Mesher/SurfaceMesher.h"
 #include "Response/ReplacedCurves.h"
 #include "vtkContactTool.h"
-#include "vtkGradedBody.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -36,15 +38,6 @@ constexpr double RestShare = 0.05;
 constexpr double RestsShare = 0.06;
 /// A curve that ends no earlier than this, of the depth, goes to it.
 constexpr double ToTheEnd = 0.999;
-
-/// What became of a point: the array `Direct`.
-enum Became : unsigned char
-{
-  NotPressed = 0,
-  Replaced = 1,
-  Kept = 2,
-  Failed = 3
-};
 
 /// A copy of its own of a point array, attached in its place.
 template <class Array>
@@ -161,14 +154,9 @@ int vtkDirectContactResponse::RequestData(
 
 std::string vtkDirectContactResponse::CheckProperties()
 {
-  if (!this->Tool)
+  if (!palpate::hasSurfaceMesher())
   {
-    return "Set a Tool";
-  }
-  if (!vtkGradedBody::IsAvailable())
-  {
-    return "This build has no CGAL, which makes tetrahedra: install it (Debian: libcgal-dev) and "
-           "configure with PALPATE_USE_CGAL=ON";
+    return std::string("No part can be filled: ") + palpate::NoSurfaceMesher;
   }
   palpate::LawRequest request;
   request.tool = this->Tool;
@@ -207,15 +195,16 @@ std::string vtkDirectContactResponse::CheckResponse(
   {
     return "Wrong input: " + fault;
   }
-  const std::string name = palpate::arrayName(this->ResponseName, palpate::ResponseArray::Error);
-  auto* error = vtkFloatArray::SafeDownCast(surface->GetPointData()->GetArray(name.c_str()));
-  if (fault.empty() &&
-    (arrays.force == nullptr || !error || error->GetNumberOfComponents() != arrays.samples ||
-      error->GetNumberOfTuples() != surface->GetNumberOfPoints()))
+  if (fault.empty() && arrays.force == nullptr)
   {
     return palpate::joined("Wrong input: response '", this->ResponseName,
-      "' has no errors of its curves, '", name, "' (float, ", arrays.samples,
-      " components): make it with StoreError, and do not reduce it before");
+      "' was reduced, which leaves no curve of its own to a point: press before");
+  }
+  if (fault.empty() &&
+    !palpate::fetchArray<vtkFloatArray>(
+      surface, this->ResponseName, palpate::ResponseArray::Error, arrays, fault))
+  {
+    return "Wrong input: " + fault + ": make the response with StoreError";
   }
   vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
   if (fault.empty() && pressed && pressed->GetNumberOfComponents() != 1)
@@ -231,18 +220,17 @@ std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface
   palpate::ResponseArrays arrays;
   std::string fault;
   palpate::viewResponse(surface, this->ResponseName, arrays, fault); // CheckResponse found none
-  auto* errors = vtkFloatArray::SafeDownCast(surface->GetPointData()->GetArray(
-    palpate::arrayName(this->ResponseName, palpate::ResponseArray::Error).c_str()));
+  const palpate::StoredError errors(surface, this->ResponseName);
   vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
-  const auto last = static_cast<int>(arrays.samples) - 1;
   std::vector<vtkIdType> found;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     const auto at = static_cast<std::size_t>(i);
     const auto status = static_cast<palpate::ResponseStatus>(arrays.status[at]);
+    const auto range = static_cast<double>(arrays.range[at]);
     const bool isKnown = status == palpate::ResponseStatus::Valid &&
-      static_cast<double>(arrays.range[at]) >= ToTheEnd * this->MaximumDeflection &&
-      static_cast<double>(errors->GetTypedComponent(i, last)) <= this->ErrorTolerance;
+      range >= ToTheEnd * this->MaximumDeflection &&
+      errors.at(i, std::min(range, this->MaximumDeflection)) <= this->ErrorTolerance;
     const bool canBe = status == palpate::ResponseStatus::Valid ||
       status == palpate::ResponseStatus::Edge || status == palpate::ResponseStatus::Folded;
     if (!isKnown && canBe && (!pressed || pressed->GetTuple1(i) != 0.0))
@@ -286,12 +274,10 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   }
   const palpate::StrainLaw law{ static_cast<palpate::StrainModel>(this->StrainModel),
     this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent };
-  fault = palpate::checkStrainEnergy(law.model, law.parameter);
   const palpate::FilterStage stage{ this, RestsShare, RestsShare };
-  fault = fault.empty() ? palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
-                            palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio },
-                            this->MaximumDeflection, stage, bodies.strain)
-                        : fault;
+  fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
+    palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio }, this->MaximumDeflection, stage,
+    bodies.strain);
   ended = fault.empty() && !bodies.strain;
   return fault;
 }
@@ -299,6 +285,7 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
 std::string vtkDirectContactResponse::Press(
   const std::vector<vtkIdType>& points, const Bodies& bodies, vtkPolyData* output)
 {
+  using palpate::DirectOutcome;
   using palpate::ResponseArray;
   palpate::ResponseArrays arrays;
   std::string fault;
@@ -315,7 +302,7 @@ std::string vtkDirectContactResponse::Press(
   vtkNew<vtkUnsignedCharArray> became;
   became->SetName((name + "Direct").c_str());
   became->SetNumberOfValues(output->GetNumberOfPoints());
-  became->Fill(NotPressed);
+  became->Fill(static_cast<double>(DirectOutcome::NotPressed));
   std::vector<std::string> faults(points.size());
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
   const palpate::DirectTerms terms{ &tool, { this->YoungsModulus, this->PoissonRatio },
@@ -331,33 +318,35 @@ std::string vtkDirectContactResponse::Press(
     output->GetPoint(point, place.place.data());
     const Eigen::Vector3f normal = Eigen::Map<const Eigen::Vector3f>(arrays.normal + 3 * at);
     place.inward = -normal.cast<double>().normalized();
-    std::array<palpate::DirectPresses::Press, 2> pressed;
+    palpate::DirectPresses::Contacts contacts;
     std::string& wrong = faults[i];
-    wrong = presses.at(place, pressed);
-    became->SetValue(point, Failed);
+    wrong = presses.at(place, contacts);
+    DirectOutcome outcome = DirectOutcome::Failed;
     if (wrong.empty())
     {
-      const palpate::DirectOutcome outcome = palpate::takeDirectCurve(
-        at, *pressed[0].contact, *pressed[1].contact, terms, sampling, spans);
-      const bool isReplaced = outcome == palpate::DirectOutcome::Replaced;
-      const bool isKept = outcome == palpate::DirectOutcome::Kept;
-      wrong = isReplaced || isKept ? "" : "no contact settles";
-      became->SetValue(point, isReplaced ? Replaced : isKept ? Kept : Failed);
+      outcome =
+        palpate::takeDirectCurve(at, *contacts.finer, *contacts.coarser, terms, sampling, spans);
+      wrong = "no contact settles"; // where it failed
     }
+    became->SetValue(point, static_cast<unsigned char>(outcome));
   };
   if (!palpate::shareWork(points.size(), press, palpate::FilterStage{ this, RestsShare, 1.0 }))
   {
     return {};
   }
-  const auto isIt = [&](Became what)
-  { return [what, &became](vtkIdType point) { return became->GetValue(point) == what; }; };
+  const auto isIt = [&](DirectOutcome what)
+  {
+    return [is = static_cast<unsigned char>(what), &became](vtkIdType point)
+    { return became->GetValue(point) == is; };
+  };
   this->NumberOfPresses = static_cast<vtkIdType>(points.size());
-  this->NumberOfReplaced = std::count_if(points.begin(), points.end(), isIt(Replaced));
-  const auto failed = std::count_if(points.begin(), points.end(), isIt(Failed));
+  this->NumberOfReplaced =
+    std::count_if(points.begin(), points.end(), isIt(DirectOutcome::Replaced));
+  const auto failed = std::count_if(points.begin(), points.end(), isIt(DirectOutcome::Failed));
   if (failed > 0)
   {
     const auto first = static_cast<std::size_t>(
-      std::find_if(points.begin(), points.end(), isIt(Failed)) - points.begin());
+      std::find_if(points.begin(), points.end(), isIt(DirectOutcome::Failed)) - points.begin());
     vtkWarningMacro(<< "Direct contact failed at " << failed << " of " << points.size()
                     << " points, which keep their response; at the first, " << points[first]
                     << ", since " << faults[first] << ".");

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/CutOutPart.h"
 
+#include "Response/BodyConversion.h"
 #include "Response/Mesher/MeshConversion.h"
 
 #include "vtkPolyData.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace palpate
 {
@@ -25,7 +26,7 @@ constexpr double LeastPart = 0.02;    ///< that is kept, of the box
 constexpr double ExpectedCells = 1e4; ///< of no consequence but for what is too rough
 
 /// The sides of a box that cut anything off, those first that leave least.
-std::vector<CutPlane> planesOf(const MeshedSurface& body, const Eigen::Vector3d& place, double half)
+std::vector<CutPlane> sidesOf(const MeshedSurface& body, const Eigen::Vector3d& place, double half)
 {
   std::vector<CutPlane> planes;
   for (Eigen::Index axis = 0; axis < 3; ++axis)
@@ -46,8 +47,15 @@ std::vector<CutPlane> planesOf(const MeshedSurface& body, const Eigen::Vector3d&
     const auto row = body.points.row(plane.axis).array();
     return plane.isUpper ? (row < plane.at).count() : (row > plane.at).count();
   };
-  std::sort(planes.begin(), planes.end(),
-    [&](const CutPlane& a, const CutPlane& b) { return left(a) < left(b); });
+  std::vector<std::pair<Eigen::Index, CutPlane>> byLeft;
+  for (const CutPlane& plane : planes)
+  {
+    byLeft.emplace_back(left(plane), plane);
+  }
+  std::stable_sort(
+    byLeft.begin(), byLeft.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(
+    byLeft.begin(), byLeft.end(), planes.begin(), [](const auto& each) { return each.second; });
   return planes;
 }
 
@@ -94,29 +102,12 @@ void keepHeldRims(PreparedSurface& surface)
   wanted.rims.erase(
     std::remove_if(wanted.rims.begin(), wanted.rims.end(), isOfSide), wanted.rims.end());
 }
-
-/// mm³.
-double volumeInside(const MeshedSurface& surface)
-{
-  double volume = 0.0;
-  for (const std::array<std::int32_t, 3>& corners : surface.triangles)
-  {
-    Eigen::Matrix3d sides;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      sides.col(static_cast<Eigen::Index>(i)) =
-        surface.points.col(corners[i]) - surface.points.col(0);
-    }
-    volume += sides.determinant() / 6.0;
-  }
-  return volume;
-}
 } // namespace
 
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part)
 {
-  part.sides = planesOf(body.wanted, place, half);
+  part.sides = sidesOf(body.wanted, place, half);
   PreparedSurface& surface = part.surface;
   surface = {};
   surface.wanted = body.wanted;
@@ -128,7 +119,7 @@ std::string cutOutAround(
   {
     keepHeldRims(surface);
     surface.closed.surface = convertMeshToSurface(surface.wanted);
-    surface.closed.volume = volumeInside(surface.wanted);
+    surface.closed.volume = makeBodyMesh(surface.closed.surface).enclosedVolume();
   }
   return fault;
 }

@@ -62,7 +62,7 @@ PartCells DirectPresses::cells(const DirectPlace& place, double length) const
 }
 
 std::string DirectPresses::press(const DirectPlace& place, const CutOutSurface& part, double length,
-  const RestOfBody& rest, Press& press) const
+  const RestOfBody& rest, std::unique_ptr<DirectContact>& contact) const
 {
   CutOutPart filled;
   std::string fault = fillPart(part, this->cells(place, length), filled);
@@ -83,25 +83,24 @@ std::string DirectPresses::press(const DirectPlace& place, const CutOutSurface& 
   {
     input.fixed.push_back(filled.onCut[i] || filled.held[i] ? FixedX | FixedY | FixedZ : 0);
   }
-  press.part = std::make_unique<ElasticBody>();
-  fault = press.part->assemble(std::move(input));
-  fault = fault.empty() ? press.part->analyse(StiffnessFactor::Kind::Automatic) : fault;
-  fault = fault.empty() ? press.part->factorise() : fault;
+  ElasticBody body;
+  fault = body.assemble(std::move(input));
+  fault = fault.empty() ? body.analyse(StiffnessFactor::Kind::Automatic) : fault;
+  fault = fault.empty() ? body.factorise() : fault;
   if (!fault.empty())
   {
     return fault;
   }
-  const UnitMotion moved = motionFromCut(*press.part, ofCut);
+  const UnitMotion moved = motionFromCut(body, ofCut);
   if (moved.nodes.front().size() == 0)
   {
     return "there is not enough memory for the part around it";
   }
-  press.contact =
-    std::make_unique<DirectContact>(*press.part, this->Tool, place, this->Depth, &moved);
+  contact = std::make_unique<DirectContact>(body, this->Tool, place, this->Depth, &moved);
   return {};
 }
 
-std::string DirectPresses::at(const DirectPlace& place, std::array<Press, 2>& presses) const
+std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) const
 {
   const std::int32_t point = this->Body.pointBeside(place.place, -place.inward);
   if (point < 0)
@@ -115,8 +114,9 @@ std::string DirectPresses::at(const DirectPlace& place, std::array<Press, 2>& pr
   {
     CutOutSurface part;
     fault = cutOutAround(this->Surface, place.place, half, part);
-    fault = fault.empty() ? this->press(place, part, 1.0, this->Body, presses[0]) : fault;
-    fault = fault.empty() ? this->press(place, part, Longer, this->Coarser, presses[1]) : fault;
+    fault = fault.empty() ? this->press(place, part, 1.0, this->Body, contacts.finer) : fault;
+    fault =
+      fault.empty() ? this->press(place, part, Longer, this->Coarser, contacts.coarser) : fault;
     if (fault.empty())
     {
       break;

@@ -6,7 +6,6 @@
 #include "Response/Bodies/CutOutPart.h"
 #include "Response/Bodies/RestOfBody.h"
 
-#include <array>
 #include <memory>
 #include <string>
 
@@ -28,20 +27,18 @@ public:
   DirectPresses(const PreparedSurface& surface, const RestOfBody& body, const RestOfBody& coarser,
     const AxisymmetricTool& tool, const ElasticMaterial& material, double depth);
 
-  /// A contact, with the part that it belongs to.
-  struct Press
+  struct Contacts
   {
-    std::unique_ptr<ElasticBody> part;
-    std::unique_ptr<DirectContact> contact;
+    std::unique_ptr<DirectContact> finer;
+    std::unique_ptr<DirectContact> coarser; ///< on cells one and a half times as long
   };
-  /// Returns what is wrong with the place, or "". The second on one and a half times longer cells,
-  /// in the coarser body.
-  std::string at(const DirectPlace& place, std::array<Press, 2>& presses) const;
+  /// Returns what is wrong with the place, or "".
+  std::string at(const DirectPlace& place, Contacts& contacts) const;
 
 private:
   PartCells cells(const DirectPlace& place, double length) const;
   std::string press(const DirectPlace& place, const CutOutSurface& part, double length,
-    const RestOfBody& rest, Press& press) const;
+    const RestOfBody& rest, std::unique_ptr<DirectContact>& contact) const;
 
   const PreparedSurface& Surface;
   const RestOfBody& Body;

@@ -40,19 +40,22 @@ double volumeOf(const TetrahedralMesh& mesh)
   }
   return volume;
 }
-/// The planes beyond which the nodes of a surface's cells are held.
-std::vector<CutPlane> heldBeyond(const MeshedSurface& surface, const HeldFaces& faces)
+/// As deep in a surface as the faces are, of those that have a depth: all, or those whose depth is
+/// given.
+std::vector<CutPlane> planesOf(
+  const MeshedSurface& surface, const HeldFaces& faces, bool givenAlone)
 {
   std::vector<CutPlane> planes;
   for (std::size_t side = 0; side < faces.size(); ++side)
   {
+    const HeldFace& face = faces[side];
     const auto axis = static_cast<Eigen::Index>(side / 2);
     const bool isUpper = side % 2 == 1;
     const auto row = surface.points.row(axis);
-    if (faces[side].depth > 0.0)
+    if (givenAlone ? face.isGiven : face.depth > 0.0)
     {
-      planes.push_back({ axis, isUpper,
-        isUpper ? row.maxCoeff() - faces[side].depth : row.minCoeff() + faces[side].depth });
+      planes.push_back(
+        { axis, isUpper, isUpper ? row.maxCoeff() - face.depth : row.minCoeff() + face.depth });
     }
   }
   return planes;
@@ -95,19 +98,7 @@ std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepar
     prepared.warnings.push_back(joined("The surface cut itself at ", mended,
       " pairs of triangles; it was mended there before it was filled."));
   }
-  std::vector<CutPlane> planes;
-  const Eigen::Vector3d lowest = wanted.points.rowwise().minCoeff();
-  const Eigen::Vector3d highest = wanted.points.rowwise().maxCoeff();
-  for (std::size_t side = 0; side < faces.size(); ++side)
-  {
-    const auto axis = static_cast<Eigen::Index>(side / 2);
-    const bool isUpper = side % 2 == 1;
-    if (faces[side].isGiven)
-    {
-      planes.push_back({ axis, isUpper,
-        isUpper ? highest[axis] - faces[side].depth : lowest[axis] + faces[side].depth });
-    }
-  }
+  std::vector<CutPlane> planes = planesOf(wanted, faces, true);
   MeshedSurface left = wanted;
   ClosedSurface closedLeft;
   if (!planes.empty())
@@ -129,7 +120,7 @@ std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepar
       }
     }
   }
-  prepared.held = heldBeyond(wanted, faces);
+  prepared.held = planesOf(wanted, faces, false);
   return {};
 }
 

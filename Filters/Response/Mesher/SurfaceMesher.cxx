@@ -12,8 +12,7 @@ bool hasSurfaceMesher()
 
 std::string fillSurface(const MeshedSurface&, double, const WorkObserver&, TetrahedralMesh&)
 {
-  return "this build has no CGAL, which makes tetrahedra: install it (Debian: libcgal-dev) and "
-         "configure with PALPATE_USE_CGAL=ON";
+  return NoSurfaceMesher;
 }
 } // namespace palpate
 #else

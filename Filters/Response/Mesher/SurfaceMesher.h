@@ -25,8 +25,11 @@ struct TetrahedralMesh
   bool isTooRough = false;
 };
 
-/// Whether this build has a mesher (CGAL).
+/// Whether this build has a mesher (CGAL), and what to say where it has none.
 bool hasSurfaceMesher();
+constexpr const char* NoSurfaceMesher =
+  "this build has no CGAL, which makes tetrahedra: install it (Debian: libcgal-dev) and configure "
+  "with PALPATE_USE_CGAL=ON";
 
 /**
  * Delaunay refinement, then removal of slivers below 10° as far as possible (CGAL Mesh_3: Rineau
