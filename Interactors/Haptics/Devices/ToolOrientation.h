@@ -2,6 +2,8 @@
 #ifndef palpate_ToolOrientation_h
 #define palpate_ToolOrientation_h
 
+#include "Mechanics/PalpateExport.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -42,15 +44,7 @@ inline Eigen::Vector3d shaftOf(const ToolOrientation& orientation) noexcept
 
 /// The smallest rotation that puts the shaft along `axis`, of any length; zero or not finite: not
 /// told.
-inline ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
-{
-  const double length = axis.norm();
-  if (!(length > 0.0 && std::isfinite(length)))
-  {
-    return orientationNotTold();
-  }
-  return ToolOrientation::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis / length);
-}
+PALPATE_EXPORT ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept;
 
 /// The rotation by a rotation vector: along the axis, as long as the angle, rad.
 inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
