@@ -20,6 +20,9 @@ constexpr double OwnError = 0.01;
 /// Of a depth, over which stiffness is told: a contact grows corner by corner, and with each the
 /// slope of its force jumps. No more than DirectContact knows beyond its deepest.
 constexpr double Step = 0.08;
+/// Of a force, by the square of the angle that a place turns with what is around it
+/// (FiniteContact).
+constexpr double LeftOfTurning = 2.5;
 
 /// A curve at a depth, and how well it is known.
 struct DirectSample
@@ -55,25 +58,66 @@ struct BetweenWays
   double strain = 0.0; ///< relative error of what finite strain does
 };
 
-DirectSample sampleAt(
-  const DirectContact& finer, const DirectContact& coarser, const DirectTerms& terms, double depth)
+/// Contacts on two meshes.
+class TwoMeshes
 {
-  const BetweenWays found(finer, terms, depth);
-  const BetweenWays other(coarser, terms, depth);
-  DirectSample made;
-  if (!(found.force > 0.0 && other.force > 0.0))
+public:
+  TwoMeshes(const DirectPress& finer, const DirectPress& coarser, const DirectTerms& terms)
+    : Finer(finer)
+    , Coarser(coarser)
+    , Terms(terms)
+    , IsFinite(isFinite(finer, terms) && isFinite(coarser, terms))
   {
+  }
+
+  double forceAt(double depth) const
+  {
+    return this->IsFinite ? this->Finer.finite.at(depth).force
+                          : BetweenWays(*this->Finer.small, this->Terms, depth).force;
+  }
+
+  DirectSample at(double depth) const
+  {
+    return this->IsFinite ? this->atFiniteStrain(depth) : this->atSmallStrain(depth);
+  }
+
+private:
+  DirectSample atFiniteStrain(double depth) const
+  {
+    const FiniteForce found = this->Finer.finite.at(depth);
+    const double other = this->Coarser.finite.at(depth).force;
+    DirectSample made;
+    made.force = found.force;
+    made.stiffness = found.stiffness;
+    made.parts[ResponseLimit::Elements] = std::hypot(other / found.force - 1.0, OwnError);
+    made.parts[ResponseLimit::Strain] = LeftOfTurning * found.turned * found.turned;
     return made;
   }
-  const double less = BetweenWays(finer, terms, depth * (1.0 - Step)).force;
-  const double more = BetweenWays(finer, terms, depth * (1.0 + Step)).force;
-  made.force = found.force;
-  made.stiffness = (more - less) / (2.0 * Step * depth);
-  made.parts[ResponseLimit::Strain] = found.strain;
-  made.parts[ResponseLimit::Curvature] = found.open;
-  made.parts[ResponseLimit::Elements] = std::hypot(other.small / found.small - 1.0, OwnError);
-  return made;
-}
+
+  DirectSample atSmallStrain(double depth) const
+  {
+    const BetweenWays found(*this->Finer.small, this->Terms, depth);
+    const BetweenWays other(*this->Coarser.small, this->Terms, depth);
+    DirectSample made;
+    if (!(found.force > 0.0 && other.force > 0.0))
+    {
+      return made;
+    }
+    const double less = this->forceAt(depth * (1.0 - Step));
+    const double more = this->forceAt(depth * (1.0 + Step));
+    made.force = found.force;
+    made.stiffness = (more - less) / (2.0 * Step * depth);
+    made.parts[ResponseLimit::Strain] = found.strain;
+    made.parts[ResponseLimit::Curvature] = found.open;
+    made.parts[ResponseLimit::Elements] = std::hypot(other.small / found.small - 1.0, OwnError);
+    return made;
+  }
+
+  const DirectPress& Finer;
+  const DirectPress& Coarser;
+  const DirectTerms& Terms;
+  bool IsFinite;
+};
 
 void addUp(DirectSample& sample)
 {
@@ -157,10 +201,16 @@ void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& f
 }
 } // namespace
 
-DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
-  const DirectContact& coarser, const DirectTerms& terms, const ResponseSampling& sampling,
+bool isFinite(const DirectPress& press, const DirectTerms& terms)
+{
+  return terms.isFinite && press.finite.deepest() >= terms.depth;
+}
+
+DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
+  const DirectPress& coarser, const DirectTerms& terms, const ResponseSampling& sampling,
   const ResponseSpans& spans)
 {
+  const TwoMeshes contacts(finer, coarser, terms);
   const FormerCurve former(point, sampling, spans);
   const auto n = static_cast<std::size_t>(spans.samples);
   std::vector<DirectSample> samples(n);
@@ -168,7 +218,7 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
   for (std::size_t k = n; k-- > 0;)
   {
     const double depth = sampling.depth(static_cast<int>(k), terms.depth);
-    samples[k] = sampleAt(finer, coarser, terms, depth);
+    samples[k] = contacts.at(depth);
     addUp(samples[k]);
     if (samples[k].error >= 1.0 ||
       samples[k].error >= former.errorBeside(samples[k].force, depth) ||
@@ -211,8 +261,7 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
       const double depth = terms.depth * root * root;
       const double stored =
         sampling.evaluate(FloatCurve{ force, stiffness }, terms.depth, depth).force;
-      samples[k].parts[ResponseLimit::None] =
-        std::abs(stored / BetweenWays(finer, terms, depth).force - 1.0);
+      samples[k].parts[ResponseLimit::None] = std::abs(stored / contacts.forceAt(depth) - 1.0);
       addUp(samples[k]);
     }
     errors[k] = static_cast<float>(samples[k].error);

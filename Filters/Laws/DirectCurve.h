@@ -7,8 +7,10 @@
 #include "Mechanics/FiniteElements/ElasticElement.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/TrueShape/DirectContact.h"
+#include "Mechanics/TrueShape/FiniteContact.h"
 
 #include <cstddef>
+#include <memory>
 
 namespace palpate
 {
@@ -22,7 +24,18 @@ struct DirectTerms
   double depth = 1.0;                       ///< mm, to which curves go
   double errorTolerance = 0.05;             ///< to which Validity is found, > 0
   const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
+  bool isFinite = false;                    ///< finite strain is solved for; the law is Neo-Hooke's
 };
+
+/// A contact on one mesh: at finite strain, or what is to be corrected for that.
+struct DirectPress
+{
+  FiniteContact finite;
+  std::unique_ptr<DirectContact> small;
+};
+
+/// Whether the contact at finite strain is what the terms ask for.
+PALPATE_EXPORT bool isFinite(const DirectPress& press, const DirectTerms& terms);
 
 /// What direct contact made of a point: the values of the array `Direct`.
 enum class DirectOutcome : unsigned char
@@ -38,15 +51,20 @@ enum class DirectOutcome : unsigned char
  * less than that of the curve that is there, or less than what the two differ by. The spans hold
  * the curve that is there, with its errors.
  *
- * The force is the mean of those of pressures along the mean normal and along each its own, on the
- * finer mesh. Its error, the root of the squares of: half of what these two differ by, which small
- * displacements cannot decide (Curvature); what the two meshes differ by, and a hundredth
- * (Elements); what finite strain, or its correction, lacks (Strain); storage. Towards the surface,
- * where the contact gets as small as its facets, the curve goes over to the one that was there, by
- * √δ, from the sample on at which that is better known.
+ * Where both meshes have a contact at finite strain the force is that of the finer. Its error, the
+ * root of the squares of: what the two meshes differ by, and a hundredth (Elements); what is around
+ * moves as at small strain (Strain, FiniteContact); storage.
+ *
+ * Elsewhere it is the mean of those of pressures along the mean normal and along each its own, with
+ * the correction for finite strain, and of the error are: half of what these two differ by, which
+ * small displacements cannot decide (Curvature); Elements; what finite strain, or its correction,
+ * lacks (Strain); storage.
+ *
+ * Towards the surface, where the contact gets as small as its facets, the curve goes over to the
+ * one that was there, by √δ, from the sample on at which that is better known.
  */
-PALPATE_EXPORT DirectOutcome takeDirectCurve(std::size_t point, const DirectContact& finer,
-  const DirectContact& coarser, const DirectTerms& terms, const ResponseSampling& sampling,
+PALPATE_EXPORT DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
+  const DirectPress& coarser, const DirectTerms& terms, const ResponseSampling& sampling,
   const ResponseSpans& spans);
 } // namespace palpate
 

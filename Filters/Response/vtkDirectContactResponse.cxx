@@ -306,10 +306,10 @@ std::string vtkDirectContactResponse::Press(
   std::vector<std::string> faults(points.size());
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
   const palpate::DirectTerms terms{ &tool, { this->YoungsModulus, this->PoissonRatio },
-    this->MaximumDeflection, this->ErrorTolerance, bodies.strain.get() };
+    this->MaximumDeflection, this->ErrorTolerance, bodies.strain.get(),
+    this->StrainModel == NeoHooke && palpate::FiniteContact::isFor(tool) };
   const palpate::ResponseSampling sampling(arrays.samples, arrays.exponent);
-  const palpate::DirectPresses presses(
-    bodies.surface, bodies.rest, bodies.coarser, tool, terms.material, this->MaximumDeflection);
+  const palpate::DirectPresses presses(bodies.surface, bodies.rest, bodies.coarser, terms);
   const auto press = [&](std::size_t i)
   {
     const vtkIdType point = points[i];
@@ -325,7 +325,7 @@ std::string vtkDirectContactResponse::Press(
     if (wrong.empty())
     {
       outcome =
-        palpate::takeDirectCurve(at, *contacts.finer, *contacts.coarser, terms, sampling, spans);
+        palpate::takeDirectCurve(at, contacts.finer, contacts.coarser, terms, sampling, spans);
       wrong = "no contact settles"; // where it failed
     }
     became->SetValue(point, static_cast<unsigned char>(outcome));

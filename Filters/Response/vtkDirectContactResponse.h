@@ -17,19 +17,23 @@
  * pressed, but the law is better known, 3 failed (it could not be cut out or filled, or no contact
  * settled); there is a warning with the first reason.
  *
- * **Method.** Pressures linear on the facets under the tool, unilateral, without friction, the body
- * linear elastic (palpate::DirectContact). The part reaches five contact radii; on its cut it moves
- * as the body in its coarse cells does under the same resultant (palpate::RestOfBody). Both twice,
- * the second time with one and a half times longer cells on the coarser body: their difference is
- * part of the error, as is half of what pressures along the mean normal and each along its own
- * differ by - in a crease, or where the tool touches several sides, that is what small
- * displacements leave open. Finite strain multiplies what is local, as of
- * vtkElasticContactResponse.
+ * **Method.** The part reaches five contact radii; on its cut it moves as the body in its coarse
+ * cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and without
+ * friction. All is done twice, the second time with one and a half times longer cells on the
+ * coarser body: what they differ by is part of the error.
+ * - With Neo-Hooke, and a tool without a flat end: finite strain (palpate::FiniteContact),
+ * pressures along the tool's own normal. The rest of the body is at small strain, and where it
+ * turns the place, the square of that angle is part of the error.
+ * - Otherwise, or where no such equilibrium is found: small strain, pressures linear on the facets
+ *   (palpate::DirectContact), and finite strain multiplies what is local, as of
+ *   vtkElasticContactResponse. Half of what pressures along the mean normal and each along its own
+ *   differ by is part of the error: in a crease, or where the tool touches several sides, that is
+ *   what small displacements leave open.
  *
- * **Cost.** 4 to 10 s a point of one thread, on all threads, and 100 MB each: offline work. One
- * factorisation each of the two bodies. Abort is seen between points. The same bits for any number
- * of threads. The mesher is CGAL's, as of vtkGradedBody: without it (PALPATE_USE_CGAL) running the
- * filter is an error.
+ * **Cost.** 4 to 10 s a point of one thread, at finite strain 20 s, on all threads, and 100 MB
+ * each: offline work. One factorisation each of the two bodies. Abort is seen between points. The
+ * same bits for any number of threads. The mesher is CGAL's, as of vtkGradedBody: without it
+ * (PALPATE_USE_CGAL) running the filter is an error.
  *
  * Errors, which name what is wrong: no such response, or without errors; an input without cells or
  * `Fixed`; a property out of range; a Shape that cannot be closed.

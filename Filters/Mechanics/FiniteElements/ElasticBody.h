@@ -43,6 +43,7 @@ public:
   const VolumeMesh& mesh() const { return this->Input.mesh; }
   const MeshTopology& topology() const { return this->Topology; }
   const BodySurface& surface() const { return this->Surface; }
+  const StiffnessMatrix& stiffness() const { return this->Stiffness; }
   const StiffnessFactor& factor() const { return *this->Factor; }
   int unknowns() const { return static_cast<int>(this->Stiffness.lower.rows()); }
   /// The unknown of a node's direction, or -1 if it is fixed.

@@ -100,16 +100,28 @@ bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vec
   return true;
 }
 
-void addElement(const VolumeElement& element, const ElementMatrix& k, const std::vector<int>& dof,
-  SymmetricSparse& lower)
+/// One part of the body: its first element and the constraints of its rigid motions.
+struct Part
 {
-  const int* starts = lower.outerIndexPtr();
-  const int* rows = lower.innerIndexPtr();
-  double* values = lower.valuePtr();
+  std::int32_t firstElement = -1;
+  int elements = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double nodes = 0.0;
+  double size = 0.0;
+  Eigen::Matrix<double, 6, 6> stopped = Eigen::Matrix<double, 6, 6>::Zero();
+};
+} // namespace
+
+void addElement(const VolumeElement& element, const ElementMatrix& k, StiffnessMatrix& stiffness)
+{
+  const int* starts = stiffness.lower.outerIndexPtr();
+  const int* rows = stiffness.lower.innerIndexPtr();
+  double* values = stiffness.lower.valuePtr();
   const auto unknown = [&](int i)
   {
-    return dof[3 * static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i / 3)]) +
-      static_cast<std::size_t>(i % 3)];
+    return stiffness
+      .dof[3 * static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i / 3)]) +
+        static_cast<std::size_t>(i % 3)];
   };
   for (int j = 0; j < k.cols(); ++j)
   {
@@ -131,18 +143,6 @@ void addElement(const VolumeElement& element, const ElementMatrix& k, const std:
   }
 }
 
-/// One part of the body: its first element and the constraints of its rigid motions.
-struct Part
-{
-  std::int32_t firstElement = -1;
-  int elements = 0;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double nodes = 0.0;
-  double size = 0.0;
-  Eigen::Matrix<double, 6, 6> stopped = Eigen::Matrix<double, 6, 6>::Zero();
-};
-} // namespace
-
 std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topology,
   const std::vector<ElasticMaterial>& materials, const std::vector<unsigned char>& fixed,
   StiffnessMatrix& stiffness)
@@ -163,7 +163,7 @@ std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topolo
       return "cell " + std::to_string(e) +
         " is inverted or has no volume: its Jacobian is not positive";
     }
-    addElement(element, k, stiffness.dof, stiffness.lower);
+    addElement(element, k, stiffness);
   }
   return {};
 }

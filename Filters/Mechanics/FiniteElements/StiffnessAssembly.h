@@ -35,6 +35,10 @@ PALPATE_EXPORT std::string assembleStiffness(const VolumeMesh& mesh, const MeshT
   const std::vector<ElasticMaterial>& materials, const std::vector<unsigned char>& fixed,
   StiffnessMatrix& stiffness);
 
+/// Adds an element's matrix to those of others.
+PALPATE_EXPORT void addElement(
+  const VolumeElement& element, const ElementMatrix& k, StiffnessMatrix& stiffness);
+
 /**
  * Finds a part of the body that is free to move as a whole.
  *

@@ -13,6 +13,7 @@ std::unique_ptr<StiffnessFactor> makeSupernodalFactor()
 
 #else
 
+#include "Mechanics/FiniteElements/SingleThread.h"
 #include "Mechanics/SharedWork.h"
 
 #include <cholmod.h>
@@ -29,10 +30,6 @@ extern "C"
   void dgemm_(const char* transposedA, const char* transposedB, const int* m, const int* n,
     const int* k, const double* alpha, const double* a, const int* lda, const double* b,
     const int* ldb, const double* beta, double* c, const int* ldc);
-
-  // OpenBLAS's, if that is the BLAS; otherwise null.
-  __attribute__((weak)) int openblas_get_num_threads();
-  __attribute__((weak)) void openblas_set_num_threads(int count);
 }
 
 namespace palpate
@@ -41,43 +38,6 @@ namespace
 {
 /// Right-hand sides per block. Measured on a body of 95 thousand unknowns: see the benchmark.
 constexpr std::size_t SupernodalBlock = 64;
-
-/// While one lives, OpenBLAS uses only the calling thread: several would sum in another order, and
-/// the blocks are already distributed to threads. The setting is that of the whole process; the
-/// last object restores it.
-class SingleThreadedBlas
-{
-public:
-  SingleThreadedBlas()
-  {
-    const std::lock_guard<std::mutex> lock(Guard);
-    if (isThere() && Living++ == 0)
-    {
-      Before = openblas_get_num_threads();
-      openblas_set_num_threads(1);
-    }
-  }
-  ~SingleThreadedBlas()
-  {
-    const std::lock_guard<std::mutex> lock(Guard);
-    if (isThere() && --Living == 0)
-    {
-      openblas_set_num_threads(Before);
-    }
-  }
-  SingleThreadedBlas(const SingleThreadedBlas&) = delete;
-  SingleThreadedBlas& operator=(const SingleThreadedBlas&) = delete;
-
-private:
-  static bool isThere()
-  {
-    return openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr;
-  }
-
-  inline static std::mutex Guard;
-  inline static int Living = 0;
-  inline static int Before = 0;
-};
 
 /// L by supernodes, as CHOLMOD stores it: columns super[s] .. super[s+1] share the rows
 /// rows[pi[s]] .. rows[pi[s+1]], of which the first are the columns themselves; dense by columns.
@@ -297,7 +257,7 @@ public:
 
   bool factorise(const SymmetricSparse& lower) override
   {
-    const SingleThreadedBlas single;
+    const SingleThread single;
     cholmod_sparse matrix = view(lower);
     return cholmod_factorize(&matrix, this->Factor, &this->Common) != 0 &&
       this->Common.status == CHOLMOD_OK && this->Factor->minor == this->Factor->n;
@@ -311,7 +271,7 @@ public:
 
   Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const override
   {
-    const SingleThreadedBlas single;
+    const SingleThread single;
     cholmod_common common; // the workspace, one for each thread; the factor is only read
     cholmod_start(&common);
     common.print = 0;
@@ -344,7 +304,7 @@ public:
     }
     const std::vector<std::size_t> order = orderLoads(loads, position);
     const Supernodes supernodes(this->Factor);
-    const SingleThreadedBlas single;
+    const SingleThread single;
     std::vector<double> result(loads.size(), 0.0);
     const std::size_t blocks = (order.size() + SupernodalBlock - 1) / SupernodalBlock;
     // The blocks are the same for any number of threads, and so are the results.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/TrueShape/DirectContact.h"
 
-#include "Mechanics/FiniteElements/PatchLoad.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/DenseNodes.h"
 #include "Mechanics/SharedWork.h"
@@ -17,56 +16,21 @@ namespace palpate
 {
 namespace
 {
-/// What may touch: no farther from the tool, pressed in, than this part of its depth.
-constexpr double TouchMargin = 0.1;
-constexpr int Divisions = 5; ///< of a facet's sides
 constexpr std::size_t LoadsAtATime = 96;
-/// Cosine between the tool's axis and what it is pressed on.
-constexpr double LeastFacing = 0.1;
-constexpr double NearWall = 0.995; ///< of a round tool, which is vertical there
-constexpr double NearTool = 1.1;
 /// How often the mean is told anew, from the axis on.
 constexpr int Turns = 2;
 /// A corner of which the tool covers less is left out.
 constexpr double LeastCovered = 0.02;
-
-/// Calls visit() with places in the middle of equal parts of a facet, in the coordinates of
-/// faceShapes().
-template <class Visit>
-void visitParts(int corners, const Visit& visit)
-{
-  constexpr double step = 1.0 / Divisions;
-  for (int i = 0; i < Divisions; ++i)
-  {
-    for (int j = 0; j < Divisions; ++j)
-    {
-      const Eigen::Vector2d at = step * Eigen::Vector2d(i, j);
-      if (corners == 4)
-      {
-        visit(Eigen::Vector2d(2.0 * at.array() + step - 1.0));
-        continue;
-      }
-      if (i + j < Divisions)
-      {
-        visit(Eigen::Vector2d(at.array() + step / 3.0));
-      }
-      if (i + j < Divisions - 1)
-      {
-        visit(Eigen::Vector2d(at.array() + 2.0 * step / 3.0));
-      }
-    }
-  }
-}
 } // namespace
 
 DirectContact::DirectContact(const ElasticBody& body, const AxisymmetricTool& tool,
   const DirectPlace& at, double deepest, const UnitMotion* rest)
   : Tool(tool)
   , At(at)
-  , Frame(tangentFrame(-at.inward))
-  , Wall(tool.largestContactRadius())
+  , Frame(toolFrame(at))
+  , Reached(reachedRadius(tool))
 {
-  this->takeCorners(this->facetsUnder(body, deepest));
+  this->takeCorners(facetsUnder(body, tool, at, deepest));
   Eigen::MatrixXd compliance = this->compliance(body);
   if (rest != nullptr)
   {
@@ -106,92 +70,7 @@ void DirectContact::pushAlongMean(const Eigen::MatrixXd& compliance, double deep
   }
 }
 
-/// Of the body's surface: facets that the tool, pressed in, reaches into from outside, and that
-/// hang together with the place where it is pressed.
-std::vector<DirectContact::Facet> DirectContact::facetsUnder(
-  const ElasticBody& body, double deepest) const
-{
-  std::vector<Facet> facets;
-  std::map<std::int32_t, std::vector<std::size_t>> around;
-  double nearest = Infinity;
-  std::size_t first = 0;
-  for (const BoundaryFace& boundary : body.topology().boundary())
-  {
-    Facet facet = this->facet(body.mesh(), boundary);
-    if (!this->mayTouch(facet, deepest))
-    {
-      continue;
-    }
-    for (int i = 0; i < facet.corners; ++i)
-    {
-      around[facet.nodes[static_cast<std::size_t>(i)]].push_back(facets.size());
-      const double away = facet.places.col(i).norm();
-      first = away < nearest ? facets.size() : first;
-      nearest = std::min(nearest, away);
-    }
-    facets.push_back(std::move(facet));
-  }
-  std::vector<bool> isTaken(facets.size(), false);
-  std::vector<std::size_t> taken;
-  const auto take = [&](std::size_t next)
-  {
-    if (!isTaken[next])
-    {
-      isTaken[next] = true;
-      taken.push_back(next);
-    }
-  };
-  if (!facets.empty())
-  {
-    take(first);
-  }
-  std::vector<Facet> near;
-  for (std::size_t i = 0; i < taken.size(); ++i)
-  {
-    near.push_back(std::move(facets[taken[i]]));
-    for (int k = 0; k < near.back().corners; ++k)
-    {
-      const auto& beside = around[near.back().nodes[static_cast<std::size_t>(k)]];
-      std::for_each(beside.begin(), beside.end(), take);
-    }
-  }
-  return near;
-}
-
-DirectContact::Facet DirectContact::facet(
-  const VolumeMesh& mesh, const BoundaryFace& boundary) const
-{
-  const VolumeElement& element = mesh.elements[static_cast<std::size_t>(boundary.element)];
-  const ElementFace& face = elementFace(element.kind, boundary.face);
-  Facet made;
-  made.corners = face.corners;
-  made.places.resize(3, face.nodes);
-  for (int i = 0; i < face.nodes; ++i)
-  {
-    const auto node = static_cast<std::size_t>(face.node[static_cast<std::size_t>(i)]);
-    made.nodes.push_back(element.nodes[node]);
-    made.places.col(i) =
-      this->Frame.transpose() * (mesh.nodes.col(made.nodes.back()) - this->At.place);
-  }
-  const Eigen::Vector3d along = made.places.col(1) - made.places.col(0);
-  const Eigen::Vector3d across = made.places.col(made.corners - 1) - made.places.col(0);
-  made.area = along.cross(across) * (made.corners == 3 ? 0.5 : 1.0);
-  return made;
-}
-
-bool DirectContact::mayTouch(const Facet& facet, double deepest) const
-{
-  bool isIn = false;
-  for (Eigen::Index i = 0; i < facet.places.cols(); ++i)
-  {
-    const double r = facet.places.col(i).head<2>().norm();
-    const double tool = deepest - this->Tool.profile(std::min(r, NearWall * this->Wall));
-    isIn = isIn || (r < NearTool * this->Wall && facet.places(2, i) < tool + TouchMargin * deepest);
-  }
-  return isIn && -facet.area[2] > LeastFacing * facet.area.norm();
-}
-
-void DirectContact::takeCorners(const std::vector<Facet>& facets)
+void DirectContact::takeCorners(const std::vector<ToolFacet>& facets)
 {
   struct Part
   {
@@ -200,11 +79,10 @@ void DirectContact::takeCorners(const std::vector<Facet>& facets)
     double weight = 0.0;
   };
   std::map<std::int32_t, Part> parts;
-  const bool isFlat = this->Tool.smallestContactRadius() > 0.0;
   double sum = 0.0;
-  for (const Facet& facet : facets)
+  for (const ToolFacet& facet : facets)
   {
-    const double area = -facet.area[2] / (Divisions * Divisions);
+    const double area = -facet.area[2] / FacetParts;
     const Eigen::Vector3d normal = facet.area / facet.area[2];
     const auto nodes = static_cast<int>(facet.nodes.size());
     visitParts(facet.corners,
@@ -215,7 +93,7 @@ void DirectContact::takeCorners(const std::vector<Facet>& facets)
         const Eigen::Vector3d place =
           facet.places * Eigen::Map<const Eigen::VectorXd>(shapes.data(), nodes);
         const double r = place.head<2>().norm();
-        if (!(r < (isFlat ? 1.0 : NearWall) * this->Wall))
+        if (!(r < this->Reached))
         {
           return;
         }
@@ -354,7 +232,7 @@ bool DirectContact::solve(double deflection, const Eigen::MatrixXd& compliance,
   {
     for (const Piece& piece : this->Corners[static_cast<std::size_t>(i)].pieces)
     {
-      const double r = std::min(piece.away, NearWall * this->Wall);
+      const double r = std::min(piece.away, this->Reached);
       wanted[i] += piece.weight * (deflection - this->Tool.profile(r) - piece.depth);
     }
   }

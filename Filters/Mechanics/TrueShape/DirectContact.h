@@ -2,10 +2,9 @@
 #ifndef palpate_DirectContact_h
 #define palpate_DirectContact_h
 
-#include "Mechanics/FiniteElements/ElasticBody.h"
 #include "Mechanics/FiniteElements/UnitLoads.h"
 #include "Mechanics/PalpateExport.h"
-#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Mechanics/TrueShape/ToolFacets.h"
 
 #include <Eigen/Core>
 
@@ -15,13 +14,6 @@
 
 namespace palpate
 {
-/// Where a tool is pressed: a point of the surface, mm, and the way there, a unit vector.
-struct DirectPlace
-{
-  Eigen::Vector3d place;
-  Eigen::Vector3d inward;
-};
-
 /// Which way pressures act.
 enum class Pushed
 {
@@ -49,10 +41,10 @@ struct DirectForce
  *
  * Without friction pressures act along the normal, which turns from the body's to the tool's while
  * it is pressed. What that does to second order, with all else that is of this order, finite strain
- * tells (pressTool): on balls and in cavities down to three contact radii it is within 1 % of
- * pressures along the mean normal, and up to 4 % above those each along its own. Where walls on
- * several sides are touched these are more likely. How far both differ tells how far either can be
- * trusted.
+ * tells: on balls and in cavities down to three contact radii it is within 1 % of pressures along
+ * the mean normal, and up to 4 % above those each along its own. Where walls on several sides are
+ * touched either may be nearer: how far both differ tells how far one can be trusted, and
+ * FiniteContact decides.
  *
  * The body may be a part cut out of a larger one and held on the cut: `rest` then tells how it
  * moves with what is around it.
@@ -88,19 +80,7 @@ private:
     double area = 0.0;                                  ///< mm², across the axis
   };
 
-  /// Of the surface, in the tool's frame.
-  struct Facet
-  {
-    int corners = 0;
-    std::vector<std::int32_t> nodes; ///< the corners first
-    Eigen::Matrix3Xd places;         ///< of them, mm
-    Eigen::Vector3d area;            ///< outwards, mm²
-  };
-
-  Facet facet(const VolumeMesh& mesh, const BoundaryFace& boundary) const;
-  bool mayTouch(const Facet& facet, double deepest) const;
-  std::vector<Facet> facetsUnder(const ElasticBody& body, double deepest) const;
-  void takeCorners(const std::vector<Facet>& facets);
+  void takeCorners(const std::vector<ToolFacet>& facets);
   Eigen::MatrixXd compliance(const ElasticBody& body) const;
   void addRest(const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const;
   /// What forces of 1 along the axis are, column by column.
@@ -113,7 +93,7 @@ private:
   const AxisymmetricTool& Tool;
   DirectPlace At;
   Eigen::Matrix3d Frame; ///< columns: two across, one inwards
-  double Wall;           ///< beyond which the tool is not
+  double Reached;        ///< radius beyond which nothing of the tool is
   std::vector<Corner> Corners;
   /// Corner by corner, along their pushes, mm/N; for each Pushed.
   std::array<Eigen::MatrixXd, 2> Compliance;

@@ -28,15 +28,13 @@ constexpr double CoarseReach = 2.5; ///< of the part, in lengths of these cells
 } // namespace
 
 DirectPresses::DirectPresses(const PreparedSurface& surface, const RestOfBody& body,
-  const RestOfBody& coarser, const AxisymmetricTool& tool, const ElasticMaterial& material,
-  double depth)
+  const RestOfBody& coarser, const DirectTerms& terms)
   : Surface(surface)
   , Body(body)
   , Coarser(coarser)
-  , Tool(tool)
-  , Material(material)
-  , Depth(depth)
-  , Radius(tool.contactRadius(depth))
+  , Tool(*terms.tool)
+  , Terms(terms)
+  , Radius(terms.tool->contactRadius(terms.depth))
 {
 }
 
@@ -61,11 +59,11 @@ PartCells DirectPresses::cells(const DirectPlace& place, double length) const
   return made;
 }
 
-std::string DirectPresses::press(const DirectPlace& place, const CutOutSurface& part, double length,
-  const RestOfBody& rest, std::unique_ptr<DirectContact>& contact) const
+std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& cut, double length,
+  const RestOfBody& rest, Part& part) const
 {
   CutOutPart filled;
-  std::string fault = fillPart(part, this->cells(place, length), filled);
+  std::string fault = fillPart(cut, this->cells(place, length), filled);
   if (!fault.empty())
   {
     return fault;
@@ -78,12 +76,12 @@ std::string DirectPresses::press(const DirectPlace& place, const CutOutSurface& 
   }
   ElasticBodyInput input;
   input.mesh = std::move(filled.mesh);
-  input.materials = { this->Material };
+  input.materials = { this->Terms.material };
   for (std::size_t i = 0; i < filled.onCut.size(); ++i)
   {
     input.fixed.push_back(filled.onCut[i] || filled.held[i] ? FixedX | FixedY | FixedZ : 0);
   }
-  ElasticBody body;
+  ElasticBody& body = part.body;
   fault = body.assemble(std::move(input));
   fault = fault.empty() ? body.analyse(StiffnessFactor::Kind::Automatic) : fault;
   fault = fault.empty() ? body.factorise() : fault;
@@ -91,13 +89,32 @@ std::string DirectPresses::press(const DirectPlace& place, const CutOutSurface& 
   {
     return fault;
   }
-  const UnitMotion moved = motionFromCut(body, ofCut);
-  if (moved.nodes.front().size() == 0)
+  part.moved = motionFromCut(body, ofCut);
+  return part.moved.nodes.front().size() > 0 ? ""
+                                             : "there is not enough memory for the part around it";
+}
+
+/// At finite strain, or where that is not asked for, or not found on both, at small.
+void DirectPresses::press(
+  const DirectPlace& place, const Part& finer, const Part& coarser, Contacts& contacts) const
+{
+  const auto finite = [&](const Part& part)
+  { return FiniteContact(part.body, this->Tool, place, this->Terms.depth, &part.moved); };
+  const auto small = [&](const Part& part)
   {
-    return "there is not enough memory for the part around it";
+    return std::make_unique<DirectContact>(
+      part.body, this->Tool, place, this->Terms.depth, &part.moved);
+  };
+  if (this->Terms.isFinite)
+  {
+    contacts.finer.finite = finite(finer);
+    contacts.coarser.finite = finite(coarser);
   }
-  contact = std::make_unique<DirectContact>(body, this->Tool, place, this->Depth, &moved);
-  return {};
+  if (!isFinite(contacts.finer, this->Terms) || !isFinite(contacts.coarser, this->Terms))
+  {
+    contacts.finer.small = small(finer);
+    contacts.coarser.small = small(coarser);
+  }
 }
 
 std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) const
@@ -112,13 +129,15 @@ std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) cons
   std::string fault;
   for (int i = 0; i < MostBoxes; ++i, half *= Larger)
   {
-    CutOutSurface part;
-    fault = cutOutAround(this->Surface, place.place, half, part);
-    fault = fault.empty() ? this->press(place, part, 1.0, this->Body, contacts.finer) : fault;
-    fault =
-      fault.empty() ? this->press(place, part, Longer, this->Coarser, contacts.coarser) : fault;
+    CutOutSurface cut;
+    Part finer;
+    Part coarser;
+    fault = cutOutAround(this->Surface, place.place, half, cut);
+    fault = fault.empty() ? this->make(place, cut, 1.0, this->Body, finer) : fault;
+    fault = fault.empty() ? this->make(place, cut, Longer, this->Coarser, coarser) : fault;
     if (fault.empty())
     {
+      this->press(place, finer, coarser, contacts);
       break;
     }
   }

@@ -6,7 +6,6 @@
 #include "Response/Bodies/CutOutPart.h"
 #include "Response/Bodies/RestOfBody.h"
 
-#include <memory>
 #include <string>
 
 namespace palpate
@@ -22,30 +21,38 @@ namespace palpate
 class DirectPresses
 {
 public:
-  /// The surface, the bodies and the tool must stay; `coarser` is `body` in longer cells. `depth`
-  /// (mm), the deepest.
+  /// The surface, the bodies and the tool must stay; `coarser` is `body` in longer cells. `terms`
+  /// tell the tool, the material and how deep; at finite strain it is pressed where they ask for
+  /// Neo-Hooke and the tool allows it.
   DirectPresses(const PreparedSurface& surface, const RestOfBody& body, const RestOfBody& coarser,
-    const AxisymmetricTool& tool, const ElasticMaterial& material, double depth);
+    const DirectTerms& terms);
 
   struct Contacts
   {
-    std::unique_ptr<DirectContact> finer;
-    std::unique_ptr<DirectContact> coarser; ///< on cells one and a half times as long
+    DirectPress finer;
+    DirectPress coarser; ///< on cells one and a half times as long
   };
   /// Returns what is wrong with the place, or "".
   std::string at(const DirectPlace& place, Contacts& contacts) const;
 
 private:
+  /// What is pressed on.
+  struct Part
+  {
+    ElasticBody body;
+    UnitMotion moved; ///< by what is around
+  };
   PartCells cells(const DirectPlace& place, double length) const;
-  std::string press(const DirectPlace& place, const CutOutSurface& part, double length,
-    const RestOfBody& rest, std::unique_ptr<DirectContact>& contact) const;
+  std::string make(const DirectPlace& place, const CutOutSurface& cut, double length,
+    const RestOfBody& rest, Part& part) const;
+  void press(
+    const DirectPlace& place, const Part& finer, const Part& coarser, Contacts& contacts) const;
 
   const PreparedSurface& Surface;
   const RestOfBody& Body;
   const RestOfBody& Coarser;
   const AxisymmetricTool& Tool;
-  ElasticMaterial Material;
-  double Depth;
+  DirectTerms Terms;
   double Radius; ///< of the contact on a half-space, mm
 };
 } // namespace palpate

@@ -3,7 +3,8 @@
 
 namespace palpate
 {
-// Not in the header: with it, every file that knows a device compiles a singular value decomposition.
+// Not in the header: with it, every file that knows a device compiles a singular value
+// decomposition.
 ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
 {
   const double length = axis.norm();

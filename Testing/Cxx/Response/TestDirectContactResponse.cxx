@@ -7,6 +7,7 @@
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/TrueShape/DirectContact.h"
+#include "Mechanics/TrueShape/FiniteContact.h"
 
 #include "vtkContactTool.h"
 #include "vtkCell.h"
@@ -129,8 +130,15 @@ double value(vtkPolyData* surface, const char* name, Place at, int component)
     surface->FindPoint(at.data()), component < 0 ? array->GetNumberOfComponents() - 1 : component);
 }
 
-/// The force on one fine mesh of the whole body.
-double whole(vtkPolyData* surface, const char* held, const Place& place, const Place& inward)
+/// Forces at small strain and at finite.
+struct Forces
+{
+  double small;
+  double finite;
+};
+
+/// The forces on one fine mesh of the whole body.
+Forces whole(vtkPolyData* surface, const char* held, const Place& place, const Place& inward)
 {
   const Grid grid = filled(surface, 2.0, held, &place);
   palpate::ElasticBodyInput input;
@@ -160,9 +168,11 @@ double whole(vtkPolyData* surface, const char* held, const Place& place, const P
   const palpate::DirectPlace at{ Eigen::Vector3d(place.data()), Eigen::Vector3d(inward.data()) };
   const vtkSmartPointer<vtkContactTool> pressed = tool();
   const palpate::DirectContact contact(body, *pressed->GetKernel(), at, Depth);
-  return 0.5 *
-    (contact.at(Depth, palpate::Pushed::TogetherAlongTheMean).force +
-      contact.at(Depth, palpate::Pushed::EachAlongItsOwn).force);
+  const palpate::FiniteContact finite(body, *pressed->GetKernel(), at, Depth);
+  return { 0.5 *
+      (contact.at(Depth, palpate::Pushed::TogetherAlongTheMean).force +
+        contact.at(Depth, palpate::Pushed::EachAlongItsOwn).force),
+    finite.at(Depth).force };
 }
 
 /// A bar that is held at one end. In the middle of its top it bends more than it dents; 0.75 mm
@@ -184,10 +194,21 @@ void checkBar()
   PALPATE_CHECK(messages.none());
   PALPATE_CHECK(filter->GetNumberOfPresses() == 2 && filter->GetNumberOfReplaced() == 2);
   vtkPolyData* after = filter->GetOutput();
+  const Filter deep = press(before, body, coarser, held);
+  deep->SetStrainModel(vtkDirectContactResponse::NeoHooke);
+  withThreads(2, [&] { deep->Update(); });
+  PALPATE_CHECK(deep->GetNumberOfReplaced() == 2);
   for (const Place& place : { middle, edge })
   {
     const double force = value(after, "ResponseForce", place, -1);
-    const double brute = whole(surface, held, place, down);
+    const Forces forces = whole(surface, held, place, down);
+    const double brute = forces.small;
+    // At finite strain as well as at small: the bar turns by 0.01 rad.
+    const double deepForce = value(deep->GetOutput(), "ResponseForce", place, -1);
+    PALPATE_CHECK_NEAR(deepForce / forces.finite, 1.0, 0.03);
+    PALPATE_CHECK(value(deep->GetOutput(), "ResponseError", place, -1) < 0.04);
+    std::printf("%g %g  %g %g error %g\n", force, brute, deepForce, forces.finite,
+      value(deep->GetOutput(), "ResponseError", place, -1));
     PALPATE_CHECK(std::abs(value(before, "ResponseForce", place, -1) / brute - 1.0) > 0.3);
     // Two meshes of four facets over the radius: 1 % each, and the bar's bending in coarse cells.
     PALPATE_CHECK_NEAR(force / brute, 1.0, 0.03);

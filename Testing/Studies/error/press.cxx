@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/* The force of a tool pressed straight into a body of quadratic tetrahedra (DirectContact).
+/* The force of a tool pressed straight into a body of quadratic tetrahedra (DirectContact,
+ * FiniteContact).
  *
  *   palpateDirectContact BODY.vtu YOUNG POISSON TOOL DEPTH X Y Z NX NY NZ
  *
  * BODY as vtkGradedBody makes it; the tool is pressed at X Y Z, DEPTH mm along the unit vector N.
- * Prints the force in N and how many corners of facets might touch: of pressures along the mean
- * normal, and of those each along its own.
+ * Prints three forces in N: at small strain, of pressures along the mean normal, and of those each
+ * along its own; and at finite strain, nan where no equilibrium is found or for a tool with a flat
+ * end.
  */
 #include "Mechanics/Tools/ToolSpecification.h"
 #include "Mechanics/TrueShape/DirectContact.h"
+#include "Mechanics/TrueShape/FiniteContact.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -98,7 +101,10 @@ int main(int count, char** arguments)
   const DirectContact contact(body, *tool, at, value[5]);
   for (const Pushed pushed : { Pushed::TogetherAlongTheMean, Pushed::EachAlongItsOwn })
   {
-    std::printf("%.9g %d\n", contact.at(value[5], pushed).force, contact.corners());
+    std::printf("%.9g\n", contact.at(value[5], pushed).force);
   }
+  const FiniteContact finite =
+    FiniteContact::isFor(*tool) ? FiniteContact(body, *tool, at, value[5]) : FiniteContact();
+  std::printf("%.9g\n", finite.at(value[5]).force);
   return 0;
 }

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mechanics/TrueShape/FiniteContact.h"
+
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/TrueShape/FinitePart.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+/// Of the deepest, where it is solved; the last is for what the penalty takes away.
+constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.015 };
+constexpr int MostFailed = 4;      ///< steps in depth that are then halved
+constexpr int MostIterations = 25; ///< of Newton's method
+constexpr int MostHalvings = 8;    ///< of one of its steps
+/// Relative to the energy, what an iteration gains that needs no other: the next gains some square
+/// of it.
+constexpr double Converged = 1e-7;
+constexpr double Fillet = 0.05;        ///< of the contact radius, at a tool's apex
+constexpr double ReachOfOutline = 3.0; ///< contact radii
+
+/// Newton's method on the potential at successive depths.
+class FinitePress
+{
+public:
+  explicit FinitePress(FinitePart& part)
+    : Part(part)
+    , Factor(StiffnessFactor::make(StiffnessFactor::Kind::Automatic))
+    , Now(Eigen::VectorXd::Zero(part.unknowns()))
+    , Motion(Now)
+  {
+    this->IsReady = this->Factor->analyse(part.stiffness());
+  }
+
+  double depth() const { return this->Depth; }
+  const FinitePart::Pressed& pressed() const { return this->Contact; }
+
+  /// Goes there from the last depth; where there is no equilibrium it stays.
+  bool to(double depth)
+  {
+    const Eigen::VectorXd before = this->Now;
+    this->Now += (depth - this->Depth) * this->Motion;
+    if (!this->IsReady || !this->solve(depth))
+    {
+      this->Now = before;
+      return false;
+    }
+    this->Depth = depth;
+    this->Contact = this->Part.pressed(this->Now, depth);
+    if (!this->newton(this->Contact.gradient, this->Motion))
+    {
+      this->Motion.setZero();
+    }
+    return true;
+  }
+
+private:
+  /// A gradient, and less the inverse of the tangent times it; false where that is not positive.
+  bool newton(const Eigen::VectorXd& gradient, Eigen::VectorXd& found) const
+  {
+    const Eigen::MatrixXd& border = this->Part.border();
+    const Eigen::Index loads = border.cols();
+    const Eigen::Index nodes = border.rows();
+    Eigen::MatrixXd right(nodes, 1 + loads);
+    right << -gradient.head(nodes), border;
+    const Eigen::MatrixXd solved = this->Factor->solveAll(right);
+    if (solved.size() == 0)
+    {
+      return false;
+    }
+    const Eigen::MatrixXd corner =
+      this->Part.corner() - border.transpose() * solved.rightCols(loads);
+    const Eigen::LLT<Eigen::MatrixXd> factor(corner);
+    if (loads > 0 && factor.info() != Eigen::Success)
+    {
+      return false;
+    }
+    found.resize(nodes + loads);
+    found.tail(loads) = factor.solve(-gradient.tail(loads) - border.transpose() * solved.col(0));
+    found.head(nodes) = solved.col(0) - solved.rightCols(loads) * found.tail(loads);
+    return true;
+  }
+
+  bool step(double depth, FinitePart::Bending bending, Eigen::VectorXd& found)
+  {
+    this->Part.linearize(this->Now, depth, bending, this->Gradient);
+    return this->Factor->factorise(this->Part.stiffness()) && this->newton(this->Gradient, found);
+  }
+
+  bool solve(double depth)
+  {
+    double energy = this->Part.energy(this->Now, depth);
+    for (int i = 0; i < MostIterations && std::isfinite(energy); ++i)
+    {
+      Eigen::VectorXd step;
+      if (!this->step(depth, FinitePart::Bending::AsItDoes, step) &&
+        !this->step(depth, FinitePart::Bending::LeftOut, step))
+      {
+        return false;
+      }
+      const bool isLast = -this->Gradient.dot(step) <= Converged * energy;
+      double next = this->Part.energy(this->Now + step, depth);
+      for (int k = 0; k < MostHalvings && !(next < energy); ++k)
+      {
+        step *= 0.5;
+        next = this->Part.energy(this->Now + step, depth);
+      }
+      if (!(next < energy))
+      {
+        return isLast;
+      }
+      this->Now += step;
+      if (isLast)
+      {
+        return true;
+      }
+      energy = next;
+    }
+    return false;
+  }
+
+  FinitePart& Part;
+  std::unique_ptr<StiffnessFactor> Factor;
+  bool IsReady = false;
+  Eigen::VectorXd Now;
+  Eigen::VectorXd Motion; ///< by the depth
+  Eigen::VectorXd Gradient;
+  FinitePart::Pressed Contact;
+  double Depth = 0.0;
+};
+} // namespace
+
+FiniteContact::FiniteContact(const ElasticBody& body, const AxisymmetricTool& tool,
+  const DirectPlace& at, double deepest, const UnitMotion* rest)
+{
+  const double radius = tool.contactRadius(deepest);
+  const ToolOutline outline(tool, ReachOfOutline * radius, Fillet * radius);
+  FinitePart part(body, tool, outline, at, deepest, rest);
+  if (!part.isTouched())
+  {
+    return;
+  }
+  FinitePress press(part);
+  int failed = 0;
+  for (const double fraction : Fractions)
+  {
+    const double depth = fraction * deepest;
+    double step = depth - press.depth();
+    while (press.depth() < depth && failed <= MostFailed)
+    {
+      if (!press.to(std::min(press.depth() + step, depth)))
+      {
+        ++failed;
+        step *= 0.5;
+      }
+    }
+    if (press.depth() < depth)
+    {
+      break;
+    }
+    const FinitePart::Pressed& pressed = press.pressed();
+    const double deflection = press.depth() - pressed.penetration;
+    if (!(pressed.force > (this->Points.empty() ? 0.0 : this->Points.back().force)))
+    {
+      break;
+    }
+    this->Points.push_back({ deflection, pressed.force, 0.0, pressed.turned });
+  }
+  this->join();
+}
+
+/// Slopes of parabolas through three neighbours each: a tangent of the force would jump with each
+/// piece of the surface that comes to be touched.
+void FiniteContact::join()
+{
+  const std::size_t count = this->Points.size();
+  if (count < 3)
+  {
+    this->Points.clear();
+    return;
+  }
+  const auto secant = [&](std::size_t i)
+  {
+    return std::log(this->Points[i + 1].force / this->Points[i].force) /
+      std::log(this->Points[i + 1].deflection / this->Points[i].deflection);
+  };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t first = std::min(std::max<std::size_t>(i, 1) - 1, count - 3);
+    const double near = std::log(this->Points[first].deflection);
+    const double middle = std::log(this->Points[first + 1].deflection);
+    const double far = std::log(this->Points[first + 2].deflection);
+    const double bend = (secant(first + 1) - secant(first)) / (far - near);
+    const double at = std::log(this->Points[i].deflection);
+    this->Points[i].exponent = secant(first) + bend * (2.0 * at - near - middle);
+  }
+}
+
+FiniteForce FiniteContact::at(double deflection) const
+{
+  constexpr double rounding = 1.0 + 1e-6;
+  if (!(deflection <= rounding * this->deepest()))
+  {
+    return { NotANumber, NotANumber, NotANumber };
+  }
+  const auto above = std::lower_bound(this->Points.begin(), this->Points.end() - 1, deflection,
+    [](const Point& point, double depth) { return point.deflection < depth; });
+  const Point& upper = *above;
+  const double t = std::log(deflection / upper.deflection);
+  if (above == this->Points.begin()) // of the power that is first found
+  {
+    const double force = upper.force * std::exp(upper.exponent * t);
+    return { force, upper.exponent * force / deflection,
+      upper.turned * deflection / upper.deflection };
+  }
+  const Point& lower = *(above - 1);
+  const double width = std::log(upper.deflection / lower.deflection);
+  const double x = t / width + 1.0; // 0 at the lower, 1 at the upper
+  const double rise = std::log(upper.force / lower.force);
+  const double first = lower.exponent * width;
+  const double last = upper.exponent * width;
+  const double square = first + last - 2.0 * rise;
+  const double bend = 3.0 * rise - 2.0 * first - last;
+  const double force = lower.force * std::exp(x * (first + x * (bend + x * square)));
+  const double exponent = (first + x * (2.0 * bend + x * 3.0 * square)) / width;
+  return { force, exponent * force / deflection, lower.turned + x * (upper.turned - lower.turned) };
+}
+} // namespace palpate

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FinitePart_h
+#define palpate_FinitePart_h
+
+#include "Mechanics/FiniteElements/UnitLoads.h"
+#include "Mechanics/FiniteStrain/FiniteTetrahedron.h"
+#include "Mechanics/FiniteStrain/ToolOutline.h"
+#include "Mechanics/TrueShape/ToolFacets.h"
+
+#include <array>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * The potential of a body of quadratic tetrahedra and a tool in it, by the displacements of the
+ * body's nodes: energies of FiniteTetrahedron, and ½ε⟨-g⟩² over the undeformed surface, g the
+ * signed distance from the tool. Without friction.
+ *
+ * Of a part cut out of a larger body the nodes on the cut move together, as those of the larger one
+ * under a load: the six numbers of that are unknowns, too, the last, and what is around stores the
+ * energy ½ Lᵀ W L. W follows from the motions by Betti's theorem: what the load's place moves by,
+ * less what the part itself stores while it is moved. At small strain L is then the load.
+ */
+class FinitePart
+{
+public:
+  using Vector = Eigen::VectorXd;
+
+  /// The body and the outline must stay. `deepest` (mm) that is to be pressed; `rest` null: held
+  /// nodes do not move.
+  FinitePart(const ElasticBody& body, const AxisymmetricTool& tool, const ToolOutline& outline,
+    const DirectPlace& at, double deepest, const UnitMotion* rest);
+
+  Eigen::Index unknowns() const { return this->free() + this->Rest.cols(); }
+  bool isTouched() const { return !this->Surface.empty(); }
+
+  /// N mm, where the tool's tip is `depth` (mm) deep; +inf where the body is inside out.
+  double energy(const Vector& u, double depth) const;
+
+  /// How a tool that is still far too deep bends the tangent.
+  enum class Bending
+  {
+    AsItDoes,
+    LeftOut ///< which it must be where the tangent is not positive with it
+  };
+  /// Its gradient; the next three are then its second derivatives there.
+  void linearize(const Vector& u, double depth, Bending bending, Vector& gradient);
+  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< by nodes
+  const Eigen::MatrixXd& border() const { return this->Border; }             ///< nodes × load
+  const Eigen::MatrixXd& corner() const { return this->Corner; }             ///< load × load
+
+  struct Pressed
+  {
+    double force = 0.0;       ///< of the tool along its way in, N
+    double penetration = 0.0; ///< that the penalty leaves, the mean by pressure, mm
+    double turned = 0.0;      ///< angle by which what is around turns the place, rad
+    Vector gradient;          ///< by the depth, of the potential's gradient
+  };
+  Pressed pressed(const Vector& u, double depth) const;
+
+private:
+  /// A piece of the surface.
+  struct Piece
+  {
+    std::array<std::int32_t, 6> nodes;
+    std::array<double, 6> shape;
+    Eigen::Vector3d place; ///< undeformed, mm, in the tool's frame
+    double weight;         ///< mm²
+  };
+  struct Gap
+  {
+    double value;             ///< mm, > 0 outside
+    Eigen::Vector3d gradient; ///< by the displacement
+    Eigen::Matrix3d hessian;
+  };
+
+  Eigen::Index free() const { return this->Stiffness.lower.rows(); }
+  void takeSurface(const std::vector<ToolFacet>& facets);
+  void takeRest(const UnitMotion& rest);
+  FiniteTetrahedron::Vector gather(const VolumeElement& element, const Vector& u) const;
+  double displacement(std::int32_t node, int axis, const Vector& u) const;
+  /// How the load moves an element's held nodes.
+  Eigen::MatrixXd restOf(const VolumeElement& element) const;
+  /// Adds a force on a node to a gradient.
+  void addForce(std::int32_t node, const Eigen::Vector3d& force, Vector& gradient) const;
+  void addBorder(const VolumeElement& element, const ElementMatrix& stiffness);
+  double distance(const Piece& piece, const Vector& u, double depth) const;
+  Gap gapAt(const Piece& piece, const Vector& u, double depth) const;
+  Eigen::Vector3d placeOf(const Piece& piece, const Vector& u) const;
+  void addContact(
+    const Piece& piece, const Vector& u, double depth, Bending bending, Vector& gradient);
+
+  const ElasticBody& Body;
+  const ToolOutline& Tool;
+  Eigen::Matrix3d Frame;
+  double Penalty; ///< MPa/mm
+  std::vector<FiniteTetrahedron> Elements;
+  std::vector<Piece> Surface;
+  Eigen::MatrixXd Rest;       ///< displacements of all nodes, by load
+  Eigen::MatrixXd RestEnergy; ///< W
+  Eigen::MatrixXd RestTurns;  ///< of the place, rad, by load
+  StiffnessMatrix Stiffness;
+  Eigen::MatrixXd Border;
+  Eigen::MatrixXd Corner;
+};
+} // namespace palpate
+
+#endif

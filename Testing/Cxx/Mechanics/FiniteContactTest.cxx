@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact at finite strain on tetrahedra: the element by its derivatives, a layer against the
+// axisymmetric solver's tables, a part of a bar that bends against all of it.
+#include "Mechanics/FiniteStrain/FiniteTetrahedron.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
+#include "Mechanics/Layers/LayerContact.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Mechanics/ShapedBodies.h"
+#include "Mechanics/TestTools.h"
+#include "Mechanics/TrueShape/FiniteContact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+
+namespace
+{
+using namespace palpate;
+using namespace palpate::testing;
+
+constexpr ElasticMaterial Soft{ 0.1, 0.45 };
+
+void solve(VolumeMesh mesh, std::vector<unsigned char> fixed, ElasticBody& body)
+{
+  ASSERT_EQ(body.assemble({ std::move(mesh), { Soft }, std::move(fixed) }), "");
+  ASSERT_EQ(body.analyse(StiffnessFactor::Kind::Automatic), "");
+  ASSERT_EQ(body.factorise(), "");
+}
+
+/// At rest it is the linear element; elsewhere forces are the derivatives of the energy, and the
+/// stiffness those of the forces.
+TEST(FiniteTetrahedron, ForcesAndStiffnessAreDerivatives)
+{
+  const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(1, 1, 1, 2.0)));
+  ElementNodes nodes = elementNodes(mesh, mesh.elements.front());
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-0.05, 0.05);
+  nodes = nodes.unaryExpr([&](double x) { return x + shift(random); });
+  const FiniteTetrahedron element(nodes);
+  FiniteTetrahedron::Vector u = FiniteTetrahedron::Vector::Zero();
+  FiniteTetrahedron::Vector forces;
+  ElementMatrix stiffness;
+  ElementMatrix linear;
+  element.linearize(Soft, u, forces, stiffness);
+  ASSERT_TRUE(elementStiffness(ElementKind::QuadraticTetrahedron, nodes, Soft, linear));
+  EXPECT_LT((stiffness - linear).cwiseAbs().maxCoeff(), 1e-13 * linear.cwiseAbs().maxCoeff());
+  EXPECT_LT(forces.cwiseAbs().maxCoeff(), 1e-15);
+
+  u = u.unaryExpr([&](double) { return 5.0 * shift(random); }); // strains of some tenths
+  element.linearize(Soft, u, forces, stiffness);
+  constexpr double step = 1e-5; // central: truncated at its square, rounded at 1e-16 / step
+  for (Eigen::Index i = 0; i < u.size(); ++i)
+  {
+    FiniteTetrahedron::Vector more = u;
+    FiniteTetrahedron::Vector less = u;
+    more[i] += step;
+    less[i] -= step;
+    EXPECT_NEAR((element.energy(Soft, more) - element.energy(Soft, less)) / (2.0 * step), forces[i],
+      1e-8 * forces.cwiseAbs().maxCoeff());
+    FiniteTetrahedron::Vector upper;
+    FiniteTetrahedron::Vector lower;
+    ElementMatrix unused;
+    element.linearize(Soft, more, upper, unused);
+    element.linearize(Soft, less, lower, unused);
+    const Eigen::VectorXd slope = (upper - lower) / (2.0 * step);
+    EXPECT_LT(
+      (slope - stiffness.col(i)).cwiseAbs().maxCoeff(), 1e-7 * stiffness.cwiseAbs().maxCoeff());
+  }
+  u.setZero();
+  u[0] = 10.0; // one corner through the opposite face
+  EXPECT_EQ(element.energy(Soft, u), HUGE_VAL);
+}
+
+/// A quarter of a bonded layer: the exact law at small strain, times what the axisymmetric solver's
+/// tables say finite strain does.
+TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
+{
+  constexpr double thickness = 3.0;
+  constexpr double depth = 0.6;
+  const auto sphere = tool("sphere:6.35");
+  const std::vector<double> across = gradedHalf(0.5, 2.5, 1.7, 2.5 * thickness);
+  const VolumeMesh mesh =
+    quadratic(tetrahedra(gridBlock(across, across, gradedDepth(0.5, 1.0, 1.6, thickness))));
+  std::vector<unsigned char> fixed = heldBelow(mesh);
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+  {
+    const auto node = mesh.nodes.col(static_cast<Eigen::Index>(i));
+    fixed[i] = static_cast<unsigned char>(
+      fixed[i] | (node[0] == 0.0 ? FixedX : 0) | (node[1] == 0.0 ? FixedY : 0));
+  }
+  ElasticBody body;
+  solve(mesh, fixed, body);
+  const DirectPlace place{ { 0.0, 0.0, thickness }, -Eigen::Vector3d::UnitZ() };
+  const FiniteContact contact(body, *sphere, place, depth);
+  const LayerContact exact{ *sphere,
+    std::make_shared<const LayerKernel>(Soft.poissonRatio, LayerBase::Bonded), thickness };
+  const double modulus = reducedModulus(Soft.youngsModulus, Soft.poissonRatio);
+  StrainBodies bodies;
+  bodies.hasHalfSpace = false;
+  bodies.thinnest = bodies.thickest = thickness;
+  std::unique_ptr<StrainCorrection> strain;
+  const auto goOn = [](double) { return true; };
+  ASSERT_EQ(
+    makeStrainCorrection(*sphere, { StrainModel::NeoHooke, 0.0 }, bodies, depth, goOn, strain), "");
+  ASSERT_GE(contact.deepest(), depth);
+  const auto expected = [&](double deflection)
+  {
+    return 0.25 * exact.evaluate(deflection, modulus).force *
+      strain->at(deflection, Soft.poissonRatio, thickness).factor;
+  };
+  // Four to five facets over the contact's radius: 1 %; of the tables' 0.1 %.
+  for (const double deflection : { 0.4, 0.5, depth })
+  {
+    const FiniteForce found = contact.at(deflection);
+    const double step = 0.05 * deflection;
+    const double slope = (expected(deflection + step) - expected(deflection - step)) / (2.0 * step);
+    std::printf(
+      "%g %g %g\n", deflection, found.force / expected(deflection), found.stiffness / slope);
+    EXPECT_NEAR(found.force / expected(deflection), 1.0, 0.01) << deflection;
+    EXPECT_NEAR(found.stiffness / slope, 1.0, 0.03) << deflection;
+  }
+  // Between what is solved for it is smooth, and its stiffness the slope.
+  for (double deflection = 0.05; deflection < 0.57; deflection += 0.03)
+  {
+    const double slope =
+      (contact.at(deflection + 1e-5).force - contact.at(deflection - 1e-5).force) / 2e-5;
+    EXPECT_NEAR(contact.at(deflection).stiffness, slope, 1e-4 * slope) << deflection;
+  }
+  EXPECT_TRUE(std::isnan(contact.at(1.5 * depth).force));
+}
+
+TEST(FiniteContact, WhereNothingTouchesThereIsNone)
+{
+  const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(2, 2, 2, 1.0)));
+  ElasticBody body;
+  solve(mesh, heldBelow(mesh), body);
+  const auto sphere = tool("sphere:6.35");
+  const DirectPlace above{ { 1.0, 1.0, 7.0 }, -Eigen::Vector3d::UnitZ() };
+  EXPECT_EQ(FiniteContact(body, *sphere, above, 0.5).deepest(), 0.0);
+  EXPECT_TRUE(std::isnan(FiniteContact().at(0.1).force));
+  EXPECT_TRUE(FiniteContact::isFor(*sphere));
+  EXPECT_FALSE(FiniteContact::isFor(*tool("flat:1.6")));
+}
+
+/// The elements beyond x, and the nodes of the whole that theirs are.
+VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std::int32_t>& nodes)
+{
+  VolumeMesh part;
+  std::map<std::int32_t, std::int32_t> number;
+  for (VolumeElement element : whole.elements)
+  {
+    if (elementMiddle(whole, element)[0] < x)
+    {
+      continue;
+    }
+    for (std::int32_t& node : element.nodes)
+    {
+      const auto [at, isNew] = number.try_emplace(node, static_cast<std::int32_t>(nodes.size()));
+      if (isNew)
+      {
+        nodes.push_back(node);
+      }
+      node = at->second;
+    }
+    part.elements.push_back(element);
+  }
+  part.nodes = whole.nodes(Eigen::all, nodes);
+  return part;
+}
+
+std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
+{
+  std::vector<unsigned char> fixed;
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    fixed.push_back(mesh.nodes(0, i) <= x ? 7 : 0);
+  }
+  return fixed;
+}
+
+/// A bar that is held at one end and pressed near the other, and its outer part, what moves the cut
+/// at small strain. Nearly all of the deflection is bending.
+TEST(FiniteContact, APartGivesWayAsItDoesInTheWhole)
+{
+  constexpr double depth = 0.7;
+  const std::vector<double> along = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 };
+  const std::vector<double> across = { 0, 1, 2, 3 };
+  ElasticBody whole;
+  const VolumeMesh mesh = quadratic(tetrahedra(gridBlock(along, across, across)));
+  solve(mesh, heldTo(mesh, 0.0), whole);
+  std::vector<std::int32_t> nodes;
+  const VolumeMesh cut = partBeyond(mesh, 4.0, nodes);
+  ElasticBody part;
+  solve(cut, heldTo(cut, 4.0), part);
+  const auto sphere = tool("sphere:6.35");
+  // leaning: the force aside bends it aside
+  const DirectPlace place{ { 9.0, 1.5, 3.0 }, Eigen::Vector3d(0.1, 0.2, -1.0).normalized() };
+  const Eigen::Vector3d inside = place.place + 0.3 * place.inward;
+  const auto away = [&](std::int32_t e)
+  { return (elementMiddle(mesh, mesh.elements[static_cast<std::size_t>(e)]) - inside).norm(); };
+  std::int32_t under = 0;
+  for (std::int32_t e = 1; e < mesh.elementTotal(); ++e)
+  {
+    under = away(e) < away(under) ? e : under;
+  }
+  UnitMotion ofCut = unitMotion(whole, place.place, { under, Eigen::Vector3d::Constant(0.25) });
+  for (Eigen::Matrix3Xd& moved : ofCut.nodes)
+  {
+    moved = Eigen::Matrix3Xd(moved(Eigen::all, nodes));
+  }
+  const UnitMotion rest = motionFromCut(part, ofCut);
+  const FiniteContact inWhole(whole, *sphere, place, depth);
+  const FiniteContact inPart(part, *sphere, place, depth, &rest);
+  const FiniteContact held(part, *sphere, place, depth);
+  for (const double deflection : { 0.1, 0.25, 0.5, depth })
+  {
+    const FiniteForce expected = inWhole.at(deflection);
+    const FiniteForce found = inPart.at(deflection);
+    const double turned = found.turned;
+    std::printf("%g: %g whole %g part %g held %g turned %g, 2t^2 %g\n", deflection, expected.force,
+      found.force / expected.force, found.stiffness / expected.stiffness,
+      held.at(deflection).force / expected.force, turned, 2 * turned * turned);
+    EXPECT_LE(std::abs(found.force / expected.force - 1.0), 0.002 + 2.5 * turned * turned);
+    EXPECT_GT(held.at(deflection).force, 4.0 * expected.force);
+  }
+}
+} // namespace
