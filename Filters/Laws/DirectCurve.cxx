@@ -66,7 +66,7 @@ public:
     : Finer(finer)
     , Coarser(coarser)
     , Terms(terms)
-    , IsFinite(isFinite(finer, terms) && isFinite(coarser, terms))
+    , IsFinite(isAtFiniteStrain(finer, terms) && isAtFiniteStrain(coarser, terms))
   {
   }
 
@@ -201,9 +201,9 @@ void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& f
 }
 } // namespace
 
-bool isFinite(const DirectPress& press, const DirectTerms& terms)
+bool isAtFiniteStrain(const DirectPress& press, const DirectTerms& terms)
 {
-  return terms.isFinite && press.finite.deepest() >= terms.depth;
+  return terms.solvesFiniteStrain && press.finite.deepest() >= terms.depth;
 }
 
 DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,

@@ -24,7 +24,7 @@ struct DirectTerms
   double depth = 1.0;                       ///< mm, to which curves go
   double errorTolerance = 0.05;             ///< to which Validity is found, > 0
   const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
-  bool isFinite = false;                    ///< finite strain is solved for; the law is Neo-Hooke's
+  bool solvesFiniteStrain = false;          ///< finite strain is solved for; the law is Neo-Hooke's
 };
 
 /// A contact on one mesh: at finite strain, or what is to be corrected for that.
@@ -35,7 +35,7 @@ struct DirectPress
 };
 
 /// Whether the contact at finite strain is what the terms ask for.
-PALPATE_EXPORT bool isFinite(const DirectPress& press, const DirectTerms& terms);
+PALPATE_EXPORT bool isAtFiniteStrain(const DirectPress& press, const DirectTerms& terms);
 
 /// What direct contact made of a point: the values of the array `Direct`.
 enum class DirectOutcome : unsigned char

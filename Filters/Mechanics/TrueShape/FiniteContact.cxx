@@ -14,8 +14,15 @@ namespace palpate
 {
 namespace
 {
-/// Of the deepest, where it is solved; the last is for what the penalty takes away.
-constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.015 };
+/// Of the deepest, where it is solved.
+constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.0 };
+/// Of the last penetration, by which the tool goes farther: it grows until the next.
+constexpr double MakeUp = 1.6;
+constexpr int MostMadeUp = 4;
+/// Of the deepest, that it may touch before: a hollow far too narrow is not touched at its bottom.
+constexpr double MostBefore = 2.0;
+/// Of the way from the first touch to the deepest, at once.
+constexpr double LongestStep = 0.3;
 constexpr int MostFailed = 4;      ///< steps in depth that are then halved
 constexpr int MostIterations = 25; ///< of Newton's method
 constexpr int MostHalvings = 8;    ///< of one of its steps
@@ -29,20 +36,39 @@ constexpr double ReachOfOutline = 3.0; ///< contact radii
 class FinitePress
 {
 public:
+  /// From where the tool touches on.
   explicit FinitePress(FinitePart& part)
     : Part(part)
     , Factor(StiffnessFactor::make(StiffnessFactor::Kind::Automatic))
     , Now(Eigen::VectorXd::Zero(part.unknowns()))
     , Motion(Now)
+    , Depth(part.firstTouch())
   {
     this->IsReady = this->Factor->analyse(part.stiffness());
   }
 
   double depth() const { return this->Depth; }
+  double deflection() const { return this->Depth - this->Contact.penetration; }
   const FinitePart::Pressed& pressed() const { return this->Contact; }
 
-  /// Goes there from the last depth; where there is no equilibrium it stays.
-  bool to(double depth)
+  /// Goes there from the last depth, in steps; false where it does not come so far.
+  bool to(double depth, double longest)
+  {
+    double step = longest;
+    while (this->Depth < depth && this->Failed <= MostFailed)
+    {
+      if (!this->stepTo(std::min(this->Depth + step, depth)))
+      {
+        ++this->Failed;
+        step *= 0.5;
+      }
+    }
+    return this->Depth >= depth;
+  }
+
+private:
+  /// Where there is no equilibrium it stays.
+  bool stepTo(double depth)
   {
     const Eigen::VectorXd before = this->Now;
     this->Now += (depth - this->Depth) * this->Motion;
@@ -60,7 +86,6 @@ public:
     return true;
   }
 
-private:
   /// A gradient, and less the inverse of the tangent times it; false where that is not positive.
   bool newton(const Eigen::VectorXd& gradient, Eigen::VectorXd& found) const
   {
@@ -132,13 +157,26 @@ private:
   Eigen::VectorXd Motion; ///< by the depth
   Eigen::VectorXd Gradient;
   FinitePart::Pressed Contact;
-  double Depth = 0.0;
+  double Depth; ///< mm
+  int Failed = 0;
 };
+bool isKnown(const ElasticBody& body)
+{
+  const auto& elements = body.mesh().elements;
+  return body.isUniform() &&
+    std::all_of(elements.begin(), elements.end(),
+      [](const VolumeElement& element)
+      { return element.kind == ElementKind::QuadraticTetrahedron; });
+}
 } // namespace
 
 FiniteContact::FiniteContact(const ElasticBody& body, const AxisymmetricTool& tool,
   const DirectPlace& at, double deepest, const UnitMotion* rest)
 {
+  if (!isKnown(body) || !isFor(tool) || !(deepest > 0.0))
+  {
+    return;
+  }
   const double radius = tool.contactRadius(deepest);
   const ToolOutline outline(tool, ReachOfOutline * radius, Fillet * radius);
   FinitePart part(body, tool, outline, at, deepest, rest);
@@ -147,30 +185,29 @@ FiniteContact::FiniteContact(const ElasticBody& body, const AxisymmetricTool& to
     return;
   }
   FinitePress press(part);
-  int failed = 0;
+  if (press.depth() < -MostBefore * deepest)
+  {
+    return;
+  }
+  const double longest = LongestStep * (deepest - press.depth());
   for (const double fraction : Fractions)
   {
-    const double depth = fraction * deepest;
-    double step = depth - press.depth();
-    while (press.depth() < depth && failed <= MostFailed)
+    // The penalty takes the more away the larger the force is.
+    const double wanted = fraction * deepest;
+    bool isThere = true;
+    for (int i = 0; i < MostMadeUp && isThere && !(press.deflection() >= wanted); ++i)
     {
-      if (!press.to(std::min(press.depth() + step, depth)))
-      {
-        ++failed;
-        step *= 0.5;
-      }
+      isThere = press.to(wanted + MakeUp * press.pressed().penetration, longest);
     }
-    if (press.depth() < depth)
+    const double force = press.pressed().force;
+    if (!isThere || (!this->Points.empty() && !(force > this->Points.back().force)))
     {
       break;
     }
-    const FinitePart::Pressed& pressed = press.pressed();
-    const double deflection = press.depth() - pressed.penetration;
-    if (!(pressed.force > (this->Points.empty() ? 0.0 : this->Points.back().force)))
+    if (force > 0.0)
     {
-      break;
+      this->Points.push_back({ press.deflection(), force, 0.0, press.pressed().turned });
     }
-    this->Points.push_back({ deflection, pressed.force, 0.0, pressed.turned });
   }
   this->join();
 }

@@ -28,7 +28,7 @@ struct FiniteForce
  * `rest` as DirectContact has it: what is around the body moves as at small strain. Where that
  * turns the place by θ, its own length changes by θ²/2 that are not; on a bar held at one end the
  * force is then up to 2.5 θ² too large (FiniteContactTest). For tools without a flat end, whose rim
- * would need a mesh of its own.
+ * would need a mesh of its own. The body does not touch itself.
  *
  * Four facets over the contact's radius: within 1 % of the axisymmetric solver on a layer. Cost:
  * some 25 factorisations of the stiffness. Immutable.
@@ -38,7 +38,8 @@ class PALPATE_EXPORT FiniteContact
 public:
   /// Without a contact.
   FiniteContact() = default;
-  /// Down to `deepest` (mm), or as far as an equilibrium is found.
+  /// Down to `deepest` (mm), or as far as an equilibrium is found; none in other cells, of
+  /// several materials, or where isFor() the tool is false.
   FiniteContact(const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at,
     double deepest, const UnitMotion* rest = nullptr);
 

@@ -69,12 +69,19 @@ void FinitePart::takeRest(const UnitMotion& rest)
     this->Rest.col(static_cast<Eigen::Index>(k)) =
       Eigen::Map<const Eigen::VectorXd>(rest.nodes[k].data(), 3 * nodes);
   }
-  // What the place moves and turns by: the rigid motion nearest to that of the facets there.
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 6> moved = normal;
+  const Loads place = this->motionOfPlace(rest.about);
+  const Loads around = place - this->storedByRest();
+  this->RestEnergy = 0.5 * (around + around.transpose());
+  this->RestTurns = place.bottomRows<3>();
+}
+
+FinitePart::Loads FinitePart::motionOfPlace(const Eigen::Vector3d& about) const
+{
+  Loads normal = Loads::Zero();
+  Loads moved = Loads::Zero();
   for (const Piece& piece : this->Surface)
   {
-    Eigen::Vector3d at = -rest.about;
+    Eigen::Vector3d at = -about;
     Eigen::Matrix<double, 3, 6> motion = Eigen::Matrix<double, 3, 6>::Zero();
     for (std::size_t n = 0; n < piece.nodes.size(); ++n)
     {
@@ -86,8 +93,12 @@ void FinitePart::takeRest(const UnitMotion& rest)
     normal += piece.weight * rigid.transpose() * rigid;
     moved += piece.weight * rigid.transpose() * motion;
   }
-  const Eigen::Matrix<double, 6, 6> place = normal.ldlt().solve(moved);
-  Eigen::Matrix<double, 6, 6> stored = Eigen::Matrix<double, 6, 6>::Zero();
+  return normal.ldlt().solve(moved);
+}
+
+FinitePart::Loads FinitePart::storedByRest() const
+{
+  Loads stored = Loads::Zero();
   FiniteTetrahedron::Vector forces;
   ElementMatrix stiffness;
   for (std::size_t e = 0; e < this->Elements.size(); ++e)
@@ -103,9 +114,7 @@ void FinitePart::takeRest(const UnitMotion& rest)
     }
     stored += motion.transpose() * stiffness * motion;
   }
-  const Eigen::Matrix<double, 6, 6> around = place - stored;
-  this->RestEnergy = 0.5 * (around + around.transpose());
-  this->RestTurns = place.bottomRows<3>();
+  return stored;
 }
 
 FiniteTetrahedron::Vector FinitePart::gather(const VolumeElement& element, const Vector& u) const
@@ -299,6 +308,30 @@ void FinitePart::addContact(
       }
     }
   }
+}
+
+double FinitePart::firstTouch() const
+{
+  const Vector still = Vector::Zero(this->unknowns());
+  const auto isTouching = [&](double depth)
+  {
+    return std::any_of(this->Surface.begin(), this->Surface.end(),
+      [&](const Piece& piece) { return this->distance(piece, still, depth) < 0.0; });
+  };
+  const double size = this->Surface.front().place.norm() + std::sqrt(this->Surface.front().weight);
+  double high = 0.0;
+  double low = 0.0;
+  for (double step = 0.01 * size; isTouching(low); step *= 2.0)
+  {
+    high = low;
+    low -= step;
+  }
+  for (int i = 0; i < 20 && low < high; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (isTouching(middle) ? high : low) = middle;
+  }
+  return low;
 }
 
 FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const

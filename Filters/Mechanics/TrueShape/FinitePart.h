@@ -27,13 +27,16 @@ class FinitePart
 public:
   using Vector = Eigen::VectorXd;
 
-  /// The body and the outline must stay. `deepest` (mm) that is to be pressed; `rest` null: held
-  /// nodes do not move.
+  /// The body, of one material, and the outline must stay. `deepest` (mm) that is to be pressed;
+  /// `rest` null: held nodes do not move.
   FinitePart(const ElasticBody& body, const AxisymmetricTool& tool, const ToolOutline& outline,
     const DirectPlace& at, double deepest, const UnitMotion* rest);
 
   Eigen::Index unknowns() const { return this->free() + this->Rest.cols(); }
   bool isTouched() const { return !this->Surface.empty(); }
+  /// Where the tool first touches the undeformed body, mm: 0, or above, less than 0, in a hollow
+  /// that is too narrow for it.
+  double firstTouch() const;
 
   /// N mm, where the tool's tip is `depth` (mm) deep; +inf where the body is inside out.
   double energy(const Vector& u, double depth) const;
@@ -75,9 +78,14 @@ private:
     Eigen::Matrix3d hessian;
   };
 
+  using Loads = Eigen::Matrix<double, 6, 6>; ///< forces and moments, by loads
   Eigen::Index free() const { return this->Stiffness.lower.rows(); }
   void takeSurface(const std::vector<ToolFacet>& facets);
   void takeRest(const UnitMotion& rest);
+  /// What loads move and turn the place by: the rigid motion nearest to that of its facets.
+  Loads motionOfPlace(const Eigen::Vector3d& about) const;
+  /// What the part itself stores at small strain where it is moved with the rest.
+  Loads storedByRest() const;
   FiniteTetrahedron::Vector gather(const VolumeElement& element, const Vector& u) const;
   double displacement(std::int32_t node, int axis, const Vector& u) const;
   /// How the load moves an element's held nodes.

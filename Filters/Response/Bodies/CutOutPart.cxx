@@ -86,6 +86,25 @@ void takeCells(
   }
 }
 
+/// Cells that hang together with the rest nowhere, as in crumbs that the cut leaves of a thin flap.
+void dropLoose(CutOutPart& part)
+{
+  const std::vector<std::int32_t> partOf = partOfNodes(part.mesh);
+  std::vector<int> fixed(partOf.size(), 0);
+  for (std::size_t i = 0; i < partOf.size(); ++i)
+  {
+    fixed[static_cast<std::size_t>(partOf[i])] += part.onCut[i] || part.held[i] ? 1 : 0;
+  }
+  constexpr int least = 3; // that can hold a part
+  auto& cells = part.mesh.elements;
+  const auto isLoose = [&](const VolumeElement& cell)
+  {
+    const auto node = static_cast<std::size_t>(cell.nodes.front());
+    return fixed[static_cast<std::size_t>(partOf[node])] < least;
+  };
+  cells.erase(std::remove_if(cells.begin(), cells.end(), isLoose), cells.end());
+}
+
 /// Cells follow the rims of what is held alone.
 void keepHeldRims(PreparedSurface& surface)
 {
@@ -141,6 +160,7 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
     return fault.empty() ? "it has no cells" : fault;
   }
   takeCells(curved, part, NearSide * cells.spacing, filled);
-  return {};
+  dropLoose(filled);
+  return filled.mesh.elements.empty() ? "nothing holds it" : "";
 }
 } // namespace palpate

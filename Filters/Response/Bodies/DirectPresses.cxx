@@ -105,12 +105,13 @@ void DirectPresses::press(
     return std::make_unique<DirectContact>(
       part.body, this->Tool, place, this->Terms.depth, &part.moved);
   };
-  if (this->Terms.isFinite)
+  if (this->Terms.solvesFiniteStrain)
   {
     contacts.finer.finite = finite(finer);
     contacts.coarser.finite = finite(coarser);
   }
-  if (!isFinite(contacts.finer, this->Terms) || !isFinite(contacts.coarser, this->Terms))
+  if (!isAtFiniteStrain(contacts.finer, this->Terms) ||
+    !isAtFiniteStrain(contacts.coarser, this->Terms))
   {
     contacts.finer.small = small(finer);
     contacts.coarser.small = small(coarser);

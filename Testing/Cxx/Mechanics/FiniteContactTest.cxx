@@ -116,8 +116,6 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
     const FiniteForce found = contact.at(deflection);
     const double step = 0.05 * deflection;
     const double slope = (expected(deflection + step) - expected(deflection - step)) / (2.0 * step);
-    std::printf(
-      "%g %g %g\n", deflection, found.force / expected(deflection), found.stiffness / slope);
     EXPECT_NEAR(found.force / expected(deflection), 1.0, 0.01) << deflection;
     EXPECT_NEAR(found.stiffness / slope, 1.0, 0.03) << deflection;
   }
@@ -131,6 +129,37 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
   EXPECT_TRUE(std::isnan(contact.at(1.5 * depth).force));
 }
 
+/// A groove too narrow for the ball, whose walls it touches before it comes to the place: pressed
+/// from where it first touches, it is the same contact at the same height.
+TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
+{
+  constexpr double height = 4.0;
+  constexpr double higher = 0.6;
+  constexpr double depth = 0.3;
+  const std::vector<double> across = { -4, -3, -2.2, -1.6, -1.1, -0.7, -0.3, 0, 0.3, 0.7, 1.1, 1.6,
+    2.2, 3, 4 };
+  const std::vector<double> along = { 0, 1, 1.6, 2, 2.4, 3, 4 };
+  VolumeMesh mesh = gridBlock(across, along, { 0.0, 2.0, 3.2, height });
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    mesh.nodes(2, i) *= 1.0 + 0.7 / height * std::abs(mesh.nodes(0, i));
+  }
+  mesh = quadratic(tetrahedra(mesh));
+  ElasticBody body;
+  solve(mesh, heldBelow(mesh), body);
+  const auto sphere = tool("sphere:2"); // which touches 0.44 mm before: 2 (sec(atan 0.7) - 1)
+  const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
+  const FiniteContact contact(body, *sphere, { { 0.0, 2.0, height }, down }, depth);
+  const FiniteContact above(body, *sphere, { { 0.0, 2.0, height + higher }, down }, depth + higher);
+  ASSERT_GE(contact.deepest(), depth);
+  ASSERT_GE(above.deepest(), depth + higher);
+  for (const double deflection : { 0.06, 0.15, depth })
+  {
+    const double expected = above.at(deflection + higher).force;
+    EXPECT_NEAR(contact.at(deflection).force, expected, 0.01 * expected) << deflection;
+  }
+}
+
 TEST(FiniteContact, WhereNothingTouchesThereIsNone)
 {
   const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(2, 2, 2, 1.0)));
@@ -139,6 +168,14 @@ TEST(FiniteContact, WhereNothingTouchesThereIsNone)
   const auto sphere = tool("sphere:6.35");
   const DirectPlace above{ { 1.0, 1.0, 7.0 }, -Eigen::Vector3d::UnitZ() };
   EXPECT_EQ(FiniteContact(body, *sphere, above, 0.5).deepest(), 0.0);
+  ElasticBody hexahedra;
+  const VolumeMesh cubes = hexahedronBlock(2, 2, 2, 1.0);
+  solve(cubes, heldBelow(cubes), hexahedra);
+  const DirectPlace on{ { 1.0, 1.0, 2.0 }, -Eigen::Vector3d::UnitZ() };
+  EXPECT_EQ(FiniteContact(hexahedra, *sphere, on, 0.1).deepest(), 0.0);
+  EXPECT_GE(FiniteContact(body, *sphere, on, 0.1).deepest(), 0.1);
+  EXPECT_EQ(FiniteContact(body, *tool("flat:0.5"), on, 0.1).deepest(), 0.0);
+  EXPECT_EQ(FiniteContact(body, *sphere, on, 0.0).deepest(), 0.0);
   EXPECT_TRUE(std::isnan(FiniteContact().at(0.1).force));
   EXPECT_TRUE(FiniteContact::isFor(*sphere));
   EXPECT_FALSE(FiniteContact::isFor(*tool("flat:1.6")));
@@ -219,9 +256,6 @@ TEST(FiniteContact, APartGivesWayAsItDoesInTheWhole)
     const FiniteForce expected = inWhole.at(deflection);
     const FiniteForce found = inPart.at(deflection);
     const double turned = found.turned;
-    std::printf("%g: %g whole %g part %g held %g turned %g, 2t^2 %g\n", deflection, expected.force,
-      found.force / expected.force, found.stiffness / expected.stiffness,
-      held.at(deflection).force / expected.force, turned, 2 * turned * turned);
     EXPECT_LE(std::abs(found.force / expected.force - 1.0), 0.002 + 2.5 * turned * turned);
     EXPECT_GT(held.at(deflection).force, 4.0 * expected.force);
   }

@@ -207,8 +207,6 @@ void checkBar()
     const double deepForce = value(deep->GetOutput(), "ResponseForce", place, -1);
     PALPATE_CHECK_NEAR(deepForce / forces.finite, 1.0, 0.03);
     PALPATE_CHECK(value(deep->GetOutput(), "ResponseError", place, -1) < 0.04);
-    std::printf("%g %g  %g %g error %g\n", force, brute, deepForce, forces.finite,
-      value(deep->GetOutput(), "ResponseError", place, -1));
     PALPATE_CHECK(std::abs(value(before, "ResponseForce", place, -1) / brute - 1.0) > 0.3);
     // Two meshes of four facets over the radius: 1 % each, and the bar's bending in coarse cells.
     PALPATE_CHECK_NEAR(force / brute, 1.0, 0.03);
