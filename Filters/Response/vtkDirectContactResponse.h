@@ -21,9 +21,10 @@
  * cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and without
  * friction. All is done twice, the second time with one and a half times longer cells on the
  * coarser body: what they differ by is part of the error.
- * - With Neo-Hooke, and a tool without a flat end: finite strain (palpate::FiniteContact),
- * pressures along the tool's own normal. The rest of the body is at small strain, and where it
- * turns the place, the square of that angle is part of the error.
+ * - With Neo-Hooke and a tool without a flat end: finite strain (palpate::FiniteContact),
+ *   pressures along the tool's own normal, from where it first touches on. The rest of the body is
+ *   at small strain, and where it turns the place, the square of that angle is part of the error.
+ *   The body does not touch itself.
  * - Otherwise, or where no such equilibrium is found: small strain, pressures linear on the facets
  *   (palpate::DirectContact), and finite strain multiplies what is local, as of
  *   vtkElasticContactResponse. Half of what pressures along the mean normal and each along its own
