@@ -40,7 +40,8 @@ struct PartCells
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part);
 
-/// Fills it with quadratic tetrahedra, but for crumbs that are held nowhere. Returns what is wrong, or
+/// Fills it with quadratic tetrahedra, but for crumbs that are held nowhere. Returns what is wrong,
+/// or
 /// "". Cost: 60 µs a cell.
 std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPart& filled);
 } // namespace palpate
