@@ -175,7 +175,7 @@ void FinitePart::addBorder(const VolumeElement& element, const ElementMatrix& st
     return this->Body.unknown(node, 0) < 0 || this->Body.unknown(node, 1) < 0 ||
       this->Body.unknown(node, 2) < 0;
   };
-  if (std::none_of(element.nodes.begin(), element.nodes.end(), isHeld))
+  if (this->Rest.cols() == 0 || std::none_of(element.nodes.begin(), element.nodes.end(), isHeld))
   {
     return;
   }
