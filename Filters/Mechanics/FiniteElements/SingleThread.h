@@ -63,6 +63,7 @@ public:
   {
     if (isThere())
     {
+      this->Was = omp_get_max_active_levels();
       omp_set_max_active_levels(0);
     }
   }
@@ -70,7 +71,7 @@ public:
   {
     if (isThere())
     {
-      omp_set_max_active_levels(Before);
+      omp_set_max_active_levels(this->Was > 0 ? this->Was : AtFirst);
     }
   }
   WithoutOpenMp(const WithoutOpenMp&) = delete;
@@ -82,8 +83,9 @@ private:
     return omp_get_max_active_levels != nullptr && omp_set_max_active_levels != nullptr;
   }
 
-  // Of the program, not of this thread: it may be one number for all threads.
-  inline static const int Before = isThere() ? omp_get_max_active_levels() : 0;
+  int Was = 0;
+  // It may be one number for all threads, and 0 since another of these lives.
+  inline static const int AtFirst = isThere() ? omp_get_max_active_levels() : 0;
 };
 
 /// While one lives, BLAS and CHOLMOD use only the calling thread: work is distributed already.
