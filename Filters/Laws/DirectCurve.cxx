@@ -20,9 +20,6 @@ constexpr double OwnError = 0.01;
 /// Of a depth, over which stiffness is told: a contact grows corner by corner, and with each the
 /// slope of its force jumps. No more than DirectContact knows beyond its deepest.
 constexpr double Step = 0.08;
-/// Of a force, by the square of the angle that a place turns with what is around it
-/// (FiniteContact).
-constexpr double LeftOfTurning = 2.5;
 
 /// A curve at a depth, and how well it is known.
 struct DirectSample
@@ -72,7 +69,7 @@ public:
 
   double forceAt(double depth) const
   {
-    return this->IsFinite ? this->Finer.finite.at(depth).force
+    return this->IsFinite ? this->Finer.finite.evaluate(depth).force
                           : BetweenWays(*this->Finer.small, this->Terms, depth).force;
   }
 
@@ -84,13 +81,13 @@ public:
 private:
   DirectSample atFiniteStrain(double depth) const
   {
-    const FiniteForce found = this->Finer.finite.at(depth);
-    const double other = this->Coarser.finite.at(depth).force;
+    const IndentationPoint found = this->Finer.finite.evaluate(depth);
+    const double other = this->Coarser.finite.evaluate(depth).force;
     DirectSample made;
     made.force = found.force;
     made.stiffness = found.stiffness;
     made.parts[ResponseLimit::Elements] = std::hypot(other / found.force - 1.0, OwnError);
-    made.parts[ResponseLimit::Strain] = LeftOfTurning * found.turned * found.turned;
+    made.parts[ResponseLimit::Strain] = this->Finer.finite.errorsAt(depth).strain;
     return made;
   }
 

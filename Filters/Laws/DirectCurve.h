@@ -30,7 +30,7 @@ struct DirectTerms
 /// A contact on one mesh: at finite strain, or what is to be corrected for that.
 struct DirectPress
 {
-  FiniteContact finite;
+  ContactCurve finite;
   std::unique_ptr<DirectContact> small;
 };
 
@@ -53,7 +53,7 @@ enum class DirectOutcome : unsigned char
  *
  * Where both meshes have a contact at finite strain the force is that of the finer. Its error, the
  * root of the squares of: what the two meshes differ by, and a hundredth (Elements); what is around
- * moves as at small strain (Strain, FiniteContact); storage.
+ * moves as at small strain (Strain, pressAtFiniteStrain); storage.
  *
  * Elsewhere it is the mean of those of pressures along the mean normal and along each its own, with
  * the correction for finite strain, and of the error are: half of what these two differ by, which

@@ -307,7 +307,7 @@ std::string vtkDirectContactResponse::Press(
   const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
   const palpate::DirectTerms terms{ &tool, { this->YoungsModulus, this->PoissonRatio },
     this->MaximumDeflection, this->ErrorTolerance, bodies.strain.get(),
-    this->StrainModel == NeoHooke && palpate::FiniteContact::isFor(tool) };
+    this->StrainModel == NeoHooke && palpate::isForFiniteStrain(tool) };
   const palpate::ResponseSampling sampling(arrays.samples, arrays.exponent);
   const palpate::DirectPresses presses(bodies.surface, bodies.rest, bodies.coarser, terms);
   const auto press = [&](std::size_t i)

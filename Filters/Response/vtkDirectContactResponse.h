@@ -21,7 +21,7 @@
  * cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and without
  * friction. All is done twice, the second time with one and a half times longer cells on the
  * coarser body: what they differ by is part of the error.
- * - With Neo-Hooke and a tool without a flat end: finite strain (palpate::FiniteContact),
+ * - With Neo-Hooke and a tool without a flat end: finite strain (palpate::pressAtFiniteStrain),
  *   pressures along the tool's own normal, from where it first touches on. The rest of the body is
  *   at small strain, and where it turns the place, the square of that angle is part of the error.
  *   The body does not touch itself.

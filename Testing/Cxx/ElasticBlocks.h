@@ -97,6 +97,57 @@ inline std::vector<unsigned char> heldBelow(const VolumeMesh& mesh)
   return fixed;
 }
 
+/// Every node held up to x.
+inline std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
+{
+  std::vector<unsigned char> fixed;
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    fixed.push_back(mesh.nodes(0, i) <= x ? 7 : 0);
+  }
+  return fixed;
+}
+
+/// The elements beyond x, and the nodes of the whole that theirs are.
+inline VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std::int32_t>& nodes)
+{
+  VolumeMesh part;
+  std::map<std::int32_t, std::int32_t> number;
+  for (VolumeElement element : whole.elements)
+  {
+    if (elementMiddle(whole, element)[0] < x)
+    {
+      continue;
+    }
+    for (int i = 0; i < nodeCount(element.kind); ++i)
+    {
+      std::int32_t& node = element.nodes[static_cast<std::size_t>(i)];
+      const auto [at, isNew] = number.try_emplace(node, static_cast<std::int32_t>(nodes.size()));
+      if (isNew)
+      {
+        nodes.push_back(node);
+      }
+      node = at->second;
+    }
+    part.elements.push_back(element);
+  }
+  part.nodes = whole.nodes(Eigen::all, nodes);
+  return part;
+}
+
+/// The element whose middle is nearest.
+inline std::int32_t elementAt(const VolumeMesh& mesh, const Eigen::Vector3d& place)
+{
+  const auto away = [&](std::int32_t e)
+  { return (elementMiddle(mesh, mesh.elements[static_cast<std::size_t>(e)]) - place).norm(); };
+  std::int32_t found = 0;
+  for (std::int32_t e = 1; e < mesh.elementTotal(); ++e)
+  {
+    found = away(e) < away(found) ? e : found;
+  }
+  return found;
+}
+
 /// The surface point at a place, or -1.
 inline std::int32_t pointAt(const BodySurface& surface, const Eigen::Vector3d& place)
 {

@@ -184,17 +184,6 @@ Eigen::Matrix<double, 3, 10> quadraticGradients(const Eigen::Vector3d& xi)
   return g;
 }
 
-Eigen::Vector3d quadraticPoint(int i)
-{
-  const double a = (5.0 - std::sqrt(5.0)) / 20.0;
-  Eigen::Vector3d xi(a, a, a);
-  if (i > 0)
-  {
-    xi[i - 1] = 1.0 - 3.0 * a;
-  }
-  return xi;
-}
-
 bool quadraticStiffness(const ElementNodes& nodes, const Lame& lame, ElementMatrix& k)
 {
   const Eigen::Matrix<double, 3, 10> x = nodes;
@@ -214,6 +203,17 @@ bool quadraticStiffness(const ElementNodes& nodes, const Lame& lame, ElementMatr
   return true;
 }
 } // namespace
+
+Eigen::Vector3d quadraticPoint(int i)
+{
+  const double a = (5.0 - std::sqrt(5.0)) / 20.0;
+  Eigen::Vector3d xi(a, a, a);
+  if (i > 0)
+  {
+    xi[i - 1] = 1.0 - 3.0 * a;
+  }
+  return xi;
+}
 
 ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeElement& element)
 {

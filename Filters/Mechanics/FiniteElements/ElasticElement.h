@@ -57,6 +57,9 @@ PALPATE_EXPORT double elementGradients(ElementKind kind, const ElementNodes& nod
 using ElementShapes = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, LargestNodeCount, 1>;
 PALPATE_EXPORT ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi);
 
+/// Integration point 0 .. 3 of a quadratic tetrahedron; its weight is a 24th of the determinant.
+PALPATE_EXPORT Eigen::Vector3d quadraticPoint(int i);
+
 /// The corners at the ends of the edge whose middle is node 4 .. 9 of a quadratic tetrahedron.
 PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
 

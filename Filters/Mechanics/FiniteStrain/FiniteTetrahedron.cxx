@@ -57,17 +57,11 @@ struct Tangent
 
 FiniteTetrahedron::FiniteTetrahedron(const ElementNodes& nodes)
 {
-  const double a = (5.0 - std::sqrt(5.0)) / 20.0;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    Eigen::Vector3d xi(a, a, a);
-    if (i > 0)
-    {
-      xi[static_cast<Eigen::Index>(i) - 1] = 1.0 - 3.0 * a;
-    }
     ElementGradients gradients;
-    const double determinant =
-      elementGradients(ElementKind::QuadraticTetrahedron, nodes, xi, gradients);
+    const double determinant = elementGradients(
+      ElementKind::QuadraticTetrahedron, nodes, quadraticPoint(static_cast<int>(i)), gradients);
     this->Points[i] = { gradients, determinant / 24.0 };
   }
 }

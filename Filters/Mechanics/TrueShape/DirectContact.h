@@ -44,7 +44,7 @@ struct DirectForce
  * tells: on balls and in cavities down to three contact radii it is within 1 % of pressures along
  * the mean normal, and up to 4 % above those each along its own. Where walls on several sides are
  * touched either may be nearer: how far both differ tells how far one can be trusted, and
- * FiniteContact decides.
+ * pressAtFiniteStrain() decides.
  *
  * The body may be a part cut out of a larger one and held on the cut: `rest` then tells how it
  * moves with what is around it.

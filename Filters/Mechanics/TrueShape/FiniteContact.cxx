@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/TrueShape/FiniteContact.h"
 
-#include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/TrueShape/FinitePart.h"
 
 #include <Eigen/Cholesky>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace palpate
 {
@@ -31,6 +31,9 @@ constexpr int MostHalvings = 8;    ///< of one of its steps
 constexpr double Converged = 1e-7;
 constexpr double Fillet = 0.05;        ///< of the contact radius, at a tool's apex
 constexpr double ReachOfOutline = 3.0; ///< contact radii
+
+/// Of a force, by the square of the angle that a place turns with what is around it.
+constexpr double LeftOfTurning = 2.5;
 
 /// Newton's method on the potential at successive depths.
 class FinitePress
@@ -160,6 +163,8 @@ private:
   double Depth; ///< mm
   int Failed = 0;
 };
+
+/// One material in quadratic tetrahedra.
 bool isKnown(const ElasticBody& body)
 {
   const auto& elements = body.mesh().elements;
@@ -168,28 +173,42 @@ bool isKnown(const ElasticBody& body)
       [](const VolumeElement& element)
       { return element.kind == ElementKind::QuadraticTetrahedron; });
 }
+/// Towards the surface a power, that with which the samples begin.
+ContactCurve curveOf(const std::vector<ContactSample>& samples)
+{
+  if (samples.empty())
+  {
+    return {};
+  }
+  const auto joined = [&](double exponent)
+  { return ContactCurve(samples, exponent, false, 0.0, CurveEnd::Patch, 0.0); };
+  const double first = samples.front().deflection;
+  const IndentationPoint begins = joined(1.0).evaluate(first);
+  return joined(begins.stiffness * first / begins.force);
+}
 } // namespace
 
-FiniteContact::FiniteContact(const ElasticBody& body, const AxisymmetricTool& tool,
+ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool& tool,
   const DirectPlace& at, double deepest, const UnitMotion* rest)
 {
-  if (!isKnown(body) || !isFor(tool) || !(deepest > 0.0))
+  if (!isKnown(body) || !isForFiniteStrain(tool) || !(deepest > 0.0))
   {
-    return;
+    return {};
   }
   const double radius = tool.contactRadius(deepest);
   const ToolOutline outline(tool, ReachOfOutline * radius, Fillet * radius);
   FinitePart part(body, tool, outline, at, deepest, rest);
   if (!part.isTouched())
   {
-    return;
+    return {};
   }
   FinitePress press(part);
   if (press.depth() < -MostBefore * deepest)
   {
-    return;
+    return {};
   }
   const double longest = LongestStep * (deepest - press.depth());
+  std::vector<ContactSample> samples;
   for (const double fraction : Fractions)
   {
     // The penalty takes the more away the larger the force is.
@@ -199,73 +218,20 @@ FiniteContact::FiniteContact(const ElasticBody& body, const AxisymmetricTool& to
     {
       isThere = press.to(wanted + MakeUp * press.pressed().penetration, longest);
     }
-    const double force = press.pressed().force;
-    if (!isThere || (!this->Points.empty() && !(force > this->Points.back().force)))
+    const FinitePart::Pressed& pressed = press.pressed();
+    if (!isThere || (!samples.empty() && !(pressed.force > samples.back().force)))
     {
       break;
     }
-    if (force > 0.0)
+    if (pressed.force > 0.0)
     {
-      this->Points.push_back({ press.deflection(), force, 0.0, press.pressed().turned });
+      ContactSample& sample = samples.emplace_back();
+      sample.radius = pressed.radius;
+      sample.deflection = press.deflection();
+      sample.force = pressed.force;
+      sample.strain = LeftOfTurning * pressed.turned * pressed.turned;
     }
   }
-  this->join();
-}
-
-/// Slopes of parabolas through three neighbours each: a tangent of the force would jump with each
-/// piece of the surface that comes to be touched.
-void FiniteContact::join()
-{
-  const std::size_t count = this->Points.size();
-  if (count < 3)
-  {
-    this->Points.clear();
-    return;
-  }
-  const auto secant = [&](std::size_t i)
-  {
-    return std::log(this->Points[i + 1].force / this->Points[i].force) /
-      std::log(this->Points[i + 1].deflection / this->Points[i].deflection);
-  };
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::size_t first = std::min(std::max<std::size_t>(i, 1) - 1, count - 3);
-    const double near = std::log(this->Points[first].deflection);
-    const double middle = std::log(this->Points[first + 1].deflection);
-    const double far = std::log(this->Points[first + 2].deflection);
-    const double bend = (secant(first + 1) - secant(first)) / (far - near);
-    const double at = std::log(this->Points[i].deflection);
-    this->Points[i].exponent = secant(first) + bend * (2.0 * at - near - middle);
-  }
-}
-
-FiniteForce FiniteContact::at(double deflection) const
-{
-  constexpr double rounding = 1.0 + 1e-6;
-  if (!(deflection <= rounding * this->deepest()))
-  {
-    return { NotANumber, NotANumber, NotANumber };
-  }
-  const auto above = std::lower_bound(this->Points.begin(), this->Points.end() - 1, deflection,
-    [](const Point& point, double depth) { return point.deflection < depth; });
-  const Point& upper = *above;
-  const double t = std::log(deflection / upper.deflection);
-  if (above == this->Points.begin()) // of the power that is first found
-  {
-    const double force = upper.force * std::exp(upper.exponent * t);
-    return { force, upper.exponent * force / deflection,
-      upper.turned * deflection / upper.deflection };
-  }
-  const Point& lower = *(above - 1);
-  const double width = std::log(upper.deflection / lower.deflection);
-  const double x = t / width + 1.0; // 0 at the lower, 1 at the upper
-  const double rise = std::log(upper.force / lower.force);
-  const double first = lower.exponent * width;
-  const double last = upper.exponent * width;
-  const double square = first + last - 2.0 * rise;
-  const double bend = 3.0 * rise - 2.0 * first - last;
-  const double force = lower.force * std::exp(x * (first + x * (bend + x * square)));
-  const double exponent = (first + x * (2.0 * bend + x * 3.0 * square)) / width;
-  return { force, exponent * force / deflection, lower.turned + x * (upper.turned - lower.turned) };
+  return curveOf(samples);
 }
 } // namespace palpate

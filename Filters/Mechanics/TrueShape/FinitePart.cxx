@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/TrueShape/FinitePart.h"
 
+#include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/ReducedModulus.h"
 
 #include <Eigen/Cholesky>
@@ -272,19 +273,25 @@ void FinitePart::linearize(const Vector& u, double depth, Bending bending, Vecto
         elements[e].nodes[static_cast<std::size_t>(i)], forces.segment<3>(3 * i), gradient);
     }
   }
+  this->visitTouched(u, depth,
+    [&](const Piece& piece, const Gap& gap) { this->addContact(piece, gap, bending, gradient); });
+}
+
+template <class Visit>
+void FinitePart::visitTouched(const Vector& u, double depth, const Visit& visit) const
+{
   for (const Piece& piece : this->Surface)
   {
-    if (this->distance(piece, u, depth) < 0.0)
+    const Gap gap = this->gapAt(piece, u, depth);
+    if (gap.value < 0.0)
     {
-      this->addContact(piece, u, depth, bending, gradient);
+      visit(piece, gap);
     }
   }
 }
 
-void FinitePart::addContact(
-  const Piece& piece, const Vector& u, double depth, Bending bending, Vector& gradient)
+void FinitePart::addContact(const Piece& piece, const Gap& gap, Bending bending, Vector& gradient)
 {
-  const Gap gap = this->gapAt(piece, u, depth);
   const double scale = this->Penalty * piece.weight;
   Eigen::Matrix3d bend = scale * gap.gradient * gap.gradient.transpose();
   if (bending == Bending::AsItDoes)
@@ -339,24 +346,23 @@ FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const
   const Eigen::Vector3d deeper = -this->Frame.col(2); // the tool deeper is the body higher
   Pressed made;
   made.gradient = Vector::Zero(this->unknowns());
-  for (const Piece& piece : this->Surface)
-  {
-    if (!(this->distance(piece, u, depth) < 0.0))
+  double area = 0.0;
+  this->visitTouched(u, depth,
+    [&](const Piece& piece, const Gap& gap)
     {
-      continue;
-    }
-    const Gap gap = this->gapAt(piece, u, depth);
-    const double scale = this->Penalty * piece.weight;
-    const double slope = gap.gradient.dot(deeper);
-    const Eigen::Vector3d bent = gap.value * gap.hessian * deeper;
-    made.force += scale * gap.value * slope;
-    made.penetration += scale * gap.value * gap.value;
-    for (std::size_t n = 0; n < piece.nodes.size(); ++n)
-    {
-      this->addForce(
-        piece.nodes[n], scale * piece.shape[n] * (slope * gap.gradient + bent), made.gradient);
-    }
-  }
+      const double scale = this->Penalty * piece.weight;
+      const double slope = gap.gradient.dot(deeper);
+      const Eigen::Vector3d bent = gap.value * gap.hessian * deeper;
+      area += piece.weight;
+      made.force += scale * gap.value * slope;
+      made.penetration += scale * gap.value * gap.value;
+      for (std::size_t n = 0; n < piece.nodes.size(); ++n)
+      {
+        this->addForce(
+          piece.nodes[n], scale * piece.shape[n] * (slope * gap.gradient + bent), made.gradient);
+      }
+    });
+  made.radius = std::sqrt(area / Pi);
   made.penetration /= made.force > 0.0 ? made.force : 1.0;
   if (this->Rest.cols() > 0)
   {

@@ -56,6 +56,7 @@ public:
   struct Pressed
   {
     double force = 0.0;       ///< of the tool along its way in, N
+    double radius = 0.0;      ///< of a circle of the undeformed area that is touched, mm
     double penetration = 0.0; ///< that the penalty leaves, the mean by pressure, mm
     double turned = 0.0;      ///< angle by which what is around turns the place, rad
     Vector gradient;          ///< by the depth, of the potential's gradient
@@ -96,8 +97,10 @@ private:
   double distance(const Piece& piece, const Vector& u, double depth) const;
   Gap gapAt(const Piece& piece, const Vector& u, double depth) const;
   Eigen::Vector3d placeOf(const Piece& piece, const Vector& u) const;
-  void addContact(
-    const Piece& piece, const Vector& u, double depth, Bending bending, Vector& gradient);
+  /// Calls visit(piece, gap) for what is inside the tool.
+  template <class Visit>
+  void visitTouched(const Vector& u, double depth, const Visit& visit) const;
+  void addContact(const Piece& piece, const Gap& gap, Bending bending, Vector& gradient);
 
   const ElasticBody& Body;
   const ToolOutline& Tool;

@@ -99,7 +99,7 @@ void DirectPresses::press(
   const DirectPlace& place, const Part& finer, const Part& coarser, Contacts& contacts) const
 {
   const auto finite = [&](const Part& part)
-  { return FiniteContact(part.body, this->Tool, place, this->Terms.depth, &part.moved); };
+  { return pressAtFiniteStrain(part.body, this->Tool, place, this->Terms.depth, &part.moved); };
   const auto small = [&](const Part& part)
   {
     return std::make_unique<DirectContact>(

@@ -146,8 +146,8 @@ TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
   const Layer fine(0.7);
   const Layer coarse(1.05);
   const DirectPlace at{ { 0.0, 0.0, Thickness }, -Eigen::Vector3d::UnitZ() };
-  DirectPress finer{ FiniteContact(fine.Body, *this->Sphere, at, Depth), nullptr };
-  DirectPress coarser{ FiniteContact(coarse.Body, *this->Sphere, at, Depth), nullptr };
+  DirectPress finer{ pressAtFiniteStrain(fine.Body, *this->Sphere, at, Depth), nullptr };
+  DirectPress coarser{ pressAtFiniteStrain(coarse.Body, *this->Sphere, at, Depth), nullptr };
   StrainBodies bodies;
   bodies.hasHalfSpace = false;
   bodies.thinnest = bodies.thickest = Thickness;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <utility>
 
@@ -93,7 +92,7 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
   ElasticBody body;
   solve(mesh, fixed, body);
   const DirectPlace place{ { 0.0, 0.0, thickness }, -Eigen::Vector3d::UnitZ() };
-  const FiniteContact contact(body, *sphere, place, depth);
+  const ContactCurve contact = pressAtFiniteStrain(body, *sphere, place, depth);
   const LayerContact exact{ *sphere,
     std::make_shared<const LayerKernel>(Soft.poissonRatio, LayerBase::Bonded), thickness };
   const double modulus = reducedModulus(Soft.youngsModulus, Soft.poissonRatio);
@@ -113,7 +112,7 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
   // Four to five facets over the contact's radius: 1 %; of the tables' 0.1 %.
   for (const double deflection : { 0.4, 0.5, depth })
   {
-    const FiniteForce found = contact.at(deflection);
+    const IndentationPoint found = contact.evaluate(deflection);
     const double step = 0.05 * deflection;
     const double slope = (expected(deflection + step) - expected(deflection - step)) / (2.0 * step);
     EXPECT_NEAR(found.force / expected(deflection), 1.0, 0.01) << deflection;
@@ -123,10 +122,11 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
   for (double deflection = 0.05; deflection < 0.57; deflection += 0.03)
   {
     const double slope =
-      (contact.at(deflection + 1e-5).force - contact.at(deflection - 1e-5).force) / 2e-5;
-    EXPECT_NEAR(contact.at(deflection).stiffness, slope, 1e-4 * slope) << deflection;
+      (contact.evaluate(deflection + 1e-5).force - contact.evaluate(deflection - 1e-5).force) /
+      2e-5;
+    EXPECT_NEAR(contact.evaluate(deflection).stiffness, slope, 1e-4 * slope) << deflection;
   }
-  EXPECT_TRUE(std::isnan(contact.at(1.5 * depth).force));
+  EXPECT_TRUE(std::isnan(contact.evaluate(1.5 * depth).force));
 }
 
 /// A groove too narrow for the ball, whose walls it touches before it comes to the place: pressed
@@ -149,14 +149,16 @@ TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
   solve(mesh, heldBelow(mesh), body);
   const auto sphere = tool("sphere:2"); // which touches 0.44 mm before: 2 (sec(atan 0.7) - 1)
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
-  const FiniteContact contact(body, *sphere, { { 0.0, 2.0, height }, down }, depth);
-  const FiniteContact above(body, *sphere, { { 0.0, 2.0, height + higher }, down }, depth + higher);
+  const ContactCurve contact =
+    pressAtFiniteStrain(body, *sphere, { { 0.0, 2.0, height }, down }, depth);
+  const ContactCurve above =
+    pressAtFiniteStrain(body, *sphere, { { 0.0, 2.0, height + higher }, down }, depth + higher);
   ASSERT_GE(contact.deepest(), depth);
   ASSERT_GE(above.deepest(), depth + higher);
   for (const double deflection : { 0.06, 0.15, depth })
   {
-    const double expected = above.at(deflection + higher).force;
-    EXPECT_NEAR(contact.at(deflection).force, expected, 0.01 * expected) << deflection;
+    const double expected = above.evaluate(deflection + higher).force;
+    EXPECT_NEAR(contact.evaluate(deflection).force, expected, 0.01 * expected) << deflection;
   }
 }
 
@@ -167,54 +169,18 @@ TEST(FiniteContact, WhereNothingTouchesThereIsNone)
   solve(mesh, heldBelow(mesh), body);
   const auto sphere = tool("sphere:6.35");
   const DirectPlace above{ { 1.0, 1.0, 7.0 }, -Eigen::Vector3d::UnitZ() };
-  EXPECT_EQ(FiniteContact(body, *sphere, above, 0.5).deepest(), 0.0);
+  EXPECT_EQ(pressAtFiniteStrain(body, *sphere, above, 0.5).deepest(), 0.0);
   ElasticBody hexahedra;
   const VolumeMesh cubes = hexahedronBlock(2, 2, 2, 1.0);
   solve(cubes, heldBelow(cubes), hexahedra);
   const DirectPlace on{ { 1.0, 1.0, 2.0 }, -Eigen::Vector3d::UnitZ() };
-  EXPECT_EQ(FiniteContact(hexahedra, *sphere, on, 0.1).deepest(), 0.0);
-  EXPECT_GE(FiniteContact(body, *sphere, on, 0.1).deepest(), 0.1);
-  EXPECT_EQ(FiniteContact(body, *tool("flat:0.5"), on, 0.1).deepest(), 0.0);
-  EXPECT_EQ(FiniteContact(body, *sphere, on, 0.0).deepest(), 0.0);
-  EXPECT_TRUE(std::isnan(FiniteContact().at(0.1).force));
-  EXPECT_TRUE(FiniteContact::isFor(*sphere));
-  EXPECT_FALSE(FiniteContact::isFor(*tool("flat:1.6")));
-}
-
-/// The elements beyond x, and the nodes of the whole that theirs are.
-VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std::int32_t>& nodes)
-{
-  VolumeMesh part;
-  std::map<std::int32_t, std::int32_t> number;
-  for (VolumeElement element : whole.elements)
-  {
-    if (elementMiddle(whole, element)[0] < x)
-    {
-      continue;
-    }
-    for (std::int32_t& node : element.nodes)
-    {
-      const auto [at, isNew] = number.try_emplace(node, static_cast<std::int32_t>(nodes.size()));
-      if (isNew)
-      {
-        nodes.push_back(node);
-      }
-      node = at->second;
-    }
-    part.elements.push_back(element);
-  }
-  part.nodes = whole.nodes(Eigen::all, nodes);
-  return part;
-}
-
-std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
-{
-  std::vector<unsigned char> fixed;
-  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
-  {
-    fixed.push_back(mesh.nodes(0, i) <= x ? 7 : 0);
-  }
-  return fixed;
+  EXPECT_EQ(pressAtFiniteStrain(hexahedra, *sphere, on, 0.1).deepest(), 0.0);
+  EXPECT_GE(pressAtFiniteStrain(body, *sphere, on, 0.1).deepest(), 0.1);
+  EXPECT_EQ(pressAtFiniteStrain(body, *tool("flat:0.5"), on, 0.1).deepest(), 0.0);
+  EXPECT_EQ(pressAtFiniteStrain(body, *sphere, on, 0.0).deepest(), 0.0);
+  EXPECT_TRUE(std::isnan(ContactCurve().evaluate(0.1).force));
+  EXPECT_TRUE(isForFiniteStrain(*sphere));
+  EXPECT_FALSE(isForFiniteStrain(*tool("flat:1.6")));
 }
 
 /// A bar that is held at one end and pressed near the other, and its outer part, what moves the cut
@@ -235,29 +201,24 @@ TEST(FiniteContact, APartGivesWayAsItDoesInTheWhole)
   // leaning: the force aside bends it aside
   const DirectPlace place{ { 9.0, 1.5, 3.0 }, Eigen::Vector3d(0.1, 0.2, -1.0).normalized() };
   const Eigen::Vector3d inside = place.place + 0.3 * place.inward;
-  const auto away = [&](std::int32_t e)
-  { return (elementMiddle(mesh, mesh.elements[static_cast<std::size_t>(e)]) - inside).norm(); };
-  std::int32_t under = 0;
-  for (std::int32_t e = 1; e < mesh.elementTotal(); ++e)
-  {
-    under = away(e) < away(under) ? e : under;
-  }
-  UnitMotion ofCut = unitMotion(whole, place.place, { under, Eigen::Vector3d::Constant(0.25) });
+  UnitMotion ofCut =
+    unitMotion(whole, place.place, { elementAt(mesh, inside), Eigen::Vector3d::Constant(0.25) });
   for (Eigen::Matrix3Xd& moved : ofCut.nodes)
   {
     moved = Eigen::Matrix3Xd(moved(Eigen::all, nodes));
   }
   const UnitMotion rest = motionFromCut(part, ofCut);
-  const FiniteContact inWhole(whole, *sphere, place, depth);
-  const FiniteContact inPart(part, *sphere, place, depth, &rest);
-  const FiniteContact held(part, *sphere, place, depth);
+  const ContactCurve inWhole = pressAtFiniteStrain(whole, *sphere, place, depth);
+  const ContactCurve inPart = pressAtFiniteStrain(part, *sphere, place, depth, &rest);
+  const ContactCurve held = pressAtFiniteStrain(part, *sphere, place, depth);
   for (const double deflection : { 0.1, 0.25, 0.5, depth })
   {
-    const FiniteForce expected = inWhole.at(deflection);
-    const FiniteForce found = inPart.at(deflection);
-    const double turned = found.turned;
-    EXPECT_LE(std::abs(found.force / expected.force - 1.0), 0.002 + 2.5 * turned * turned);
-    EXPECT_GT(held.at(deflection).force, 4.0 * expected.force);
+    const IndentationPoint expected = inWhole.evaluate(deflection);
+    const IndentationPoint found = inPart.evaluate(deflection);
+    const double stated = inPart.errorsAt(deflection).strain; // 2.5 θ²
+    EXPECT_LE(std::abs(found.force / expected.force - 1.0), 0.002 + stated);
+    EXPECT_LT(stated, 0.03);
+    EXPECT_GT(held.evaluate(deflection).force, 4.0 * expected.force);
   }
 }
 } // namespace

@@ -24,23 +24,15 @@ VolumeMesh bar(bool isOfTetrahedra)
   return isOfTetrahedra ? quadratic(tetrahedra(mesh)) : mesh;
 }
 
-void solve(VolumeMesh mesh, double heldTo, ElasticBody& body)
+void solve(VolumeMesh mesh, double heldUpTo, ElasticBody& body)
 {
   ElasticBodyInput input;
+  input.fixed = heldTo(mesh, heldUpTo);
   input.mesh = std::move(mesh);
   input.materials = { { 0.1, 0.4 } };
-  for (Eigen::Index i = 0; i < input.mesh.nodes.cols(); ++i)
-  {
-    input.fixed.push_back(input.mesh.nodes(0, i) <= heldTo ? 7 : 0);
-  }
   ASSERT_EQ(body.assemble(std::move(input)), "");
   ASSERT_EQ(body.analyse(StiffnessFactor::Kind::Automatic), "");
   ASSERT_EQ(body.factorise(), "");
-}
-
-Eigen::Vector3d middleOf(const VolumeMesh& mesh, std::int32_t element)
-{
-  return elementMiddle(mesh, mesh.elements[static_cast<std::size_t>(element)]);
 }
 
 /// Where the element's own coordinates are in its middle.
@@ -49,44 +41,6 @@ ElementPlace inMiddle(const VolumeMesh& mesh, std::int32_t element)
   const bool isHexahedron =
     mesh.elements[static_cast<std::size_t>(element)].kind == ElementKind::Hexahedron;
   return { element, Eigen::Vector3d::Constant(isHexahedron ? 0.0 : 0.25) };
-}
-
-std::int32_t elementAt(const VolumeMesh& mesh, const Eigen::Vector3d& place)
-{
-  std::int32_t found = 0;
-  for (std::int32_t e = 1; e < mesh.elementTotal(); ++e)
-  {
-    found = (middleOf(mesh, e) - place).norm() < (middleOf(mesh, found) - place).norm() ? e : found;
-  }
-  return found;
-}
-
-/// The elements beyond x, and the nodes of the whole that theirs are.
-VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std::int32_t>& nodes)
-{
-  VolumeMesh part;
-  std::map<std::int32_t, std::int32_t> number;
-  for (std::int32_t e = 0; e < whole.elementTotal(); ++e)
-  {
-    if (middleOf(whole, e)[0] < x)
-    {
-      continue;
-    }
-    VolumeElement element = whole.elements[static_cast<std::size_t>(e)];
-    for (int i = 0; i < nodeCount(element.kind); ++i)
-    {
-      std::int32_t& node = element.nodes[static_cast<std::size_t>(i)];
-      const auto [at, isNew] = number.try_emplace(node, static_cast<std::int32_t>(nodes.size()));
-      if (isNew)
-      {
-        nodes.push_back(node);
-      }
-      node = at->second;
-    }
-    part.elements.push_back(element);
-  }
-  part.nodes = whole.nodes(Eigen::all, nodes);
-  return part;
 }
 
 /// To rounding: the same elements, parted.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /* The force of a tool pressed straight into a body of quadratic tetrahedra (DirectContact,
- * FiniteContact).
+ * pressAtFiniteStrain).
  *
  *   palpateDirectContact BODY.vtu YOUNG POISSON TOOL DEPTH X Y Z NX NY NZ
  *
@@ -103,8 +103,7 @@ int main(int count, char** arguments)
   {
     std::printf("%.9g\n", contact.at(value[5], pushed).force);
   }
-  const FiniteContact finite =
-    FiniteContact::isFor(*tool) ? FiniteContact(body, *tool, at, value[5]) : FiniteContact();
-  std::printf("%.9g\n", finite.at(value[5]).force);
+  const ContactCurve finite = pressAtFiniteStrain(body, *tool, at, value[5]);
+  std::printf("%.9g\n", finite.evaluate(value[5]).force);
   return 0;
 }
