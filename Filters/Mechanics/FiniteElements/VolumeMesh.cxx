@@ -166,4 +166,40 @@ std::string MeshTopology::build(const VolumeMesh& mesh)
   }
   return {};
 }
+
+std::vector<std::int32_t> elementsHeldByFaces(
+  const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& held)
+{
+  std::vector<std::int32_t> reached;
+  std::vector<unsigned char> isReached(mesh.elements.size(), 0);
+  const auto reach = [&](std::int32_t e)
+  {
+    if (e >= 0 && isReached[static_cast<std::size_t>(e)] == 0)
+    {
+      isReached[static_cast<std::size_t>(e)] = 1;
+      reached.push_back(e);
+    }
+  };
+  for (const BoundaryFace& boundary : topology.boundary())
+  {
+    const VolumeElement& element = mesh.elements[static_cast<std::size_t>(boundary.element)];
+    const ElementFace& face = elementFace(element.kind, boundary.face);
+    const auto isHeld = [&](int corner) {
+      return held[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(corner)])] != 0;
+    };
+    const auto* const first = face.node.begin();
+    reach(std::all_of(first, first + face.corners, isHeld) ? boundary.element : -1);
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    const std::int32_t e = reached[i];
+    const ElementKind kind = mesh.elements[static_cast<std::size_t>(e)].kind;
+    for (int face = 0; face < faceCount(kind); ++face)
+    {
+      reach(topology.across(e, face));
+    }
+  }
+  std::sort(reached.begin(), reached.end());
+  return reached;
+}
 } // namespace palpate

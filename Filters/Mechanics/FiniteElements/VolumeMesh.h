@@ -101,6 +101,11 @@ private:
   std::vector<std::size_t> NodeOffset;
   std::vector<std::int32_t> NodeElements;
 };
+
+/// Elements that hang together, face by face, with one of which a whole face is held, in order:
+/// what hangs by an edge or a corner could turn about that. `held`: per node.
+PALPATE_EXPORT std::vector<std::int32_t> elementsHeldByFaces(
+  const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& held);
 } // namespace palpate
 
 #endif

@@ -86,23 +86,27 @@ void takeCells(
   }
 }
 
-/// Cells that hang together with the rest nowhere, as in crumbs that the cut leaves of a thin flap.
-void dropLoose(CutOutPart& part)
+/// Keeps what is held by whole faces: not crumbs that the cut leaves of a thin flap, nor what hangs
+/// by an edge, about which it could turn. Returns what is wrong, or "".
+std::string dropLoose(CutOutPart& part)
 {
-  const std::vector<std::int32_t> partOf = partOfNodes(part.mesh);
-  std::vector<int> fixed(partOf.size(), 0);
-  for (std::size_t i = 0; i < partOf.size(); ++i)
+  MeshTopology topology;
+  std::string fault = topology.build(part.mesh);
+  if (!fault.empty())
   {
-    fixed[static_cast<std::size_t>(partOf[i])] += part.onCut[i] || part.held[i] ? 1 : 0;
+    return fault;
   }
-  constexpr int least = 3; // that can hold a part
-  auto& cells = part.mesh.elements;
-  const auto isLoose = [&](const VolumeElement& cell)
+  std::vector<unsigned char> fixed(part.onCut.size());
+  std::transform(part.onCut.begin(), part.onCut.end(), part.held.begin(), fixed.begin(),
+    [](unsigned char cut, unsigned char held)
+    { return static_cast<unsigned char>(cut != 0 || held != 0); });
+  std::vector<VolumeElement> kept;
+  for (const std::int32_t e : elementsHeldByFaces(part.mesh, topology, fixed))
   {
-    const auto node = static_cast<std::size_t>(cell.nodes.front());
-    return fixed[static_cast<std::size_t>(partOf[node])] < least;
-  };
-  cells.erase(std::remove_if(cells.begin(), cells.end(), isLoose), cells.end());
+    kept.push_back(part.mesh.elements[static_cast<std::size_t>(e)]);
+  }
+  part.mesh.elements = std::move(kept);
+  return part.mesh.elements.empty() ? "nothing holds it" : "";
 }
 
 /// Cells follow the rims of what is held alone.
@@ -160,7 +164,6 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
     return fault.empty() ? "it has no cells" : fault;
   }
   takeCells(curved, part, NearSide * cells.spacing, filled);
-  dropLoose(filled);
-  return filled.mesh.elements.empty() ? "nothing holds it" : "";
+  return dropLoose(filled);
 }
 } // namespace palpate

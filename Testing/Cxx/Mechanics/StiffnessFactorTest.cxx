@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -167,4 +168,31 @@ TEST(MeshTopology, AFaceOfThreeElementsIsAFault)
   mesh.elements.push_back(mesh.elements.back());
   MeshTopology topology;
   EXPECT_NE(topology.build(mesh).find("more than two cells share a face"), std::string::npos);
+}
+
+/// Of two cubes that share an edge and one that shares a face with the first, which is held below.
+TEST(MeshTopology, WhatHangsByAnEdgeIsNotHeld)
+{
+  VolumeMesh mesh = palpate::testing::hexahedronBlock(2, 1, 2, 1.0);
+  // below left, below right, above left, above right
+  const VolumeElement aboveRight = mesh.elements[3];
+  std::vector<unsigned char> held(static_cast<std::size_t>(mesh.nodeTotal()), 0);
+  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
+  {
+    held[static_cast<std::size_t>(i)] = mesh.nodes(2, i) == 0.0 && mesh.nodes(0, i) < 1.5 ? 1 : 0;
+  }
+  const auto kept = [&]
+  {
+    MeshTopology topology;
+    EXPECT_EQ(topology.build(mesh), "");
+    return elementsHeldByFaces(mesh, topology, held);
+  };
+  EXPECT_EQ(kept(), (std::vector<std::int32_t>{ 0, 1, 2, 3 }));
+  mesh.elements = { aboveRight, mesh.elements[0] };
+  EXPECT_EQ(kept(), std::vector<std::int32_t>{ 1 });
+  mesh.elements = palpate::testing::hexahedronBlock(2, 1, 2, 1.0).elements;
+  mesh.elements = { aboveRight, mesh.elements[0], mesh.elements[2] };
+  EXPECT_EQ(kept(), (std::vector<std::int32_t>{ 0, 1, 2 }));
+  std::fill(held.begin(), held.end(), 0);
+  EXPECT_TRUE(kept().empty());
 }
