@@ -132,6 +132,19 @@ void DirectContact::takeCorners(const std::vector<ToolFacet>& facets)
   }
 }
 
+double DirectContact::touchesBefore() const
+{
+  double before = 0.0;
+  for (const Corner& corner : this->Corners)
+  {
+    for (const Piece& piece : corner.pieces)
+    {
+      before = std::max(before, -(piece.depth + this->Tool.profile(piece.away)));
+    }
+  }
+  return before;
+}
+
 /// Of each corner's three directions in the tool's frame.
 Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
 {

@@ -19,13 +19,14 @@ constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.0 }
 /// Of the last penetration, by which the tool goes farther: it grows until the next.
 constexpr double MakeUp = 1.6;
 constexpr int MostMadeUp = 4;
-/// Of the deepest, that it may touch before: a hollow far too narrow is not touched at its bottom.
-constexpr double MostBefore = 2.0;
-/// Of the way from the first touch to the deepest, at once.
+/// At once, of the deepest and of the way to the place.
 constexpr double LongestStep = 0.3;
+constexpr double LongestShare = 0.2;
 constexpr int MostFailed = 4;      ///< steps in depth that are then halved
-constexpr int MostIterations = 25; ///< of Newton's method
+constexpr int MostIterations = 40; ///< of Newton's method
 constexpr int MostHalvings = 8;    ///< of one of its steps
+/// By what share of its stiffness at rest a tangent is made stiffer that is not positive.
+constexpr std::array<double, 5> Stiffened = { 0.0, 0.05, 0.3, 2.0, 10.0 };
 /// Relative to the energy, what an iteration gains that needs no other: the next gains some square
 /// of it.
 constexpr double Converged = 1e-7;
@@ -115,10 +116,30 @@ private:
     return true;
   }
 
-  bool step(double depth, FinitePart::Bending bending, Eigen::VectorXd& found)
+  /// A step of Newton's method; where the tangent is not positive, of one that is stiffened by what
+  /// it is at rest, with which the potential falls, too. How much of that; < 0: none was found.
+  double step(double depth, Eigen::VectorXd& found)
   {
-    this->Part.linearize(this->Now, depth, bending, this->Gradient);
-    return this->Factor->factorise(this->Part.stiffness()) && this->newton(this->Gradient, found);
+    const auto isFound = [&]() {
+      return this->Factor->factorise(this->Part.stiffness()) && this->newton(this->Gradient, found);
+    };
+    this->Part.linearize(this->Now, depth, FinitePart::Bending::AsItDoes, this->Gradient);
+    if (isFound())
+    {
+      return 0.0;
+    }
+    this->Part.linearize(this->Now, depth, FinitePart::Bending::LeftOut, this->Gradient);
+    double stiffened = 0.0;
+    for (const double more : Stiffened)
+    {
+      this->Part.stiffen(more - stiffened);
+      stiffened = more;
+      if (isFound())
+      {
+        return stiffened;
+      }
+    }
+    return -1.0;
   }
 
   bool solve(double depth)
@@ -127,12 +148,12 @@ private:
     for (int i = 0; i < MostIterations && std::isfinite(energy); ++i)
     {
       Eigen::VectorXd step;
-      if (!this->step(depth, FinitePart::Bending::AsItDoes, step) &&
-        !this->step(depth, FinitePart::Bending::LeftOut, step))
+      const double stiffened = this->step(depth, step);
+      if (stiffened < 0.0)
       {
         return false;
       }
-      const bool isLast = -this->Gradient.dot(step) <= Converged * energy;
+      const bool isLast = stiffened == 0.0 && -this->Gradient.dot(step) <= Converged * energy;
       double next = this->Part.energy(this->Now + step, depth);
       for (int k = 0; k < MostHalvings && !(next < energy); ++k)
       {
@@ -173,6 +194,7 @@ bool isKnown(const ElasticBody& body)
       [](const VolumeElement& element)
       { return element.kind == ElementKind::QuadraticTetrahedron; });
 }
+
 /// Towards the surface a power, that with which the samples begin.
 ContactCurve curveOf(const std::vector<ContactSample>& samples)
 {
@@ -203,11 +225,7 @@ ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool
     return {};
   }
   FinitePress press(part);
-  if (press.depth() < -MostBefore * deepest)
-  {
-    return {};
-  }
-  const double longest = LongestStep * (deepest - press.depth());
+  const double longest = LongestStep * deepest - LongestShare * press.depth();
   std::vector<ContactSample> samples;
   for (const double fraction : Fractions)
   {

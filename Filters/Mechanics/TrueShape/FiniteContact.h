@@ -23,16 +23,17 @@ inline bool isForFiniteStrain(const AxisymmetricTool& tool)
  * and what a body does that turns away as it bends. The body does not touch itself.
  *
  * Newton's method on the potential of FinitePart, at a few depths, from where the tool first
- * touches down to `deepest` (mm), or as far as an equilibrium is found; the curve is empty where
- * there is none, in other cells, of several materials, and of tools it is not for. Contact radii
- * are of the undeformed area.
+ * touches, however far before the place, down to `deepest` (mm), or as far as an equilibrium is
+ * found: where the body gives way suddenly, as a flap that snaps aside, the one that lies downhill.
+ * The curve is empty where there is none, in other cells, of several materials, and of tools it is
+ * not for. Contact radii are of the undeformed area.
  *
  * `rest` as DirectContact has it: what is around the body moves as at small strain. Where that
  * turns the place by θ, its own length changes by θ²/2 that are not; on a bar held at one end the
  * force is then up to 2.5 θ² too large (FiniteContactTest), which is the curve's error of strain.
  *
  * Four facets over the contact's radius: within 1 % of the axisymmetric solver on a layer. Cost:
- * some 25 factorisations of the stiffness.
+ * some 35 factorisations of the stiffness, and more by the way to the place.
  */
 PALPATE_EXPORT ContactCurve pressAtFiniteStrain(const ElasticBody& body,
   const AxisymmetricTool& tool, const DirectPlace& at, double deepest,

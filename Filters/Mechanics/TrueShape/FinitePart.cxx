@@ -4,8 +4,6 @@
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/ReducedModulus.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -38,8 +36,20 @@ FinitePart::FinitePart(const ElasticBody& body, const AxisymmetricTool& tool,
   this->takeSurface(facetsUnder(body, tool, at, Farther * deepest));
   if (rest != nullptr && this->isTouched())
   {
-    this->takeRest(*rest);
+    this->Rest = restAround(body, this->Surface, *rest, tool.contactRadius(deepest));
   }
+  Vector none;
+  this->linearizeBody(Vector::Zero(this->unknowns()), none);
+  this->StiffnessAtRest = this->Stiffness.lower;
+  this->BorderAtRest = this->Border;
+  this->CornerAtRest = this->Corner;
+}
+
+void FinitePart::stiffen(double share)
+{
+  this->Stiffness.lower += share * this->StiffnessAtRest;
+  this->Border += share * this->BorderAtRest;
+  this->Corner += share * this->CornerAtRest;
 }
 
 void FinitePart::takeSurface(const std::vector<ToolFacet>& facets)
@@ -61,63 +71,6 @@ void FinitePart::takeSurface(const std::vector<ToolFacet>& facets)
   }
 }
 
-void FinitePart::takeRest(const UnitMotion& rest)
-{
-  const Eigen::Index nodes = this->Body.mesh().nodes.cols();
-  this->Rest.resize(3 * nodes, 6);
-  for (std::size_t k = 0; k < rest.nodes.size(); ++k)
-  {
-    this->Rest.col(static_cast<Eigen::Index>(k)) =
-      Eigen::Map<const Eigen::VectorXd>(rest.nodes[k].data(), 3 * nodes);
-  }
-  const Loads place = this->motionOfPlace(rest.about);
-  const Loads around = place - this->storedByRest();
-  this->RestEnergy = 0.5 * (around + around.transpose());
-  this->RestTurns = place.bottomRows<3>();
-}
-
-FinitePart::Loads FinitePart::motionOfPlace(const Eigen::Vector3d& about) const
-{
-  Loads normal = Loads::Zero();
-  Loads moved = Loads::Zero();
-  for (const Piece& piece : this->Surface)
-  {
-    Eigen::Vector3d at = -about;
-    Eigen::Matrix<double, 3, 6> motion = Eigen::Matrix<double, 3, 6>::Zero();
-    for (std::size_t n = 0; n < piece.nodes.size(); ++n)
-    {
-      at += piece.shape[n] * this->Body.mesh().nodes.col(piece.nodes[n]);
-      motion += piece.shape[n] * this->Rest.middleRows<3>(3 * piece.nodes[n]);
-    }
-    Eigen::Matrix<double, 3, 6> rigid;
-    rigid << 1, 0, 0, 0, at[2], -at[1], 0, 1, 0, -at[2], 0, at[0], 0, 0, 1, at[1], -at[0], 0;
-    normal += piece.weight * rigid.transpose() * rigid;
-    moved += piece.weight * rigid.transpose() * motion;
-  }
-  return normal.ldlt().solve(moved);
-}
-
-FinitePart::Loads FinitePart::storedByRest() const
-{
-  Loads stored = Loads::Zero();
-  FiniteTetrahedron::Vector forces;
-  ElementMatrix stiffness;
-  for (std::size_t e = 0; e < this->Elements.size(); ++e)
-  {
-    const VolumeElement& element = this->Body.mesh().elements[e];
-    this->Elements[e].linearize(
-      this->Body.material(0), FiniteTetrahedron::Vector::Zero(), forces, stiffness);
-    Eigen::Matrix<double, 30, 6> motion;
-    for (Eigen::Index i = 0; i < 10; ++i)
-    {
-      motion.middleRows<3>(3 * i) =
-        this->Rest.middleRows<3>(3 * element.nodes[static_cast<std::size_t>(i)]);
-    }
-    stored += motion.transpose() * stiffness * motion;
-  }
-  return stored;
-}
-
 FiniteTetrahedron::Vector FinitePart::gather(const VolumeElement& element, const Vector& u) const
 {
   FiniteTetrahedron::Vector values;
@@ -135,19 +88,19 @@ double FinitePart::displacement(std::int32_t node, int axis, const Vector& u) co
   {
     return u[unknown];
   }
-  return this->Rest.cols() > 0 ? this->Rest.row(3 * node + axis).dot(u.tail(this->Rest.cols()))
-                               : 0.0;
+  return this->loads() > 0 ? this->Rest.motion.row(3 * node + axis).dot(u.tail(this->loads()))
+                           : 0.0;
 }
 
 Eigen::MatrixXd FinitePart::restOf(const VolumeElement& element) const
 {
-  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(30, this->Rest.cols());
+  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(30, this->loads());
   for (int i = 0; i < 30; ++i)
   {
     const std::int32_t node = element.nodes[static_cast<std::size_t>(i / 3)];
     if (this->Body.unknown(node, i % 3) < 0)
     {
-      made.row(i) = this->Rest.row(3 * node + i % 3);
+      made.row(i) = this->Rest.motion.row(3 * node + i % 3);
     }
   }
   return made;
@@ -162,9 +115,10 @@ void FinitePart::addForce(std::int32_t node, const Eigen::Vector3d& force, Vecto
     {
       gradient[unknown] += force[axis];
     }
-    else if (this->Rest.cols() > 0)
+    else if (this->loads() > 0)
     {
-      gradient.tail(this->Rest.cols()) += force[axis] * this->Rest.row(3 * node + axis).transpose();
+      gradient.tail(this->loads()) +=
+        force[axis] * this->Rest.motion.row(3 * node + axis).transpose();
     }
   }
 }
@@ -176,7 +130,7 @@ void FinitePart::addBorder(const VolumeElement& element, const ElementMatrix& st
     return this->Body.unknown(node, 0) < 0 || this->Body.unknown(node, 1) < 0 ||
       this->Body.unknown(node, 2) < 0;
   };
-  if (this->Rest.cols() == 0 || std::none_of(element.nodes.begin(), element.nodes.end(), isHeld))
+  if (this->loads() == 0 || std::none_of(element.nodes.begin(), element.nodes.end(), isHeld))
   {
     return;
   }
@@ -247,17 +201,24 @@ double FinitePart::energy(const Vector& u, double depth) const
     const double gap = std::min(0.0, this->distance(piece, u, depth));
     sum += 0.5 * this->Penalty * piece.weight * gap * gap;
   }
-  const auto load = u.tail(this->Rest.cols());
-  return this->Rest.cols() > 0 ? sum + 0.5 * load.dot(this->RestEnergy * load) : sum;
+  const auto load = u.tail(this->loads());
+  return this->loads() > 0 ? sum + 0.5 * load.dot(this->Rest.energy * load) : sum;
 }
 
 void FinitePart::linearize(const Vector& u, double depth, Bending bending, Vector& gradient)
 {
+  this->linearizeBody(u, gradient);
+  this->visitTouched(u, depth,
+    [&](const Piece& piece, const Gap& gap) { this->addContact(piece, gap, bending, gradient); });
+}
+
+void FinitePart::linearizeBody(const Vector& u, Vector& gradient)
+{
   gradient.setZero(this->unknowns());
   std::fill_n(this->Stiffness.lower.valuePtr(), this->Stiffness.lower.nonZeros(), 0.0);
-  this->Border.setZero(this->free(), this->Rest.cols());
-  this->Corner = this->RestEnergy;
-  gradient.tail(this->Rest.cols()) = this->RestEnergy * u.tail(this->Rest.cols());
+  this->Border.setZero(this->free(), this->loads());
+  this->Corner = this->Rest.energy;
+  gradient.tail(this->loads()) = this->Rest.energy * u.tail(this->loads());
   FiniteTetrahedron::Vector forces;
   ElementMatrix stiffness;
   const auto& elements = this->Body.mesh().elements;
@@ -273,8 +234,6 @@ void FinitePart::linearize(const Vector& u, double depth, Bending bending, Vecto
         elements[e].nodes[static_cast<std::size_t>(i)], forces.segment<3>(3 * i), gradient);
     }
   }
-  this->visitTouched(u, depth,
-    [&](const Piece& piece, const Gap& gap) { this->addContact(piece, gap, bending, gradient); });
 }
 
 template <class Visit>
@@ -364,9 +323,9 @@ FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const
     });
   made.radius = std::sqrt(area / Pi);
   made.penetration /= made.force > 0.0 ? made.force : 1.0;
-  if (this->Rest.cols() > 0)
+  if (this->loads() > 0)
   {
-    made.turned = (this->RestTurns * u.tail(this->Rest.cols())).norm();
+    made.turned = (this->Rest.turns * u.tail(this->loads())).norm();
   }
   return made;
 }

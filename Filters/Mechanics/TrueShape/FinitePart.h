@@ -5,9 +5,9 @@
 #include "Mechanics/FiniteElements/UnitLoads.h"
 #include "Mechanics/FiniteStrain/FiniteTetrahedron.h"
 #include "Mechanics/FiniteStrain/ToolOutline.h"
+#include "Mechanics/TrueShape/PartRest.h"
 #include "Mechanics/TrueShape/ToolFacets.h"
 
-#include <array>
 #include <vector>
 
 namespace palpate
@@ -18,9 +18,8 @@ namespace palpate
  * signed distance from the tool. Without friction.
  *
  * Of a part cut out of a larger body the nodes on the cut move together, as those of the larger one
- * under a load: the six numbers of that are unknowns, too, the last, and what is around stores the
- * energy ½ Lᵀ W L. W follows from the motions by Betti's theorem: what the load's place moves by,
- * less what the part itself stores while it is moved. At small strain L is then the load.
+ * under a load: the numbers of that are unknowns, too, the last, and what is around stores its
+ * energy (PartRest). At small strain they are then the load's.
  */
 class FinitePart
 {
@@ -32,7 +31,7 @@ public:
   FinitePart(const ElasticBody& body, const AxisymmetricTool& tool, const ToolOutline& outline,
     const DirectPlace& at, double deepest, const UnitMotion* rest);
 
-  Eigen::Index unknowns() const { return this->free() + this->Rest.cols(); }
+  Eigen::Index unknowns() const { return this->free() + this->loads(); }
   bool isTouched() const { return !this->Surface.empty(); }
   /// Where the tool first touches the undeformed body, mm: 0, or above, less than 0, in a hollow
   /// that is too narrow for it.
@@ -49,6 +48,8 @@ public:
   };
   /// Its gradient; the next three are then its second derivatives there.
   void linearize(const Vector& u, double depth, Bending bending, Vector& gradient);
+  /// Adds a share of what these are at rest.
+  void stiffen(double share);
   const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< by nodes
   const Eigen::MatrixXd& border() const { return this->Border; }             ///< nodes × load
   const Eigen::MatrixXd& corner() const { return this->Corner; }             ///< load × load
@@ -64,14 +65,7 @@ public:
   Pressed pressed(const Vector& u, double depth) const;
 
 private:
-  /// A piece of the surface.
-  struct Piece
-  {
-    std::array<std::int32_t, 6> nodes;
-    std::array<double, 6> shape;
-    Eigen::Vector3d place; ///< undeformed, mm, in the tool's frame
-    double weight;         ///< mm²
-  };
+  using Piece = SurfacePiece; ///< its place in the tool's frame
   struct Gap
   {
     double value;             ///< mm, > 0 outside
@@ -79,14 +73,9 @@ private:
     Eigen::Matrix3d hessian;
   };
 
-  using Loads = Eigen::Matrix<double, 6, 6>; ///< forces and moments, by loads
   Eigen::Index free() const { return this->Stiffness.lower.rows(); }
+  Eigen::Index loads() const { return this->Rest.motion.cols(); }
   void takeSurface(const std::vector<ToolFacet>& facets);
-  void takeRest(const UnitMotion& rest);
-  /// What loads move and turn the place by: the rigid motion nearest to that of its facets.
-  Loads motionOfPlace(const Eigen::Vector3d& about) const;
-  /// What the part itself stores at small strain where it is moved with the rest.
-  Loads storedByRest() const;
   FiniteTetrahedron::Vector gather(const VolumeElement& element, const Vector& u) const;
   double displacement(std::int32_t node, int axis, const Vector& u) const;
   /// How the load moves an element's held nodes.
@@ -100,6 +89,7 @@ private:
   /// Calls visit(piece, gap) for what is inside the tool.
   template <class Visit>
   void visitTouched(const Vector& u, double depth, const Visit& visit) const;
+  void linearizeBody(const Vector& u, Vector& gradient);
   void addContact(const Piece& piece, const Gap& gap, Bending bending, Vector& gradient);
 
   const ElasticBody& Body;
@@ -108,12 +98,13 @@ private:
   double Penalty; ///< MPa/mm
   std::vector<FiniteTetrahedron> Elements;
   std::vector<Piece> Surface;
-  Eigen::MatrixXd Rest;       ///< displacements of all nodes, by load
-  Eigen::MatrixXd RestEnergy; ///< W
-  Eigen::MatrixXd RestTurns;  ///< of the place, rad, by load
+  PartRest Rest;
   StiffnessMatrix Stiffness;
   Eigen::MatrixXd Border;
   Eigen::MatrixXd Corner;
+  SymmetricSparse StiffnessAtRest;
+  Eigen::MatrixXd BorderAtRest;
+  Eigen::MatrixXd CornerAtRest;
 };
 } // namespace palpate
 

@@ -114,4 +114,22 @@ std::vector<ToolFacet> facetsUnder(
   }
   return near;
 }
+
+double depthOfMarked(const std::vector<ToolFacet>& facets, const std::vector<unsigned char>& marked,
+  const AxisymmetricTool& tool)
+{
+  const double wall = reachedRadius(tool);
+  double least = Infinity;
+  for (const ToolFacet& facet : facets)
+  {
+    const bool isMarked = std::all_of(facet.nodes.begin(), facet.nodes.end(),
+      [&](std::int32_t node) { return marked[static_cast<std::size_t>(node)] != 0; });
+    for (Eigen::Index i = 0; i < facet.places.cols() && isMarked; ++i)
+    {
+      const double r = facet.places.col(i).head<2>().norm();
+      least = r < wall ? std::min(least, facet.places(2, i) + tool.profile(r)) : least;
+    }
+  }
+  return least;
+}
 } // namespace palpate

@@ -3,6 +3,7 @@
 #define palpate_ToolFacets_h
 
 #include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <Eigen/Core>
@@ -35,8 +36,13 @@ Eigen::Matrix3d toolFrame(const DirectPlace& at);
  * Of a body's surface: facets that face the tool, that it reaches into where it is pressed
  * `deepest` (mm) deep, or nearly, and that hang together with the place where it is pressed.
  */
-std::vector<ToolFacet> facetsUnder(
+PALPATE_EXPORT std::vector<ToolFacet> facetsUnder(
   const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at, double deepest);
+
+/// How deep the tool comes upon such of them as have marked nodes alone, mm; +inf where it does
+/// not.
+PALPATE_EXPORT double depthOfMarked(const std::vector<ToolFacet>& facets,
+  const std::vector<unsigned char>& marked, const AxisymmetricTool& tool);
 
 /// Radius beyond which nothing of a tool is reached from below, mm: short of a round tool's wall,
 /// which is vertical there.

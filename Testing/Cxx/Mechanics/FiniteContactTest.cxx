@@ -7,7 +7,11 @@
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/ShapedBodies.h"
 #include "Mechanics/TestTools.h"
+#include "Mechanics/TrueShape/DirectContact.h"
 #include "Mechanics/TrueShape/FiniteContact.h"
+#include "Mechanics/TrueShape/FinitePart.h"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -129,28 +133,29 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
   EXPECT_TRUE(std::isnan(contact.evaluate(1.5 * depth).force));
 }
 
-/// A groove too narrow for the ball, whose walls it touches before it comes to the place: pressed
-/// from where it first touches, it is the same contact at the same height.
+/// A groove too narrow for the ball, whose walls it touches nearly four depths before it comes to
+/// the place: pressed from where it first touches, it is the same contact at the same height.
 TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
 {
   constexpr double height = 4.0;
   constexpr double higher = 0.6;
   constexpr double depth = 0.3;
+  constexpr double slope = 1.2;
   const std::vector<double> across = { -4, -3, -2.2, -1.6, -1.1, -0.7, -0.3, 0, 0.3, 0.7, 1.1, 1.6,
     2.2, 3, 4 };
   const std::vector<double> along = { 0, 1, 1.6, 2, 2.4, 3, 4 };
   VolumeMesh mesh = gridBlock(across, along, { 0.0, 2.0, 3.2, height });
   for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
   {
-    mesh.nodes(2, i) *= 1.0 + 0.7 / height * std::abs(mesh.nodes(0, i));
+    mesh.nodes(2, i) *= 1.0 + slope / height * std::abs(mesh.nodes(0, i));
   }
   mesh = quadratic(tetrahedra(mesh));
   ElasticBody body;
   solve(mesh, heldBelow(mesh), body);
-  const auto sphere = tool("sphere:2"); // which touches 0.44 mm before: 2 (sec(atan 0.7) - 1)
+  const auto sphere = tool("sphere:2"); // which touches 1.12 mm before: 2 (sec(atan 1.2) - 1)
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
-  const ContactCurve contact =
-    pressAtFiniteStrain(body, *sphere, { { 0.0, 2.0, height }, down }, depth);
+  const DirectPlace bottom{ { 0.0, 2.0, height }, down };
+  const ContactCurve contact = pressAtFiniteStrain(body, *sphere, bottom, depth);
   const ContactCurve above =
     pressAtFiniteStrain(body, *sphere, { { 0.0, 2.0, height + higher }, down }, depth + higher);
   ASSERT_GE(contact.deepest(), depth);
@@ -160,6 +165,100 @@ TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
     const double expected = above.evaluate(deflection + higher).force;
     EXPECT_NEAR(contact.evaluate(deflection).force, expected, 0.01 * expected) << deflection;
   }
+  // of pieces of facets half a millimetre long
+  EXPECT_NEAR(DirectContact(body, *sphere, bottom, depth).touchesBefore(),
+    2.0 * (std::sqrt(1.0 + slope * slope) - 1.0), 0.02);
+}
+
+/// A column under 1.9 times the load that buckles it (Euler): its tangent is indefinite, and
+/// positive with twice what it is at rest, so that a step goes downhill.
+TEST(FinitePart, StiffenedAsAtRestItsTangentIsPositive)
+{
+  const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(1, 1, 10, 1.0)));
+  ElasticBody body;
+  solve(mesh, heldBelow(mesh), body);
+  const auto sphere = tool("sphere:6.35");
+  const ToolOutline outline(*sphere, 5.0, 0.0);
+  const DirectPlace top{ { 0.5, 0.5, 10.0 }, -Eigen::Vector3d::UnitZ() };
+  FinitePart part(body, *sphere, outline, top, 0.5, nullptr);
+  Eigen::VectorXd pressed = Eigen::VectorXd::Zero(part.unknowns());
+  constexpr double strain = 0.004; // pi² / (4 · 12 · 10²) = 0.0021 buckles it
+  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double from = axis < 2 ? 0.5 : 0.0;
+      const double along = axis < 2 ? Soft.poissonRatio * strain : -strain;
+      const int unknown = body.unknown(i, axis);
+      if (unknown >= 0)
+      {
+        pressed[unknown] = along * (mesh.nodes(axis, i) - from);
+      }
+    }
+  }
+  constexpr double untouched = -20.0;
+  Eigen::VectorXd gradient;
+  part.linearize(
+    Eigen::VectorXd::Zero(part.unknowns()), untouched, FinitePart::Bending::AsItDoes, gradient);
+  const Eigen::MatrixXd atRest = part.stiffness();
+  part.linearize(pressed, untouched, FinitePart::Bending::AsItDoes, gradient);
+  const Eigen::MatrixXd before = part.stiffness();
+  const auto isPositive = [](const Eigen::MatrixXd& lower)
+  { return Eigen::LLT<Eigen::MatrixXd>(lower).info() == Eigen::Success; };
+  EXPECT_TRUE(isPositive(atRest));
+  EXPECT_FALSE(isPositive(before));
+  part.stiffen(2.0);
+  const Eigen::MatrixXd after = part.stiffness();
+  EXPECT_TRUE(isPositive(after));
+  EXPECT_LT((after - before - 2.0 * atRest).cwiseAbs().maxCoeff(), 1e-13 * after.maxCoeff());
+  const Eigen::VectorXd step = -after.selfadjointView<Eigen::Lower>().llt().solve(gradient);
+  EXPECT_LT(part.energy(pressed + 0.1 * step, untouched), part.energy(pressed, untouched));
+}
+
+/// What is around a part and does not move is as if the part were held there, even if coarse cells
+/// say that it gives back a little.
+TEST(FiniteContact, ARestThatDoesNotMoveIsHeld)
+{
+  constexpr double depth = 0.2;
+  const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(3, 3, 3, 1.0)));
+  ElasticBody body;
+  solve(mesh, heldBelow(mesh), body);
+  const auto sphere = tool("sphere:6.35");
+  const DirectPlace on{ { 1.5, 1.5, 3.0 }, -Eigen::Vector3d::UnitZ() };
+  const double expected = pressAtFiniteStrain(body, *sphere, on, depth).evaluate(depth).force;
+  ASSERT_GT(expected, 0.0);
+  UnitMotion still;
+  still.about = on.place;
+  for (Eigen::Matrix3Xd& moved : still.nodes)
+  {
+    moved.setZero(3, mesh.nodes.cols());
+  }
+  EXPECT_EQ(pressAtFiniteStrain(body, *sphere, on, depth, &still).evaluate(depth).force, expected);
+  // against a moment about x, by less than a thousandth of what the contact turns by
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
+  {
+    const Eigen::Vector3d arm = mesh.nodes.col(i) - on.place;
+    still.nodes[3].col(i) = -1e-3 * Eigen::Vector3d::UnitX().cross(arm);
+  }
+  EXPECT_EQ(pressAtFiniteStrain(body, *sphere, on, depth, &still).evaluate(depth).force, expected);
+}
+
+/// How deep a ball comes upon facets of marked nodes: where its outline meets the nearest of them.
+TEST(ToolFacets, AreMetWhereTheOutlineMeetsThem)
+{
+  const VolumeMesh mesh = hexahedronBlock(4, 4, 2, 1.0);
+  ElasticBody body;
+  solve(mesh, heldBelow(mesh), body);
+  const auto sphere = tool("sphere:3");
+  const DirectPlace on{ { 1.0, 2.0, 2.0 }, -Eigen::Vector3d::UnitZ() };
+  const std::vector<ToolFacet> under = facetsUnder(body, *sphere, on, 1.0);
+  std::vector<unsigned char> marked(static_cast<std::size_t>(mesh.nodeTotal()), 0);
+  EXPECT_EQ(depthOfMarked(under, marked, *sphere), HUGE_VAL);
+  for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
+  {
+    marked[static_cast<std::size_t>(i)] = mesh.nodes(0, i) >= 3.0 ? 1 : 0;
+  }
+  EXPECT_NEAR(depthOfMarked(under, marked, *sphere), 3.0 - std::sqrt(9.0 - 4.0), 1e-12);
 }
 
 TEST(FiniteContact, WhereNothingTouchesThereIsNone)
