@@ -63,14 +63,25 @@ public:
     : Finer(finer)
     , Coarser(coarser)
     , Terms(terms)
-    , IsFinite(isAtFiniteStrain(finer, terms) && isAtFiniteStrain(coarser, terms))
+    , IsFinite(terms.solvesFiniteStrain)
   {
   }
+
+  /// Whether there is one on both.
+  bool areFound() const { return this->isFound(this->Finer) && this->isFound(this->Coarser); }
 
   double forceAt(double depth) const
   {
     return this->IsFinite ? this->Finer.finite.evaluate(depth).force
                           : BetweenWays(*this->Finer.small, this->Terms, depth).force;
+  }
+
+  /// Relative, of the forces before they are corrected for finite strain.
+  double differenceAt(double depth) const
+  {
+    const double here = this->solvedOn(this->Finer, depth);
+    const double other = this->solvedOn(this->Coarser, depth);
+    return here > 0.0 && other > 0.0 ? std::abs(other / here - 1.0) : HUGE_VAL;
   }
 
   DirectSample at(double depth) const
@@ -79,14 +90,26 @@ public:
   }
 
 private:
+  bool isFound(const DirectPress& press) const
+  {
+    const double depth = this->Terms.depth;
+    return this->IsFinite ? press.finite.deepest() >= depth
+                          : press.small != nullptr && press.small->touchesBefore() <= depth;
+  }
+
+  double solvedOn(const DirectPress& press, double depth) const
+  {
+    return this->IsFinite ? press.finite.evaluate(depth).force
+                          : BetweenWays(*press.small, this->Terms, depth).small;
+  }
+
   DirectSample atFiniteStrain(double depth) const
   {
     const IndentationPoint found = this->Finer.finite.evaluate(depth);
-    const double other = this->Coarser.finite.evaluate(depth).force;
     DirectSample made;
     made.force = found.force;
     made.stiffness = found.stiffness;
-    made.parts[ResponseLimit::Elements] = std::hypot(other / found.force - 1.0, OwnError);
+    made.parts[ResponseLimit::Elements] = std::hypot(this->differenceAt(depth), OwnError);
     made.parts[ResponseLimit::Strain] = this->Finer.finite.errorsAt(depth).strain;
     return made;
   }
@@ -94,9 +117,9 @@ private:
   DirectSample atSmallStrain(double depth) const
   {
     const BetweenWays found(*this->Finer.small, this->Terms, depth);
-    const BetweenWays other(*this->Coarser.small, this->Terms, depth);
+    const double difference = this->differenceAt(depth);
     DirectSample made;
-    if (!(found.force > 0.0 && other.force > 0.0))
+    if (!(found.force > 0.0 && std::isfinite(difference)))
     {
       return made;
     }
@@ -106,7 +129,7 @@ private:
     made.stiffness = (more - less) / (2.0 * Step * depth);
     made.parts[ResponseLimit::Strain] = found.strain;
     made.parts[ResponseLimit::Curvature] = found.open;
-    made.parts[ResponseLimit::Elements] = std::hypot(other.small / found.small - 1.0, OwnError);
+    made.parts[ResponseLimit::Elements] = std::hypot(difference, OwnError);
     return made;
   }
 
@@ -198,9 +221,11 @@ void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& f
 }
 } // namespace
 
-bool isAtFiniteStrain(const DirectPress& press, const DirectTerms& terms)
+bool meshesAgree(const DirectPress& finer, const DirectPress& coarser, const DirectTerms& terms)
 {
-  return terms.solvesFiniteStrain && press.finite.deepest() >= terms.depth;
+  const TwoMeshes contacts(finer, coarser, terms);
+  return contacts.areFound() &&
+    contacts.differenceAt(terms.depth) <= std::max(terms.errorTolerance, OwnError);
 }
 
 DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
@@ -208,6 +233,10 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
   const ResponseSpans& spans)
 {
   const TwoMeshes contacts(finer, coarser, terms);
+  if (!contacts.areFound())
+  {
+    return DirectOutcome::Failed;
+  }
   const FormerCurve former(point, sampling, spans);
   const auto n = static_cast<std::size_t>(spans.samples);
   std::vector<DirectSample> samples(n);

@@ -27,15 +27,18 @@ struct DirectTerms
   bool solvesFiniteStrain = false;          ///< finite strain is solved for; the law is Neo-Hooke's
 };
 
-/// A contact on one mesh: at finite strain, or what is to be corrected for that.
+/// A contact on one mesh: at finite strain, or, where that is not solved for, what is to be
+/// corrected for it.
 struct DirectPress
 {
   ContactCurve finite;
   std::unique_ptr<DirectContact> small;
 };
 
-/// Whether the contact at finite strain is what the terms ask for.
-PALPATE_EXPORT bool isAtFiniteStrain(const DirectPress& press, const DirectTerms& terms);
+/// Whether the forces on two meshes agree at the depth, within the tolerance or what one mesh
+/// knows.
+PALPATE_EXPORT bool meshesAgree(
+  const DirectPress& finer, const DirectPress& coarser, const DirectTerms& terms);
 
 /// What direct contact made of a point: the values of the array `Direct`.
 enum class DirectOutcome : unsigned char
@@ -51,14 +54,17 @@ enum class DirectOutcome : unsigned char
  * less than that of the curve that is there, or less than what the two differ by. The spans hold
  * the curve that is there, with its errors.
  *
- * Where both meshes have a contact at finite strain the force is that of the finer. Its error, the
- * root of the squares of: what the two meshes differ by, and a hundredth (Elements); what is around
+ * Where finite strain is solved for the force is that of the finer mesh. Its error, the root of the
+ * squares of: what the two meshes differ by, and a hundredth (Elements); what is around
  * moves as at small strain (Strain, pressAtFiniteStrain); storage.
  *
- * Elsewhere it is the mean of those of pressures along the mean normal and along each its own, with
+ * Otherwise it is the mean of those of pressures along the mean normal and along each its own, with
  * the correction for finite strain, and of the error are: half of what these two differ by, which
  * small displacements cannot decide (Curvature); Elements; what finite strain, or its correction,
  * lacks (Strain); storage.
+ *
+ * Failed: one of the meshes has no contact to that depth, or, at small strain, one that touches
+ * before by more than that.
  *
  * Towards the surface, where the contact gets as small as its facets, the curve goes over to the
  * one that was there, by √δ, from the sample on at which that is better known.

@@ -14,27 +14,29 @@
  * differ by, has that curve, to MaximumDeflection: `Force`, `Stiffness`, `Range`, `Status`,
  * `Error`, `Validity` and `Limit` are as of vtkElasticContactResponse; the others stay, bit by bit.
  * The point array `<name>Direct` (uint8) tells what became of each: 0 not pressed, 1 replaced, 2
- * pressed, but the law is better known, 3 failed (it could not be cut out or filled, or no contact
- * settled); there is a warning with the first reason.
+ * pressed, but the law is better known, 3 failed (it could not be cut out or filled, the tool comes
+ * upon what is held, or no contact settled); there is a warning with the first reason.
  *
  * **Method.** The part reaches five contact radii; on its cut it moves as the body in its coarse
  * cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and without
  * friction. All is done twice, the second time with one and a half times longer cells on the
- * coarser body: what they differ by is part of the error.
+ * coarser body: what they differ by is part of the error. Where that is more than the
+ * tolerance, or the tool reaches farther, a part of eight contact radii is cut out.
  * - With Neo-Hooke and a tool without a flat end: finite strain (palpate::pressAtFiniteStrain),
- *   pressures along the tool's own normal, from where it first touches on. The rest of the body is
- *   at small strain, and where it turns the place, the square of that angle is part of the error.
- *   The body does not touch itself.
- * - Otherwise, or where no such equilibrium is found: small strain, pressures linear on the facets
+ *   pressures along the tool's own normal, from where it first touches on, as in a hollow too
+ * narrow for it. The rest of the body is at small strain, and where it turns the place, the square
+ * of that angle is part of the error. The body does not touch itself.
+ * - Otherwise: small strain, pressures linear on the facets
  *   (palpate::DirectContact), and finite strain multiplies what is local, as of
  *   vtkElasticContactResponse. Half of what pressures along the mean normal and each along its own
  *   differ by is part of the error: in a crease, or where the tool touches several sides, that is
- *   what small displacements leave open.
+ *   what small displacements leave open. A contact that touches elsewhere by more than the depth
+ *   before it comes to the point is none.
  *
- * **Cost.** 4 to 10 s a point of one thread, at finite strain 20 s, on all threads, and 100 MB
- * each: offline work. One factorisation each of the two bodies. Abort is seen between points. The
- * same bits for any number of threads. The mesher is CGAL's, as of vtkGradedBody: without it
- * (PALPATE_USE_CGAL) running the filter is an error.
+ * **Cost.** 4 to 10 s a point of one thread, at finite strain 20 s, in hollows a minute, on all
+ * threads, and 100 to 300 MB each: offline work. One factorisation each of the two bodies. Abort is
+ * seen between points. The same bits for any number of threads. The mesher is CGAL's, as of
+ * vtkGradedBody: without it (PALPATE_USE_CGAL) running the filter is an error.
  *
  * Errors, which name what is wrong: no such response, or without errors; an input without cells or
  * `Fixed`; a property out of range; a Shape that cannot be closed.

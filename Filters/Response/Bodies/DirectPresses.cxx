@@ -22,7 +22,9 @@ constexpr double Far = 0.8;    ///< away from the tool
 constexpr double Longer = 1.5; ///< are the second mesh's
 constexpr int RimBalls = 32;
 constexpr int MostBoxes = 4;
-constexpr double Larger = 1.07;     ///< a box where another cannot be cut
+constexpr double Larger = 1.07; ///< a box where another cannot be cut
+/// And where one does not do: of what is around it knows the more.
+constexpr double Wider = 1.6;
 constexpr double Inside = 0.1;      ///< lie loads on the body's coarse cells
 constexpr double CoarseReach = 2.5; ///< of the part, in lengths of these cells
 } // namespace
@@ -38,12 +40,11 @@ DirectPresses::DirectPresses(const PreparedSurface& surface, const RestOfBody& b
 {
 }
 
-/// `length`: 1 for the finest.
-PartCells DirectPresses::cells(const DirectPlace& place, double length) const
+PartCells DirectPresses::cells(const DirectPlace& place, const Lengths& lengths) const
 {
-  const double unit = length * this->Radius;
+  const double unit = lengths.near * this->Radius;
   PartCells made;
-  made.spacing = Far * unit;
+  made.spacing = Far * lengths.far * this->Radius;
   made.balls.push_back({ place.place, Around * this->Radius, Facets * unit });
   if (this->Tool.smallestContactRadius() >= this->Radius)
   {
@@ -59,11 +60,11 @@ PartCells DirectPresses::cells(const DirectPlace& place, double length) const
   return made;
 }
 
-std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& cut, double length,
-  const RestOfBody& rest, Part& part) const
+std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& cut,
+  const Lengths& lengths, const RestOfBody& rest, Part& part) const
 {
   CutOutPart filled;
-  std::string fault = fillPart(cut, this->cells(place, length), filled);
+  std::string fault = fillPart(cut, this->cells(place, lengths), filled);
   if (!fault.empty())
   {
     return fault;
@@ -81,6 +82,8 @@ std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& c
   {
     input.fixed.push_back(filled.onCut[i] || filled.held[i] ? FixedX | FixedY | FixedZ : 0);
   }
+  part.onCut = std::move(filled.onCut);
+  part.held = std::move(filled.held);
   ElasticBody& body = part.body;
   fault = body.assemble(std::move(input));
   fault = fault.empty() ? body.analyse(StiffnessFactor::Kind::Automatic) : fault;
@@ -94,53 +97,73 @@ std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& c
                                              : "there is not enough memory for the part around it";
 }
 
-/// At finite strain, or where that is not asked for, or not found on both, at small.
-void DirectPresses::press(
-  const DirectPlace& place, const Part& finer, const Part& coarser, Contacts& contacts) const
+DirectPress DirectPresses::press(const DirectPlace& place, const Part& part) const
 {
-  const auto finite = [&](const Part& part)
-  { return pressAtFiniteStrain(part.body, this->Tool, place, this->Terms.depth, &part.moved); };
-  const auto small = [&](const Part& part)
-  {
-    return std::make_unique<DirectContact>(
-      part.body, this->Tool, place, this->Terms.depth, &part.moved);
-  };
+  const double depth = this->Terms.depth;
+  DirectPress made;
   if (this->Terms.solvesFiniteStrain)
   {
-    contacts.finer.finite = finite(finer);
-    contacts.coarser.finite = finite(coarser);
+    made.finite = pressAtFiniteStrain(part.body, this->Tool, place, depth, &part.moved);
   }
-  if (!isAtFiniteStrain(contacts.finer, this->Terms) ||
-    !isAtFiniteStrain(contacts.coarser, this->Terms))
+  else
   {
-    contacts.finer.small = small(finer);
-    contacts.coarser.small = small(coarser);
+    made.small = std::make_unique<DirectContact>(part.body, this->Tool, place, depth, &part.moved);
   }
+  return made;
 }
 
-std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) const
+std::string DirectPresses::pressIn(
+  double wider, const DirectPlace& place, Contacts& contacts, bool& isBeyond) const
 {
   const std::int32_t point = this->Body.pointBeside(place.place, -place.inward);
   if (point < 0)
   {
     return "no point of the solid's surface faces the same way";
   }
-  double half =
+  double half = wider *
     std::max(Reach * this->Radius, CoarseReach * this->Body.body().surface().spacing(point));
-  std::string fault;
-  for (int i = 0; i < MostBoxes; ++i, half *= Larger)
+  std::string fault = "it has no part";
+  for (int i = 0; i < MostBoxes && !fault.empty(); ++i, half *= Larger)
   {
     CutOutSurface cut;
     Part finer;
     Part coarser;
     fault = cutOutAround(this->Surface, place.place, half, cut);
-    fault = fault.empty() ? this->make(place, cut, 1.0, this->Body, finer) : fault;
-    fault = fault.empty() ? this->make(place, cut, Longer, this->Coarser, coarser) : fault;
-    if (fault.empty())
+    fault = fault.empty() ? this->make(place, cut, { 1.0, wider }, this->Body, finer) : fault;
+    fault = fault.empty()
+      ? this->make(place, cut, { Longer, Longer * wider }, this->Coarser, coarser)
+      : fault;
+    if (!fault.empty())
     {
-      this->press(place, finer, coarser, contacts);
-      break;
+      continue;
     }
+    const std::vector<ToolFacet> under =
+      facetsUnder(finer.body, this->Tool, place, this->Terms.depth);
+    if (depthOfMarked(under, finer.held, this->Tool) < this->Terms.depth)
+    {
+      return "the tool comes upon what is held";
+    }
+    isBeyond = depthOfMarked(under, finer.onCut, this->Tool) < this->Terms.depth;
+    if (isBeyond)
+    {
+      return "the tool comes upon what is too far away";
+    }
+    contacts = { this->press(place, finer), this->press(place, coarser) };
+  }
+  return fault;
+}
+
+std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) const
+{
+  bool isBeyond = false;
+  const std::string fault = this->pressIn(1.0, place, contacts, isBeyond);
+  const bool isOpen =
+    fault.empty() ? !meshesAgree(contacts.finer, contacts.coarser, this->Terms) : isBeyond;
+  Contacts again;
+  if (isOpen && this->pressIn(Wider, place, again, isBeyond).empty())
+  {
+    contacts = std::move(again);
+    return "";
   }
   return fault;
 }

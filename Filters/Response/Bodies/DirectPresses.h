@@ -16,14 +16,14 @@ namespace palpate
  * threads.
  *
  * The part reaches five contact radii from the place: on a half-space what lies beyond is an eighth
- * of the compliance, of which coarse cells miss some hundredths.
+ * of the compliance, of which coarse cells miss some hundredths. Where that does not do, as two
+ * meshes differ or the tool reaches farther, it reaches eight.
  */
 class DirectPresses
 {
 public:
   /// The surface, the bodies and the tool must stay; `coarser` is `body` in longer cells. `terms`
-  /// tell the tool, the material and how deep; at finite strain it is pressed where they ask for
-  /// Neo-Hooke and the tool allows it.
+  /// tell the tool, the material, how deep, and whether at finite strain.
   DirectPresses(const PreparedSurface& surface, const RestOfBody& body, const RestOfBody& coarser,
     const DirectTerms& terms);
 
@@ -40,13 +40,24 @@ private:
   struct Part
   {
     ElasticBody body;
-    UnitMotion moved; ///< by what is around
+    UnitMotion moved;                 ///< by what is around
+    std::vector<unsigned char> onCut; ///< nodes
+    std::vector<unsigned char> held;
   };
-  PartCells cells(const DirectPlace& place, double length) const;
-  std::string make(const DirectPlace& place, const CutOutSurface& cut, double length,
+  /// How long cells are; 1 for the finest.
+  struct Lengths
+  {
+    double near = 1.0;
+    double far = 1.0;
+  };
+  PartCells cells(const DirectPlace& place, const Lengths& lengths) const;
+  std::string make(const DirectPlace& place, const CutOutSurface& cut, const Lengths& lengths,
     const RestOfBody& rest, Part& part) const;
-  void press(
-    const DirectPlace& place, const Part& finer, const Part& coarser, Contacts& contacts) const;
+  /// In a box that reaches so many times as far as it should, in as many cells, or the next larger
+  /// that can be cut. `isBeyond`: the tool comes upon where that was cut off.
+  std::string pressIn(
+    double wider, const DirectPlace& place, Contacts& contacts, bool& isBeyond) const;
+  DirectPress press(const DirectPlace& place, const Part& part) const;
 
   const PreparedSurface& Surface;
   const RestOfBody& Body;
