@@ -23,10 +23,10 @@ inline bool isForFiniteStrain(const AxisymmetricTool& tool)
  * and what a body does that turns away as it bends. The body does not touch itself.
  *
  * Newton's method on the potential of FinitePart, at a few depths, from where the tool first
- * touches, however far before the place, down to `deepest` (mm), or as far as an equilibrium is
- * found: where the body gives way suddenly, as a flap that snaps aside, the one that lies downhill.
- * The curve is empty where there is none, in other cells, of several materials, and of tools it is
- * not for. Contact radii are of the undeformed area.
+ * touches, up to three contact radii before the place, down to `deepest` (mm), or as far as an
+ * equilibrium is found: where the body gives way suddenly, as a flap that snaps aside, the one that
+ * lies downhill. The curve is empty where there is none, in other cells, of several materials, and
+ * of tools it is not for. Contact radii are of the undeformed area.
  *
  * `rest` as DirectContact has it: what is around the body moves as at small strain. Where that
  * turns the place by θ, its own length changes by θ²/2 that are not; on a bar held at one end the

@@ -165,6 +165,8 @@ TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
     const double expected = above.evaluate(deflection + higher).force;
     EXPECT_NEAR(contact.evaluate(deflection).force, expected, 0.01 * expected) << deflection;
   }
+  // Too far for a contact as small as that of a hundredth of the depth.
+  EXPECT_EQ(pressAtFiniteStrain(body, *sphere, bottom, 0.01 * depth).deepest(), 0.0);
   // of pieces of facets half a millimetre long
   EXPECT_NEAR(DirectContact(body, *sphere, bottom, depth).touchesBefore(),
     2.0 * (std::sqrt(1.0 + slope * slope) - 1.0), 0.02);
