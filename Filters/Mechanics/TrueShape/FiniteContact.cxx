@@ -19,8 +19,8 @@ constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.0 }
 /// Of the last penetration, by which the tool goes farther: it grows until the next.
 constexpr double MakeUp = 1.6;
 constexpr int MostMadeUp = 4;
-/// Contact radii that it may touch before it comes to the place: walls of a dragon's hollow, pushed
-/// aside by four and a half of them, carried 7 % more on a finer mesh, where two meshes agreed.
+/// Contact radii that it may touch before it comes to the place: beyond, nearly all of a ball would
+/// be in the hollow, and what else is over the place touches it too.
 constexpr double LongestWay = 3.0;
 /// At once, of the deepest and of the way to the place.
 constexpr double LongestStep = 0.3;
