@@ -108,6 +108,7 @@ TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
   former = this->Force;
   const DirectPress above = press(coarse.Body, *this->Sphere, Thickness + 5.0);
   EXPECT_EQ(this->take(above, above), DirectOutcome::Failed);
+  EXPECT_EQ(this->Force, former);
   const DirectTerms terms{ this->Sphere.get(), Material, Depth, 1e-6, nullptr, false };
   EXPECT_FALSE(meshesAgree(above, above, terms));
   EXPECT_TRUE(meshesAgree(finer, finer, terms));
@@ -141,6 +142,7 @@ TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
     }
   }
 }
+
 /// At finite strain: the exact law times what the axisymmetric solver's tables say. Where one of
 /// the meshes has no such contact the curve stays.
 TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
