@@ -62,8 +62,7 @@ public:
   int corners() const { return static_cast<int>(this->Corners.size()); }
 
   /// Mm by which the tool touches elsewhere before it comes to the place, as in a hollow too narrow
-  /// for it. Beyond the depth walls are pushed aside too far for small displacements: of six balls
-  /// on a dragon three were off by half of the force and more.
+  /// for it. Beyond the depth walls are pushed aside too far for small displacements.
   double touchesBefore() const;
 
   DirectForce at(double deflection, Pushed pushed = Pushed::TogetherAlongTheMean) const;
