@@ -39,8 +39,8 @@ void vtkContactSettings::GetTable(vtkTable* table)
     table->AddColumn(array);
   };
   using Row = palpate::SettingRow;
-  const auto words = vtkSmartPointer<vtkStringArray>::New;
-  const auto numbers = vtkSmartPointer<vtkDoubleArray>::New;
+  const auto words = [] { return vtkSmartPointer<vtkStringArray>::New(); };
+  const auto numbers = [] { return vtkSmartPointer<vtkDoubleArray>::New(); };
   table->Initialize();
   add("Name", words(), [](const Row& row) { return row.text.name; });
   add("Unit", words(), [](const Row& row) { return row.text.unit; });
